@@ -30,6 +30,13 @@ class Film:
     central: float | np.ndarray | None
     minimum: float | np.ndarray | None
 
+    @property
+    def central_number(self) -> float:
+        """Film in the middle of one contact [m], by a formula that gives it."""
+        if self.central is None:
+            raise ValueError("the formula gives no central film")
+        return float(self.central)
+
 
 @dataclass(frozen=True)
 class PointGroups:

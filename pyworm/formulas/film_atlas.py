@@ -14,6 +14,7 @@ from dataclasses import dataclass, fields
 from functools import cache, cached_property
 from importlib.resources import files
 from math import log, pi
+from typing import Any
 
 import numpy as np
 
@@ -396,7 +397,8 @@ def films(groups: AtlasGroups) -> AtlasFilms:
     for first in range(0, count, PART):
         part = slice(first, first + PART)
         out[:, part], inside[part] = _films(AtlasGroups(*(of[part] for of in flat)), constants)
-    return AtlasFilms(*(row.reshape(shape) for row in out), inside=inside.reshape(shape))
+    central, minimum, *errors = (row.reshape(shape) for row in out)
+    return AtlasFilms(central, minimum, errors[0], errors[1], inside.reshape(shape))
 
 
 def _films(groups: AtlasGroups, constants: dict) -> tuple[np.ndarray, np.ndarray]:
@@ -457,7 +459,7 @@ def regimes(groups: AtlasGroups) -> np.ndarray:
     )
 
 
-def reciprocal_alpha(viscosity: Callable[[np.ndarray], np.ndarray], alpha: float) -> float:
+def reciprocal_alpha(viscosity: Callable[[np.ndarray], Any], alpha: float) -> float:
     """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-].
 
     1/(alpha int_0^inf eta0/eta dp): what Weibull, Blok and Bair take for the pressure-viscosity coefficient

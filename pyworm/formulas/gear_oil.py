@@ -117,7 +117,8 @@ def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAd
     warm = _is_warm(ambient_temperature)
     inches = centre_distance / INCH
     row = next(row for row in _AGMA_PARALLEL if inches <= row[0])
-    low, high = row[2 if warm else 1]
+    _, in_cold, in_warm = row
+    low, high = in_warm if warm else in_cold
     grades = tuple(g for g in AGMA_GRADES.values() if AGMA_GRADES[low] <= g <= AGMA_GRADES[high])
     size = f"to {row[0]} in" if row[0] < inf else "above 20 in"
     return TableAdvice(

@@ -54,7 +54,7 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
         )
 
 
-def positive(name: str, value: Values, unit: str) -> None:
+def positive(name: str, value: Values | Sequence[float], unit: str) -> None:
     """Refuse a value that is not finite and greater than zero; arguments as of `within`.
 
     Raises

@@ -5,13 +5,17 @@ products of powers of such values overflow. Beyond the usual range it is accepte
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
 from pyworm.io.number_with_unit import measure, number_and_unit, number_hint, unit_of
 
-_SIGNS = {
+Sign = Literal["positive", "not negative", "any"]
+"""Which values of a kind are taken."""
+
+_SIGNS: dict[Sign, tuple[Callable[[float], bool], str]] = {
     "positive": (lambda value: value > 0, "greater than zero"),
     "not negative": (lambda value: value >= 0, "zero or more"),
     "any": (lambda value: True, "that is finite"),
@@ -39,9 +43,6 @@ _SLIPS = {
     "rad": ("deg", "rad"),
 }
 """SI unit -> what is meant where it, or one of its multiples, is a slip."""
-
-Sign = Literal["positive", "not negative", "any"]
-"""Which values of a kind are taken."""
 
 Range = tuple[str, str]
 """Two quantities, smallest and largest size, as shown to the user."""

@@ -3,12 +3,15 @@
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.kernel import core
 from pyworm.kernel.core import NOT_CONVERGED, check_status, fortran_array
 
 
-def elastic_deflection(pressure, dx: float, dy: float, reduced_modulus: float) -> np.ndarray:
+def elastic_deflection(
+    pressure: npt.ArrayLike, dx: float, dy: float, reduced_modulus: float
+) -> np.ndarray:
     """Sum of the deflections of both half-spaces [m] under nodal pressure [Pa], shape (nx, ny)."""
     deflection, status = core.bindings.elastic_deflection(
         fortran_array(pressure), dx, dy, reduced_modulus
@@ -40,7 +43,14 @@ class DryContact:
 
 
 def dry_contact(
-    gap, covered, dx: float, dy: float, reduced_modulus: float, load: float, guess, tolerance: float
+    gap: npt.ArrayLike,
+    covered: npt.ArrayLike,
+    dx: float,
+    dy: float,
+    reduced_modulus: float,
+    load: float,
+    guess: npt.ArrayLike,
+    tolerance: float,
 ) -> DryContact:
     """Solve the dry contact of a gap [m], shape (nx, ny), from coarser grids by conjugate gradients.
 

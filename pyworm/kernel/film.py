@@ -1,9 +1,11 @@
 """Base of the kernel's films of point and line contacts on one grid."""
 
 import weakref
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
@@ -205,7 +207,7 @@ class Film:
                     self._handle, number, table.coefficient, table.cold, *scales
                 )
 
-    def _on_nodes(self, field) -> np.ndarray:
+    def _on_nodes(self, field: npt.ArrayLike) -> np.ndarray:
         """A field in the kernel's shape, with a second direction of one node for a line contact; no copy."""
         field = fortran_array(field)
         return field[:, np.newaxis] if len(self._shape) == 1 else field
@@ -214,7 +216,9 @@ class Film:
         """A field of the kernel in the shape of the grid; no copy."""
         return field[:, 0] if len(self._shape) == 1 else field
 
-    def start(self, pressure, rigid_film: float, oil=None) -> Balance:
+    def start(
+        self, pressure: npt.ArrayLike, rigid_film: float, oil: np.ndarray | None = None
+    ) -> Balance:
         """Start from a pressure [Pa] and a rigid film h0 [m]; pressure on the outline stays fixed.
 
         Between rough surfaces `oil` is the part that the oil bears, zero where it has ruptured. Errors of a
@@ -250,7 +254,7 @@ class Film:
         """Pressure that the oil bears [Pa]."""
         return self.pressure - self.asperities().pressure if self.rough else self.pressure
 
-    def set_transient_term(self, implicit: float, explicit) -> None:
+    def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
         """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.
 
         Parameters
@@ -271,7 +275,7 @@ class Film:
         """Keep the rigid film as it is started, whatever load the film then carries."""
         core.bindings.film_hold(self._handle)
 
-    def remember(self, rise) -> None:
+    def remember(self, rise: npt.ArrayLike) -> None:
         """Set what the surfaces are warmer by than steady conduction has them [K]; restart before a step.
 
         Raises
@@ -359,7 +363,13 @@ class Film:
         """Temperature above the inlet's [K] at the levels, from body 1 to body 2 along the last axis."""
         return self._on_grid(core.bindings.film_rise(self._handle, *self._nodes, self.levels))
 
-    def shear(self, law: FlowLaw, levels: int, sliding, slip_step: float = SLIP_STEP) -> None:
+    def shear(
+        self,
+        law: FlowLaw,
+        levels: int,
+        sliding: Iterable[npt.ArrayLike],
+        slip_step: float = SLIP_STEP,
+    ) -> None:
         """Set the flow law of the oil, at the inlet's temperature; the film must be restarted, or heated.
 
         Parameters
@@ -423,7 +433,7 @@ class Film:
         self.rough = True
         self.boundary_friction = boundary_friction
 
-    def feed(self, supply) -> None:
+    def feed(self, supply: npt.ArrayLike) -> None:
         """Limit the oil that enters to a layer; the film must be restarted before its next step.
 
         Parameters
@@ -450,12 +460,12 @@ class Film:
         fields = core.bindings.film_asperities(self._handle, *self._nodes)
         return Asperities(*(self._on_grid(field) for field in fields))
 
-    def set_rise(self, rise) -> None:
+    def set_rise(self, rise: npt.ArrayLike) -> None:
         """Set the rise over the inlet temperature at the levels [K]; the film must be restarted."""
         core.bindings.film_set_rise(self._handle, self._on_nodes(rise))
         self._warming = np.inf
 
-    def _warm_from(self, rise) -> None:
+    def _warm_from(self, rise: npt.ArrayLike | None) -> None:
         """Heat the film from a rise over the inlet temperature at the levels [K], by default zero."""
         self.heated = True
         self._warming = np.inf
@@ -484,7 +494,9 @@ class Film:
         fields = core.bindings.film_heat_fields(self._handle, *self._nodes)
         return HeatFields(*(self._on_grid(field) for field in fields))
 
-    def profile(self, node: tuple[int, ...], velocity) -> tuple[np.ndarray, ...]:
+    def profile(
+        self, node: tuple[int, ...], velocity: Sequence[np.ndarray]
+    ) -> tuple[np.ndarray, ...]:
         """Velocity [m/s] at the levels above an inner node along each direction of the grid.
 
         Parameters

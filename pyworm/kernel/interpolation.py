@@ -1,6 +1,9 @@
 """Interpolation of fields to grids of half the spacing, and positions of the levels across the film."""
 
+from collections.abc import Iterable
+
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.kernel import core
 from pyworm.kernel.core import fortran_array
@@ -11,36 +14,37 @@ def level_positions(levels: int) -> np.ndarray:
     return core.bindings.level_positions(levels)
 
 
-def at_levels(field, levels: int) -> np.ndarray:
+def at_levels(field: npt.ArrayLike, levels: int) -> np.ndarray:
     """A field at levels across a film, along its last axis, at another number of them, by a polynomial."""
-    given = np.shape(field)[-1]
+    nodes = np.asarray(field)
+    given = nodes.shape[-1]
     if given == levels:
-        return np.asarray(field)
+        return nodes
     there, here = (np.vander(level_positions(count), given) for count in (levels, given))
-    return field @ np.linalg.solve(here.T, there.T)
+    return nodes @ np.linalg.solve(here.T, there.T)
 
 
-def prolong(field) -> np.ndarray:
+def prolong(field: npt.ArrayLike) -> np.ndarray:
     """Interpolate a field along one direction or two to half the spacing, by cubics."""
-    field = fortran_array(field)
-    if field.ndim == 1:
-        return core.bindings.prolong_cubic(field[:, np.newaxis])[:, 0]
-    return core.bindings.prolong_cubic(field)
+    nodes = fortran_array(field)
+    if nodes.ndim == 1:
+        return core.bindings.prolong_cubic(nodes[:, np.newaxis])[:, 0]
+    return core.bindings.prolong_cubic(nodes)
 
 
-def between_nodes(field, places) -> np.ndarray:
+def between_nodes(field: npt.ArrayLike, places: Iterable[npt.ArrayLike]) -> np.ndarray:
     """Values of a field between its nodes along straight lines, zero beyond its grid.
 
     `places` are those along each direction, in spacings from the first node.
     """
-    field, *places = (fortran_array(of) for of in (field, *places))
-    if field.ndim == 2:
-        return core.bindings.interpolate(field, *places)
-    column = places[0][:, np.newaxis]
+    nodes, *at = (fortran_array(of) for of in (field, *places))
+    if nodes.ndim == 2:
+        return core.bindings.interpolate(nodes, *at)
+    column = at[0][:, np.newaxis]
     row = np.zeros_like(column)
-    return core.bindings.interpolate(field[:, np.newaxis], column, row)[:, 0]
+    return core.bindings.interpolate(nodes[:, np.newaxis], column, row)[:, 0]
 
 
-def prolong_levels(fields) -> np.ndarray:
+def prolong_levels(fields: np.ndarray) -> np.ndarray:
     """Interpolate fields at levels across the film, along the last axis, to half the spacing by cubics."""
     return np.stack([prolong(level) for level in np.moveaxis(fields, -1, 0)], axis=-1)

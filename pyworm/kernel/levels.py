@@ -12,6 +12,8 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
 
+from pyworm.io.present import present
+
 BASE = "x86-64"
 
 NEEDED = {
@@ -82,14 +84,15 @@ def taken() -> tuple[str | None, Path | None]:
     """
     others = built()
     level = chosen(others, processor(), os.environ.get(WANTED)) if others else None
-    return level, others.get(level)
+    return level, None if level is None else others.get(level)
 
 
 def loaded(file: Path) -> ModuleType:
     """The kernel in a file, as `pyworm._core`."""
     name = "pyworm._core"
-    spec = spec_from_file_location(name, loader=ExtensionFileLoader(name, str(file)))
+    loader = ExtensionFileLoader(name, str(file))
+    spec = present(spec_from_file_location(name, loader=loader), f"the kernel in {file}")
     module = module_from_spec(spec)
-    spec.loader.exec_module(module)
+    loader.exec_module(module)
     sys.modules[name] = module
     return module

@@ -1,11 +1,15 @@
 """The kernel's film of a line contact."""
 
+from collections.abc import Sequence
+
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.film import Film
 from pyworm.kernel.numbers import bodies_numbers, heat_numbers, oil_numbers
+from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
 
@@ -33,7 +37,17 @@ class LineFilm(Film):
     (`fortran/elastic/half_plane.f90`); it is the same on every grid over one interval.
     """
 
-    def __init__(self, gap, covered, entrainment, dx, reduced_modulus, load, oil, floor):
+    def __init__(
+        self,
+        gap: npt.ArrayLike,
+        covered: npt.ArrayLike,
+        entrainment: npt.ArrayLike,
+        dx: float,
+        reduced_modulus: float,
+        load: float,
+        oil: Oil,
+        floor: float,
+    ):
         made = core.bindings.line_film_new(
             fortran_array(gap),
             np.asarray(covered, dtype=np.int32),
@@ -47,7 +61,13 @@ class LineFilm(Film):
         super().__init__(made, np.shape(gap))
         self._tabulate(oil)
 
-    def heat(self, oil: Oil, bodies, velocities, rise=None) -> None:
+    def heat(
+        self,
+        oil: Oil,
+        bodies: tuple[Body, Body],
+        velocities: Sequence[float],
+        rise: npt.ArrayLike | None = None,
+    ) -> None:
         """Add heat to a sheared film and its bodies; the film must be restarted before its next step.
 
         Parameters
@@ -71,7 +91,7 @@ class LineFilm(Film):
                 self._handle,
                 np.full(self._shape, velocities[0]),
                 heat_numbers(oil),
-                bodies_numbers(bodies, oil.heat),
+                bodies_numbers(bodies, oil.thermal),
                 np.array(velocities),
             )
         )

@@ -1,10 +1,13 @@
 """Oils and bodies as the numbers that the kernel takes."""
 
+from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
 import scipy
 
+from pyworm.io.present import present
+from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import SHAPED, FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
@@ -48,7 +51,7 @@ def flow_numbers(law: FlowLaw) -> tuple:
 
 def heat_numbers(oil: Oil) -> np.ndarray:
     """Thermal properties of an oil as arguments of the kernel (`bindings.f90`, point_film_heat)."""
-    heat = oil.heat
+    heat = oil.thermal
     return np.array(
         [
             heat.inlet_temperature,
@@ -68,13 +71,13 @@ def heat_numbers(oil: Oil) -> np.ndarray:
     )
 
 
-def bodies_numbers(bodies, heat: OilHeat) -> np.ndarray:
+def bodies_numbers(bodies: Sequence[Body], heat: OilHeat) -> np.ndarray:
     """Thermal properties of both bodies as arguments of the kernel, a column each."""
     columns = [
         (
             body.conductivity,
-            body.density * body.specific_heat,
-            body.bulk_temperature - heat.inlet_temperature,
+            body.heat_capacity,
+            present(body.bulk_temperature, "bulk_temperature") - heat.inlet_temperature,
         )
         for body in bodies
     ]

@@ -1,11 +1,15 @@
 """The kernel's film of a point contact."""
 
+from collections.abc import Iterable, Sequence
+
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.film import Film, Shear
 from pyworm.kernel.numbers import bodies_numbers, heat_numbers, oil_numbers
+from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
 
@@ -28,7 +32,18 @@ class PointFilm(Film):
         Film [m] below which the mobility is constant, far below any film of interest.
     """
 
-    def __init__(self, gap, covered, entrainment, dx, dy, reduced_modulus, load, oil: Oil, floor):
+    def __init__(
+        self,
+        gap: npt.ArrayLike,
+        covered: npt.ArrayLike,
+        entrainment: Sequence[npt.ArrayLike],
+        dx: float,
+        dy: float,
+        reduced_modulus: float,
+        load: float,
+        oil: Oil,
+        floor: float,
+    ):
         made = core.bindings.point_film_new(
             fortran_array(gap),
             np.asfortranarray(covered, dtype=np.int32),
@@ -65,13 +80,20 @@ class PointFilm(Film):
             "vector_seconds": whole - convolution - flow - building - cycle - heat,
         }
 
-    def entrain(self, entrainment) -> None:
+    def entrain(self, entrainment: Iterable[npt.ArrayLike]) -> None:
         """Set the nodal entrainment velocity (u, v) [m/s]; the film must be restarted before a step."""
         core.bindings.point_film_entrain(
             self._handle, *(fortran_array(part) for part in entrainment)
         )
 
-    def heat(self, oil: Oil, bodies, motions, semi_axes, rise=None) -> None:
+    def heat(
+        self,
+        oil: Oil,
+        bodies: tuple[Body, Body],
+        motions: Iterable[Iterable[npt.ArrayLike]],
+        semi_axes: Sequence[float],
+        rise: npt.ArrayLike | None = None,
+    ) -> None:
         """Add heat to a sheared film and its bodies; the film must be restarted before its next step.
 
         Parameters
@@ -96,7 +118,7 @@ class PointFilm(Film):
             self._handle,
             *(fortran_array(component) for motion in motions for component in motion),
             heat_numbers(oil),
-            bodies_numbers(bodies, oil.heat),
+            bodies_numbers(bodies, oil.thermal),
             np.array(semi_axes),
         )
         check_status(status)

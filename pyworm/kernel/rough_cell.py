@@ -1,6 +1,7 @@
 """A periodic cell of a rough surface: its contact with a rigid flat and flow through the gap between."""
 
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
@@ -14,7 +15,7 @@ FLOW_TOLERANCE = 1e-5
 
 
 def press(
-    height,
+    height: npt.ArrayLike,
     spacing: tuple[float, float],
     reduced_modulus: float,
     separation: float,
@@ -63,7 +64,7 @@ def press(
     return pressure, gap
 
 
-def conduct(gap, spacing: tuple[float, float]) -> tuple[Array, Array]:
+def conduct(gap: npt.ArrayLike, spacing: tuple[float, float]) -> tuple[Array, Array]:
     """Flow through a gap that repeats itself.
 
     Parameters

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
@@ -97,7 +97,7 @@ def base_stock(name: str) -> BaseStock:
 
 # -------------------------------------------------------------------------------------------- files
 
-_AgmaFactor = units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")
+_AgmaFactor: Any = units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")
 _Fraction = Annotated[float, Field(strict=True, gt=0, lt=1)]
 Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
 
@@ -139,7 +139,7 @@ class StockTable(_Table):
     heat: HeatCourseTable = HeatCourseTable()
 
     @model_validator(mode="after")
-    def _stresses_in_pairs(self):
+    def _stresses_in_pairs(self) -> Self:
         if (self.eyring_stress is None) != (self.limiting_stress is None):
             raise ValueError("give eyring_stress and limiting_stress together")
         if self.eyring_stress is not None and self.limiting_coefficient is not None:
@@ -170,7 +170,7 @@ class _BaseStockTable(StockTable):
     sources: dict[str, str]
 
     @model_validator(mode="after")
-    def _one_way_to_flow(self):
+    def _one_way_to_flow(self) -> Self:
         if self.limiting_coefficient is None and self.eyring_stress is None:
             raise ValueError("give limiting_coefficient or the two stresses")
         return self
@@ -186,7 +186,7 @@ def _stocks() -> dict[Base, BaseStock]:
         stock = BaseStock(base, **table.own(), grades=table.grades, sources=table.sources)
         for grade, (m, n) in stock.grades.items():
             nu = oil_properties.walther_viscosity(m, n, DEGREES_40) / SQUARE_MILLIMETRE
-            if grade not in ISO_GRADES or abs(nu / grade - 1) > GRADE_TOLERANCE:
+            if grade not in ISO_GRADES or abs(float(nu) / grade - 1) > GRADE_TOLERANCE:
                 raise CaseError(f"{_TABLE}: {base} VG {grade}: has {nu:.1f} mm2/s at 40 degC")
         stocks[base] = stock
     return stocks

@@ -7,6 +7,7 @@ from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import take
+from pyworm.io.present import present
 from pyworm.materials import solids
 from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
@@ -105,6 +106,18 @@ class Body:
             if getattr(self, name) is not None:
                 positive(name, getattr(self, name), unit)
 
+    @property
+    def heat_capacity(self) -> float:
+        """Heat capacity for each volume [J/(m3 K)]; ValueError of a solid without thermal constants."""
+        return present(self.density, "density") * present(self.specific_heat, "specific_heat")
+
+    @property
+    def thermal_inertia(self) -> float:
+        """Square of the thermal effusivity, k rho c [J2/(m4 K2 s)]; ValueError likewise."""
+        conductivity = present(self.conductivity, "conductivity")
+        density = present(self.density, "density")
+        return conductivity * density * present(self.specific_heat, "specific_heat")
+
     def warm_at(self, inlet: float) -> "Body":
         """The solid under oil that enters at a temperature [K]: as warm where it has none of its own."""
         return replace(self, bulk_temperature=inlet) if self.bulk_temperature is None else self
@@ -167,5 +180,6 @@ def named_body(
         name = solids.named_material(material)
     except ValueError as error:
         raise ValueError(f'material "{material}": {error}') from None
-    constants = solids.constants(name)
-    return Body(**constants, roughness=roughness, bulk_temperature=bulk_temperature)
+    constants: dict[str, Any] = {**solids.constants(name)}
+    constants |= {"roughness": roughness, "bulk_temperature": bulk_temperature}
+    return Body(**constants)

@@ -137,7 +137,7 @@ class FlowLaw:
             )
 
     @classmethod
-    def of(cls, function: Callable[[float], float], stress: float, **limit: float) -> "FlowLaw":
+    def of(cls, function: Callable[[float], float], stress: float, **limit: Any) -> "FlowLaw":
         """The law by which a function gives the stress [Pa] at a Newtonian one, viscosity times rate [Pa].
 
         Parameters
@@ -152,7 +152,7 @@ class FlowLaw:
         stress = number("stress", stress, kind_of(units.Stress))
         places = np.geomspace(1e-4, 1e8, 400)
         table = tuple((float(y), float(function(y * stress)) / stress) for y in places)
-        return cls("tabulated", stress=stress, table=table, **limit)
+        return replace(cls("tabulated", stress=stress, table=table), **limit)
 
     def shape_at(self, newtonian: np.ndarray) -> np.ndarray:
         """Stress over G at a Newtonian stress over G, without the limit, of the laws in `SHAPED`."""

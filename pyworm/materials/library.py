@@ -13,6 +13,7 @@ from pyworm.formulas import oil_properties
 from pyworm.formulas.gear_oil import ISO_GRADES
 from pyworm.formulas.ranges import Values
 from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_MILLIMETRE
+from pyworm.io.present import present
 from pyworm.materials.base_stock import (
     BASES,
     BaseStock,
@@ -52,7 +53,8 @@ class NamedOil:
     def viscosity_index(self) -> float:
         """Viscosity index [-] (ASTM D2270)."""
         return oil_properties.viscosity_index(
-            self.kinematic_viscosity(DEGREES_40), self.kinematic_viscosity(DEGREES_100)
+            float(self.kinematic_viscosity(DEGREES_40)),
+            float(self.kinematic_viscosity(DEGREES_100)),
         )
 
     def kinematic_viscosity(self, temperature: Values) -> Values:
@@ -120,7 +122,9 @@ class NamedOil:
         coefficient = stock.limiting_coefficient
         if coefficient is None:
             return FlowLaw(
-                "eyring-limited", stress=stock.eyring_stress, limit=stock.limiting_stress
+                "eyring-limited",
+                stress=present(stock.eyring_stress, "eyring_stress"),
+                limit=present(stock.limiting_stress, "limiting_stress"),
             )
         stress = float(oil_properties.eyring_stress(self.alpha(temperature), coefficient))
         return FlowLaw("eyring-limited", stress=stress, limit=stress, limit_pressure=coefficient)

@@ -14,6 +14,7 @@ from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMP
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import take
+from pyworm.io.present import present
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.tabulated import Tabulated, TabulatedDensity, TabulatedViscosity
@@ -105,7 +106,7 @@ class Oil:
     def eta(self, pressure: float, rise: float = 0.0) -> float:
         """Viscosity [Pa s] at a pressure [Pa] and a temperature above the inlet's [K]."""
         if isinstance(self.viscosity, TabulatedViscosity):
-            return self.viscosity(pressure, rise)
+            return float(self.viscosity(pressure, rise))
         if self.heat is None or rise == 0:
             return self.viscosity(pressure)
         exponent = self.heat.viscosity_exponent
@@ -117,13 +118,23 @@ class Oil:
         return law.eta0 * exp(span * (warmed - 1))
 
     @property
+    def thermal(self) -> OilHeat:
+        """How an oil whose heat is simulated takes it; ValueError of one without `heat`."""
+        return present(self.heat, "oil.heat")
+
+    @property
+    def sheared(self) -> FlowLaw:
+        """How an oil whose friction is simulated shears; ValueError of one without `flow`."""
+        return present(self.flow, "oil.shear")
+
+    @property
     def beta(self) -> float:
         """Decay of the viscosity with temperature at the inlet, -d ln eta/dT [1/K]; of an oil with `heat`."""
         if isinstance(self.viscosity, TabulatedViscosity):
             return log(self.eta(0.0, -0.5) / self.eta(0.0, 0.5))
-        beta = self.heat.viscosity_exponent
+        beta = self.thermal.viscosity_exponent
         if isinstance(self.viscosity, Roelands):
-            span = self.heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE
+            span = self.thermal.inlet_temperature - ROELANDS_POLE_TEMPERATURE
             beta *= (log(self.viscosity.eta0) + ROELANDS_POLE_LOG) / span
         return beta
 
@@ -133,12 +144,14 @@ class Oil:
         Roelands: ln eta + 9.67 falls as the distance from the pole of temperature to the power -s0, at every
         pressure, so that z stays what it is. Density and heat capacity follow their laws at ambient pressure.
         """
-        heat = self.heat
+        heat = self.thermal
+        thinner: Barus | Roelands | TabulatedViscosity
         if isinstance(self.viscosity, TabulatedViscosity):
             thinner = self.viscosity.at(self.viscosity.reference + rise)
         else:
             thinner = replace(self.viscosity, eta0=self.eta(0.0, rise))
         lighter = 1 - heat.expansivity * rise
+        density: Density | TabulatedDensity
         if isinstance(self.density, TabulatedDensity):
             density = self.density.at(self.density.reference + rise)
         else:

@@ -2,12 +2,13 @@
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Self
 
 from pydantic import Field, ValidationError, model_validator
 
 from pyworm.io import units
 from pyworm.io.input_error import CaseError, sentence
+from pyworm.io.present import present
 from pyworm.io.toml import read_toml
 from pyworm.materials.base_stock import Base, Positive, StockTable
 from pyworm.materials.library import NamedOil, named_oil, oil_from_index, oil_from_viscosities
@@ -45,7 +46,8 @@ def read_oil(path: str | Path) -> NamedOil:
                 table.name, table.base, table.viscosity_40, table.viscosity_100, table.source
             )
         else:
-            made = oil_from_index(table.name, table.base, table.viscosity_40, table.viscosity_index)
+            index = present(table.viscosity_index, "viscosity_index")
+            made = oil_from_index(table.name, table.base, table.viscosity_40, index)
     except ValidationError as error:
         raise CaseError(f"{path}: {sentence(error, _OilTable, data)}") from None
     except ValueError as error:
@@ -66,7 +68,7 @@ class _OilTable(StockTable):
     viscosity_index: Positive | None = None
 
     @model_validator(mode="after")
-    def _one_way_to_warm(self):
+    def _one_way_to_warm(self) -> Self:
         if (self.viscosity_100 is None) == (self.viscosity_index is None):
             raise ValueError("give either viscosity_100 or viscosity_index, one of the two")
         return self

@@ -7,10 +7,12 @@ from math import cos, hypot, sin
 from typing import Self
 
 import numpy as np
+import numpy.typing as npt
 import scipy
 
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
 from pyworm.formulas.rough_contact import greenwood_tripp, open_gap, self_affine
+from pyworm.io.present import present
 from pyworm.materials.body import ASPERITY_DENSITY, Body, reduced_modulus
 
 Array = np.ndarray
@@ -137,7 +139,7 @@ class RoughPair:
         """Composite root mean square height [m]."""
         return hypot(*(surface.height for surface in self.surfaces))
 
-    def contact(self, gap) -> tuple[Array, Array]:
+    def contact(self, gap: npt.ArrayLike) -> tuple[Array, Array]:
         """Pressure of the asperities [Pa] and real area over the nominal one, by the gap over the roughness.
 
         Asperities of one radius, of the rougher surface that has some, stand for both surfaces. Elastic
@@ -155,17 +157,21 @@ class RoughPair:
 
     def _elastic_contact(self, gap: Array) -> tuple[Array, Array]:
         """`contact` of surfaces that do not yield."""
-        summits = [own for own in self.surfaces if own.sharpness is not None]
+        summits = [
+            (own.height, own.density, own.sharpness)
+            for own in self.surfaces
+            if own.sharpness is not None
+        ]
         if not summits:
             return self_affine(gap, hypot(*(own.slope for own in self.surfaces)), self.modulus)
-        own = max(summits, key=lambda one: one.height)
-        return greenwood_tripp(gap, own.density, own.sharpness, self.modulus)
+        _, density, sharpness = max(summits, key=lambda one: one[0])
+        return greenwood_tripp(gap, density, sharpness, self.modulus)
 
-    def mean_thickness(self, gap) -> Array:
+    def mean_thickness(self, gap: npt.ArrayLike) -> Array:
         """Mean thickness of the gap where surfaces overlap nowhere, over the composite roughness [-]."""
         return (open_gap(gap) ** 4 + NARROWEST**4) ** 0.25
 
-    def flow_factors(self, gap) -> tuple[Array, Array]:
+    def flow_factors(self, gap: npt.ArrayLike) -> tuple[Array, Array]:
         """Pressure flow factors of the gap's cube [-] and shear flow factors [-]: tensors xx, yy, xy.
 
         Those of two surfaces add with their shares of the variance, as exact theory of second order has it.
@@ -175,7 +181,7 @@ class RoughPair:
         )
         return pressure + other_pressure, shear - other_shear
 
-    def _flow_factors(self, surface: RoughSurface, gap) -> tuple[Array, Array]:
+    def _flow_factors(self, surface: RoughSurface, gap: npt.ArrayLike) -> tuple[Array, Array]:
         """Parts of the pressure and shear flow factors by one surface, as if it were the first."""
         pressure = np.zeros((3, *np.shape(gap)))
         shear = np.zeros_like(pressure)
@@ -272,9 +278,9 @@ def rough_pair(bodies: tuple[Body, Body], directions: Sequence[float]) -> RoughP
     directions : sequence of float
         Direction of each surface's motion, from which its lay counts, from the x axis [rad].
     """
-    surfaces = tuple(
+    first, second = (
         RoughSurface(
-            body.roughness,
+            present(body.roughness, "roughness"),
             body.roughness_slope,
             body.roughness_aspect,
             direction + body.lay,
@@ -284,4 +290,4 @@ def rough_pair(bodies: tuple[Body, Body], directions: Sequence[float]) -> RoughP
         )
         for body, direction in zip(bodies, directions, strict=True)
     )
-    return RoughPair(surfaces, reduced_modulus(*bodies) / 2)
+    return RoughPair((first, second), reduced_modulus(*bodies) / 2)

@@ -10,6 +10,7 @@ from math import hypot, log
 from typing import Protocol
 
 import numpy as np
+import numpy.typing as npt
 
 from pyworm.formulas.rough_contact import overlap_moment
 from pyworm.materials.rough_surfaces import GapCurves
@@ -99,7 +100,7 @@ def variations(
     yield "boundary friction", Variation(curves, rubbing)
 
 
-def flow_scatter(gap) -> Array:
+def flow_scatter(gap: npt.ArrayLike) -> Array:
     """Relative scatter of flow factors by the gap over the roughness [-]."""
     return FLOW_SCATTER * np.maximum(gap, 1.0) ** -FLOW_FALL
 

@@ -5,6 +5,7 @@ size; both and their slopes are continuous. Beyond the last pressure the spline 
 last temperatures it stays.
 """
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -55,7 +56,7 @@ class KernelTable:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Tabulated:
+class Tabulated(ABC):
     """A property at places of pressure and temperature.
 
     Attributes
@@ -100,6 +101,18 @@ class Tabulated:
                 f"reference = {self.reference:g} K: lies outside the temperatures, "
                 f"{self.temperatures[0]:g} to {self.temperatures[-1]:g} K"
             )
+
+    @abstractmethod
+    def _write(self, values: Array) -> Array:
+        """The property as it is written in the table."""
+
+    @abstractmethod
+    def _read(self, written: Array) -> Array:
+        """The property of what is written."""
+
+    @abstractmethod
+    def _relative(self, written: Array) -> Array:
+        """What is written, over that of the reference at ambient pressure."""
 
     @classmethod
     def of(

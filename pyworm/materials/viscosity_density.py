@@ -54,7 +54,7 @@ class Barus:
         positive("eta0", self.eta0, "Pa s")
         within("alpha", self.alpha, 0, LARGEST_ALPHA, "1/Pa")
 
-    def __call__(self, pressure):
+    def __call__(self, pressure: Any) -> Any:
         """Viscosity [Pa s] at a pressure or pressures [Pa]."""
         return self.eta0 * np.exp(self.alpha * pressure)
 
@@ -110,7 +110,7 @@ class Roelands:
             beta * (temperature - ROELANDS_POLE_TEMPERATURE) / (log(self.eta0) + ROELANDS_POLE_LOG)
         )
 
-    def __call__(self, pressure):
+    def __call__(self, pressure: Any) -> Any:
         """Viscosity [Pa s] at a pressure or pressures [Pa]."""
         rise = (log(self.eta0) + ROELANDS_POLE_LOG) * ((1 + pressure / self.p0) ** self.z - 1)
         return self.eta0 * np.exp(rise)
@@ -159,6 +159,6 @@ class Density:
         """The form (5.9e8 + 1.34 p) / (5.9e8 + p): close to the other, not identical."""
         return cls(rho0, 0.34 / 5.9e8, 1 / 5.9e8)
 
-    def __call__(self, pressure: float) -> float:
+    def __call__(self, pressure: Any) -> Any:
         """Density [kg/m3] at a pressure [Pa]."""
         return self.rho0 * (1 + self.d1 * pressure / (1 + self.d2 * pressure))

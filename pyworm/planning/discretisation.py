@@ -1,8 +1,9 @@
 """Grids, tolerance and expected work of a solve, by kind of contact."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import sqrt
+from typing import Any
 
 from pyworm.planning.expected_work import (
     AUXILIARY_CHANGE,
@@ -83,7 +84,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     if starved:
         # no oil has pressure beyond the meniscus, so that one window holds it all
         near, nested = supplied_reach(size, float(scene.oil.layer_at(0.0))), slice(-1, None)
-    inner, outer, wider, *far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
+    inner, outer, wider, far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
     wider = grown(scene, inner, wider)
     spacing = _first_spacing(scene, size)
     change = AUXILIARY_CHANGE
@@ -93,7 +94,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         spacing = spacing[0] * finer, spacing[1] * finer
         change = _first_change(scene, size, spacing)
     grids = nest(inner, outer, *spacing)[nested]
-    wider_grids = nest(wider, *far, *spacing)[nested]
+    wider_grids = nest(wider, far, *spacing)[nested]
     if starved and size.supply_ratio > NEAR_MENISCUS:
         grids, wider_grids = (led_up_to(of[-1], COARSER_MENISCI) for of in (grids, wider_grids))
     work = expected_work(
@@ -162,7 +163,10 @@ def _nodes(*nests: Sequence[Grid | LineGrid]) -> list[list[int]]:
     return [[grid.nodes for grid in nest] for nest in nests]
 
 
-PLANS = {Scene: _plan_point, LineScene: _plan_line}
+PLANS: dict[type, Callable[[Any, float, Model], _Numerics]] = {
+    Scene: _plan_point,
+    LineScene: _plan_line,
+}
 """Planner of each kind of contact, by its scene."""
 
 

@@ -74,7 +74,7 @@ class Grid:
         x, y = np.meshgrid(self.x, self.y)
         return x.T, y.T
 
-    def place(self, node: tuple[float, float]) -> tuple[float, float]:
+    def place(self, node: Sequence[float]) -> tuple[float, float]:
         """Position of a node, or of a place between nodes, by its numbers along x and y [m]."""
         return self.west + self.dx * node[0], self.south + self.dy * node[1]
 

@@ -1,5 +1,6 @@
 """Uniform grids along x, and the first one of a line contact."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import ceil, hypot, log, sqrt
 
@@ -77,7 +78,7 @@ class LineGrid:
         """Positions of all nodes [m]."""
         return (self.x,)
 
-    def place(self, node: tuple[float]) -> tuple[float]:
+    def place(self, node: Sequence[float]) -> tuple[float]:
         """Position of a node, or of a place between nodes, by its number [m]."""
         return (self.dx * (self.first + node[0]),)
 
@@ -99,7 +100,7 @@ def first_grids(
     )
     rise = _distance(scene, size, 1.0) - size.hertz.half_width
     dx = min((inlet + exit_) / FIRST_CELLS, rise / CELLS_OF_RISE)
-    return tuple(_grid(scene, dx, before, exit_) for before in (inlet, wider))
+    return _grid(scene, dx, inlet, exit_), _grid(scene, dx, wider, exit_)
 
 
 def _grid(scene: LineScene, dx: float, inlet: float, exit_: float) -> LineGrid:

@@ -73,9 +73,9 @@ def _error_by_five(prediction: Prediction) -> float:
     """Largest relative error by five levels across a heated film."""
     oil = prediction.oil
     carried = (
-        oil.density.rho0 * oil.heat.specific_heat * prediction.speed * prediction.film_central**2
+        oil.density.rho0 * oil.thermal.specific_heat * prediction.speed * prediction.film_central**2
     )
-    conducted = oil.heat.conductivity * prediction.half_width
+    conducted = oil.thermal.conductivity * prediction.half_width
     if carried > CALM_GRAETZ * conducted:
         return LEVEL_ERRORS[0][1]
     ratio = prediction.sliding / prediction.speed

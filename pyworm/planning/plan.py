@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from pyworm.formulas.film import LineGroups
 from pyworm.formulas.regimes import Regime, line_regime, point_regime
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, unusual
@@ -251,7 +252,8 @@ def planned(
     told = simple.oil.flow is not None or simple.oil.heat is not None
     rubs = told and law and prediction.sliding > 0
     aim = _aim(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
-    regime = (line_regime if isinstance(scene, LineScene) else point_regime)(prediction.groups)
+    groups = prediction.groups
+    regime = line_regime(groups) if isinstance(groups, LineGroups) else point_regime(groups)
     return Plan(
         accuracy,
         quantities,
@@ -299,10 +301,12 @@ def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> 
 
 def steady(plan: Plan, reason: str) -> Plan:
     """The plan without films in motion, for a reason."""
-    off = {"on": False, "reason": reason}
     return replace(
         plan,
-        effects=tuple(replace(of, **off) if of.name == SQUEEZE.name else of for of in plan.effects),
+        effects=tuple(
+            replace(of, on=False, reason=reason) if of.name == SQUEEZE.name else of
+            for of in plan.effects
+        ),
         excluded={**plan.excluded, SQUEEZE.name: reason},
     )
 

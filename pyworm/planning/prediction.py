@@ -8,11 +8,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import cos, hypot, inf, log, pi, sin, sqrt
+from typing import Any
 
 import numpy as np
 import scipy
 
 from pyworm.formulas.film import LineGroups, PointGroups
+from pyworm.io.present import present
 from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.materials.oil import Oil
@@ -86,7 +88,7 @@ class Prediction:
     @property
     def age(self) -> float:
         """Transit time, or time since the contact's mesh cycle began if that is less [s]."""
-        return min(self.transit, self.scene.past.seconds)
+        return min(self.transit, present(self.scene.past, "past").seconds)
 
     @cached_property
     def before(self) -> "Prediction | None":
@@ -94,7 +96,7 @@ class Prediction:
         if not self.age > 0:
             return None
         try:
-            then = self.scene.past.before(self.age)
+            then = present(self.scene.past, "past").before(self.age)
         except ValueError:
             return None
         return predicted(then)
@@ -161,7 +163,7 @@ class Prediction:
 
     @property
     def _conductivity(self) -> float:
-        heat, p = self.oil.heat, self.pressure_mean
+        heat, p = self.oil.thermal, self.pressure_mean
         return heat.conductivity * (1 + heat.conductivity_c1 * p / (1 + heat.conductivity_c2 * p))
 
     def hot_stress(
@@ -198,7 +200,7 @@ class Prediction:
         It is q h/8k of the heat of Poiseuille flow in the inlet, where the oil is several times as viscous as
         outside, and of compression, eps T u p/b.
         """
-        heat = self.oil.heat
+        heat = self.oil.thermal
         flow = INLET_HEAT * self.oil.viscosity.eta0 * self.speed**2
         compression = (
             heat.expansivity
@@ -218,8 +220,9 @@ class Prediction:
     @property
     def bulk(self) -> float:
         """Largest difference between a body's bulk temperature and the inlet's [K]."""
-        inlet = self.oil.heat.inlet_temperature
-        return max(abs(body.bulk_temperature - inlet) for body in self.scene.bodies)
+        inlet = self.oil.thermal.inlet_temperature
+        bulk = (present(body.bulk_temperature, "bulk_temperature") for body in self.scene.bodies)
+        return max(abs(of - inlet) for of in bulk)
 
     @property
     def warmest(self) -> float:
@@ -238,12 +241,14 @@ class Prediction:
 
     def updated(self, figures: Mapping[str, float]) -> "Prediction":
         """The prediction with solved figures (`solver.error_estimate`), by name, in place of closed forms."""
-        changes = {name: figures[name] for name in ("pressure_max", "film_central", "film_min")}
+        changes: dict[str, Any] = {
+            name: figures[name] for name in ("pressure_max", "film_central", "film_min")
+        }
         if "friction_coefficient" in figures:
             friction = abs(figures["friction_coefficient"])
             changes["work"] = friction * self.pressure_mean * self.sliding
         if "temperature_max_film" in figures:
-            inlet = self.scene.oil.heat.inlet_temperature
+            inlet = self.scene.oil.thermal.inlet_temperature
             changes["rise_film"] = figures["temperature_max_film"] - inlet
             bodies = (figures[f"temperature_max_body_{number}"] for number in (1, 2))
             changes["rise_bodies"] = max(bodies) - inlet
@@ -269,11 +274,10 @@ def _flowing(pressure: float, oil: Oil) -> float:
 
 def _resistance(body: Body, speed: float, half_width: float) -> float:
     """Temperature rise of a surface by a unit heat flux [m2 K/W]."""
-    still = 1.5 * half_width / body.conductivity
+    still = 1.5 * half_width / present(body.conductivity, "conductivity")
     if speed == 0:
         return still
-    effusivity = body.conductivity * body.density * body.specific_heat
-    return min(still, 2 * sqrt(2 * half_width / (pi * effusivity * speed)))
+    return min(still, 2 * sqrt(2 * half_width / (pi * body.thermal_inertia * speed)))
 
 
 def _point(scene: Scene) -> Prediction:
@@ -283,6 +287,9 @@ def _point(scene: Scene) -> Prediction:
     ax, ay = size.hertz.semi_axis_x, size.hertz.semi_axis_y
     along, across = (
         1 / hypot(cos(angle) / ax, sin(angle) / ay) for angle in (size.angle, size.angle + pi / 2)
+    )
+    first, second = (
+        hypot(*(float(part) for part in motion(origin, origin))) for motion in scene.motions
     )
     return Prediction(
         scene=scene,
@@ -297,9 +304,7 @@ def _point(scene: Scene) -> Prediction:
         * size.groups.radius
         / scene.oil.viscosity.eta0,
         sliding=hypot(*(float(part) for part in scene.sliding(origin, origin))),
-        velocities=tuple(
-            hypot(*(float(part) for part in motion(origin, origin))) for motion in scene.motions
-        ),
+        velocities=(first, second),
         groups=size.groups,
         supply_ratio=size.supply_ratio,
         carried_by_heat=fed is not scene,
@@ -318,7 +323,7 @@ def _line(scene: LineScene) -> Prediction:
         film_min=0.8 * size.open_film,
         speed=abs(scene.entrainment),
         sliding=abs(scene.sliding),
-        velocities=tuple(abs(velocity) for velocity in scene.velocities),
+        velocities=(abs(scene.velocities[0]), abs(scene.velocities[1])),
         groups=size.groups,
         supply_ratio=size.supply_ratio,
     )

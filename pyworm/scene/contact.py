@@ -14,11 +14,11 @@ from pyworm.io.given import kind_of, number, take
 from pyworm.io.shown import Shown
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds
-from pyworm.materials.rough_surfaces import RoughPair, rough_pair
+from pyworm.materials.rough_surfaces import rough_pair
 from pyworm.scene.life import Past
 
 if TYPE_CHECKING:
-    from pyworm.surfaces.topography_pair import TopographyPair
+    from pyworm.materials.roughness_assumptions import RoughSurfaces
 
 Array = np.ndarray
 
@@ -27,6 +27,9 @@ SAME = 0.01
 
 STILL = 1e-30
 """Entrainment [m/s] that has no direction."""
+
+FROM_GAP: Any = None
+"""Radii of a contact that are not given: it takes those of its gap when it is made."""
 
 BODIES = "body 1", "body 2"
 """What the bodies of a contact are called where nothing names them."""
@@ -173,7 +176,7 @@ class Contact(Shown, ABC):
         return factor * self.oil.boundary_friction
 
     @property
-    def rough_pair(self) -> "RoughPair | TopographyPair | None":
+    def rough_pair(self) -> "RoughSurfaces | None":
         """Both surfaces with their roughness; None where it is not known, or left out."""
         if self.smooth or self.composite_roughness is None:
             return None
@@ -198,13 +201,18 @@ def radii_of(gap: Any, given: tuple[Any, ...] | None) -> tuple[float, ...]:
         A radius differs from that of the gap, is none, or is missing where the gap has none.
     """
     of_gap = getattr(gap, "radii", None)
-    if given is None and of_gap is None:
+    if given is not None:
+        return _given_radii(given, of_gap)
+    if of_gap is None:
         raise ValueError(
             f"radii are missing: a gap that is a {type(gap).__name__} has none of its own; give the relative "
             "radii of curvature at the contact point [m]"
         )
-    if given is None:
-        return of_gap
+    return tuple(of_gap)
+
+
+def _given_radii(given: tuple[Any, ...], of_gap: tuple[float, ...] | None) -> tuple[float, ...]:
+    """Radii that are given, as numbers; ValueError where they contradict those of the gap."""
     kind = kind_of(units.Radius)
     radii = tuple(number("radii", one, kind) for one in given)
     positive("radii", radii, "m")

@@ -104,10 +104,17 @@ def film(
     """
     groups, unit = _groups(radii, load, reduced_modulus, velocity, oil, spin)
     found = films(groups)
-    errors = (
+    central_error, minimum_error = (
         np.where(found.inside, of, np.inf) for of in (found.central_error, found.minimum_error)
     )
-    return FormulaFilms(unit * found.central, unit * found.minimum, *errors, found.inside, groups)
+    return FormulaFilms(
+        unit * found.central,
+        unit * found.minimum,
+        central_error,
+        minimum_error,
+        found.inside,
+        groups,
+    )
 
 
 def _groups(

@@ -7,6 +7,7 @@ import numpy as np
 from pyworm.formulas.film_reduction import HeatGroups
 from pyworm.formulas.hertz import hertz
 from pyworm.formulas.ranges import Values
+from pyworm.io.present import present
 from pyworm.materials.flow_laws import LEAST_LIMIT
 from pyworm.materials.oil import Oil
 from pyworm.scene.point import Scene
@@ -33,7 +34,7 @@ def heat_groups(scene: Scene, central: Values) -> HeatGroups:
 
     Of bodies that differ the geometric mean counts. Sliding counts by its size, in whatever direction.
     """
-    oil, flow = scene.oil, scene.oil.flow
+    oil, flow = scene.oil, scene.oil.sheared
     dry = hertz(*scene.radii, scene.load, scene.reduced_modulus)
     (u, v), sliding = (
         [float(np.ravel(of)[0]) for of in along(np.zeros(1), np.zeros(1))]
@@ -42,16 +43,19 @@ def heat_groups(scene: Scene, central: Values) -> HeatGroups:
     speed = hypot(u, v)
     turned = np.arctan2(v, u)
     half = 1 / hypot(cos(turned) / dry.semi_axis_x, sin(turned) / dry.semi_axis_y)
-    eta, conductivity = oil.viscosity.eta0, oil.heat.conductivity
+    eta, conductivity = oil.viscosity.eta0, oil.thermal.conductivity
     bodies, capacity = (
-        sqrt(np.prod([of(body) for body in scene.bodies]))
-        for of in (lambda one: one.conductivity, lambda one: one.density * one.specific_heat)
+        sqrt(first * second)
+        for first, second in (
+            tuple(present(body.conductivity, "conductivity") for body in scene.bodies),
+            tuple(body.heat_capacity for body in scene.bodies),
+        )
     )
     beta = oil.beta
     sheared = (
         beta * hypot(*sliding) * _stress(oil, 2 * dry.pressure_max / 3, hypot(*sliding) / central)
     )
-    carried = oil.density.rho0 * oil.heat.specific_heat * speed
+    carried = oil.density.rho0 * oil.thermal.specific_heat * speed
     return HeatGroups(
         loading=eta * beta * speed**2 / conductivity,
         sliding=hypot(*sliding) / speed,
@@ -68,15 +72,15 @@ def heat_groups(scene: Scene, central: Values) -> HeatGroups:
 
 def _stress(oil: Oil, pressure: float, rate: Values) -> Values:
     """Shear stress of an oil of Eyring's law at a shear rate [1/s], below its limit [Pa]."""
-    flow = oil.flow
-    viscous = np.minimum(oil.viscosity(np.array([pressure]))[0] * rate / flow.stress, LARGEST_SINH)
+    flow = oil.sheared
+    viscous = np.minimum(oil.eta(pressure) * rate / flow.stress, LARGEST_SINH)
     stress = flow.stress * np.arcsinh(viscous)
     return stress / (1 + stress / (_limit(oil, pressure) if flow.limited else inf))
 
 
 def _limit(oil: Oil, pressure: float) -> float:
     """Limiting stress at a pressure [Pa]."""
-    return max(oil.flow.limit + oil.flow.limit_pressure * pressure, LEAST_LIMIT)
+    return max(oil.sheared.limit + oil.sheared.limit_pressure * pressure, LEAST_LIMIT)
 
 
 LARGEST_SINH = 1e8

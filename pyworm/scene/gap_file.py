@@ -72,7 +72,8 @@ def _read_npz(path: Path) -> SampledGap:
             raise ValueError(f"d{name} must be one length greater than zero, in metres")
         start = arrays.get(f"{name}0", -(count - 1) / 2 * spacing)
         axes.append(start + spacing * np.arange(count))
-    return SampledGap(*axes, gap)
+    x, y = axes
+    return SampledGap(x, y, gap)
 
 
 _LENGTHS = ("dx", "dy", "x0", "y0")

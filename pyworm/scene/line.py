@@ -13,7 +13,7 @@ import numpy as np
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, take
-from pyworm.scene.contact import Array, Contact, radii_of
+from pyworm.scene.contact import FROM_GAP, Array, Contact, radii_of
 
 LineGap = Callable[[Array], tuple[Array, Array]]
 """x [m] -> undeformed gap [m] and a boolean, true where both surfaces exist. The gap is finite everywhere."""
@@ -73,7 +73,7 @@ class LineScene(Contact):
     """
 
     gap: LineGap
-    radius: float | None = None  # of a scene that is made never None
+    radius: float = FROM_GAP
     velocities: tuple[float, float]
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"load": units.ForcePerLength}
@@ -109,6 +109,7 @@ class LineScene(Contact):
         """Directions of both surfaces' velocities from the x axis; against it is all one to a lay."""
         return 0.0, 0.0
 
-    def velocities_at(self, x: Array) -> tuple[tuple[Array], tuple[Array]]:
+    def velocities_at(self, *places: Array) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
         """Velocity [m/s] of body 1's and of body 2's surface, the same at each x."""
-        return tuple((np.full(np.shape(x), velocity),) for velocity in self.velocities)
+        first, second = ((np.full(np.shape(places[0]), velocity),) for velocity in self.velocities)
+        return first, second

@@ -193,8 +193,8 @@ def _radii(scene: Scene | LineScene) -> str:
 def _sizes(scene: Scene | LineScene) -> tuple[float, float, float]:
     """Hertz's largest pressure [Pa], the expected film and the radius along the entrainment [m]."""
     if isinstance(scene, LineScene):
-        expected = line_scales(scene)
-        return expected.hertz.pressure_max, expected.film, scene.radius
+        of_line = line_scales(scene)
+        return of_line.hertz.pressure_max, of_line.film, scene.radius
     expected = scales(scene)
     along, _ = radii_at_angle(*scene.radii, expected.angle)
     return expected.hertz.pressure_max, expected.film, float(along)

@@ -14,7 +14,7 @@ import numpy as np
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
 from pyworm.io.given import take
-from pyworm.scene.contact import Array, Contact, radii_of
+from pyworm.scene.contact import FROM_GAP, Array, Contact, radii_of
 
 Gap = Callable[[Array, Array], tuple[Array, Array]]
 """(x, y) [m] -> undeformed gap [m] and a boolean, true where both surfaces exist.
@@ -118,7 +118,7 @@ class Scene(Contact):
     """
 
     gap: Gap
-    radii: tuple[float, float] | None = None  # of a scene that is made never None
+    radii: tuple[float, float] = FROM_GAP
     motions: tuple[Motion, Motion]
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"load": units.Force}
@@ -141,8 +141,9 @@ class Scene(Contact):
         """Relative radii along x and y [m]."""
         return self.radii
 
-    def velocities_at(self, x: Array, y: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+    def velocities_at(self, *places: Array) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
         """Velocity components [m/s] of body 1's and of body 2's surface at (x, y)."""
+        x, y = places
         body_1, body_2 = self.motions
         return body_1(x, y), body_2(x, y)
 

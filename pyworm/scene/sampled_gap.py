@@ -154,10 +154,11 @@ class SampledGap:
     @property
     def _closest(self) -> tuple[float, float]:
         """Place of the least gap along x and y [m], by slope over curvature at the contact point."""
-        return tuple(
+        x, y = (
             -float(slope) / curvature
             for slope, curvature in zip(self._near_fit[1:3], self._curvatures, strict=True)
         )
+        return x, y
 
     def _covered(self, x: Array, y: Array) -> Array:
         inside = (self.x[0] <= x) & (x <= self.x[-1]) & (self.y[0] <= y) & (y <= self.y[-1])

@@ -110,8 +110,10 @@ def scales(scene: Scene) -> Scales:
             "give them velocities whose mean is not zero"
         )
     angle = atan2(v, u) if speed > 0 else 0.0
+    along, across = radii_at_angle(*scene.radii, angle)
     groups = point_groups(
-        *(float(radius) for radius in radii_at_angle(*scene.radii, angle)),
+        float(along),
+        float(across),
         scene.load,
         scene.reduced_modulus,
         max(speed, typical / 10),
@@ -135,7 +137,7 @@ def _flooded(scene: Scene, groups: PointGroups, at_rest: bool) -> tuple[float, f
     atlas is not about, and of contacts more slender than its ellipses are fitted to.
     """
     if at_rest or max(scene.radii) > film_atlas.MOST_SLENDER * min(scene.radii):
-        return float(nijenbanning_venner_moes(groups).central), LEAST_TO_CENTRAL, False
+        return nijenbanning_venner_moes(groups).central_number, LEAST_TO_CENTRAL, False
     found = film_of(scene)
     return float(found.central), float(found.minimum / found.central), bool(found.inside)
 
@@ -237,7 +239,7 @@ def line_scales(scene: LineScene) -> LineScales:
     )
     require_proportion(scene.name, groups)
     contact = hertz_line(scene.radius, scene.load, scene.reduced_modulus)
-    flooded = float(moes_line(groups).central)
+    flooded = moes_line(groups).central_number
     ratio = _supply_ratio(scene, flooded)
     film = flooded * max(film_over_flooded(ratio, inf), NEVER_BELOW)
     mean_pressure = LINE_MEAN * contact.pressure_max

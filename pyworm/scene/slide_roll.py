@@ -26,13 +26,13 @@ def with_slide_roll_ratio(scene: Scene, ratio: float) -> Scene:
     u, v = (first.u + second.u) / 2, (first.v + second.v) / 2
     if u == v == 0:
         raise ValueError(f"{scene.name}: without entrainment there is no slide-roll ratio")
-    motions = tuple(
+    faster, slower = (
         RigidMotion(factor * u, factor * v, body.spin)
         for factor, body in ((1 + ratio / 2, first), (1 - ratio / 2, second))
     )
     return replace(
         scene,
         name=f"{scene.name}, slide-roll ratio {ratio:g}",
-        motions=motions,
+        motions=(faster, slower),
         slide_roll_ratio=float(ratio),
     )

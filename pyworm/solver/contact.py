@@ -8,16 +8,21 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from math import log2, sqrt
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Generic, TypeVar
 
+from pyworm.io.present import present
 from pyworm.kernel import DryContact
 from pyworm.kernel.film import SLIP_STEP
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.planning.discretisation import PLANS
+from pyworm.planning.expected_work import Kind
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.scene.contact import Array, Contact
+from pyworm.scene.contact import Array
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+from pyworm.scene.scales import LineScales, Scales
 from pyworm.scene.waves import moving_waves
 from pyworm.solver import figures as figures_of_grid
 from pyworm.solver.error_estimate import Convergence
@@ -66,8 +71,11 @@ SENSELESS = 1.0
 """Residual beyond which a film is no initial guess for a finer grid: its pressure gradients need more stress
 than the limiting stress of the oil, so that its slip is unbounded."""
 
+ContactT = TypeVar("ContactT", Scene, LineScene)
+LevelT = TypeVar("LevelT", bound=Level)
 
-class ContactSolver(ABC):
+
+class ContactSolver(ABC, Generic[ContactT, LevelT]):
     """Films of one contact on grids of halving spacing.
 
     Parameters
@@ -93,31 +101,32 @@ class ContactSolver(ABC):
         Offset of each figure whose reading has another origin, such as the inlet temperature [K].
     """
 
-    kind: ClassVar[str]
+    kind: ClassVar[Kind]
     level_type: ClassVar[type[Level]]
     shear_tolerance: ClassVar[float]
     convergence: Convergence
+    _size: Scales | LineScales
 
-    def __init__(self, scene: Contact, plan: Plan, transient_term: TransientTerm | None = None):
-        self._scene = scene
+    def __init__(self, scene: ContactT, plan: Plan, transient_term: TransientTerm | None = None):
+        self._scene: ContactT = scene
         self._plan = plan
         self._model = plan.model
         self._transient_term = transient_term
         self._rough = scene.rough_pair if plan.model.rough else None
-        self._curves = self._rough and self._rough.curves()
+        self._curves = None if self._rough is None else self._rough.curves()
         self.origins = (
-            dict.fromkeys(HEAT_FIGURES, scene.oil.heat.inlet_temperature)
+            dict.fromkeys(HEAT_FIGURES, scene.oil.thermal.inlet_temperature)
             if self._model.heated
             else {}
         )
 
     @abstractmethod
-    def begin(self, grids: Sequence[Any]) -> tuple[Level, list[NewtonStep]]:
+    def begin(self, grids: Sequence[Any]) -> tuple[LevelT, list[NewtonStep]]:
         """Solve the grids by nested iteration up to the last one, on which the film is not yet settled."""
 
     def in_wider_window(
-        self, grids: Sequence[Any], narrow: Level
-    ) -> tuple[Level, list[NewtonStep]]:
+        self, grids: Sequence[Any], narrow: LevelT
+    ) -> tuple[LevelT, list[NewtonStep]]:
         """Solve wider windows to the spacing of a level."""
         level, steps = self.begin(grids)
         for _ in range(self._refinements_between(level, narrow)):
@@ -126,7 +135,7 @@ class ContactSolver(ABC):
             steps += further
         return level, steps
 
-    def cut_off(self, narrow: Level, wider: Level) -> dict[str, float]:
+    def cut_off(self, narrow: LevelT, wider: LevelT) -> dict[str, float]:
         """Parts of friction and loss in a wider window that a narrower one cuts off, relative; empty if none.
 
         Empty as well where the wider one does not hold the whole contact.
@@ -134,40 +143,40 @@ class ContactSolver(ABC):
         return {}
 
     @staticmethod
-    def _refinements_between(coarse: Level, fine: Level) -> int:
+    def _refinements_between(coarse: LevelT, fine: LevelT) -> int:
         """Number of halvings from the spacing of one level to that of another."""
         return round(log2(coarse.grid.spacing[0] / fine.grid.spacing[0]))
 
     @abstractmethod
-    def on_grid(self, grid: Any, guess: InitialGuess) -> Level:
+    def on_grid(self, grid: Any, guess: InitialGuess) -> LevelT:
         """The film on a grid of its own from an initial guess, with shear and heat."""
 
     @abstractmethod
-    def with_rate(self, level: Level) -> Level:
+    def with_rate(self, level: LevelT) -> LevelT:
         """The film of a level with this solver's transient term."""
 
     @abstractmethod
-    def warm_started(self, level: Level) -> tuple[Level, list[NewtonStep]]:
+    def warm_started(self, level: LevelT) -> tuple[LevelT, list[NewtonStep]]:
         """Start the film from that of a level on the same grid, solved with fewer effects."""
 
     @abstractmethod
-    def _guesses(self, level: Level) -> Iterator[InitialGuess]:
+    def _guesses(self, level: LevelT) -> Iterator[InitialGuess]:
         """Initial guesses of the film on the grid of half the spacing, the best one first."""
 
     @abstractmethod
-    def _continued(self, level: Level, guess: InitialGuess) -> Level:
+    def _continued(self, level: LevelT, guess: InitialGuess) -> LevelT:
         """The level of half the spacing in the same window, with shear and heat, from an initial guess."""
 
     @abstractmethod
-    def _begun_again(self, level: Level) -> tuple[Level, list[NewtonStep]]:
+    def _begun_again(self, level: LevelT) -> tuple[LevelT, list[NewtonStep]]:
         """The level of half the spacing in the same window, started from the dry contact."""
 
     @abstractmethod
-    def _warm(self, level: Level, rise: Array | None) -> None:
+    def _warm(self, level: LevelT, rise: Array | None) -> None:
         """Add heat to a sheared film, from a rise over the inlet temperature [K]; it must be restarted."""
 
     @abstractmethod
-    def _mass_error(self, level: Level) -> float:
+    def _mass_error(self, level: LevelT) -> float:
         """Net over gross mass flow through the outline of the pressurised film."""
 
     @property
@@ -175,7 +184,7 @@ class ContactSolver(ABC):
     def _attributes(self) -> dict[str, float]:
         """Attributes of the fields: radii, load and modulus with their units."""
 
-    def refined(self, level: Level) -> tuple[Level, list[NewtonStep]]:
+    def refined(self, level: LevelT) -> tuple[LevelT, list[NewtonStep]]:
         """The level of half the spacing in the same window, from the present film or the dry contact."""
         for guess in self._guesses_of_both(level):
             finer = self._continued(level, guess)
@@ -188,7 +197,7 @@ class ContactSolver(ABC):
                 return finer, steps
         return self._begun_again(level)
 
-    def _guesses_of_both(self, level: Level) -> Iterator[InitialGuess]:
+    def _guesses_of_both(self, level: LevelT) -> Iterator[InitialGuess]:
         """Initial guesses by the oil's pressure, then, between rough surfaces, by the total pressure.
 
         Asperities multiply what the film of an interpolated pressure is off by.
@@ -197,7 +206,7 @@ class ContactSolver(ABC):
         if self._rough is not None:
             yield from (replace(guess, oil=None) for guess in self._guesses(level))
 
-    def _add_shear_and_heat(self, level: Level) -> list[NewtonStep]:
+    def _add_shear_and_heat(self, level: LevelT) -> list[NewtonStep]:
         """Add shear, then heat, to the film of an isothermal Newtonian oil."""
         steps: list[NewtonStep] = []
         stresses = 1.0
@@ -220,7 +229,7 @@ class ContactSolver(ABC):
             self._flow_by_law(level, 1.0, level.state())
         return steps
 
-    def _sheared(self, level: Level) -> tuple[list[NewtonStep], float]:
+    def _sheared(self, level: LevelT) -> tuple[list[NewtonStep], float]:
         """Newton steps from a Newtonian film to that of the flow law, and the final factor of its stresses.
 
         Where the Newtonian film is too far from that of the law for Newton's iteration, the stresses of the
@@ -228,14 +237,15 @@ class ContactSolver(ABC):
         """
         newtonian = level.state()
         self._flow_by_law(level, 1.0, newtonian)
-        steps = lead(level, self.shear_tolerance)
+        steps: list[NewtonStep] = lead(level, self.shear_tolerance)
         if level.film.balance.worst <= self.shear_tolerance:
             return steps, 1.0
         level.film.start(newtonian.pressure, newtonian.rigid_film, newtonian.oil)
+        softened: list[NewtonStep]
         softened, stresses = self._softened(level, FIRMEST * SOFTENING, LEAST_SOFTENING)
         return [*steps, *softened], stresses
 
-    def _roughened(self, level: Level) -> list[NewtonStep]:
+    def _roughened(self, level: LevelT) -> list[NewtonStep]:
         """Newton steps to the film of rough surfaces, isothermal and Newtonian.
 
         They begin with the pressure of the smooth film left to the oil, and that of the asperities on top. So
@@ -256,14 +266,16 @@ class ContactSolver(ABC):
 
     def _lifted(self, guess: InitialGuess, film: float) -> InitialGuess:
         """A guess with this film under its largest pressure, lifted until asperities bear no more."""
-        lift = max(self._curves.gap_under(guess.pressure.max()) - film, 0.0)
+        lift = max(
+            present(self._curves, "roughness").gap_under(float(guess.pressure.max())) - film, 0.0
+        )
         return replace(guess, rigid_film=guess.rigid_film + lift)
 
-    def _dry_guesses(self, level: Level) -> list[InitialGuess]:
+    def _dry_guesses(self, level: LevelT) -> list[InitialGuess]:
         """The dry contact's pressure with the expected film, where it is known."""
         return []
 
-    def _heated(self, level: Level, stresses: float) -> tuple[list[NewtonStep], float]:
+    def _heated(self, level: LevelT, stresses: float) -> tuple[list[NewtonStep], float]:
         """Newton steps from a sheared film to a heated one, and the factor of its stresses.
 
         A film that is lost when it is heated is heated again under larger stresses.
@@ -282,7 +294,7 @@ class ContactSolver(ABC):
             steps += lead(level, self.shear_tolerance)
 
     def _softened(
-        self, level: Level, stresses: float, least: float
+        self, level: LevelT, stresses: float, least: float
     ) -> tuple[list[NewtonStep], float]:
         """Newton steps of the stress continuation, and the factor of the stresses at its end.
 
@@ -309,7 +321,7 @@ class ContactSolver(ABC):
             self._flow_by_law(level, stresses, found)
         return steps, stresses
 
-    def softened_again(self, level: Level) -> list[NewtonStep]:
+    def softened_again(self, level: LevelT) -> list[NewtonStep]:
         """Newton steps of a heated film that did not settle, through films of larger stresses.
 
         Where both walls slip, film and temperature may move to and fro without end; the same grid's film of
@@ -317,11 +329,11 @@ class ContactSolver(ABC):
         """
         return self._through_larger_stresses(level) if self._slips_hot(level) else []
 
-    def _slips_hot(self, level: Level) -> bool:
+    def _slips_hot(self, level: LevelT) -> bool:
         """Whether a film is heated and has stresses of a flow law, by which heat and film may part."""
         return level.film.heated and self._scene.oil.flow not in (None, NEWTONIAN)
 
-    def _through_larger_stresses(self, level: Level) -> list[NewtonStep]:
+    def _through_larger_stresses(self, level: LevelT) -> list[NewtonStep]:
         """Newton steps of a heated film from its state, through films of larger stresses to its own."""
         steps: list[NewtonStep] = []
         guess = level.state()
@@ -337,7 +349,7 @@ class ContactSolver(ABC):
         self._flow_by_law(level, 1.0, level.state())
         return steps
 
-    def _flow_by_law(self, level: Level, stresses: float, guess: InitialGuess) -> None:
+    def _flow_by_law(self, level: LevelT, stresses: float, guess: InitialGuess) -> None:
         """Solve a film under the flow law with its stresses multiplied by a factor, from an initial guess."""
         heated = level.film.heated
         self._shear(level, stresses)
@@ -345,12 +357,12 @@ class ContactSolver(ABC):
             self._heat(level, guess.rise)
         level.film.start(guess.pressure, guess.rigid_film, guess.oil)
 
-    def _shear(self, level: Level, stresses: float = 1.0) -> None:
+    def _shear(self, level: LevelT, stresses: float = 1.0) -> None:
         """Set the flow law, its stresses multiplied by a factor; the film must be restarted."""
         law = (self._scene.oil.flow or NEWTONIAN).firmer(stresses)
         self._set_law(level, law, slip_step=SLIP_STEP + SLIP_WIDENING * (stresses - 1))
 
-    def _set_law(self, level: Level, law: FlowLaw, slip_step: float = SLIP_STEP) -> None:
+    def _set_law(self, level: LevelT, law: FlowLaw, slip_step: float = SLIP_STEP) -> None:
         """Set a flow law, and the surfaces' roughness; the film must be restarted."""
         level.film.shear(
             law, self._model.levels, self._scene.sliding_at(*level.grid.mesh()), slip_step
@@ -358,7 +370,7 @@ class ContactSolver(ABC):
         if self._curves is not None:
             level.film.roughen(self._curves, self._scene.boundary_friction)
 
-    def _heat(self, level: Level, rise: Array | None) -> None:
+    def _heat(self, level: LevelT, rise: Array | None) -> None:
         """Add heat from an initial rise, with what surfaces remember and oil stores of films before."""
         self._warm(level, rise)
         term = level.transient_term
@@ -370,7 +382,7 @@ class ContactSolver(ABC):
         if stored is not None:
             level.film.store_heat(stored)
 
-    def _shear_and_warm(self, level: Level, guess: InitialGuess) -> None:
+    def _shear_and_warm(self, level: LevelT, guess: InitialGuess) -> None:
         """Set shear and heat together, for a film whose initial guess has both."""
         if self._model.levels:
             self._shear(level)
@@ -379,14 +391,14 @@ class ContactSolver(ABC):
         if self._model.levels:
             level.film.start(level.film.pressure, level.film.rigid_film, guess.oil)
 
-    def _to_own_entrainment(self, level: Level) -> list[NewtonStep]:
+    def _to_own_entrainment(self, level: LevelT) -> list[NewtonStep]:
         """Newton steps of the continuation that removes an auxiliary entrainment, where there is one."""
         return []
 
-    def outcome(self, level: Level) -> Outcome:
+    def outcome(self, level: LevelT) -> Outcome:
         """Figures without error bars, fields, and the profile across the film where it is hottest."""
         scene, model = self._scene, self._model
-        figures = {
+        figures: dict[str, Any] = {
             "moes_m": self._size.groups.moes_m,
             "moes_l": self._size.groups.moes_l,
             "mass_error": self._mass_error(level),
@@ -420,16 +432,18 @@ class ContactSolver(ABC):
         density = figures_of_grid.value_at_origin(level.grid, level.film.fields()[1])
         return film, abs(fine - coarse) / (3 * film), density
 
-    def uncertainties(self, level: Level) -> dict[str, float]:
+    def uncertainties(self, level: LevelT) -> dict[str, float]:
         """Relative uncertainty of each figure of a converged film between rough surfaces."""
         scene, half_width = self._scene, predicted(self._scene).half_width
         waves = left_out(moving_waves(scene), self._size.groups, half_width, scene.reduced_modulus)
-        return roughness_uncertainty(level, self._rough, scene.boundary_friction, waves)
+        return roughness_uncertainty(
+            level, present(self._rough, "roughness"), scene.boundary_friction, waves
+        )
 
-    def _dry(self, level: Level) -> DryContact | None:
+    def _dry(self, level: LevelT) -> DryContact | None:
         """The dry contact on the grid of a level; None where it is Hertz's in closed form."""
         return None
 
-    def _dry_figures(self, level: Level, dry: DryContact) -> dict[str, Any]:
+    def _dry_figures(self, level: LevelT, dry: DryContact) -> dict[str, Any]:
         """Figures of the dry contact, and those that refer to it."""
         return {}

@@ -1,6 +1,7 @@
 """The Newton steps of a solve as a dataset."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from pyworm.solver.newton import NewtonStep
 
 def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> PlainDataset:
     """Over iteration: grid points along each direction of a grid, balances, GMRES iterations and work."""
-    columns = {
+    columns: dict[str, list[Any]] = {
         f"points_{axis}": [step.points[number] for step in steps]
         for number, axis in enumerate("xy"[: len(grid.shape)])
     }

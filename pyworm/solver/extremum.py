@@ -46,7 +46,7 @@ def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[fl
     if not within.any():
         return np.inf, (0.0, 0.0)
     # what lies farther off than the surface depends on is not looked at
-    near = tuple(_near(within.any(axis=1 - axis)) for axis in (0, 1))
+    near = tuple(_near(np.asarray(within.any(axis=1 - axis))) for axis in (0, 1))
     value, place = _surface_minimum(field[near], within[near], usable[near])
     return value, (place[0] + near[0].start, place[1] + near[1].start)
 

@@ -1,5 +1,6 @@
 """Figures read off fields between the nodes of a grid."""
 
+from collections.abc import Sequence
 from math import nan
 
 import numpy as np
@@ -136,7 +137,7 @@ SIDE = 0.35
 contact."""
 
 
-def minimum_kind(at: tuple[float, float], angle: float, half_extents: tuple[float, float]) -> str:
+def minimum_kind(at: Sequence[float], angle: float, half_extents: tuple[float, float]) -> str:
     """Kind of a point contact's minimum by its place: "side lobe", "exit" or "middle".
 
     Parameters

@@ -5,6 +5,7 @@ estimate the errors; stop, or halve the spacing.
 """
 
 from dataclasses import asdict
+from typing import Any, cast
 
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import NO_MEMORY, KernelError
@@ -93,8 +94,9 @@ class GridSequence:
         solver_type = SOLVERS[type(scene)]
         self._tell("first grids", 0.0)
         rates = self._rates
-        self._transient = rates and transient(scene, plan, rates)
-        self._solver = solver_type(scene, plan, self._transient and self._transient.rate)
+        self._transient = None if rates is None else transient(scene, plan, rates)
+        rate = None if self._transient is None else self._transient.rate
+        self._solver = solver_type(scene, plan, rate)
         if self._transient is not None:
             self._level = self._transient.level
         elif isinstance(warm_start, self._solver.level_type) and (
@@ -171,6 +173,12 @@ class GridSequence:
         converged = is_converged(reason)
         if not converged and rests_on_edge(outcome.fields):
             reason += CURE
+        datasets: dict[str, Any] = {
+            "fields": outcome.fields,
+            "history": convergence_history(self._steps, level.grid),
+            "profile": outcome.profile,
+            "life": None if self._transient is None else self._transient.life,
+        }
         return Solution(
             name=scene.name,
             kind=self._solver.kind,
@@ -179,20 +187,17 @@ class GridSequence:
             converged=converged,
             stop_reason=reason,
             figures=Figures(
-                **self._estimates(),
+                **cast("dict[str, Any]", self._estimates()),
                 film_min_at=self._settled.reading.film_min_at,
                 load_error=level.film.balance.load_error,
                 residual=level.film.balance.residual,
                 **outcome.figures,
             ),
             regime=plan.regime,
-            fields=outcome.fields,
-            history=convergence_history(self._steps, level.grid),
             cost=cost,
-            inlet_temperature=scene.oil.heat.inlet_temperature if plan.model.heated else None,
+            inlet_temperature=scene.oil.thermal.inlet_temperature if plan.model.heated else None,
             composite_roughness=scene.composite_roughness,
-            profile=outcome.profile,
-            life=self._transient and self._transient.life,
+            **datasets,
             accuracy=plan.accuracy,
         )
 

@@ -17,11 +17,12 @@ from pyworm.formulas.lubrication import (
 )
 from pyworm.formulas.rough_contact import RQ_OVER_RA
 from pyworm.io.number_with_unit import parse_in
+from pyworm.io.present import present
 from pyworm.materials.solids import usual_roughness
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 
 WHOLE = 1.0
 """Influence as large as the figure itself, the largest that is shown."""
@@ -125,9 +126,10 @@ class LeftOut:
         """What is not known without a roughness, and which one would matter, in words."""
         at = "" if self.contacts == 1 else f" in the worst of {self.contacts} contacts"
         usual, _ = parse_in(usual_roughness(USUAL), "um")
+        above = present(self.mixed_above_roughness_m, "roughness")
         return (
             "Roughness is not given: figures are those of smooth surfaces, and lubrication is not judged. "
-            f"Above a composite roughness of {self.mixed_above_roughness_m * 1e6:.2g} µm (Rq) it would be "
+            f"Above a composite roughness of {above * 1e6:.2g} µm (Rq) it would be "
             f"mixed{at}; two {USUAL} surfaces of Ra {usual:.2g} µm have "
             f"{sqrt(2) * RQ_OVER_RA * usual:.2g} µm."
         )
@@ -203,8 +205,9 @@ def judged(
     asperity_load : tuple of float or None
         Share of the load that asperities carry and its relative uncertainty, where they are solved [-].
     """
-    known = films if roughness else ()
-    central, least = (film / roughness for film in known) if known else (None, None)
+    central, least = None, None
+    if roughness and films:
+        central, least = (film / roughness for film in films)
     share, uncertainty = asperity_load
     return LeftOut(
         beyond(effects, accuracy),
@@ -220,7 +223,7 @@ def judged(
     )
 
 
-def expected(scene: Contact, plan: Plan) -> LeftOut:
+def expected(scene: AnyContact, plan: Plan) -> LeftOut:
     """Effects that a plan leaves out of a contact, estimated by closed forms."""
     shown = scene if plan.model.rough else replace(scene, smooth=True)
     prediction = predicted(shown)

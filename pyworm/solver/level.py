@@ -12,7 +12,8 @@ from pyworm import kernel
 from pyworm.kernel.film import Shear
 from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.scene.contact import Array, Contact
+from pyworm.scene.any_contact import AnyContact
+from pyworm.scene.contact import Array
 from pyworm.solver import figures
 from pyworm.solver.error_estimate import Peak, Reading
 from pyworm.solver.newtonian_shear import newtonian_shear
@@ -81,7 +82,7 @@ class InitialGuess:
     rise: Array | None = None
     oil: Array | None = None
 
-    def finer(self, window=np.s_[...]) -> "InitialGuess":
+    def finer(self, window: Any = np.s_[...]) -> "InitialGuess":
         """Interpolate to nodes of half the spacing within a window."""
         return InitialGuess(
             np.maximum(kernel.prolong(self.pressure[window]), 0.0),
@@ -130,7 +131,7 @@ class Level(ABC):
 
     forcing: ClassVar[float]
 
-    scene: Contact
+    scene: AnyContact
     grid: Any
     gap: Array
     covered: Array
@@ -224,7 +225,7 @@ class Level(ABC):
         pressure = self.film.pressure
         slopes = np.gradient(pressure, *self.grid.spacing)
         return newtonian_shear(
-            oil.viscosity(pressure),
+            np.asarray(oil.viscosity(pressure)),
             self.film.thickness(),
             self.scene.sliding_at(*self.grid.mesh()),
             (slopes,) if pressure.ndim == 1 else slopes,
@@ -292,5 +293,5 @@ class Level(ABC):
         *surfaces, (highest, contact) = self._temperature_fields().values()
         largest = [figures.maximum(field, counted) for field, counted in surfaces]
         positions = kernel.level_positions(self.film.levels)
-        across = figures.maximum_across(self.film.rise(), positions, contact, highest)
+        across = figures.maximum_across(self.film.rise(), positions, np.asarray(contact), highest)
         return dict(zip(HEAT_FIGURES, (*largest, across), strict=True))

@@ -1,6 +1,7 @@
 """What a contact makes of a limited supply of oil: meniscus, side flow and the layer that it leaves."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from scipy.ndimage import map_coordinates
@@ -48,7 +49,7 @@ class SupplyFigures:
     @property
     def layer_left(self) -> float:
         """Thickness of the oil that leaves behind the middle of the contact [m]."""
-        return float(self.layer.at(0.0))
+        return float(self.layer.at(np.zeros(())))
 
 
 def supply_figures(level: Level, flooded: tuple[float, float, float]) -> SupplyFigures:
@@ -88,7 +89,7 @@ def layer_left(level: Level) -> OilLayer:
     return OilLayer(tuple(across.tolist()), tuple(np.maximum(thickness, 0.0).tolist()))
 
 
-def mostly_full(guess: InitialGuess, before: Level, window=np.s_[...]) -> InitialGuess:
+def mostly_full(guess: InitialGuess, before: Level, window: Any = np.s_[...]) -> InitialGuess:
     """A guess on half the spacing with pressure only where the gap of the coarser level is mostly full.
 
     It covers a window of the level's nodes.

@@ -70,7 +70,7 @@ def fields(
         **(_shear_fields(level) if model.levels else {}),
         **(_rough_fields(level) if model.rough else {}),
         **({"oil_fraction": level.film.fraction()} if level.film.fed else {}),
-        **(_heat_fields(level, scene.oil.heat.inlet_temperature) if model.heated else {}),
+        **(_heat_fields(level, scene.oil.thermal.inlet_temperature) if model.heated else {}),
     }
     axes = _axes(level)
     return described(
@@ -124,9 +124,10 @@ def profile(scene: Contact, level: Level) -> PlainDataset:
     place = [of[at] for of, at in zip(_axes(level).values(), node, strict=True)]
     body_1, _ = scene.velocities_at(*(np.array(of) for of in place))
     velocities = _along(
-        "profile_velocity", level.film.profile(node, [float(component) for component in body_1])
+        "profile_velocity",
+        level.film.profile(node, [np.asarray(component, dtype=float) for component in body_1]),
     )
-    temperature = scene.oil.heat.inlet_temperature + rise[node]
+    temperature = scene.oil.thermal.inlet_temperature + rise[node]
     return described(
         {
             "profile_temperature": (("level",), temperature),

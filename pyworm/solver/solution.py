@@ -1,5 +1,6 @@
 """The result of one solve: fields, figures with error bars, convergence history and cost."""
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from typing import Any, Literal
 
@@ -8,6 +9,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import later
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray, same_data
+from pyworm.io.present import present
 from pyworm.io.shown import Shown
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.target import ROUGH_FIGURES
@@ -235,9 +237,17 @@ class Solution(Shown):
             **films,
             **figures,
             "regime": self.regime.name,
-            "grid": " x ".join(str(self.held("fields").sizes[of]) for of in self._axes),
+            "grid": " x ".join(str(self._sizes[of]) for of in self._axes),
             "effects": ", ".join(effect.name for effect in self.effects if effect.on),
         }
+
+    @property
+    def _sizes(self) -> Mapping[Any, int]:
+        """Sizes of the dimensions of the fields."""
+        held = self.held("fields")
+        if held is None:
+            raise ValueError(f"{self.name}: has no fields")
+        return held.sizes
 
     @property
     def _axes(self) -> tuple[str, ...]:
@@ -284,7 +294,7 @@ class Solution(Shown):
         with an entry for each body and the film. Values that are not simulated, not known or not defined for
         the kind of contact have no key.
         """
-        figures, sizes = self.figures, self.held("fields").sizes
+        figures, sizes = self.figures, self._sizes
         return {
             "name": self.name,
             "kind": self.kind,
@@ -330,7 +340,7 @@ class Solution(Shown):
             **({} if film.model is None else {"specific_film_model_error": film.model}),
         }
 
-    def _point_summary(self) -> dict[str, float]:
+    def _point_summary(self) -> dict[str, float | None]:
         """The scalars that only a point contact has."""
         figures = self.figures
         if figures.dry is None:
@@ -352,8 +362,10 @@ class Solution(Shown):
             return {}
         return {
             **_flat("friction_coefficient", "", figures.friction_coefficient),
-            **_flat("power_loss", POWER_UNITS[self.kind], figures.power_loss),
-            **_flat("shear_rate_max", "1_s", figures.shear_rate_max),
+            **_flat(
+                "power_loss", POWER_UNITS[self.kind], present(figures.power_loss, "power_loss")
+            ),
+            **_flat("shear_rate_max", "1_s", present(figures.shear_rate_max, "shear_rate_max")),
         }
 
     def _rough_summary(self) -> dict[str, float]:
@@ -386,30 +398,32 @@ class Solution(Shown):
 
     def _model_errors_of_temperatures(self, largest: dict[str, Estimate]) -> dict[str, dict]:
         """Uncertainty of temperatures by the model of roughness [K]; none where it was not simulated."""
+        inlet = present(self.inlet_temperature, "inlet_temperature")
         errors = {
-            place: of.model * abs(of.value - self.inlet_temperature)
+            place: of.model * abs(of.value - inlet)
             for place, of in largest.items()
             if of.model is not None
         }
         return {"temperature_max_model_error_K": errors} if errors else {}
 
-    def _heat_summary(self) -> dict[str, dict[str, float] | float]:
+    def _heat_summary(self) -> dict[str, dict[str, float] | float | None]:
         """The scalars of heat; errors of temperatures in kelvin."""
         figures = self.figures
         if figures.temperature_max_film is None:
             return {}
         largest = {
-            "body_1": figures.temperature_max_body_1,
-            "body_2": figures.temperature_max_body_2,
+            "body_1": present(figures.temperature_max_body_1, "temperature_max_body_1"),
+            "body_2": present(figures.temperature_max_body_2, "temperature_max_body_2"),
             "film": figures.temperature_max_film,
         }
+        inlet = present(self.inlet_temperature, "inlet_temperature")
         return {
-            "inlet_temperature_C": self.inlet_temperature - ZERO_CELSIUS,
+            "inlet_temperature_C": inlet - ZERO_CELSIUS,
             "temperature_max_C": {
                 place: estimate.value - ZERO_CELSIUS for place, estimate in largest.items()
             },
             "temperature_max_error_K": {
-                place: estimate.error * abs(estimate.value - self.inlet_temperature)
+                place: estimate.error * abs(estimate.value - inlet)
                 for place, estimate in largest.items()
             },
             **self._model_errors_of_temperatures(largest),

@@ -54,7 +54,7 @@ def solve(
         plan, rates = _in_motion(scene, plan, rates, report)
         sequence = GridSequence(plan.simplified(scene), plan, rates, report, stopwatch)
         warm_start = sequence.begin(warm_start)
-        if sequence.wants_finer_rates:
+        if rates is not None and sequence.wants_finer_rates:
             report(f"{scene.name}: its past, on a finer grid", 0.0)
             rates = finer(scene, plan, rates)
             if not rates.finest:

@@ -15,7 +15,7 @@ TIMED_CONVOLUTIONS = 10
 class Stopwatch:
     """Elapsed and processor time since it was made."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         self._seconds, self._work = perf_counter(), process_time()
 
     def cost(self, film: PointFilm | LineFilm) -> Cost:

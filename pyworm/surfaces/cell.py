@@ -46,12 +46,12 @@ def common_cell(surfaces: tuple[Topography, Topography]) -> Topography:
         return Topography(total, cells[0].spacing, periodic=True)
     sides = [min(pair) for pair in zip(*(cell.extent for cell in cells), strict=True)]
     finest = [min(pair) for pair in zip(*(cell.spacing for cell in cells), strict=True)]
-    nodes = tuple(
+    nx, ny = (
         _even(min(NODES, round(side / step))) for side, step in zip(sides, finest, strict=True)
     )
-    spacing = tuple(side / n for side, n in zip(sides, nodes, strict=True))
-    total = sum(_sampled(one, nodes, spacing).height for one in surfaces)
-    return Topography(total, spacing, periodic=True)
+    spacing = sides[0] / nx, sides[1] / ny
+    first, second = (_sampled(one, (nx, ny), spacing).height for one in surfaces)
+    return Topography(first + second, spacing, periodic=True)
 
 
 def _even(nodes: int) -> int:
@@ -70,9 +70,9 @@ def _sampled(
             for n, a, b in zip(nodes, spacing, surface.extent, strict=True)
         ]
         if not all(whole):
-            margins = tuple(n // BLENDED for n in nodes)
+            margins = nodes[0] // BLENDED, nodes[1] // BLENDED
     else:
-        margins, mode = tuple(n // BLENDED for n in nodes), "nearest"
+        margins, mode = (nodes[0] // BLENDED, nodes[1] // BLENDED), "nearest"
     places = []
     for n, margin, step, own, count in zip(
         nodes, margins, spacing, surface.spacing, surface.height.shape, strict=True

@@ -6,6 +6,7 @@ from functools import lru_cache
 from hashlib import sha256
 from math import inf, isfinite
 from pathlib import Path
+from typing import Any
 from zipfile import BadZipFile
 
 import numpy as np
@@ -101,8 +102,8 @@ def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None)
     except (OSError, ValueError, KeyError, EOFError, BadZipFile):
         table = solve_cell(cell, reduced_modulus, hardness)
     try:
-        with whole_file(path) as partial, partial.open("wb") as file:
-            np.savez(file, **asdict(table))
+        with whole_file(path) as partial, partial.open("wb") as written:
+            np.savez(written, **asdict(table))
     except OSError:
         pass  # where nothing can be kept it is solved again
     return table
@@ -112,7 +113,7 @@ def solve_cell(cell: Topography, reduced_modulus: float, hardness: float | None)
     """Contact and flow of a periodic cell; arguments and errors as of `cell_table`."""
     rms, most = cell.rms, inf if hardness is None else hardness
     separations = SEPARATIONS if hardness is None else np.append(SEPARATIONS, CLOSER)
-    rows = []
+    rows: list[dict[str, Any]] = []
     for separation in separations * rms:
         try:
             row = _at(cell, separation, reduced_modulus, most)

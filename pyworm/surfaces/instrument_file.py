@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from pyworm.io.present import present
 from pyworm.surfaces.plausible import plausible_side
 from pyworm.surfaces.text_header import metres_of
 
@@ -107,16 +108,18 @@ def _scales(
         raise ValueError('does not give its unit; give height_unit = "um" beside it')
     if own is not None and metres is not None:
         raise ValueError(f"gives its own unit, {unit}; leave out height_unit")
-    scale = own if own is not None else metres
+    scale = own if own is not None else present(metres, "height_unit")
     steps = None
     if sides is not None:
-        steps = tuple(float(side) * scale / n for side, n in zip(sides, shape, strict=True))
+        step_x, step_y = (float(side) * scale / n for side, n in zip(sides, shape, strict=True))
+        steps = step_x, step_y
     if steps is None and spacing is None:
         raise ValueError(
             'does not give the distance of its points; give spacing = "0.5 um" beside it'
         )
     if steps is None or (spacing is not None and not plausible_side(shape, steps)):
-        return scale, (spacing, spacing)
+        step = present(spacing, "spacing")
+        return scale, (step, step)
     if spacing is not None:
         raise ValueError("gives the distance of its points; leave out spacing")
     return scale, steps

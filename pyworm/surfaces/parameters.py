@@ -102,8 +102,10 @@ def slopes(surface: Topography) -> tuple[float, float]:
     height = np.where(surface.known, surface.height, np.nan)
     found = []
     for axis, step in enumerate(surface.spacing):
-        end = {"append": height.take([0], axis=axis)} if surface.periodic else {}
-        found.append(float(np.sqrt(np.nanmean(np.diff(height, axis=axis, **end) ** 2)) / step))
+        closed = height
+        if surface.periodic:
+            closed = np.concatenate([height, height.take([0], axis=axis)], axis=axis)
+        found.append(float(np.sqrt(np.nanmean(np.diff(closed, axis=axis) ** 2)) / step))
     return found[0], found[1]
 
 

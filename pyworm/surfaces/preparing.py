@@ -260,7 +260,7 @@ def _filled(level: Array, missing: Array) -> Array:
 def _neighbours(field: Array, axis: int, way: int) -> Array:
     """The field's value at each point's neighbour; -2 beyond the edge."""
     beside = np.roll(field, -way, axis=axis)
-    edge = [slice(None)] * 2
+    edge: list[slice | int] = [slice(None)] * 2
     edge[axis] = -1 if way == 1 else 0
     beside[tuple(edge)] = -2
     return beside

@@ -59,8 +59,8 @@ def read_heights(
     metres = None if height_unit is None else _metres(height_unit)
     if path.suffix.lower() == ".npy":
         numbers = _read_npy(path)
-        _require_given(numbers, metres, spacing)
-        heights, steps = numbers.T * metres, (spacing, spacing)
+        metres, step = _require_given(numbers, metres, spacing)
+        heights, steps = numbers.T * metres, (step, step)
     elif _is_text(path):
         heights, steps = _of_text(_text(path), metres, spacing)
     else:
@@ -91,8 +91,10 @@ def _is_text(path: Path) -> bool:
     return not begin.lstrip().startswith(LIBRARY_TEXTS)
 
 
-def _require_given(heights: Array, metres: float | None, spacing: float | None) -> None:
-    """Refuse numbers of which neither file nor case give unit and distance."""
+def _require_given(
+    heights: Array, metres: float | None, spacing: float | None
+) -> tuple[float, float]:
+    """Unit [m] and distance [m] of numbers; refused where neither file nor case give both."""
     if metres is None:
         finite = heights[np.isfinite(heights)]
         unit = likely_unit(float(finite.std()) if finite.size else 0.0)
@@ -104,6 +106,7 @@ def _require_given(heights: Array, metres: float | None, spacing: float | None) 
         raise ValueError(
             'does not give the distance of its points; give spacing = "0.5 um" beside it, or its own'
         )
+    return metres, spacing
 
 
 def _require_readable(shape: tuple[int, ...]) -> None:
@@ -164,8 +167,8 @@ def _of_text(
         if plausible_side((columns, rows), own):
             raise ValueError("gives the distance of its points in its header; leave out spacing")
         own = None
-    _require_given(numbers, metres, spacing if own is None else own[0])
-    return numbers.T * metres, (spacing, spacing) if own is None else own
+    metres, step = _require_given(numbers, metres, spacing if own is None else own[0])
+    return numbers.T * metres, (step, step) if own is None else own
 
 
 def _of_points(
@@ -177,7 +180,7 @@ def _of_points(
     """Heights [m] and spacing [m] of a list of points, `own` being the metres of its x and of its y."""
     if own is not None and spacing is not None:
         raise ValueError("gives the units of x and y in its header; leave out spacing")
-    _require_given(points[:, 2], metres, spacing if own is None else own[0])
+    metres, step = _require_given(points[:, 2], metres, spacing if own is None else own[0])
     heights, (dx, dy) = on_grid(points, MOST_POINTS)
-    scales = (spacing / dx,) * 2 if own is None else own
+    scales = (step / dx, step / dx) if own is None else own
     return heights * metres, (dx * scales[0], dy * scales[1])

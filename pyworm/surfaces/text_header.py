@@ -95,8 +95,8 @@ def read_header(lines: Sequence[str]) -> Header:
     )
     if steps is not None:
         steps = steps[0], steps[1] or steps[0]
-    whole = sides is not None and sides[1] is not None
-    return replace(header, sides=sides if whole else None, steps=steps)
+    whole = None if sides is None or sides[1] is None else (sides[0], sides[1])
+    return replace(header, sides=whole, steps=steps)
 
 
 def _labelled(lines: Sequence[str]) -> dict[str, str]:
@@ -133,8 +133,9 @@ def _by_titles(lines: Sequence[str], header: Header) -> Header:
         if len(fields) == 1:
             fields = fields[0].split()
         columns = [_COLUMN.fullmatch(field.strip()) for field in fields]
-        metres = [None if found is None else metres_of(found["unit"]) for found in columns]
-        if len(metres) == 3 and None not in metres:
+        units = [None if found is None else metres_of(found["unit"]) for found in columns]
+        metres = [unit for unit in units if unit is not None]
+        if len(metres) == len(units) == 3:
             return replace(header, height_metres=metres[2], metres=(metres[0], metres[1]))
         found = _VALUES_IN.search(line)
         if found is not None and metres_of(found["unit"]) is not None:

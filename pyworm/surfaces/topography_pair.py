@@ -6,6 +6,7 @@ from math import hypot
 import numpy as np
 import scipy
 
+from pyworm.io.present import present
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.rough_surfaces import NARROWEST, GapCurves, gap_rows, tabulated
 from pyworm.materials.topography import Topography
@@ -167,7 +168,7 @@ def topography_pair(bodies: tuple[Body, Body], directions: tuple[float, float]) 
     directions : tuple of float
         Direction of each surface's motion from the x axis of the contact [rad].
     """
-    surfaces = tuple(
+    first, second = (
         None
         if body.topography is None
         else body.topography.turned(body.topography.x_direction + direction)
@@ -175,8 +176,8 @@ def topography_pair(bodies: tuple[Body, Body], directions: tuple[float, float]) 
     )
     yielding = [body.hardness for body in bodies if body.hardness is not None]
     return TopographyPair(
-        surfaces,
-        (bodies[0].roughness, bodies[1].roughness),
+        (first, second),
+        (present(bodies[0].roughness, "roughness"), present(bodies[1].roughness, "roughness")),
         reduced_modulus(*bodies),
         min(yielding) if yielding else None,
     )

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from math import inf
 
 from pyworm.planning.prediction import Prediction
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 
 FILM, FRICTION, TEMPERATURE = "film", "friction", "temperature"
 
@@ -74,8 +74,8 @@ class Effect:
     source: str
     indicator: Callable[[Prediction], float]
     influence: Callable[[Prediction], Influence]
-    without: Callable[[Contact], Contact] | None
-    lacking: Callable[[Contact], str | None] = lambda scene: None
+    without: Callable[[AnyContact], AnyContact] | None
+    lacking: Callable[[AnyContact], str | None] = lambda scene: None
     together: tuple[str, ...] = ()
     eased_by: tuple[str, ...] = ()
     part_of: str | None = None

@@ -8,7 +8,7 @@ import numpy as np
 from pyworm.formulas.hertz import hertz
 from pyworm.planning.effects.effect import EVERYTHING, Effect, Influence
 from pyworm.planning.prediction import Prediction
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
@@ -22,11 +22,11 @@ SPEED_POWER = 0.7
 """Exponent of the speed in the film (Dowson and Higginson; 0.66 to 0.71 in other formulas)."""
 
 
-def _same_all_along(scene: Contact) -> str | None:
+def _same_all_along(scene: AnyContact) -> str | None:
     return "a line contact is the same all along" if isinstance(scene, LineScene) else None
 
 
-def _on_the_rim(scene: Contact) -> tuple[np.ndarray, ...]:
+def _on_the_rim(scene: AnyContact) -> tuple[np.ndarray, ...]:
     """Points on the outline of Hertz's contact."""
     if isinstance(scene, LineScene):
         raise TypeError("a line contact has no outline")
@@ -107,7 +107,7 @@ def _side_flow(prediction: Prediction) -> Influence:
     )
 
 
-def as_line(scene: Contact) -> Contact:
+def as_line(scene: AnyContact) -> AnyContact:
     """The line contact in the middle of a long contact: same largest dry pressure and curvature.
 
     Raises
@@ -126,11 +126,15 @@ def as_line(scene: Contact) -> Contact:
     radius = scene.radii[axis]
     pressure = hertz(*scene.radii, scene.load, scene.reduced_modulus).pressure_max
     origin = np.zeros(())
+    first, second = (float(motion(origin, origin)[axis]) for motion in scene.motions)
+    travelled = None
+    if scene.travelled is not None:
+        travelled = (scene.travelled[0][axis],), (scene.travelled[1][axis],)
     return LineScene(
         name=scene.name,
         gap=Parabola(radius),
         radius=radius,
-        velocities=tuple(float(motion(origin, origin)[axis]) for motion in scene.motions),
+        velocities=(first, second),
         load=2 * pi * radius * pressure**2 / scene.reduced_modulus,  # Johnson (1985), 4.45
         bodies=scene.bodies,
         oil=scene.oil,
@@ -138,7 +142,7 @@ def as_line(scene: Contact) -> Contact:
         slide_roll_ratio=scene.slide_roll_ratio,
         separation=scene.separation,
         past=scene.past,
-        travelled=scene.travelled and tuple((way[axis],) for way in scene.travelled),
+        travelled=travelled,
     )
 
 
@@ -156,7 +160,7 @@ SECOND_DIMENSION = Effect(
 # ----------------------------------------------------------------------------------------- real gap
 
 
-def _own_curves(scene: Contact) -> str | None:
+def _own_curves(scene: AnyContact) -> str | None:
     kind = Parabola if isinstance(scene, LineScene) else Paraboloid
     return "the gap is given by its radii alone" if isinstance(scene.gap, kind) else None
 
@@ -169,6 +173,8 @@ the gap there."""
 def departure(prediction: Prediction) -> float:
     """Relative departure of the gap from its paraboloid, on outlines around the contact."""
     scene = prediction.scene
+    outline: tuple[np.ndarray, ...]
+    plain: Parabola | Paraboloid
     if isinstance(scene, LineScene):
         outline = (np.array([-1.0, 1.0]) * prediction.half_width,)
         plain = Parabola(scene.radius)
@@ -192,14 +198,14 @@ def _by_departure(prediction: Prediction) -> Influence:
     return Influence(change, change, change)
 
 
-def _spins_only(scene: Contact) -> bool:
+def _spins_only(scene: AnyContact) -> bool:
     if isinstance(scene, LineScene):
         return False
     origin = np.zeros(())
     return all(float(part) == 0 for part in scene.entrainment(origin, origin))
 
 
-def _plain_gap(scene: Contact) -> Contact:
+def _plain_gap(scene: AnyContact) -> AnyContact:
     if isinstance(scene, LineScene):
         return replace(scene, gap=Parabola(scene.radius))
     return replace(scene, gap=Paraboloid(*scene.radii))
@@ -220,16 +226,16 @@ REAL_GAP = Effect(
 # --------------------------------------------------------------------------------- varying velocity
 
 
-def _uniform(scene: Contact) -> str | None:
+def _uniform(scene: AnyContact) -> str | None:
     if isinstance(scene, LineScene):
         return _same_all_along(scene)
-    rigid = all(isinstance(motion, RigidMotion) for motion in scene.motions)
-    if rigid and all(motion.spin == 0 for motion in scene.motions):
+    rigid = [motion for motion in scene.motions if isinstance(motion, RigidMotion)]
+    if len(rigid) == len(scene.motions) and all(motion.spin == 0 for motion in rigid):
         return "both surfaces only translate"
     return None
 
 
-def _variation(scene: Scene, of: str) -> float:
+def _variation(scene: AnyContact, of: str) -> float:
     """Largest change of a velocity field on the rim over its size in the middle."""
     field = getattr(scene, of)
     u, v = field(*_on_the_rim(scene))
@@ -247,7 +253,7 @@ def _by_variation(prediction: Prediction) -> Influence:
     return Influence(film, max(film, sliding), sliding)
 
 
-def _translating(scene: Contact) -> Contact:
+def _translating(scene: AnyContact) -> AnyContact:
     if isinstance(scene, LineScene):
         return scene
     origin = np.zeros(())

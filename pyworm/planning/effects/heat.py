@@ -9,14 +9,14 @@ from pyworm.formulas.thermal_reduction import wilson_sheu
 from pyworm.planning.effects.effect import EVERYTHING, Effect, Influence
 from pyworm.planning.effects.rheology import unlike, unthinned
 from pyworm.planning.prediction import Prediction
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 
 
-def _unknown(scene: Contact) -> str | None:
+def _unknown(scene: AnyContact) -> str | None:
     return "[oil.heat] is not given" if scene.oil.heat is None else None
 
 
-def _cold(scene: Contact) -> Contact:
+def _cold(scene: AnyContact) -> AnyContact:
     return replace(scene, oil=replace(scene.oil, heat=None))
 
 
@@ -66,7 +66,9 @@ def _surfaces(prediction: Prediction) -> Influence:
 def _inlet_loading(prediction: Prediction) -> float:
     """Thermal loading parameter of the inlet, eta0 beta u^2 / k [-]."""
     oil = prediction.oil
-    return oil.viscosity.eta0 * prediction.inlet_beta * prediction.speed**2 / oil.heat.conductivity
+    return (
+        oil.viscosity.eta0 * prediction.inlet_beta * prediction.speed**2 / oil.thermal.conductivity
+    )
 
 
 def _inlet_reduction(prediction: Prediction) -> float:

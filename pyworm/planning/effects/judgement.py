@@ -6,7 +6,7 @@ from dataclasses import asdict, dataclass, replace
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.effect import Effect
 from pyworm.planning.prediction import Prediction
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Judgement:
 
 
 def judge(
-    scene: Contact,
+    scene: AnyContact,
     accuracy: float,
     quantities: Sequence[str],
     prediction: Prediction,
@@ -71,7 +71,7 @@ def judge(
             judgements[effect.name] = Judgement(effect.name, False, None, {}, lacking)
             continue
         influence = effect.influence(prediction)
-        worst = influence.on(quantities)
+        worst = influence.on(tuple(quantities))
         settled = _settled(effect, asked, judgements, excluded)
         if settled is not None:
             on, reason = settled
@@ -116,7 +116,7 @@ def _settled(
     return None
 
 
-def simplified(scene: Contact, on: frozenset[str]) -> Contact:
+def simplified(scene: AnyContact, on: frozenset[str]) -> AnyContact:
     """The contact without the effects that are off."""
     for effect in EFFECTS:
         if effect.without is not None and effect.name not in on:

@@ -7,7 +7,7 @@ from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.prediction import Prediction
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 
 # -------------------------------------------------------------------------------- pressure-viscosity
 
@@ -21,7 +21,7 @@ def _by_thickening(prediction: Prediction) -> Influence:
     return Influence(change, change, change)
 
 
-def _isoviscous(scene: Contact) -> Contact:
+def _isoviscous(scene: AnyContact) -> AnyContact:
     viscosity = Barus(scene.oil.viscosity.eta0, 0.0)
     heat = scene.oil.heat
     if heat is not None and not isinstance(scene.oil.viscosity, Barus):
@@ -46,7 +46,7 @@ PRESSURE_VISCOSITY = Effect(
 
 def _compression(prediction: Prediction) -> float:
     density = prediction.oil.density
-    return density(prediction.pressure_max) / density.rho0 - 1
+    return float(density(prediction.pressure_max)) / density.rho0 - 1
 
 
 def _by_compression(prediction: Prediction) -> Influence:
@@ -98,7 +98,7 @@ HOT_FRICTION = 2.0
 
 def unlike(prediction: Prediction, other: FlowLaw) -> Influence:
     """Influence of replacing the oil's flow law by another one."""
-    own = prediction.oil.flow
+    own = prediction.oil.sheared
 
     def change(newtonian: float, pressure: float) -> float:
         if newtonian == 0:
@@ -130,10 +130,12 @@ def _unlimited(flow: FlowLaw) -> FlowLaw:
     return replace(flow, law=law, limit=0.0, limit_pressure=0.0)
 
 
-def _flowing(by: Callable[[FlowLaw], FlowLaw], has: Callable[[FlowLaw], bool]):
+def _flowing(
+    by: Callable[[FlowLaw], FlowLaw], has: Callable[[FlowLaw], bool]
+) -> Callable[[AnyContact], AnyContact]:
     """The contact with a simpler flow law, if its own has the property removed."""
 
-    def without(scene: Contact) -> Contact:
+    def without(scene: AnyContact) -> AnyContact:
         flow = scene.oil.flow
         if flow is None or not has(flow):
             return scene
@@ -142,8 +144,8 @@ def _flowing(by: Callable[[FlowLaw], FlowLaw], has: Callable[[FlowLaw], bool]):
     return without
 
 
-def _lacking(has: Callable[[FlowLaw], bool], what: str):
-    def lacking(scene: Contact) -> str | None:
+def _lacking(has: Callable[[FlowLaw], bool], what: str) -> Callable[[AnyContact], str | None]:
+    def lacking(scene: AnyContact) -> str | None:
         if scene.oil.flow is None:
             return "no flow law is given"
         return None if has(scene.oil.flow) else f"the oil's flow law has no {what}"
@@ -163,8 +165,8 @@ SHEAR_THINNING = Effect(
     name="shear-thinning",
     symbol="4.5 eta0 (u + us) / h tau0",
     source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
-    indicator=lambda prediction: _inlet_stress(prediction) / prediction.oil.flow.stress,
-    influence=lambda prediction: unlike(prediction, unthinned(prediction.oil.flow)),
+    indicator=lambda prediction: _inlet_stress(prediction) / prediction.oil.sheared.stress,
+    influence=lambda prediction: unlike(prediction, unthinned(prediction.oil.sheared)),
     without=_flowing(unthinned, _thins),
     lacking=_lacking(_thins, "thinning"),
 )
@@ -174,9 +176,9 @@ LIMITING_STRESS = Effect(
     symbol="tau / tauL",
     source="the oil's own flow law in the inlet, at the contact's sides and at the mean pressure",
     indicator=lambda prediction: (
-        prediction.stress() / prediction.oil.flow.limit_at(prediction.pressure_mean)
+        prediction.stress() / prediction.oil.sheared.limit_at(prediction.pressure_mean)
     ),
-    influence=lambda prediction: unlike(prediction, _unlimited(prediction.oil.flow)),
+    influence=lambda prediction: unlike(prediction, _unlimited(prediction.oil.sheared)),
     without=_flowing(_unlimited, _limits),
     lacking=_lacking(_limits, "limiting stress"),
     eased_by=("shear-thinning",),  # which rounds the corner of the limit

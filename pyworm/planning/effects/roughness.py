@@ -5,8 +5,11 @@ from math import exp
 
 import numpy as np
 
+from pyworm.io.present import present
+from pyworm.materials.rough_surfaces import GapCurves
 from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.prediction import Prediction
+from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.waves import waves_in_gap
 
 OF_FLOW = 0.5
@@ -14,9 +17,14 @@ OF_FLOW = 0.5
 inlet feels a part of it, more where asperities carry load."""
 
 
+def _curves(scene: AnyContact) -> GapCurves:
+    """Averages over the gap of both rough surfaces."""
+    return present(scene.rough_pair, "roughness").curves()
+
+
 def _thickness(prediction: Prediction) -> float:
     """Specific film: minimum film over the composite roughness."""
-    return prediction.film_min / prediction.scene.composite_roughness
+    return prediction.film_min / present(prediction.scene.composite_roughness, "roughness")
 
 
 def _by_roughness(prediction: Prediction) -> Influence:
@@ -27,9 +35,7 @@ def _by_roughness(prediction: Prediction) -> Influence:
 
 def _of_film(prediction: Prediction) -> float:
     """Relative change of the film, by the flow factors at the least film and by long waves in the gap."""
-    flow, shear = (
-        prediction.scene.rough_pair.curves().at_thickness(prediction.film_min)[3:].reshape(2, 3)
-    )
+    flow, shear = _curves(prediction.scene).at_thickness(prediction.film_min)[3:].reshape(2, 3)
     by_pressure = float(np.abs(1 - flow[:2]).max())
     dragged = float(np.abs(shear[:2]).max()) / prediction.film_min
     by_shear = dragged * prediction.sliding / (2 * prediction.speed)
@@ -42,7 +48,7 @@ def _of_boundary_friction(prediction: Prediction) -> float:
     if not prediction.sliding > 0:
         return 0.0
     scene = prediction.scene
-    borne = exp(scene.rough_pair.curves().at_thickness(prediction.film_central)[0])
+    borne = exp(_curves(scene).at_thickness(prediction.film_central)[0])
     share = min(borne / prediction.pressure_mean, 1.0)
     fluid = prediction.heat / (prediction.sliding * prediction.pressure_mean)
     boundary = share * scene.boundary_friction

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from pyworm.planning.effects.catalogue import EFFECTS
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 
 BEYOND_ISOTHERMAL = frozenset(
     {
@@ -92,7 +92,7 @@ def _understood(text: str) -> tuple[str, ...]:
         raise ValueError(f"effects = {text}: {error}") from None
 
 
-def chosen(scene: Contact, text: str) -> frozenset[str]:
+def chosen(scene: AnyContact, text: str) -> frozenset[str]:
     """Names of the effects that a choice selects.
 
     Parameters
@@ -125,7 +125,7 @@ def chosen(scene: Contact, text: str) -> frozenset[str]:
     return frozenset(on & whole)
 
 
-def require(scene: Contact, name: str, text: str) -> None:
+def require(scene: AnyContact, name: str, text: str) -> None:
     """Refuse an effect, named in a choice, that a contact has none of.
 
     Raises

@@ -3,10 +3,11 @@
 from dataclasses import replace
 from math import cos, inf, isfinite, log, sin
 
+from pyworm.io.present import present
 from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.effects.geometry import SPEED_POWER, departure
 from pyworm.planning.prediction import Prediction, predicted
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
@@ -18,12 +19,17 @@ the real gap's influence has no bound; films in motion of such contacts differ b
 (`benchmarks/drives/squeeze.py`)."""
 
 
+def _before(prediction: Prediction) -> Prediction:
+    """The contact as its oil entered."""
+    return present(prediction.before, "the contact before")
+
+
 def lag(prediction: Prediction, most_by_edges: float = inf) -> float:
     """Change of the expected film while oil passes through the contact, the real gap's up to a bound [-].
 
     Closed forms now and then: a solved film differs from them by more than it changes.
     """
-    now, then = predicted(prediction.scene), prediction.before
+    now, then = predicted(prediction.scene), _before(prediction)
     real = abs(departure(now) - departure(then))
     shift = abs(log(now.film_central / max(then.film_central, then.scene.separation or 0.0)))
     return shift + min(real if isfinite(real) else inf, most_by_edges)
@@ -31,9 +37,9 @@ def lag(prediction: Prediction, most_by_edges: float = inf) -> float:
 
 def spread(prediction: Prediction) -> float:
     """Area gained or lost by the contact over the area swept by the oil: u + da/dt in place of u."""
-    then = prediction.before
+    then = _before(prediction)
     passed = prediction.speed * prediction.age
-    if isinstance(prediction.scene, LineScene):
+    if isinstance(prediction.scene, LineScene) or isinstance(then.scene, LineScene):
         return abs(prediction.half_width - then.half_width) / passed
     size, was = (
         scales(with_auxiliary_entrainment(prediction.scene)),
@@ -51,13 +57,13 @@ def _by_squeeze(prediction: Prediction) -> Influence:
     return Influence(change, change, change)
 
 
-def _lasting(scene: Contact) -> str | None:
+def _lasting(scene: AnyContact) -> str | None:
     if scene.past is None:
         return "steady"
     return "nothing before" if predicted(scene).before is None else None
 
 
-def _steady(scene: Contact) -> Contact:
+def _steady(scene: AnyContact) -> AnyContact:
     """The contact without its past; an instant of a life, which has none of its own, as it is."""
     return scene if scene.past is None else replace(scene, past=None, travelled=None)
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 from pyworm.formulas.starvation import film_over_flooded
 from pyworm.planning.effects.effect import Effect, Influence
 from pyworm.planning.prediction import Prediction, predicted
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 
 CIRCULAR, WIDENING = 1.8, 0.4
 """Exponent of the law for circular contacts, and the power of their width over their length along the
@@ -27,7 +27,7 @@ def _by_starvation(prediction: Prediction) -> Influence:
     return Influence(change, change, change)
 
 
-def _lacking(scene: Contact) -> str | None:
+def _lacking(scene: AnyContact) -> str | None:
     if scene.oil.supply is None:
         return "flooded, assumed: oil.supply not given"
     expected = predicted(scene)

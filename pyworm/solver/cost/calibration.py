@@ -31,6 +31,7 @@ from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 from pyworm.solver.cost.expected_motion import TimeSteps
 from pyworm.solver.kinds import SOLVERS
+from pyworm.solver.level import Level
 from pyworm.solver.newton import settle
 from pyworm.solver.timing import convolution_seconds
 
@@ -93,6 +94,10 @@ class Pace:
     def entry(self, nodes: float) -> float:
         """Processor time of setting up a grid [s]."""
         return self.grid + nodes * self.grid_node
+
+
+Convolutions = tuple[tuple[float, float], tuple[float, float]]
+"""Nodes and seconds of one convolution, on two grids."""
 
 
 @dataclass(frozen=True)
@@ -197,30 +202,39 @@ def _processor() -> str:
 
 
 def _read(kept: dict) -> Calibration:
+    sheared, heated = (
+        {kind: (Pace(**few), Pace(**many)) for kind, (few, many) in kept[model].items()}
+        for model in ("sheared", "heated")
+    )
     return Calibration(
         {kind: Pace(**pace) for kind, pace in kept["cold"].items()},
-        *(
-            {kind: tuple(Pace(**pace) for pace in paces) for kind, paces in kept[model].items()}
-            for model in ("sheared", "heated")
-        ),
-        {kind: tuple(tuple(pair) for pair in of) for kind, of in kept["convolutions"].items()},
+        sheared,
+        heated,
+        {kind: (tuple(few), tuple(many)) for kind, (few, many) in kept["convolutions"].items()},
     )
 
 
 def calibrate() -> Calibration:
     """Measure the calibration of this machine."""
-    cold, sheared, heated, convolutions = {}, {}, {}, {}
-    for kind, scene in (("point", _point()), ("line", _line())):
+    cold: dict[Kind, Pace] = {}
+    sheared: dict[Kind, tuple[Pace, Pace]] = {}
+    heated: dict[Kind, tuple[Pace, Pace]] = {}
+    convolutions: dict[Kind, Convolutions] = {}
+    scenes: dict[Kind, Scene | LineScene] = {"point": _point(), "line": _line()}
+    for kind, scene in scenes.items():
         _timed(
             scene, kind, "isothermal", 0
         )  # what is only done the first time is no part of a pace
         cold[kind], convolutions[kind] = _timed(scene, kind, "isothermal", 0)
         for paces, words in ((sheared, "all,-film-heating,-surface-heating"), (heated, "all")):
-            paces[kind] = tuple(_timed(scene, kind, words, levels)[0] for levels in LEVELS)
+            few, many = (_timed(scene, kind, words, levels)[0] for levels in LEVELS)
+            paces[kind] = few, many
     return Calibration(cold, sheared, heated, convolutions)
 
 
-def _timed(scene: Scene | LineScene, kind: Kind, words: str, levels: int):
+def _timed(
+    scene: Scene | LineScene, kind: Kind, words: str, levels: int
+) -> tuple[Pace, Convolutions]:
     """Processor times of a model from two grids, and nodes and seconds of a convolution on each."""
     planned = plan_of(scene, CALIBRATION_ACCURACY, words)
     planned = replace(planned, model=replace(planned.model, levels=levels))
@@ -239,7 +253,7 @@ def _timed(scene: Scene | LineScene, kind: Kind, words: str, levels: int):
     return Pace.by(times[0], times[-1]), (convolutions[0], convolutions[-1])
 
 
-def settled(level, planned: Plan) -> int:
+def settled(level: Level, planned: Plan) -> int:
     """Number of steps until a level settles."""
     taken = settle(level, planned.tolerance, planned.aim, 0.1 * planned.accuracy)
     return max(len(taken.steps), 1)

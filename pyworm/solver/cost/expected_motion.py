@@ -115,6 +115,6 @@ def _time_steps(
     )
     of = {True: course.grid, False: course.grid_of_contact}
     return tuple(
-        TimeSteps(*(of[together](course.begin, grid).nodes for grid in (on, 0)), count)
+        TimeSteps(of[together](course.begin, on).nodes, of[together](course.begin, 0).nodes, count)
         for (on, together), count in counts.items()
     )

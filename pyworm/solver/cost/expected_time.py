@@ -8,6 +8,7 @@ from time import process_time
 import numpy as np
 
 from pyworm.planning.effects.squeeze import SQUEEZE
+from pyworm.planning.grid import Grid
 from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Paraboloid, Scene
@@ -116,7 +117,8 @@ def together(expected: Sequence[Expectation], lives: Sequence[Hashable]) -> floa
 def _making(scene: Scene | LineScene) -> float:
     """Processor time of making a contact of its life [s]."""
     started = process_time()
-    scene.past.before(0.0)
+    if scene.past is not None:
+        scene.past.before(0.0)
     return process_time() - started
 
 
@@ -128,7 +130,8 @@ def _sampling(scene: Scene | LineScene, plan: Plan) -> tuple[float, float]:
     if isinstance(scene, LineScene) or isinstance(scene.gap, Paraboloid):
         return 0.0, 0.0
     grid = plan.grids[-1]
-    x, y = (np.linspace(along[0], along[-1], SAMPLES) for along in (grid.x, grid.y))
+    axes = (grid.x, grid.y) if isinstance(grid, Grid) else (grid.x,)
+    x, y = (np.linspace(along[0], along[-1], SAMPLES) for along in axes)
     places = np.meshgrid(x, y, indexing="ij")
     started = process_time()
     scene.gap(*places)

@@ -6,15 +6,16 @@ from typing import ClassVar
 
 import numpy as np
 
+from pyworm.planning.expected_work import Kind
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES, ROUGH_FIGURES
 from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
-from pyworm.scene.scales import line_scales
+from pyworm.scene.scales import LineScales, line_scales
 from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
 from pyworm.solver.error_estimate import Convergence, Left
-from pyworm.solver.level import InitialGuess, TransientTerm
+from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.line.level import LineLevel, first_level, lone_level, next_level
 from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.oil_supply import mostly_full
@@ -62,12 +63,13 @@ CONVERGENCE = Convergence(ORDERS, LEFT, dict.fromkeys(ORDERS, (1.0, 1.7)))
 HEATED_CONVERGENCE = Convergence(ORDERS, LEFT, dict.fromkeys(ORDERS, (1.3, 2.0)))
 
 
-class LineContactSolver(ContactSolver):
+class LineContactSolver(ContactSolver[LineScene, LineLevel]):
     """Films of a line contact; parameters and attributes as of `pyworm.solver.contact.ContactSolver`."""
 
-    kind: ClassVar[str] = "line"
-    level_type: ClassVar[type] = LineLevel
+    kind: ClassVar[Kind] = "line"
+    level_type: ClassVar[type[Level]] = LineLevel
     shear_tolerance: ClassVar[float] = COARSE_TOLERANCE
+    _size: LineScales
 
     def __init__(self, scene: LineScene, plan: Plan, transient_term: TransientTerm | None = None):
         super().__init__(scene, plan, transient_term)
@@ -142,7 +144,8 @@ class LineContactSolver(ContactSolver):
 
     def _at(self, fraction: float) -> LineScene:
         """The contact at a fraction of its velocities."""
-        velocities = tuple(fraction * velocity for velocity in self._scene.velocities)
+        first, second = self._scene.velocities
+        velocities = fraction * first, fraction * second
         return replace(self._scene, velocities=velocities)
 
     def _newly_supplied(self, level: LineLevel) -> LineLevel:

@@ -26,6 +26,8 @@ class LineLevel(Level):
 
     forcing: ClassVar[float] = 1e-3
 
+    film: kernel.LineFilm
+
     def conduction_errors(self) -> dict[str, float]:
         """No errors: Jaeger's line source is exact for a body of uniform velocity."""
         return {}
@@ -100,10 +102,11 @@ def _level(
     scene: LineScene, size: LineScales, grid: LineGrid, load: float, term: TransientTerm | None
 ) -> LineLevel:
     gap, covered = opening(scene, grid.x)
+    (entrainment,) = scene.entrainment_at(grid.x)
     film = kernel.LineFilm(
         gap,
         covered,
-        *scene.entrainment_at(grid.x),
+        entrainment,
         grid.dx,
         scene.bending_modulus,
         load,

@@ -6,17 +6,18 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pyworm.kernel import DryContact
+from pyworm.planning.expected_work import Kind
 from pyworm.planning.grid import Grid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import FIGURES, HEAT_FIGURES, ROUGH_FIGURES, SHEAR_FIGURES
 from pyworm.scene.contact import Array
 from pyworm.scene.entrainment_continuation import FRACTIONS_LEFT, with_auxiliary_entrainment
 from pyworm.scene.point import Scene
-from pyworm.scene.scales import scales
+from pyworm.scene.scales import Scales, scales
 from pyworm.solver import figures
 from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
 from pyworm.solver.error_estimate import Convergence, Left
-from pyworm.solver.level import InitialGuess, TransientTerm
+from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.oil_supply import mostly_full
 from pyworm.solver.point.level import (
@@ -70,13 +71,14 @@ CONVERGENCE = Convergence(
 )
 
 
-class PointContactSolver(ContactSolver):
+class PointContactSolver(ContactSolver[Scene, PointLevel]):
     """Films of a point contact; parameters and attributes as of `pyworm.solver.contact.ContactSolver`."""
 
-    kind: ClassVar[str] = "point"
-    level_type: ClassVar[type] = PointLevel
+    kind: ClassVar[Kind] = "point"
+    level_type: ClassVar[type[Level]] = PointLevel
     shear_tolerance: ClassVar[float] = 1e-3
-    convergence: ClassVar[Convergence] = CONVERGENCE
+    convergence = CONVERGENCE
+    _size: Scales
 
     def __init__(self, scene: Scene, plan: Plan, transient_term: TransientTerm | None = None):
         super().__init__(scene, plan, transient_term)

@@ -47,6 +47,7 @@ class PointLevel(Level):
 
     forcing: ClassVar[float] = 0.1
 
+    film: kernel.PointFilm
     far: Array | float
     load: float
     coarser: InitialGuess | None = None
@@ -66,7 +67,7 @@ class PointLevel(Level):
 
 
 def dry_contact(
-    scene: Scene, grid: Grid, gap, covered, guess, load: float | None = None
+    scene: Scene, grid: Grid, gap: Array, covered: Array, guess: Array, load: float | None = None
 ) -> kernel.DryContact:
     """The scene's dry contact on a grid, from a first pressure; under a `load` [N] other than its own."""
     return kernel.dry_contact(
@@ -152,7 +153,7 @@ def guess_around(narrow: PointLevel, wide: PointLevel) -> InitialGuess:
         rise = np.zeros((*wide.grid.shape, within.rise.shape[-1]), order="F")
         rise[covered] = within.rise[shared]
     oil = None
-    if within.oil is not None:
+    if within.oil is not None and here.oil is not None:
         oil = here.oil.copy()
         oil[covered] = within.oil[shared]
     return InitialGuess(pressure, within.rigid_film, rise, oil)
@@ -171,7 +172,7 @@ def next_level(
             outside, level.grid.dx, level.grid.dy, scene.bending_modulus
         )
         load = load - outside.sum() * level.grid.dx * level.grid.dy
-    if np.ndim(far):
+    if isinstance(far, np.ndarray) and far.ndim:
         far = kernel.prolong(far[window])
     coarser = level.state() if _same_window(level, grid) else None
     finer = _level(scene, size, grid, far, load, level.transient_term, coarser)

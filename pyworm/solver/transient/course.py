@@ -14,8 +14,9 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan, effects_for, first_grids_of, planned
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.planning.window import OUTFLOW_FRACTION, enlarged
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.life import Life
+from pyworm.scene.line import LineScene
 from pyworm.solver.transient.moving_grid import MeshMotion, Stretching
 
 KNOTS = 17
@@ -137,7 +138,7 @@ class Course:
 
     def grid(self, seconds: float, refinement: int) -> Grid | LineGrid:
         """The grid at a time, its spacing halved some times."""
-        if self.come_together(seconds):
+        if self.approach is not None and self.come_together(seconds):
             return self._grid(seconds, refinement, self.approach.sides, 2.0)
         return self.grid_of_contact(seconds, refinement)
 
@@ -167,11 +168,10 @@ class Course:
         first, last = self._fitted
         breathes = first <= seconds <= last
         growth = [float(of.deriv()(seconds)) * breathes for of in self._log_spacing]
-        return (
-            Stretching(*growth)
-            if len(growth) == 1
-            else MeshMotion(*growth, self.life.turning(seconds))
-        )
+        if len(growth) == 1:
+            return Stretching(*growth)
+        along_x, along_y = growth
+        return MeshMotion(along_x, along_y, self.life.turning(seconds))
 
 
 def course_of(life: Life, plan: Plan) -> Course:
@@ -201,12 +201,14 @@ def course_of(life: Life, plan: Plan) -> Course:
     sides, spacings = _sides(grids, flows, coarsening), _spacings(drawn, grids, coarsening)
     if whole.work.kind == "line":
         half_widths = [of.half_width for of in predictions]
-        sides = (_covering(sides[0], at, half_widths, drawn, grids, spacings[0]),)
+        lines = [of for of in grids if isinstance(of, LineGrid)]
+        sides = (_covering(sides[0], at, half_widths, drawn, lines, spacings[0]),)
     paced = list(zip(at, of_all, predictions, strict=True))
     if times[0] < life.touched < at[0]:
         touching = life.at(life.touched)
         paced.insert(0, (life.touched, touching, predicted(touching)))
-    pace = _pace(*zip(*paced, strict=True), life)
+    instants, paced_contacts, expected = zip(*paced, strict=True)
+    pace = _pace(instants, paced_contacts, expected, life)
     course = Course(life, whole, times[0], times[-1], sides, spacings, (at[0], at[-1]), pace)
     if whole.work.kind == "line" or not life.touched > course.begin:
         return course
@@ -219,13 +221,16 @@ def _approach(course: Course) -> Approach:
         course.instant(course.place(course.life.touched) + later) for later in (0.0, TOGETHER)
     )
     contact = course.plan.simplified(course.life.at(touch))
-    window = enlarged(contact, first_grids_of(contact, course.plan)[-1].box, WIDER)
+    grid = first_grids_of(contact, course.plan)[-1]
+    if isinstance(contact, LineScene) or isinstance(grid, LineGrid):
+        raise TypeError("the surfaces of a line contact do not come together")
+    window = enlarged(contact, grid.box, WIDER)
     cells = 2 * np.array(course.grid(touch, 0).spacing)
     reaches = np.abs(np.reshape(window, (2, 2))) / cells[:, None]
     return Approach(until, _whole_cells(np.maximum(reaches, np.array(course.sides) / 2)))
 
 
-def _loaded(life: Life) -> tuple[list[float], list[Contact]]:
+def _loaded(life: Life) -> tuple[list[float], list[AnyContact]]:
     """Times and contacts of a life at its knots under load, from the first time under load to the last."""
     knots = sorted({*np.linspace(0.0, life.duration, KNOTS).tolist(), *life.kinks})
     states = [_at(life, seconds) for seconds in knots]
@@ -237,10 +242,11 @@ def _loaded(life: Life) -> tuple[list[float], list[Contact]]:
         knots[first], states[first] = _farthest(life, knots[first], knots[first - 1])
     if last < len(knots) - 1:
         knots[last], states[last] = _farthest(life, knots[last], knots[last + 1])
-    return [knots[number] for number in loaded], [states[number] for number in loaded]
+    found = [(at, state) for at, state in zip(knots, states, strict=True) if state is not None]
+    return [at for at, _ in found], [state for _, state in found]
 
 
-def _at(life: Life, seconds: float) -> Contact | None:
+def _at(life: Life, seconds: float) -> AnyContact | None:
     """The contact at a time; None where it carries no load."""
     try:
         return life.at(seconds)
@@ -248,7 +254,7 @@ def _at(life: Life, seconds: float) -> Contact | None:
         return None
 
 
-def _farthest(life: Life, loaded: float, empty: float) -> tuple[float, Contact]:
+def _farthest(life: Life, loaded: float, empty: float) -> tuple[float, AnyContact]:
     """The time between one under load and one without that is nearest to the latter under load [s]."""
     for _ in range(HALVINGS):
         middle = (loaded + empty) / 2
@@ -259,7 +265,7 @@ def _farthest(life: Life, loaded: float, empty: float) -> tuple[float, Contact]:
     return loaded, life.at(loaded)
 
 
-def _predicted(contact: Contact) -> Prediction | None:
+def _predicted(contact: AnyContact) -> Prediction | None:
     """Prediction of a contact; None where its surfaces do not move."""
     try:
         return predicted(contact)
@@ -267,7 +273,9 @@ def _predicted(contact: Contact) -> Prediction | None:
         return None
 
 
-def _whole_plan(contacts: Sequence[Contact], predictions: Sequence[Prediction], plan: Plan) -> Plan:
+def _whole_plan(
+    contacts: Sequence[AnyContact], predictions: Sequence[Prediction], plan: Plan
+) -> Plan:
     """A plan for the contact in the middle with the effects that any of some calls for.
 
     It depends on the accuracy and the choice of effects alone, and is the same for all contacts of a life.
@@ -287,7 +295,7 @@ def _whole_plan(contacts: Sequence[Contact], predictions: Sequence[Prediction], 
     )
 
 
-def _flow(contact: Contact) -> tuple[int, ...]:
+def _flow(contact: AnyContact) -> tuple[int, ...]:
     """Direction in which oil leaves along each axis, 1 or -1; 0 along one that it mainly flows across."""
     along = [
         float(part) for part in contact.entrainment_at(*(np.zeros(()),) * len(contact.radii_along))
@@ -346,15 +354,16 @@ def _covering(
     A spacing that is smooth in time does not follow a blow; then the grid has room for the windows of all
     times, between those that are drawn in proportion to the half-widths.
     """
-    steps, half_widths = np.exp([log_spacing(seconds) for seconds in times]), np.array(half_widths)
-    if min(sides) >= np.max(half_widths / steps):
+    steps = np.exp([log_spacing(seconds) for seconds in times])
+    widths = np.array(half_widths)
+    if min(sides) >= np.max(widths / steps):
         return sides
     ends = []
     for side, reaches in zip(
         sides, zip(*((-of.x[0], of.x[-1]) for of in grids), strict=True), strict=True
     ):
-        windows = np.interp(times, drawn, reaches / np.interp(drawn, times, half_widths))
-        ends.append(max(side, np.max(windows * half_widths / steps)))
+        windows = np.interp(times, drawn, reaches / np.interp(drawn, times, widths))
+        ends.append(max(side, np.max(windows * widths / steps)))
     return _whole_cells([ends])[0]
 
 
@@ -373,7 +382,7 @@ def _spacings(
 
 def _pace(
     times: Sequence[float],
-    contacts: Sequence[Contact],
+    contacts: Sequence[AnyContact],
     predictions: Sequence[Prediction],
     life: Life,
 ) -> "scipy.interpolate.PPoly":
@@ -397,7 +406,7 @@ def _pace(
     return scipy.interpolate.PchipInterpolator(times, paces).antiderivative()
 
 
-def _folds(before: Contact, after: Contact) -> float:
+def _folds(before: AnyContact, after: AnyContact) -> float:
     """E-folds of the load between two contacts, or of the distance of surfaces that are apart."""
     if before.separation is not None and after.separation is not None:
         return abs(log(after.separation / before.separation))

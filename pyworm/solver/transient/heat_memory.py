@@ -65,7 +65,7 @@ class HeatedInstant:
 
     def finer(self, window: tuple[slice, slice] | None = None) -> "HeatedInstant":
         """Interpolated to nodes of half the spacing, of a point contact within a window."""
-        grid = self.grid if window is None else self.grid.part(window)
+        grid = self.grid.part(window) if window and isinstance(self.grid, Grid) else self.grid
         flux = kernel.prolong_levels(self.flux if window is None else self.flux[window])
         return HeatedInstant(self.seconds, grid.finer(), flux, self.velocities)
 
@@ -147,7 +147,7 @@ def remembered_rise(
     for number, (body, velocity) in enumerate(
         zip(contact.bodies, contact.velocities_at(*grid.mesh()), strict=True)
     ):
-        effusivity = sqrt(body.conductivity * body.density * body.specific_heat)
+        effusivity = sqrt(body.thermal_inertia)
         chosen = _ages(history, seconds, _passage(grid, now[number]))
         known = [present, *chosen]
         read = _readings([seconds - one.seconds for one in known], _passing(coarse, now[number]))

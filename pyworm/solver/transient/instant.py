@@ -2,10 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from pyworm import kernel
+from pyworm.io.present import present
 from pyworm.scene.contact import Array
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.transient.differences import weights
@@ -33,7 +35,7 @@ class Instant:
     state: InitialGuess
     rise: Array | None = None
 
-    def finer(self, window=np.s_[...]) -> "Instant":
+    def finer(self, window: Any = np.s_[...]) -> "Instant":
         """Interpolated to nodes of half the spacing within a window."""
         rise = None if self.rise is None else kernel.prolong_levels(self.rise[window])
         content = kernel.prolong(self.content[window])
@@ -57,10 +59,11 @@ def extrapolated(before: Sequence[Instant], seconds: float) -> InitialGuess:
     of, _ = weights([one.seconds for one in before], seconds)
 
     def onward(name: str) -> Array:
-        return sum(
-            weight * getattr(one.state, name) for weight, one in zip(of, before, strict=True)
-        )
+        parts = zip(of, before, strict=True)
+        return np.asarray(sum(weight * getattr(one.state, name) for weight, one in parts))
 
     pressure = np.where(latest.pressure > 0, np.maximum(onward("pressure"), 0.0), 0.0)
-    oil = np.where(latest.oil > 0, np.maximum(onward("oil"), 0.0), 0.0)
+    oil = np.where(
+        present(latest.oil, "pressure of the oil") > 0, np.maximum(onward("oil"), 0.0), 0.0
+    )
     return InitialGuess(pressure, float(onward("rigid_film")), latest.rise, oil)

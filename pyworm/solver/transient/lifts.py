@@ -7,6 +7,8 @@ lift is told well by the difference from a steady film in the same window.
 
 from collections.abc import Sequence
 
+from pyworm.planning.line_grid import LineGrid
+from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 from pyworm.solver.point.level import dry_contact
 from pyworm.solver.transient.course import Course
@@ -50,6 +52,9 @@ def steady_lift(course: Course, seconds: float) -> float | None:
 def _approach(course: Course, seconds: float) -> float:
     """Approach of the dry bodies at a time, on the first moving grid [m]."""
     contact, grid = contact_at(course, seconds), course.grid(seconds, 0)
+    if isinstance(contact, LineScene) or isinstance(grid, LineGrid):
+        raise TypeError("the lift is that of a point contact")
     x, y = grid.mesh()
+    gap, covered = contact.gap(x, y)
     guess = scales(contact).hertz.pressure(x, y)
-    return dry_contact(contact, grid, *contact.gap(x, y), guess).approach
+    return dry_contact(contact, grid, gap, covered, guess).approach

@@ -14,6 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from pyworm import kernel
+from pyworm.io.present import present
 from pyworm.kernel.core import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -108,7 +109,8 @@ class RateOfChange:
         if self.warming is None:
             return None
         warming = each_at_places(self.grid, self.warming, grid)
-        return kernel.HeatStorage(warming, at_places(self.grid, self.pressing, grid))
+        pressing = present(self.pressing, "rate of change of the pressure")
+        return kernel.HeatStorage(warming, at_places(self.grid, pressing, grid))
 
 
 @dataclass(frozen=True)
@@ -230,6 +232,7 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
                     held = False
                     level, taken = _onward(course, step, before, heat, held)
                     taken_of_all += taken
+            level = present(level, "the first film")
             now = instant_of(level, step.seconds)
             heat = [*_heated(level, step.seconds), *heat]
             before = [now, *before[: BEFORE - 1]]
@@ -263,12 +266,16 @@ def _led_on(
 ) -> tuple[list[Instant], list[HeatedInstant]]:
     """Films and heat up to a last step on the kind of grid of the next."""
     if step.refinement > last.refinement:
-        before, heat = ([one.finer() for one in of] for of in (before, heat))
+        before, heat = [one.finer() for one in before], [one.finer() for one in heat]
     if course.come_together(last.seconds) and not course.come_together(step.seconds):
         grids = course.grid, course.grid_of_contact
         large, small = (of(last.seconds, step.refinement) for of in grids)
-        window = large.window_of(small)
-        before, heat = ([one.finer(window) for one in of] for of in (before, heat))
+        if isinstance(large, Grid) and isinstance(small, Grid):  # lines do not come together
+            window = large.window_of(small)
+            before, heat = (
+                [one.finer(window) for one in before],
+                [one.finer(window) for one in heat],
+            )
     return before, heat
 
 
@@ -320,9 +327,10 @@ def _at_rest(course: Course, step: Step) -> Instant:
     seconds = step.seconds
     contact, grid = contact_at(course, seconds), course.grid(seconds, step.refinement)
     gap, _ = contact.gap(*grid.mesh())
-    film = contact.separation + gap
+    separation = present(contact.separation, "separation")
+    film = separation + gap
     pressure = np.full(film.shape, TRACE)
-    return Instant(seconds, film, InitialGuess(pressure, contact.separation, None, pressure))
+    return Instant(seconds, film, InitialGuess(pressure, separation, None, pressure))
 
 
 def steady_level(course: Course, step: Step) -> tuple[Level, int]:
@@ -423,7 +431,10 @@ def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
         return at_places(level.grid, field, grid)
 
     rise = None if state.rise is None else each_at_places(level.grid, state.rise, grid)
-    pressure, oil = (np.maximum(there(of), 0.0) for of in (state.pressure, state.oil))
+    pressure, oil = (
+        np.maximum(there(of), 0.0)
+        for of in (state.pressure, present(state.oil, "pressure of the oil"))
+    )
     return InitialGuess(pressure, state.rigid_film, rise, oil)
 
 
@@ -442,7 +453,8 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
     implicit, explicit = level.transient_term.on(grid)
     rate = at_place((implicit - mesh.divergence) * now.content + explicit, now.content)
     warm = [one for one in instants if one.state.rise is not None]
-    if len(warm) < 2:
+    oil, rise = now.state.oil, now.state.rise
+    if len(warm) < 2 or oil is None or rise is None:
         return RateOfChange(grid, rate, now.rise)
     of = backward_weights([one.seconds for one in warm])
 
@@ -450,7 +462,6 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
         parts = zip(of, warm, strict=True)
         return sum(weight * getattr(one.state, name) for weight, one in parts)
 
-    oil, rise = now.state.oil, now.state.rise
     storing = _prompt(level, instants[0].seconds - instants[1].seconds)
     levels = (
         at_place(*fields)
@@ -470,7 +481,7 @@ def _prompt(level: Level, step: float) -> Array:
     against the step, far from the contact, what Newton's iteration left in two temperatures counts for more
     than their difference: a roller's film, whose load hardly changes, lost half its thickness by it.
     """
-    heat, film = level.scene.oil.heat, level.film.thickness()
+    heat, film = level.scene.oil.thermal, level.film.thickness()
     late = level.scene.oil.density.rho0 * heat.specific_heat * film**2 / (10 * heat.conductivity)
     return 1 / (1 + (late / step) ** 2)
 

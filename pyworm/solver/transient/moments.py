@@ -3,6 +3,7 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import nan
+from typing import Any
 
 import numpy as np
 
@@ -94,7 +95,7 @@ def _frame(level: Level, grid: Grid | LineGrid) -> Frame:
     pressure, film, *rubbing = (at_places(level.grid, of, grid) for of in fields)
     # between nodes cubics may dip below zero
     kept = np.maximum(pressure, 0.0), film, *(np.maximum(of, 0.0) for of in rubbing)
-    places = (grid.x,) if level.gap.ndim == 1 else (grid.x, grid.y)
+    places = (grid.x, grid.y) if isinstance(grid, Grid) else (grid.x,)
     return Frame(places, *(of.astype(np.float32) for of in kept))
 
 
@@ -105,7 +106,8 @@ def until(moments: Sequence[Moment], seconds: float) -> tuple[Moment, ...]:
 
 def as_arrays(moments: Sequence[Moment]) -> dict[str, Array]:
     """Moments as arrays by names, from which `from_arrays` makes them again."""
-    framed = [one for one in moments if one.frame is not None]
+    framed = [(one.seconds, one.frame) for one in moments if one.frame is not None]
+    frames = [frame for _, frame in framed]
     names = list(moments[0].figures) if moments else []
     return {
         "seconds": np.array([one.seconds for one in moments]),
@@ -115,18 +117,16 @@ def as_arrays(moments: Sequence[Moment]) -> dict[str, Array]:
         "names": np.array(names, dtype=np.str_),
         "figures": np.array([[one.figures[name] for name in names] for one in moments]),
         "framed": np.array([one.frame is not None for one in moments], dtype=bool),
-        **{
-            name: np.array([getattr(one.frame, name) for one in framed]) for name in _fields(framed)
-        },
+        **{name: np.array([getattr(frame, name) for frame in frames]) for name in _fields(frames)},
     } | {
-        f"places_{axis}": np.array([one.frame.places[number] for one in framed])
-        for number, axis in enumerate(AXES[: len(framed[0].frame.places)] if framed else ())
+        f"places_{axis}": np.array([frame.places[number] for frame in frames])
+        for number, axis in enumerate(AXES[: len(frames[0].places)] if frames else ())
     }
 
 
-def _fields(framed: Sequence[Moment]) -> tuple[str, ...]:
-    """Names of the fields that some moments have."""
-    rough = bool(framed) and framed[0].frame.rubbing is not None
+def _fields(frames: Sequence[Frame]) -> tuple[str, ...]:
+    """Names of the fields that some frames have."""
+    rough = bool(frames) and frames[0].rubbing is not None
     return ("pressure", "film", "rubbing") if rough else ("pressure", "film")
 
 
@@ -192,7 +192,9 @@ def curves(
         Temperature of the oil at the inlet [K]; None where heat was not simulated.
     """
     moments = [one for one in solves[-1] if one.seconds > since]
-    variables = {"life_load": (("instant",), np.array([one.load for one in moments]))}
+    variables: dict[str, Any] = {
+        "life_load": (("instant",), np.array([one.load for one in moments]))
+    }
     if moments[0].phase is not None:
         variables["life_phase"] = (("instant",), np.array([one.phase for one in moments]))
     entrainment = tuple(zip(*(one.entrainment for one in moments), strict=True))
@@ -209,8 +211,8 @@ def curves(
         variables[f"life_{name}"] = ("instant",), base + values
         variables[f"life_{name}_error"] = ("instant",), error
     seconds = np.array([one.seconds for one in moments])
-    of = described(variables | _frames(moments), {"life_seconds": (("instant",), seconds)})
-    return of if kind == "point" else _for_each_length(of)
+    found = described(variables | _frames(moments), {"life_seconds": (("instant",), seconds)})
+    return found if kind == "point" else _for_each_length(found)
 
 
 def _for_each_length(dataset: PlainDataset) -> PlainDataset:
@@ -242,22 +244,23 @@ def _changes(solves: Sequence[Sequence[Moment]], moments: Sequence[Moment], name
 
 def _frames(moments: Sequence[Moment]) -> dict[str, tuple[tuple[str, ...], Array]]:
     """Frames as variables over frame and nodes."""
-    framed = [one for one in moments if one.frame is not None]
+    framed = [(one.seconds, one.frame) for one in moments if one.frame is not None]
     if not framed:
         return {}
-    axes = AXES[: len(framed[0].frame.places)]
+    frames = [frame for _, frame in framed]
+    axes = AXES[: len(frames[0].places)]
     over = ("frame", *(f"node_{axis}" for axis in axes))
     return {
-        "frame_seconds": (("frame",), np.array([one.seconds for one in framed])),
+        "frame_seconds": (("frame",), np.array([at for at, _ in framed])),
         **{
             f"frame_{axis}": (
                 ("frame", f"node_{axis}"),
-                np.array([one.frame.places[number] for one in framed]),
+                np.array([frame.places[number] for frame in frames]),
             )
             for number, axis in enumerate(axes)
         },
         **{
-            f"frame_{name}": (over, np.array([getattr(one.frame, name) for one in framed]))
-            for name in _fields(framed)
+            f"frame_{name}": (over, np.array([getattr(frame, name) for frame in frames]))
+            for name in _fields(frames)
         },
     }

@@ -17,7 +17,6 @@ and Cook 1974, J. Comput. Phys. 14, 227-253).
 """
 
 from dataclasses import dataclass
-from functools import singledispatch
 from typing import ClassVar
 
 import numpy as np
@@ -88,9 +87,9 @@ class _SeenScene(Scene):
 
     mesh: MeshMotion
 
-    def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
-        u, v = super().entrainment_at(x, y)
-        w_x, w_y = self.mesh(x, y)
+    def entrainment(self, *places: Array) -> tuple[Array, ...]:
+        u, v = super().entrainment_at(*places)
+        w_x, w_y = self.mesh(*places)
         return u - w_x, v - w_y
 
 
@@ -100,19 +99,15 @@ class _SeenLineScene(LineScene):
 
     mesh: Stretching
 
-    def entrainment_at(self, x: Array) -> tuple[Array]:
-        (u,), (w,) = super().entrainment_at(x), self.mesh(x)
+    def entrainment_at(self, *places: Array) -> tuple[Array, ...]:
+        (u,), (w,) = super().entrainment_at(*places), self.mesh(*places)
         return (u - w,)
 
 
-@singledispatch
-def seen_from(scene: Scene, mesh: MeshMotion) -> Scene:
+def seen_from(scene: Scene | LineScene, mesh: MeshMotion | Stretching) -> Scene | LineScene:
     """A contact whose entrainment is that relative to a moving grid; sliding and heat stay as they are."""
-    return _SeenScene(**vars(scene), mesh=mesh)
-
-
-@seen_from.register
-def _(scene: LineScene, mesh: Stretching) -> LineScene:
+    if isinstance(mesh, MeshMotion):
+        return _SeenScene(**vars(scene), mesh=mesh)
     return _SeenLineScene(**vars(scene), mesh=mesh)
 
 
@@ -121,6 +116,8 @@ def at_places(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Ar
     if isinstance(grid, LineGrid):
         spline = scipy.interpolate.CubicSpline(grid.x, field)
         return spline(np.clip(other.x, grid.x[0], grid.x[-1]))
+    if isinstance(other, LineGrid):
+        raise TypeError("a field over x and y has no values on a line grid")
     spline = scipy.interpolate.RectBivariateSpline(grid.x, grid.y, field)
     return spline(other.x, other.y)
 

@@ -141,9 +141,16 @@ def parts_of(course: Course) -> tuple[Part, ...]:
     )
 
 
+def present_in_life(scene: Scene | LineScene) -> Past:
+    """The present of a contact in its life; ValueError of one in which nothing changes."""
+    if scene.past is None:
+        raise ValueError(f"{scene.name}: has no past")
+    return scene.past
+
+
 def recent(scene: Scene | LineScene) -> Past:
     """The past of a contact, without what is so long ago that it is forgotten."""
-    past = scene.past
+    past = present_in_life(scene)
     transit = predicted(scene).transit
     if past.life.duration <= LONGEST * transit:
         return past
@@ -354,11 +361,11 @@ def _life(
         return None
     since = min(rates.since, nextafter(rates.moments[-1][-1].seconds, -inf))
     kind = plan.work.kind
-    inlet = scene.oil.heat.inlet_temperature if plan.model.heated else None
+    inlet = scene.oil.thermal.inlet_temperature if plan.model.heated else None
     shared = readings[: len(rates.moments) + 1]
     share, least = _share(kind, turned), _least(shared, kind, turned)
     present = readings[-1].figures
-    at = scene.past.seconds
+    at = present_in_life(scene).seconds
     return curves(rates.moments, since, kind, share, least, at, present, inlet)
 
 
