@@ -173,7 +173,7 @@ class WormRating:
         """Kind of the oil."""
         oil = known(self.under.oil)
         one_of("oil", oil, OIL_KINDS)
-        return oil
+        return next(kind for kind in OIL_KINDS if kind == oil)
 
     @cached_property
     def sliding_speed(self) -> float:
