@@ -8,6 +8,8 @@ that is. All pairs together lose, on average over a pitch,
     P = (1 / pitch) integral of friction load sliding over phase,                                          (1)
 
 and likewise turn the wheel by T2 = (1 / pitch) integral of load (lever + friction lever of the sliding).
+Where the torque of a shaft is given, loads are those that make it with the friction found: those of the
+cycle, which were shared with an assumed one, are all changed by the same factor.
 """
 
 from collections.abc import Callable, Sequence
@@ -104,6 +106,9 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     )
     worm_speed, wheel_speed = cycle.attrs["worm_speed"], cycle.attrs["wheel_speed"]
     worm = (wheel * wheel_speed + turn * power) / worm_speed
+    scale = _to_torque(cycle, wheel, worm)
+    power, wheel, worm, reversed_ = (scale * of for of in (power, wheel, worm, reversed_))
+    lost, load = scale * lost, scale * load
     forward = wheel if turn > 0 else reversed_
     back = reversed_ if turn > 0 else wheel
     efficiencies = (
@@ -126,6 +131,14 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
             else over_pitch(lost * _interpolated(phases, contacts, "model"))
         ),
     )
+
+
+def _to_torque(cycle: "xr.Dataset", wheel: float, worm: float) -> float:
+    """Factor of the loads for the torque that is given [-]; 1 where none is."""
+    if "torque" not in cycle.attrs:
+        return 1.0
+    found = wheel if cycle.attrs["torque_shaft"] == "wheel" else worm
+    return float(cycle.attrs["torque"]) / found
 
 
 def _friction(

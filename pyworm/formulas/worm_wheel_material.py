@@ -49,16 +49,25 @@ def _wear(mineral: float, pao: float, pag: float) -> dict[str, float]:
 
 
 WHEEL_MATERIALS: dict[str, WheelMaterial] = {
-    of.name: of
-    for of in (
-        WheelMaterial("CuSn12-C-GZ", "tin bronze", 1.0, _wear(1.6, 1.6, 2.25), 425e6, 92e6),
-        WheelMaterial("CuSn12Ni2-C-GZ", "tin bronze", 0.95, _wear(1, 1, 1.75), 520e6, 100e6),
-        WheelMaterial("CuSn12Ni2-C-GC", "tin bronze", 0.95, _wear(4.1, 4.1, 4.1), 520e6, 100e6),
-        WheelMaterial("CuAl10Fe5Ni5-C-GZ", "aluminium bronze", 1.1, _wear(1, 1, 1), 660e6, 128e6),
-        WheelMaterial("EN-GJS-400-15", "cast iron", 1.0, _wear(1, 1, 1), 490e6, 115e6),
-        WheelMaterial("EN-GJL-250", "cast iron", 1.05, _wear(1, 1, 1), 350e6, 70e6),
-    )
-}
+    "CuSn12-C-GZ": WheelMaterial(
+        "CuSn12-C-GZ", "tin bronze", 1.0, _wear(1.6, 1.6, 2.25), 425e6, 92e6
+    ),
+    "CuSn12Ni2-C-GZ": WheelMaterial(
+        "CuSn12Ni2-C-GZ", "tin bronze", 0.95, _wear(1, 1, 1.75), 520e6, 100e6
+    ),
+    "CuSn12Ni2-C-GC": WheelMaterial(
+        "CuSn12Ni2-C-GC", "tin bronze", 0.95, _wear(4.1, 4.1, 4.1), 520e6, 100e6
+    ),
+    "CuAl10Fe5Ni5-C-GZ": WheelMaterial(
+        "CuAl10Fe5Ni5-C-GZ", "aluminium bronze", 1.1, _wear(1, 1, 1), 660e6, 128e6
+    ),
+    "EN-GJS-400-15": WheelMaterial(
+        "EN-GJS-400-15", "cast iron", 1.0, _wear(1, 1, 1), 490e6, 115e6
+    ),
+    "EN-GJL-250": WheelMaterial(
+        "EN-GJL-250", "cast iron", 1.05, _wear(1, 1, 1), 350e6, 70e6
+    ),
+}  # fmt: skip
 """Wheel materials of the standard by their names in the list of materials (`materials/solids.toml`)."""
 
 _OTHER_CASTINGS = {"CuSn12-C-GC": "CuSn12-C-GZ", "CuAl10Fe5Ni5-C-GC": "CuAl10Fe5Ni5-C-GZ"}

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern
-from pyworm.drives.zi_worm.load_sharing import SharedLoad
+from pyworm.drives.zi_worm.load_sharing import SharedLoad, Transmission
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, described
@@ -110,6 +110,12 @@ def loaded_cycle_data(drive: Any, beyond: float) -> "xr.Dataset":
             "worm_temperature": worm,
             "wheel_temperature": wheel,
         }
+    given = drive.load
+    asked = (
+        {"torque": given.torque, "torque_shaft": given.shaft}
+        if isinstance(given, Transmission)
+        else {}
+    )
     return describe(
         xr.Dataset(
             {
@@ -130,6 +136,7 @@ def loaded_cycle_data(drive: Any, beyond: float) -> "xr.Dataset":
                 "wheel_speed": drive.speed * drive.cycle.speed_ratio,
                 "driver": drive.driver,
                 "friction_assumed": drive.friction,
+                **asked,
                 **warm,
             },
         )

@@ -5,11 +5,12 @@ from typing import Any
 
 import numpy as np
 
+from pyworm.io.format import bars
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.layout import MILLI, contact_window
 from pyworm.report.explore.packed import packed
 from pyworm.report.explore.quantities import FIELDS, Quantity
-from pyworm.report.page.figures import place_of
+from pyworm.report.page.figures import place_of, temperature
 from pyworm.result.mesh_cycle import flank_place
 from pyworm.result.result import Result
 from pyworm.solver.estimate import Estimate
@@ -63,7 +64,7 @@ def _scene(solution: Solution, grid: "xr.Dataset", bodies: tuple[str, str]) -> d
         "x": _axis(grid["x"].values),
         "y": _axis(grid["y"].values) if "y" in grid else None,
         "fields": fields,
-        "rows": [["Load", _load(solution)], *_rows(solution, bodies)],
+        "rows": [["Load", _load(solution)], *scene_rows(solution, bodies)],
         "least": [MILLI * at for at in figures.film_min_at],
         "stopped": "" if solution.converged else solution.stop_reason,
     }
@@ -127,7 +128,7 @@ def _load(solution: Solution) -> str:
     return f"{solution.load:.4g} {'N' if solution.kind == 'point' else 'N/m'}"
 
 
-def _rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
+def scene_rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
     """The figures in words."""
     figures = solution.figures
     rows = [
@@ -138,10 +139,12 @@ def _rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
     for place, words in zip(("body_1", "body_2", "film"), (*bodies, "film"), strict=True):
         of = getattr(figures, f"temperature_max_{place}")
         if of is not None:
-            celsius = of.value - FIELDS["temperature_middle"].offset
-            rows.append([f"Hottest point, {words}", f"{celsius:.1f} °C ± {of.bar:.2g} K"])
+            warm = temperature(of, solution.inlet_temperature)
+            rows.append([f"Hottest point, {words}", warm])
     return [*rows, ["Converged", "yes" if solution.converged else "NO"]]
 
 
 def _shown(figure: Estimate, scale: float, unit: str) -> str:
-    return f"{figure.value * scale:.4g} {unit} ± {100 * figure.error:.2g} %".replace("  ", " ")
+    """A figure with its numerical and, where there is one, its model uncertainty."""
+    shown = f"{figure.value * scale:.4g} {unit} {bars(figure.error, figure.model)}"
+    return shown.replace("  ", " ")

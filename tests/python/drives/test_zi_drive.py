@@ -124,7 +124,7 @@ def test_all_pairs_in_mesh_carry_the_torque(drive):
 
 def test_the_worm_s_power_less_the_loss_is_the_wheel_s(drive):
     cycle = drive[1]["cycle"]
-    assert cycle["wheel_torque_N_m"] == pytest.approx(4e3, rel=2e-3)
+    assert cycle["wheel_torque_N_m"] == pytest.approx(4e3, rel=1e-9)
     given, got = cycle["worm_torque_N_m"] * WORM_SPEED, cycle["wheel_torque_N_m"] * WHEEL_SPEED
     assert given - got == pytest.approx(cycle["power_loss_W"], rel=5e-3)
     assert cycle["efficiency"] == pytest.approx(got / given, rel=2e-4)

@@ -1,17 +1,19 @@
 """The page to explore a result, in a browser without network."""
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from browser import CHROMIUM, WHY_NOT, browse
+from synthetic_solution import line_with_heat, make_line_solution
 
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED
 from pyworm.report.explore.packed import packed
 from pyworm.report.explore.page import content, explore
-from pyworm.report.explore.scenes import NODES
+from pyworm.report.explore.scenes import NODES, scene_rows
 from pyworm.result.result import open_result
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -43,6 +45,19 @@ def test_numbers_come_back_within_half_a_step():
         assert (numbers[~known] == 65535).all()
         step = of["step"] * (values.ravel()[known] if logarithmic else 1)
         assert (np.abs(found[known] - values.ravel()[known]) <= 0.51 * step).all()
+
+
+def test_figures_have_the_uncertainty_of_the_model_beside_the_numerical_one():
+    hot = line_with_heat(make_line_solution(phase=0.5))
+    film = replace(hot.figures.film_min, model=0.12)
+    warm = replace(hot.figures.temperature_max_film, model=0.3)
+    rough = replace(hot, figures=replace(hot.figures, film_min=film, temperature_max_film=warm))
+    rows = dict(scene_rows(rough, ("pinion", "gear")))
+    assert rows["Least film"].endswith("± 12 % (model)")
+    rise = warm.value - hot.inlet_temperature
+    assert rows["Hottest point, film"].endswith(f"± {0.3 * rise:.2g} K (model)")
+    smooth = dict(scene_rows(hot, ("pinion", "gear")))
+    assert not any("(model)" in of for of in smooth.values())
 
 
 @pytest.mark.long

@@ -59,6 +59,22 @@ def test_loss_and_efficiency_are_those_of_the_integrals(driver):
     assert loss.reverse_efficiency == pytest.approx(other.efficiency, rel=1e-9)
 
 
+@pytest.mark.parametrize("driver", ("worm", "wheel"))
+@pytest.mark.parametrize("shaft", ("worm", "wheel"))
+def test_loads_shared_with_an_assumed_friction_carry_the_torque_that_was_asked_for(driver, shaft):
+    """300 N m asked for are 300, whatever friction is found; the loss follows the loads."""
+    before = cycle_result(PHASES, driver)
+    free = drive_cycle(before).loss
+    asked = 1.007 * getattr(free, f"{shaft}_torque")
+    cycle = before.mesh_cycle.assign_attrs(torque=asked, torque_shaft=shaft)
+    loss = drive_cycle(replace(before, mesh_cycle=cycle)).loss
+    assert getattr(loss, f"{shaft}_torque") == pytest.approx(asked, rel=1e-12)
+    for name in ("power", "wheel_torque", "worm_torque", "error"):
+        assert getattr(loss, name) == pytest.approx(1.007 * getattr(free, name), rel=1e-9)
+    for name in ("friction", "efficiency", "reverse_efficiency"):
+        assert getattr(loss, name) == pytest.approx(getattr(free, name), rel=1e-9)
+
+
 def test_error_of_the_loss_is_made_of_scenes_phases_and_ends():
     loss = drive_cycle(cycle_result(PHASES)).loss
     assert loss.scene_error == pytest.approx(np.hypot(0.004, 0.001) * loss.power, rel=1e-3)
