@@ -2,7 +2,7 @@
 module pyworm_contact_c
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_f_procpointer, c_funptr, c_int, c_loc, &
     c_null_ptr, c_ptr
-  use pyworm_contact, only: interruption_query, pyworm_bad_argument, pyworm_body, pyworm_solve_dry, pyworm_flow, &
+  use pyworm_contact, only: interruption_query, pyworm_bad_argument, pyworm_body, pyworm_solve_dry, pyworm_flow, pyworm_found, &
     pyworm_interrupt_by, pyworm_ok, pyworm_oil, pyworm_point, pyworm_read, pyworm_setup, pyworm_shear, pyworm_solve
   implicit none(type, external)
   private
@@ -33,6 +33,12 @@ module pyworm_contact_c
   type, bind(c) :: c_body
     real(c_double) :: conductivity, heat_capacity, bulk_rise
   end type c_body
+
+  type, bind(c) :: c_found
+    real(c_double) :: film_min, film_central, pressure_max, film_min_error, film_central_error, pressure_max_error, &
+      window_error, residual, load_error
+    integer(c_int) :: steps, coarsening
+  end type c_found
 
   procedure(c_query), pointer :: c_asked => null()
 
@@ -86,17 +92,19 @@ contains
   end function c_setup
 
   !> As `pyworm_solve`.
-  integer(c_int) function c_solve(contact, tolerance, residual, load_error, steps) bind(c, name="pyworm_solve")
+  integer(c_int) function c_solve(contact, tolerance, accuracy, found) bind(c, name="pyworm_solve")
     type(c_ptr), value :: contact
-    real(c_double), value :: tolerance
-    real(c_double), intent(out) :: residual, load_error
-    integer(c_int), intent(out) :: steps
+    real(c_double), value :: tolerance, accuracy
+    type(c_found), intent(out) :: found
     type(pyworm_point), pointer :: own
-    integer :: taken, stat
+    type(pyworm_found) :: of_own
+    integer :: stat
 
     call c_f_pointer(contact, own)
-    call pyworm_solve(own, tolerance, residual, load_error, taken, stat)
-    steps = taken
+    call pyworm_solve(own, tolerance, accuracy, of_own, stat)
+    found = c_found(of_own%film_min, of_own%film_central, of_own%pressure_max, of_own%film_min_error, &
+      of_own%film_central_error, of_own%pressure_max_error, of_own%window_error, of_own%residual, of_own%load_error, &
+      of_own%steps, of_own%coarsening)
     c_solve = stat
   end function c_solve
 

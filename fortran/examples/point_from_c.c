@@ -13,8 +13,8 @@ int main(void) {
     const struct pyworm_oil oil = {
         .law = PYWORM_ROELANDS, .viscosity = 0.04, .exponent = 0.6, .pole_pressure = 1.96e8, .d1 = 0.6e-9, .d2 = 1.7e-9,
     };
-    double residual, load_error, least = 1, largest = 0;
-    int status, steps;
+    struct pyworm_found found;
+    int status;
 
     for (int j = 0; j < N; j++)
         for (int i = 0; i < N; i++) {
@@ -23,14 +23,12 @@ int main(void) {
         }
     struct pyworm_point *contact =
         pyworm_setup(N, N, gap, dx, dy, velocity, velocity, modulus, load, &oil, NULL, NULL, &status);
-    if (status == PYWORM_OK) status = pyworm_solve(contact, 1e-6, &residual, &load_error, &steps);
+    if (status == PYWORM_OK) status = pyworm_solve(contact, 1e-6, 0.1, &found);
     if (status != PYWORM_OK) return EXIT_FAILURE;
     pyworm_read(contact, N, N, p, h, rise);
-    for (int i = 0; i < N * N; i++) {
-        least = fmin(least, h[i]);
-        largest = fmax(largest, p[i]);
-    }
-    printf("least film [nm]         %8.2f\nlargest pressure [MPa]  %8.2f\nsteps %d\n", least * 1e9, largest / 1e6, steps);
+    printf("minimum film [nm]       %8.2f\nmaximum pressure [MPa]  %8.2f\n", found.film_min * 1e9, found.pressure_max / 1e6);
+    printf("error by the grid [%%]   %8.2f\n", 100 * found.film_min_error);
+    printf("error by the window [%%] %8.2f\n", 100 * found.window_error);
     pyworm_free(contact);
     return EXIT_SUCCESS;
 }

@@ -1,14 +1,15 @@
 !> A steel ball that rolls and slides on a steel disc in an oil that thins and warms.
 program thermal_point
-  use pyworm_contact, only: wp => pyworm_real, pyworm_body, pyworm_eyring, pyworm_flow, pyworm_oil, pyworm_ok, &
+  use pyworm_contact, only: wp => pyworm_real, pyworm_body, pyworm_eyring, pyworm_flow, pyworm_found, pyworm_oil, pyworm_ok, &
     pyworm_point, pyworm_read, pyworm_roelands, pyworm_setup, pyworm_shear, pyworm_solve
   implicit none(type, external)
   integer, parameter :: nx = 129, ny = 129
   real(wp), parameter :: radius = 0.01_wp, load = 20.0_wp, modulus = 230e9_wp
   type(pyworm_point) :: contact
   real(wp), dimension(nx, ny) :: gap, p, h, rise, stress_x, stress_y, heat
-  real(wp) :: a, x(nx), y(ny), dx, dy, residual, load_error
-  integer :: i, j, steps, status
+  real(wp) :: a, x(nx), y(ny), dx, dy
+  integer :: i, j, status
+  type(pyworm_found) :: found
   type(pyworm_oil) :: oil
   type(pyworm_flow) :: flow
   type(pyworm_body), parameter :: steel = pyworm_body(conductivity=47.0_wp, heat_capacity=3.7e6_wp)
@@ -27,12 +28,12 @@ program thermal_point
 
   call pyworm_setup(contact, gap, dx, dy, [1.1_wp, 0.0_wp], [0.9_wp, 0.0_wp], modulus, load, oil, status, flow, &
     [steel, steel])
-  if (status == pyworm_ok) call pyworm_solve(contact, 1e-4_wp, residual, load_error, steps, status)
+  if (status == pyworm_ok) call pyworm_solve(contact, 1e-4_wp, 0.1_wp, found, status)
   if (status /= pyworm_ok) stop 1
   call pyworm_read(contact, p, h, rise)
   call pyworm_shear(contact, stress_x, stress_y, heat, status)
-  print '(a, f8.2)', 'least film [nm]        ', minval(h)*1e9_wp
-  print '(a, f8.2)', 'largest pressure [MPa] ', maxval(p)/1e6_wp
+  print '(a, f8.2)', 'minimum film [nm]      ', found%film_min*1e9_wp
+  print '(a, f8.2)', 'maximum pressure [MPa] ', found%pressure_max/1e6_wp
   print '(a, f8.4)', 'friction coefficient   ', abs(sum(stress_x, mask=p > 0.01_wp*maxval(p)))*dx*dy/load
   print '(a, f8.2)', 'rise in the middle [K] ', maxval(rise)
 end program thermal_point

@@ -10,7 +10,7 @@ extern "C" {
 
 enum pyworm_status {
     PYWORM_OK, PYWORM_BAD_ARGUMENT, PYWORM_NOT_FINITE, PYWORM_NO_PLAN, PYWORM_NOT_CONVERGED, PYWORM_NO_DESCENT,
-    PYWORM_NO_MEMORY, PYWORM_INTERRUPTED
+    PYWORM_NO_MEMORY, PYWORM_INTERRUPTED, PYWORM_INACCURATE
 };
 enum pyworm_viscosity { PYWORM_BARUS = 1, PYWORM_ROELANDS };
 enum pyworm_flow_law { PYWORM_NEWTON, PYWORM_EYRING, PYWORM_BAIR_WINER, PYWORM_EYRING_LIMITED, PYWORM_CARREAU };
@@ -28,6 +28,13 @@ struct pyworm_flow {
 struct pyworm_body {
     double conductivity, heat_capacity, bulk_rise;
 };
+/* figures, their relative errors by the grids, that of both films by the window; coarsening is the spacing of the film's
+ * grid over that of the given one */
+struct pyworm_found {
+    double film_min, film_central, pressure_max, film_min_error, film_central_error, pressure_max_error, window_error,
+        residual, load_error;
+    int steps, coarsening;
+};
 struct pyworm_point;
 
 int pyworm_solve_dry(int nx, int ny, const double *gap, double dx, double dy, double reduced_modulus, double load,
@@ -36,7 +43,8 @@ int pyworm_solve_dry(int nx, int ny, const double *gap, double dx, double dy, do
 struct pyworm_point *pyworm_setup(int nx, int ny, const double *gap, double dx, double dy, const double velocity_1[2],
     const double velocity_2[2], double reduced_modulus, double load, const struct pyworm_oil *oil,
     const struct pyworm_flow *flow, const struct pyworm_body *bodies, int *status);
-int pyworm_solve(struct pyworm_point *contact, double tolerance, double *residual, double *load_error, int *steps);
+/* PYWORM_INACCURATE of a film whose errors by grid and window are together above the accuracy */
+int pyworm_solve(struct pyworm_point *contact, double tolerance, double accuracy, struct pyworm_found *found);
 void pyworm_read(struct pyworm_point *contact, int nx, int ny, double *p, double *h, double *rise);
 int pyworm_shear(struct pyworm_point *contact, int nx, int ny, double *stress_x, double *stress_y, double *heat);
 void pyworm_free(struct pyworm_point *contact);

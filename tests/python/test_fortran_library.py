@@ -5,6 +5,7 @@ import re
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -36,7 +37,7 @@ def linked(tmp_path_factory):
         pytest.skip("an installed package has no library beside its extension")
     folder = tmp_path_factory.mktemp("examples")
 
-    def program(source):
+    def program(source, *arguments):
         made = folder / source.stem
         compiler = "gfortran" if source.suffix == ".f90" else "gcc"
         runtime = [] if compiler == "gfortran" else ["-lgfortran"]
@@ -44,7 +45,7 @@ def linked(tmp_path_factory):
         folders = run("pkg-config", "--libs-only-L", "fftw3", "openblas").split()
         library = [BUILT / "libworm.a", *folders, *FLAGS, *runtime]
         run(compiler, "-O2", "-Wall", "-Werror", source, *include, *library, "-o", made)
-        return run(made)
+        return run(made, *arguments)
 
     return program
 
@@ -66,10 +67,64 @@ def test_a_thermal_point_contact_is_that_of_python(linked):
 
 
 def test_a_c_program_solves_the_film_of_python(linked):
-    film, pressure = numbers(linked(EXAMPLES / "point_from_c.c"))
+    film, pressure, by_grid, by_window = numbers(linked(EXAMPLES / "point_from_c.c"))
     figures = in_python(sliding=0.0, stress=None)
     assert film == pytest.approx(figures.film_min.value * 1e9, rel=0.05)
+    assert 0 < by_grid + by_window < 10
     assert pressure == pytest.approx(figures.pressure_max.value / 1e6, rel=0.05)
+
+
+OK, INACCURATE = 0, 8
+
+
+BALL = ROOT / "tests/fortran/library/ball.f90"
+
+
+@cache
+def ball_in_python(alpha):
+    """Films [nm] of the ball of `ball.f90`, M 19, by the package, incompressible."""
+    steel = pyworm.Body(230e9 * 0.91, 0.3)
+    scene = pyworm.Scene(
+        name="ball",
+        gap=pyworm.Paraboloid(0.01, 0.01),
+        load=6.3,
+        motions=(pyworm.RigidMotion(1, 0),) * 2,
+        bodies=(steel, steel),
+        oil=pyworm.Oil(pyworm.Barus(0.04, alpha), pyworm.Density(850.0, 0.0, 0.0)),
+    )
+    figures = pyworm.solve(scene, pyworm.plan(scene, 0.01, "isothermal")).figures
+    return figures.film_min.value * 1e9, figures.film_central.value * 1e9
+
+
+@pytest.mark.parametrize(
+    ("nodes", "reach", "alpha", "status", "coarsening"),
+    [
+        (65, 3.0, 31.5e-9, INACCURATE, 1),  # L 17.6; the window takes 3 %
+        (129, 1.8, 31.5e-9, INACCURATE, 1),  # and here 11 %
+        (129, 4.2, 31.5e-9, OK, 1),
+        (257, 3.0, 31.5e-9, INACCURATE, 1),
+        (257, 5.0, 31.5e-9, OK, 1),
+        (513, 3.0, 31.5e-9, INACCURATE, 1),
+        (257, 4.2, 50e-9, INACCURATE, 2),  # L 28: the spike has no film on the given grid
+    ],
+)
+def test_a_film_comes_with_errors_that_hold_it(linked, nodes, reach, alpha, status, coarsening):
+    said = linked(BALL, nodes, reach, 0, alpha)
+    got, coarser, least, central, *errors, read_least, load = map(float, said.split())
+    assert (got, coarser) == (status, coarsening)
+    by_grid, by_window = errors[:2], errors[2]
+    for film, error, wanted in zip((least, central), by_grid, ball_in_python(alpha), strict=True):
+        off = 100 * abs(film - wanted) / wanted
+        assert off < error + by_window + 0.3  # that of the package
+        assert error + by_window < 3 * off + 1
+    assert read_least == pytest.approx(least, rel=2e-3)  # interpolated from a coarser grid
+    assert load == pytest.approx(1.0, rel=1e-3)
+
+
+def test_the_error_of_a_single_grid_is_not_known(linked):
+    got, _, _, _, error, *_ = map(float, linked(BALL, 34, 5, 0.6e-9, 31.5e-9).split())
+    assert got == INACCURATE
+    assert error > 1e300
 
 
 def in_python(sliding, stress):
