@@ -67,6 +67,9 @@ MOST_STEPS, TRIAL_STEPS = 15, 4
 """Largest number of Newton steps of an instant whose film begins with the extrapolated ones, and the number
 after which its residual makes sense, or it begins with the steady film: steps in a lost film cost most."""
 
+MOST_HALVINGS = 4
+"""Largest number of halvings of a time step whose film is not found."""
+
 
 class LostError(Exception):
     """No converged film at some time; the message gives the time and the reason."""
@@ -226,11 +229,11 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
         on = step
         try:
             if before:
-                level, taken = _onward(course, step, before, heat, held)
+                level, before, heat, taken = _reached(course, step, before, heat, held)
                 taken_of_all += taken
                 if held and level.carried() > course.life.touch:
                     held = False
-                    level, taken = _onward(course, step, before, heat, held)
+                    level, before, heat, taken = _reached(course, step, before, heat, held)
                     taken_of_all += taken
             level = present(level, "the first film")
             now = instant_of(level, step.seconds)
@@ -245,8 +248,8 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
                 if at > step.seconds:
                     turn = Step(at, refinement)
                     past = _led_on(course, step, turn, before, heat)
-                    then, taken = _onward(course, turn, *past, held)
-                    known = [instant_of(then, at), *past[0]]
+                    then, known, _, taken = _reached(course, turn, *past, held)
+                    known = [instant_of(then, at), *known]
                 taken_of_all += taken
                 rates[at], rigid_films[at] = _rate_of(course, then, known), then.film.rigid_film
         except LostError as error:
@@ -342,6 +345,40 @@ def steady_level(course: Course, step: Step) -> tuple[Level, int]:
         level = _beside(contact, course, grid, SOLVERS[type(contact)](contact, course.plan))
         taken = len(lead(level, *_tolerances(course, step)))
     return _sound(level, seconds), taken
+
+
+def _reached(
+    course: Course,
+    step: Step,
+    before: list[Instant],
+    heat: list[HeatedInstant],
+    held: bool,
+    halvings: int = 0,
+) -> tuple[Level, list[Instant], list[HeatedInstant], int]:
+    """The film at a time, films and heat before it, and the Newton steps to it.
+
+    Where no film is found the time step is halved, and halved again, each half from the last film alone: a
+    load that jumps, or an edge that enters the contact, leaves films from which neither a first guess nor a
+    difference of higher order follows.
+
+    Raises
+    ------
+    LostError
+        No film was found after `MOST_HALVINGS`.
+    """
+    try:
+        level, taken = _onward(course, step, before, heat, held)
+    except LostError:
+        if halvings == MOST_HALVINGS:
+            raise
+    else:
+        return level, before, heat, taken
+    middle = Step((before[0].seconds + step.seconds) / 2, step.refinement)
+    level, before, heat, first = _reached(course, middle, before[:1], heat, held, halvings + 1)
+    before = [instant_of(level, middle.seconds), *before[: BEFORE - 1]]
+    heat = [*_heated(level, middle.seconds), *heat]
+    level, before, heat, second = _reached(course, step, before, heat, held, halvings + 1)
+    return level, before, heat, first + second
 
 
 def _onward(
