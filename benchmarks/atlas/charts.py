@@ -18,13 +18,8 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 from atlas.table import groups, known
 
 from pyworm.formulas import film
-from pyworm.formulas.film_atlas import AtlasGroups, films, regimes
-from pyworm.formulas.regimes import (
-    ISOVISCOUS_ELASTIC,
-    ISOVISCOUS_RIGID,
-    PIEZOVISCOUS_ELASTIC,
-    PIEZOVISCOUS_RIGID,
-)
+from pyworm.formulas.film_atlas import AtlasGroups, films, regime_measures
+from pyworm.formulas.regimes import PIEZOVISCOUS_ELASTIC, REGIMES, regime_number
 
 BAR = 0.02
 """Bar of the contacts drawn, at most [-]."""
@@ -47,8 +42,6 @@ REGIONS = {
 }
 """Angles of slender contacts; all of them are of radii 3 to 60."""
 
-NAMES = (ISOVISCOUS_RIGID, PIEZOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, PIEZOVISCOUS_ELASTIC)
-
 
 def classical(of: AtlasGroups) -> dict[str, film.Film]:
     """Films by published formulas in Moes' unit, by the groups along the entrainment."""
@@ -59,6 +52,11 @@ def classical(of: AtlasGroups) -> dict[str, film.Film]:
         1.0, across / along, speed, of.moes_m * (2 * speed) ** 0.75, ALPHA_MODULUS
     )
     return {name: _over(formula(one), one.moes_film) for name, formula in FORMULAS.items()}
+
+
+def _regime_numbers(of: AtlasGroups) -> np.ndarray:
+    """Places of contacts in `REGIMES`."""
+    return regime_number(*regime_measures(of, films(of).minimum))
 
 
 def _over(found: film.Film, unit) -> film.Film:
@@ -73,7 +71,7 @@ def table(of: AtlasGroups, data: dict) -> None:
         name: (of.ratio > 3) & (degrees >= low) & (degrees < high)
         for name, (low, high) in REGIONS.items()
     }
-    elastic = np.asarray(regimes(of)) == PIEZOVISCOUS_ELASTIC
+    elastic = _regime_numbers(of) == REGIMES.index(PIEZOVISCOUS_ELASTIC)
     for name, which in rows.items():
         for formula, one in found.items():
             cells = []
@@ -155,7 +153,7 @@ def regime_maps(target: Path) -> None:
     cases = ((30, 0), (5, 0), (1, 0), (5, 90), (30, 90))
     for axis, (ratio, angle) in zip(axes, cases, strict=True):
         of = AtlasGroups(m, el, float(ratio), np.radians(angle))
-        found = np.select([regimes(of) == name for name in NAMES], range(4))
+        found = _regime_numbers(of)
         axis.pcolormesh(
             m, el, found, cmap=plt.get_cmap("viridis", 4), vmin=-0.5, vmax=3.5, rasterized=True
         )
@@ -168,7 +166,7 @@ def regime_maps(target: Path) -> None:
         )
     axes[0].set_ylabel("L")
     bar = figure.colorbar(axes[0].collections[0], ax=axes, ticks=range(4))
-    bar.ax.set_yticklabels(NAMES, fontsize=8)
+    bar.ax.set_yticklabels(REGIMES, fontsize=8)
     figure.savefig(target, dpi=110)
 
 

@@ -7,11 +7,16 @@ this script finds by finite differences on a stretched grid, for the formula to 
     python benchmarks/atlas/rigid.py
 """
 
-from math import atan2, cos, pi, radians, sin, sqrt
+from dataclasses import dataclass
+from math import atan2, cos, exp, pi, radians, sin, sqrt
 
 import numpy as np
 from scipy.sparse import diags, identity, kron
 from scipy.sparse.linalg import spsolve
+
+from pyworm.formulas.hertz import ellipticity
+from pyworm.formulas.regime_charts import point_films
+from pyworm.formulas.regimes import ISOVISCOUS_RIGID, PIEZOVISCOUS_RIGID
 
 NODES = 91, 181
 REACH, STRETCH = 60.0, 4.5
@@ -32,8 +37,24 @@ def differences(x: np.ndarray):
     return slope, mean, diags([-1 / cell, 1 / cell], [0, 1], shape=(count - 2, count - 1))
 
 
-def factors(ratio: float, angle: float, nodes: int) -> tuple[float, float]:
-    """Load and largest pressure with the exit condition, over those of p above where it is positive.
+@dataclass(frozen=True)
+class RigidFilm:
+    """Pressure of an isoviscous oil between rigid paraboloids, over 12 eta u (2 Rx/h^3)^(1/2).
+
+    Attributes
+    ----------
+    pressure, closed, area : array
+        At the inner nodes with the exit condition; p above where it is positive; area of each node over
+        2 h (Rx Ry)^(1/2).
+    """
+
+    pressure: np.ndarray
+    closed: np.ndarray
+    area: np.ndarray
+
+
+def solved(ratio: float, angle: float, nodes: int) -> RigidFilm:
+    """Solve Reynolds' equation with the exit condition.
 
     In x/sqrt(2 Rx h0) and y/sqrt(2 Ry h0) the gap is round; D stands before the flow along y, and the
     entrainment along each axis is carried over its own length.
@@ -71,7 +92,75 @@ def factors(ratio: float, angle: float, nodes: int) -> tuple[float, float]:
     closed = -(u * x / (3 + 2 * ratio) + v * y / (3 * ratio + 2))[inner, inner].ravel()
     closed = np.maximum(closed, 0) / gap[inner, inner].ravel() ** 2
     area = np.outer(*[(place[2:] - place[:-2]) / 2] * 2).ravel()
+    return RigidFilm(pressure, closed, area)
+
+
+def factors(ratio: float, angle: float, nodes: int) -> tuple[float, float]:
+    """Load and largest pressure with the exit condition, over those of p above where it is positive."""
+    film = solved(ratio, angle, nodes)
+    pressure, closed, area = film.pressure, film.closed, film.area
     return pressure @ area / (closed @ area), pressure.max() / closed.max()
+
+
+@dataclass(frozen=True)
+class RigidLimits:
+    """Minimum films of rigid paraboloids along x, H = (h/R) (W/U)^2, and where they pass into each other.
+
+    Attributes
+    ----------
+    isoviscous : float
+        Film without pressure-viscosity [-].
+    piezoviscous : float
+        The film at which alpha times the largest isoviscous pressure is 1, over g_V^(2/3) [-]; no thinner
+        one holds oil of Barus' law, whatever the load.
+    viscosity, film : float
+        g_V from which this film holds, and the film there [-].
+    """
+
+    isoviscous: float
+    piezoviscous: float
+    viscosity: float
+    film: float
+
+
+def rigid_limits(ratio: float, nodes: tuple[int, int] = NODES) -> RigidLimits:
+    """The limits, extrapolated from two grids; ratio is D.
+
+    int eta0/eta dp = (1 - e^(-alpha p))/alpha of Barus' law is the isoviscous pressure q, so that the load at
+    the limit is the integral of -ln(1 - q/max(q))/alpha.
+    """
+    rows = []
+    for count in nodes:
+        film = solved(ratio, 0.0, count)
+        peak = film.pressure.max()
+        share = film.pressure / peak
+        load = share @ film.area
+        # the logarithm is unbounded at the maximum, but its integral over the area of that node is not
+        thick = -np.log1p(-np.minimum(share, (1 + np.sort(share)[-2]) / 2))
+        rows.append((peak, load * peak, thick @ film.area / load))
+    coarse, fine = np.array(rows)
+    peak, load, more = 2 * fine - coarse  # first order
+    isoviscous = (24 * sqrt(2 / ratio) * load) ** 2
+    piezoviscous = (12 * sqrt(2) * peak) ** (2 / 3)
+    film = isoviscous * more**2
+    return RigidLimits(isoviscous, piezoviscous, (film / piezoviscous) ** 1.5, film)
+
+
+def print_published() -> None:
+    """Published films of rigid bodies over the solved ones, where the piezoviscous limit begins."""
+    print(
+        "\nD; H isoviscous, published/solved; g_V and H where alpha p diverges; both published films there"
+    )
+    for ratio in (1.0, 1 / 3, 0.1, 1 / 30):
+        found = rigid_limits(ratio)
+        films = point_films(found.viscosity, 1.0, ratio)
+        first = 1.66 * found.viscosity ** (2 / 3) * (1 - exp(-0.68 * ellipticity(1 / ratio)))
+        print(
+            f"{ratio:8.4f} {found.isoviscous:10.4g} {films[ISOVISCOUS_RIGID] / found.isoviscous:7.3f} "
+            f"{found.viscosity:10.3g} {found.film:10.4g} 1979: {first / found.film:6.3f}  "
+            f"1991: {films[PIEZOVISCOUS_RIGID] / found.film:6.3f}",
+            flush=True,
+        )
 
 
 def main() -> None:
@@ -85,6 +174,7 @@ def main() -> None:
                 f"{ratio:8.4f} {angle:4d} {180 * turned / pi:7.2f} {load:8.4f} {peak:8.4f}",
                 flush=True,
             )
+    print_published()
 
 
 if __name__ == "__main__":

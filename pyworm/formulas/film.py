@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from pyworm.formulas.hertz import ellipticity
+from pyworm.formulas.ranges import Values
 
 
 @dataclass(frozen=True)
@@ -300,8 +301,7 @@ def moes_line(groups: LineGroups) -> Film:
     """
     m, el = groups.moes_m, groups.moes_l
     h = line_asymptotes(m, el)
-    isoviscous = (h.rigid_isoviscous ** (7 / 3) + h.elastic_isoviscous ** (7 / 3)) ** (3 / 7)
-    piezoviscous = _soft_min(h.rigid_piezoviscous, h.elastic_piezoviscous, 3.5)
+    isoviscous, piezoviscous = joined_line(h)
     s = (7 + 8 * np.exp(-2 * h.elastic_isoviscous / h.rigid_isoviscous)) / 5
     t = 1 - _decay(3.5 * m**0.125, el**0.25)
     r = np.exp(1 - 3 / (el + 4))
@@ -379,6 +379,14 @@ def line_asymptotes(moes_m: float, moes_l: float) -> Asymptotes:
         rigid_piezoviscous=1.287 * moes_l ** (2 / 3),
         elastic_piezoviscous=1.311 * moes_m**-0.125 * moes_l**0.75,
     )
+
+
+def joined_line(limits: Asymptotes) -> tuple[Values, Values]:
+    """Film of a line contact in an isoviscous oil, and in a piezoviscous one, from its limits (Moes)."""
+    isoviscous = (limits.rigid_isoviscous ** (7 / 3) + limits.elastic_isoviscous ** (7 / 3)) ** (
+        3 / 7
+    )
+    return isoviscous, _soft_min(limits.rigid_piezoviscous, limits.elastic_piezoviscous, 3.5)
 
 
 def _soft_min(a: Any, b: Any, power: float) -> Any:

@@ -20,12 +20,7 @@ import numpy as np
 
 from pyworm.formulas.hertz import hertz
 from pyworm.formulas.ranges import Values
-from pyworm.formulas.regimes import (
-    ISOVISCOUS_ELASTIC,
-    ISOVISCOUS_RIGID,
-    PIEZOVISCOUS_ELASTIC,
-    PIEZOVISCOUS_RIGID,
-)
+from pyworm.formulas.regimes import flattening, thickening
 
 PART = 4096
 """Contacts computed together: what fits into a processor's cache."""
@@ -441,22 +436,30 @@ def _inside(groups: AtlasGroups, read: np.ndarray, box: dict) -> np.ndarray:
     return np.all(within, axis=0)
 
 
-def regimes(groups: AtlasGroups) -> np.ndarray:
-    """Names of the regimes, by the central film.
+def regime_measures(groups: AtlasGroups, minimum: Values) -> tuple[Values, Values]:
+    """Deflection over film and thickening of the oil in the inlet, `pyworm.formulas.regimes`.
 
-    Bodies count as rigid where the film is thicker than the Hertz approach, and the oil as piezoviscous where
-    the limits of an oil that thickens under pressure give more film than those of one that does not (our
-    convention: unlike Hamrock and Dowson's chart it holds for any ratio of radii and any angle).
+    Parameters
+    ----------
+    groups : AtlasGroups
+        The contacts, of any ratio of radii and angle of entrainment.
+    minimum : float or array
+        Their minimum film in Moes' unit, R (2U)^(1/2) [-].
     """
+    long = longer_semi_axis(groups.ratio) * np.exp(groups.load / 3)
+    short = long / np.exp(np.polyval(_ellipses()[0], groups.slender))
+    half_width = 1 / np.sqrt(groups.cos2 / short**2 + (1 - groups.cos2) / long**2)
+    radius = np.exp(groups.along)
+    deflection = flattening(half_width, radius, radius * minimum)
+    return deflection, oil_thickening(groups, deflection)
+
+
+def oil_thickening(groups: AtlasGroups, deflection: Values) -> Values:
+    """Thickening of the oil in the inlet by the limits of the fit, `pyworm.formulas.regimes.thickening`."""
     constants = _constants()
     found = limits(groups, constants)
     thin, thick = _thin_and_thick(groups, found, constants["joined"])
-    rigid = thickness(groups, joined(groups, found, constants)) > 0
-    return np.where(
-        thick > thin,
-        np.where(rigid, PIEZOVISCOUS_RIGID, PIEZOVISCOUS_ELASTIC),
-        np.where(rigid, ISOVISCOUS_RIGID, ISOVISCOUS_ELASTIC),
-    )
+    return thickening(np.exp(thick - thin), deflection)
 
 
 def reciprocal_alpha(viscosity: Callable[[np.ndarray], Any], alpha: float) -> float:

@@ -1,164 +1,182 @@
-"""Regimes of lubrication: whether pressure thickens the oil and whether it bends the bodies.
+"""Regimes of lubrication: whether bodies deform, and whether pressure thickens the oil that forms the film.
 
-Four limiting minimum films are compared. Each mechanism adds film over the rigid isoviscous one,
-but elastic flattening caps what the thickening of the oil can add, so
+Two numbers place a contact, each with its border at 1:
 
-    h = max{ max(isoviscous-rigid, isoviscous-elastic),
-             min(piezoviscous-rigid, piezoviscous-elastic) },
+    deflection  b^2 / (2 R h_min): flattening of Hertz's contact along the entrainment over the minimum film;
+                above 1 the bodies count as elastic, below as rigid;
+    thickening  alpha times the pressure that an isoviscous oil has where the film forms; above 1 the oil
+                counts as piezoviscous, below as isoviscous.
 
-and the regime is the one whose film this picks. Letting the thickest film win instead would call
-heavily loaded elastohydrodynamic contacts rigid, since the rigid piezoviscous film does not fall
-with load.
+The second follows from the films of the four limits, with and without pressure-viscosity. Of rigid bodies
+both are equal where alpha times the maximum isoviscous pressure is 1, and their ratio goes with that pressure
+to the power 2/3. Of elastic ones the pressure of the inlet goes as p_H (h/delta)^(1/3), and the ratio of the
+limits goes with it to the power 3/4 (`thickening`).
+
+The films of the limits alone do not separate rigid from elastic bodies: in a piezoviscous oil both films
+differ by a factor of (M/L)^(1/12) only, so that a tenth of error in either moves their crossing threefold in
+load. The deflection is that of the plan's effects (`pyworm.planning.effects`), whose influence follows it.
 """
 
 from dataclasses import dataclass
-from math import atan, exp, sqrt
 
-from pyworm.formulas.film import LineGroups, PointGroups
-from pyworm.formulas.hertz import ellipticity
+import numpy as np
+
+from pyworm.formulas.film import LineGroups, joined_line, line_asymptotes, moes_line
+from pyworm.formulas.ranges import Values
 
 ISOVISCOUS_RIGID = "isoviscous-rigid"
 PIEZOVISCOUS_RIGID = "piezoviscous-rigid"
 ISOVISCOUS_ELASTIC = "isoviscous-elastic"
 PIEZOVISCOUS_ELASTIC = "piezoviscous-elastic"
 
-POINT_RANGE = (1, 8)
-"""Ellipticities for which Hamrock and Dowson's chart was made."""
+REGIMES = (ISOVISCOUS_RIGID, PIEZOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, PIEZOVISCOUS_ELASTIC)
+"""Regimes in the order of their numbers in data: 1 for a piezoviscous oil, 2 more for elastic bodies."""
+
+LINE_MINIMUM = 0.8
+"""Typical ratio of the minimum to the central film of line contacts."""
+
+LINE_ERROR = 0.1
+"""Relative error of a line's film by Moes' formula (docs/evidence/validation.md) [-]."""
+
+UNKNOWN_ERROR = 1.0
+"""Relative error of the film outside the box of the atlas, where none is known: a factor of two."""
+
+THICKENING_ERROR = 0.45
+"""Relative error of the thickening near its border, 0.4 to 2.5, within which 29 of 30 solved contacts lay
+of elastic bodies (`benchmarks/atlas/regimes.py`) [-]."""
 
 
 @dataclass(frozen=True)
 class Regime:
-    """The regime of a contact with the films that decide it.
+    """The regime of a contact by its distance from both borders.
 
     Attributes
     ----------
-    name : str
-        Isoviscous or piezoviscous, rigid or elastic, as "piezoviscous-elastic".
-    film_by_regime : dict of str to float
-        Minimum film each regime's formula gives [m].
-    parameters : dict of str to float
-        Coordinates on the chart of regimes: "viscosity" (g_V) and "elasticity" (g_E) [-].
-    ratio : float or None
-        Relative radius along the entrainment over that across, which a chart of points is drawn for [-];
-        None of a line contact, whose chart is one.
+    deflection, thickening : float
+        The numbers of this module, 1 at the border [-].
+    deflection_error, thickening_error : float
+        Relative uncertainties of both [-].
+    moes_m, moes_l : float
+        Moes' parameters along the entrainment, L with alpha at zero pressure [-].
+    alpha_ratio, compression : float
+        Of `pyworm.formulas.film_atlas.AtlasGroups` [-].
+    ratio, angle : float or None
+        Larger over smaller relative radius [-], and angle of the entrainment from the direction of the
+        smaller one [rad]; None of a line contact.
+    spin : float
+        As of those groups [-].
     """
 
-    name: str
-    film_by_regime: dict[str, float]
-    parameters: dict[str, float]
+    deflection: float
+    thickening: float
+    deflection_error: float
+    thickening_error: float
+    moes_m: float
+    moes_l: float
+    alpha_ratio: float = 1.0
+    compression: float = 0.0
     ratio: float | None = None
+    angle: float | None = None
+    spin: float = 0.0
 
     @property
-    def doubt(self) -> str:
-        """Caveat where the contact lies outside the chart's range; empty within it."""
-        if self.ratio is None:
-            return ""
-        k, (least, most) = ellipticity(1 / self.ratio), POINT_RANGE
-        return (
-            "" if least <= k <= most else f"charted for ellipticity {least} to {most}, here {k:.2g}"
+    def name(self) -> str:
+        """Isoviscous or piezoviscous, rigid or elastic, as "piezoviscous-elastic"."""
+        return REGIMES[int(regime_number(self.deflection, self.thickening))]
+
+    @property
+    def close_to(self) -> tuple[str, ...]:
+        """Regimes beyond a border that is within its uncertainty."""
+        number = int(regime_number(self.deflection, self.thickening))
+        measures = (
+            (self.thickening, self.thickening_error),
+            (self.deflection, self.deflection_error),
+        )
+        return tuple(
+            REGIMES[number ^ bit]
+            for bit, (measure, error) in zip((1, 2), measures, strict=True)
+            if 1 / (1 + error) < measure < 1 + error
         )
 
+    @property
+    def words(self) -> str:
+        """The name, and what it is close to."""
+        return ", close to ".join((self.name, *self.close_to))
 
-def point_regime(groups: PointGroups) -> Regime:
-    """Hamrock and Dowson's regime of an elliptic contact.
-
-    With g_V = G W^3 / U^2, g_E = W^(8/3) / U^2, r = 1/D, k the ellipticity of the Hertz contact and
-    H = (h/R) (W/U)^2:
-
-        isoviscous-rigid      128 r {1 + 2/(3 r)}^-2 {0.131 atan(r/2) + 1.683}^2
-        piezoviscous-rigid    1.66 g_V^(2/3) (1 - e^(-0.68 k))
-        isoviscous-elastic    8.70 g_E^0.67 (1 - 0.85 e^(-0.31 k))
-        piezoviscous-elastic  3.42 g_V^0.49 g_E^0.17 (1 - e^(-0.68 k))
-
-    Source: B. J. Hamrock and D. Dowson, Proc. 5th Leeds-Lyon Symp. on Tribology (1979) 22-27.
-    Range: k from 1 to 8. The later piezoviscous-rigid form in g_V^0.375 (1 - e^(-0.0387 r)) is not
-    used: as found in print, with the factor 1.41, it stays below the isoviscous film up to
-    g_V = 1e9 at k = 1, though oil that thickens under pressure cannot thin a film.
-    """
-    u, w = groups.speed, groups.load
-    viscosity, elasticity = groups.material * w**3 / u**2, w ** (8 / 3) / u**2
-    films = point_films(viscosity, elasticity, groups.ratio)
-    return _regime(films, groups.radius * (u / w) ** 2, viscosity, elasticity, groups.ratio)
+    def summary(self) -> dict[str, str | float | list[str]]:
+        """The regime as part of a flat object for JSON."""
+        return {
+            "regime": self.name,
+            "regime_close_to": list(self.close_to),
+            "deflection_over_film": self.deflection,
+            "deflection_over_film_error": self.deflection_error,
+            "inlet_thickening": self.thickening,
+            "inlet_thickening_error": self.thickening_error,
+        }
 
 
-def point_films(viscosity: float, elasticity: float, ratio: float) -> dict[str, float]:
-    """Film of each regime, H = (h/R) (W/U)^2, by the formulas of `point_regime`.
-
-    Parameters
-    ----------
-    viscosity, elasticity : float or array
-        g_V and g_E [-].
-    ratio : float
-        D, relative radius along the entrainment over that across [-].
-    """
-    r, k = 1 / ratio, ellipticity(1 / ratio)
-    side = 1 - exp(-0.68 * k)
-    return {
-        ISOVISCOUS_RIGID: 128 * r * (1 + 2 / (3 * r)) ** -2 * (0.131 * atan(r / 2) + 1.683) ** 2,
-        PIEZOVISCOUS_RIGID: 1.66 * viscosity ** (2 / 3) * side,
-        ISOVISCOUS_ELASTIC: 8.70 * elasticity**0.67 * (1 - 0.85 * exp(-0.31 * k)),
-        PIEZOVISCOUS_ELASTIC: 3.42 * viscosity**0.49 * elasticity**0.17 * side,
-    }
+def regime_number(deflection: Values, thickening: Values) -> Values:
+    """Place in `REGIMES` from both numbers; where one is NaN no comparison holds, and 0 is returned."""
+    return 2 * (np.asarray(deflection) > 1) + 1 * (np.asarray(thickening) > 1)
 
 
-def line_regime(groups: LineGroups) -> Regime:
-    """Johnson's regime of a line contact.
-
-    With g_V = (G^2 W^3 / U)^(1/2) = sqrt(2) M^(3/2) L, g_E = (W^2 / U)^(1/2) = sqrt(2) M and
-    H = (h/R) (W/U):
-
-        isoviscous-rigid      4.9
-        piezoviscous-rigid    1.666 g_V^(2/3)
-        isoviscous-elastic    3.10 g_E^0.8
-        piezoviscous-elastic  1.665 g_V^0.75 g_E^-0.25
-
-    The last is the asymptote for large lubricant parameters (Moes' 0.99 M^(-1/8) L^(3/4)), not
-    Dowson and Higginson's regression: only the asymptote meets the rigid film on a line,
-    g_V = g_E^3, that growing load crosses from rigid to elastic. 1.666 is the exact constant of
-    rigid cylinders with Reynolds' exit condition, usually printed as 1.66.
-
-    Source: K. L. Johnson, J. Mech. Eng. Sci. 12 (1970) 9-16; C. J. Hooke, J. Mech. Eng. Sci. 19
-    (1977) 149-156; H. Moes, Lubrication and Beyond, University of Twente (2000).
-    """
-    u, w = groups.speed, groups.load
-    viscosity, elasticity = groups.material * sqrt(w**3 / u), w / sqrt(u)
-    return _regime(line_films(viscosity, elasticity), groups.radius * u / w, viscosity, elasticity)
-
-
-def line_films(viscosity: float, elasticity: float) -> dict[str, float]:
-    """Film of each regime, H = (h/R) (W/U), by the formulas of `line_regime`.
+def flattening(half_width: Values, radius: Values, film_min: Values) -> Values:
+    """Deflection over film: b^2 / 2R, by which Hertz's contact is flattened along the entrainment [-].
 
     Parameters
     ----------
-    viscosity, elasticity : float or array
-        g_V and g_E [-].
+    half_width : float or array
+        Half-width of Hertz's contact along the entrainment [m].
+    radius : float or array
+        Relative radius of curvature along it [m].
+    film_min : float or array
+        Minimum film [m].
     """
-    return {
-        ISOVISCOUS_RIGID: 4.9,
-        PIEZOVISCOUS_RIGID: 1.666 * viscosity ** (2 / 3),
-        ISOVISCOUS_ELASTIC: 3.10 * elasticity**0.8,
-        PIEZOVISCOUS_ELASTIC: 1.665 * viscosity**0.75 * elasticity**-0.25,
-    }
+    return half_width**2 / (2 * radius * film_min)
 
 
-def prevailing(films: dict[str, float]) -> str:
-    """The regime by the rule of this module, from the film of each."""
-    isoviscous = max(ISOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, key=films.__getitem__)
-    piezoviscous = min(PIEZOVISCOUS_RIGID, PIEZOVISCOUS_ELASTIC, key=films.__getitem__)
-    return max(isoviscous, piezoviscous, key=films.__getitem__)
+def thickening(film_ratio: Values, deflection: Values) -> Values:
+    """alpha times the pressure of an isoviscous oil where the film forms [-].
+
+    Parameters
+    ----------
+    film_ratio : float or array
+        Film by the limits of an oil that thickens under pressure, over that of one that does not [-].
+    deflection : float or array
+        Deflection over film [-], by which the exponent passes from 3/2 of rigid bodies to 4/3.
+    """
+    return film_ratio ** (4 / 3 + 1 / 6 / (1 + deflection))
 
 
-def _regime(
-    films: dict[str, float],
-    unit: float,
-    viscosity: float,
-    elasticity: float,
-    ratio: float | None = None,
-) -> Regime:
-    """The regime of dimensionless films with their unit [m]."""
+def line_measures(groups: LineGroups, alpha_ratio: Values = 1.0) -> tuple[Values, Values]:
+    """Deflection and thickening of line contacts.
+
+    The limits are Moes' (`line_asymptotes`), of which the rigid ones are exact.
+
+    Parameters
+    ----------
+    groups : LineGroups
+        The contacts.
+    alpha_ratio : float or array
+        Reciprocal asymptotic isoviscous pressure coefficient over alpha [-]; 1 of Barus' law.
+    """
+    central = moes_line(groups).central / groups.moes_film
+    # in Moes' units b^2/R^2 is 8 M/pi
+    deflection = flattening(np.sqrt(8 * groups.moes_m / np.pi), 1.0, LINE_MINIMUM * central)
+    limits = line_asymptotes(groups.moes_m, groups.moes_l * alpha_ratio)
+    isoviscous, piezoviscous = joined_line(limits)
+    return deflection, thickening(piezoviscous / isoviscous, deflection)
+
+
+def line_regime(groups: LineGroups, alpha_ratio: float = 1.0) -> Regime:
+    """The regime of a line contact; arguments as of `line_measures`."""
+    deflection, thick = line_measures(groups, alpha_ratio)
     return Regime(
-        name=prevailing(films),
-        film_by_regime={name: unit * film for name, film in films.items()},
-        parameters={"viscosity": viscosity, "elasticity": elasticity},
-        ratio=ratio,
+        deflection=float(deflection),
+        thickening=float(thick),
+        deflection_error=LINE_ERROR,
+        thickening_error=THICKENING_ERROR,
+        moes_m=float(groups.moes_m),
+        moes_l=float(groups.moes_l),
+        alpha_ratio=alpha_ratio,
     )

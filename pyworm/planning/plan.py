@@ -6,8 +6,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pyworm.formulas.film import LineGroups
-from pyworm.formulas.regimes import Regime, line_regime, point_regime
+from pyworm.formulas.regimes import Regime
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, unusual
 from pyworm.io.shown import Shown, percent
@@ -49,7 +48,7 @@ class Plan(Shown):
     effects : tuple of Judgement
         Every effect with its judgement.
     regime : Regime
-        The regime of lubrication by the chart.
+        The regime of lubrication.
     aim : Aim
         The figures whose error bars the accuracy is asked of.
     model : Model
@@ -95,7 +94,7 @@ class Plan(Shown):
         return "Plan", {
             "accuracy": percent(self.accuracy),
             "quantities": ", ".join(self.quantities),
-            "regime": self.regime.name,
+            "regime": self.regime.words,
             "simulated": ", ".join(sorted(self.on)) or "no effect",
             "grids": f"from {first} to {last} nodes, finer ones as needed",
             **({"refused": self.refusal} if self.refusal else {}),
@@ -252,14 +251,12 @@ def planned(
     told = simple.oil.flow is not None or simple.oil.heat is not None
     rubs = told and law and prediction.sliding > 0
     aim = _aim(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
-    groups = prediction.groups
-    regime = line_regime(groups) if isinstance(groups, LineGroups) else point_regime(groups)
     return Plan(
         accuracy,
         quantities,
         asked,
         judgements,
-        regime,
+        prediction.regime,
         aim,
         model,
         **vars(numerics),

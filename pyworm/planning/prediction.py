@@ -14,6 +14,7 @@ import numpy as np
 import scipy
 
 from pyworm.formulas.film import LineGroups, PointGroups
+from pyworm.formulas.regimes import LINE_MINIMUM, Regime
 from pyworm.io.present import present
 from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
@@ -53,6 +54,8 @@ class Prediction:
         Speeds of the surfaces at the contact point [m/s].
     groups : PointGroups or LineGroups
         Dimensionless groups along the entrainment.
+    regime : Regime
+        The regime of lubrication by closed forms, of smooth surfaces with enough oil.
     supply_ratio : float
         Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
     carried_by_heat : bool
@@ -74,6 +77,7 @@ class Prediction:
     sliding: float
     velocities: tuple[float, float]
     groups: PointGroups | LineGroups
+    regime: Regime
     supply_ratio: float = inf
     carried_by_heat: bool = False
     work: float | None = None
@@ -306,6 +310,7 @@ def _point(scene: Scene) -> Prediction:
         sliding=hypot(*(float(part) for part in scene.sliding(origin, origin))),
         velocities=(first, second),
         groups=size.groups,
+        regime=size.regime,
         supply_ratio=size.supply_ratio,
         carried_by_heat=fed is not scene,
     )
@@ -320,10 +325,11 @@ def _line(scene: LineScene) -> Prediction:
         mean_to_max=LINE_MEAN,
         pressure_max=_flowing(size.hertz.pressure_max, scene.oil),
         film_central=size.open_film,
-        film_min=0.8 * size.open_film,
+        film_min=LINE_MINIMUM * size.open_film,
         speed=abs(scene.entrainment),
         sliding=abs(scene.sliding),
         velocities=(abs(scene.velocities[0]), abs(scene.velocities[1])),
         groups=size.groups,
+        regime=size.regime,
         supply_ratio=size.supply_ratio,
     )

@@ -1,28 +1,45 @@
-"""The chart of regimes of lubrication, and the contacts of a result on it."""
+"""The chart of regimes for a contact's own shape and entrainment, and the contacts of a result on it."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import NullLocator
+from scipy.ndimage import distance_transform_edt
 
-from pyworm.formulas.film import ellipticity
+from pyworm.formulas.film import LineGroups, radii_at_angle
+from pyworm.formulas.film_atlas import AtlasGroups, films, regime_measures
+from pyworm.formulas.hertz import ellipticity
+from pyworm.formulas.regime_charts import (
+    POINT_RANGE,
+    in_point_range,
+    line_chart,
+    line_parameters,
+    point_chart,
+    point_parameters,
+)
 from pyworm.formulas.regimes import (
     ISOVISCOUS_ELASTIC,
     ISOVISCOUS_RIGID,
     PIEZOVISCOUS_ELASTIC,
     PIEZOVISCOUS_RIGID,
-    POINT_RANGE,
+    REGIMES,
     Regime,
-    line_films,
-    point_films,
+    line_measures,
+    regime_number,
 )
 from pyworm.plots.layout import placed_panels, power_of_ten, result_heading
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
+
+Numbers = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+"""Deflection and thickening at arrays of Moes' M and L."""
 
 SHORT = {
     ISOVISCOUS_RIGID: "rigid,\nisoviscous",
@@ -33,19 +50,39 @@ SHORT = {
 """Regime -> what it is called in charts."""
 
 SHADES = ["0.96", "#dfe9d8", "#e6e0ee", "#f6ecd6"]
+DOTS = ["0.6", "#5b9b3c", "#7a5bb0", "#d79a1e"]
+"""Colours of regimes in the order of `REGIMES`: of areas, and of contacts."""
 
 LEAST_FRACTION = 0.02
 """Fraction of the chart below which a regime is not named in it."""
 
-MARGIN = 30.0
+RIGHT_PART = 0.65
+"""Part of a chart's width beyond which the name of a contact stands on its left."""
+
+MARGIN = 10.0
 """Factor by which a chart reaches beyond the places of its contacts."""
+
+USUAL = (0.1, 300.0), (0.1, 30.0)
+"""What a chart shows at least of M and of L, so that all four regimes are in it."""
+
+CLEAR = 0.05
+"""Distance of the names of regimes from lines of either number, in decades of it."""
+
+SIDE = 0.09
+"""Part of a chart's width at each side that the middle of a name stays clear of."""
+
+LEGEND = 0.5, 0.28
+"""Part of the width and height of a chart that its legend takes, in the lower left."""
+
+NODES = 181
+"""Places of a chart along each axis."""
 
 
 def draw_regimes(result: Result) -> Figure:
     """Every contact of a result on the chart of its kind, one for lines and one for points."""
     regimes = [solution.regime for solution in result.solutions]
     kinds = [kind for kind in (False, True) if any((one.ratio is None) == kind for one in regimes)]
-    size, room = (6.4 * len(kinds), 5.2), (0.8, 0.1, 0.6, 0.35)
+    size, room = (6.4 * len(kinds), 5.4), (0.8, 0.1, 0.6, 0.5)
     spaced = {"ncols": len(kinds), "squeeze": False, "gridspec_kw": {"wspace": 0.17}}
     words = result_heading(result, "regimes of lubrication")
     figure, panels = placed_panels(size, words, room, **spaced)
@@ -59,83 +96,190 @@ def draw_regimes(result: Result) -> Figure:
     return figure
 
 
-def draw_chart(
-    axes: Axes,
-    films: Callable[[np.ndarray, np.ndarray], dict[str, np.ndarray | float]],
-    elastic,
-    viscous,
-) -> None:
-    """The four regimes around given places.
+def draw_chart(axes: Axes, middle: Regime, moes_m: np.ndarray, moes_l: np.ndarray) -> list:
+    """The four regimes around given places, by the numbers of `pyworm.formulas.regimes`.
 
     Parameters
     ----------
     axes : Axes
         Where to draw.
-    films : callable
-        Film of each regime at arrays of g_V and g_E.
-    elastic, viscous : array
-        The places, g_E and g_V [-].
+    middle : Regime
+        The contact whose shape, entrainment and oil the chart is of.
+    moes_m, moes_l : array
+        The places, Moes' M and L [-].
+
+    Returns
+    -------
+    list
+        Entries of a legend: published borders, where the chart has them, and the band of doubt.
     """
     ends = [
-        (min(0.5, np.nanmin(values) / MARGIN), np.nanmax(values) * MARGIN)
-        for values in (elastic, viscous)
+        (min(low, np.nanmin(values) / MARGIN), max(high, np.nanmax(values) * MARGIN))
+        for values, (low, high) in zip((moes_m, moes_l), USUAL, strict=True)
     ]
-    ge, gv = np.meshgrid(*(np.geomspace(low, high, 300) for low, high in ends))
-    film = {name: np.broadcast_to(of, ge.shape) for name, of in films(gv, ge).items()}
-    # a rigid film is surpassed by the elastic isoviscous one, and caps the elastic piezoviscous one
-    thin = np.log(film[ISOVISCOUS_ELASTIC] / film[ISOVISCOUS_RIGID])
-    thick = np.log(film[PIEZOVISCOUS_RIGID] / film[PIEZOVISCOUS_ELASTIC])
-    isoviscous = np.maximum(film[ISOVISCOUS_RIGID], film[ISOVISCOUS_ELASTIC])
-    piezoviscous = np.minimum(film[PIEZOVISCOUS_RIGID], film[PIEZOVISCOUS_ELASTIC])
-    gain = np.log(piezoviscous / isoviscous)
-    number = np.where(gain > 0, np.where(thick > 0, 3, 1), np.where(thin > 0, 2, 0))
-    shades = {"cmap": ListedColormap(SHADES), "vmin": 0, "vmax": 3}
-    # places are even on both scales, as those of an image, whose outermost stand on the sides of the panel
-    low, high = -0.5 / (len(number) - 1), 1 + 0.5 / (len(number) - 1)
-    place = {"extent": (low, high) * 2, "transform": axes.transAxes, "aspect": "auto"}
-    axes.imshow(number, origin="lower", interpolation="nearest", **place, **shades)
-    for boundary in (
-        gain,
-        np.ma.masked_where(gain < 0, thick),
-        np.ma.masked_where(gain > 0, thin),
+    m, el = np.meshgrid(*(np.geomspace(low, high, NODES) for low, high in ends))
+    deflection, thickening = numbers_of(middle)(m, el)
+    number = regime_number(deflection, thickening)
+    _shade(axes, number)
+    grey = {"colors": "0.4", "linewidths": 0.8}
+    taken = _near(m[0], moes_m)[None, :] & _near(el[:, 0], moes_l)[:, None]
+    for measure, error, style in (
+        (deflection, middle.deflection_error, ":"),
+        (thickening, middle.thickening_error, "-."),
     ):
-        axes.contour(ge, gv, boundary, levels=[0.0], colors="0.4", linewidths=0.8)
+        distance = np.log10(measure)
+        band = np.log10(1 + error)
+        axes.contourf(m, el, distance, levels=[-band, band], colors="0.5", alpha=0.15)
+        axes.contour(m, el, distance, levels=[0.0], **grey)
+        levels = [level for level in (-2, -1, 1, 2, 3) if distance.min() < level < distance.max()]
+        lines = axes.contour(m, el, distance, levels=levels, linestyles=style, **grey)
+        taken = taken | np.any([np.abs(distance - level) < CLEAR for level in (0, *levels)], axis=0)
+        axes.clabel(lines, fmt=lambda level: f"{10.0**level:g}", fontsize=7)
     for index, name in enumerate(SHORT.values()):
-        rows, columns = np.nonzero(number == index)
-        if len(rows) > LEAST_FRACTION * number.size:
-            middle = int(np.median(rows))
-            place = ge[0, int(np.median(columns[rows == middle]))], gv[middle, 0]
-            axes.text(*place, name, color="0.35", size=10, ha="center", va="center")
+        area = number == index
+        if np.mean(area) > LEAST_FRACTION:
+            row, column = _roomiest(area & ~taken)
+            look = {"size": 10, "ha": "center", "va": "center", "color": "0.35"}
+            outline = [withStroke(linewidth=2.5, foreground=SHADES[index])]
+            axes.text(m[0, column], el[row, 0], name, **look, path_effects=outline)
     axes.set(xscale="log", yscale="log", xlim=ends[0], ylim=ends[1])
     for axis in (axes.xaxis, axes.yaxis):
         # minor ticks, and powers set as formulas, take long to draw
         axis.set_minor_locator(NullLocator())
         axis.set_major_formatter(power_of_ten)
-    axes.set_xlabel("elasticity parameter $g_E$")
-    axes.set_ylabel("viscosity parameter $g_V$")
+    axes.set_xlabel("load parameter M (Moes)")
+    axes.set_ylabel("lubricant parameter L (Moes)")
+    band = Patch(facecolor="0.5", alpha=0.3, label="border within its uncertainty")
+    return [band, *_draw_published(axes, middle, m, el)]
 
 
-def _draw_contacts(axes: Axes, shown: list[tuple[str, Regime]]) -> None:
-    """Contacts of one kind; the boundaries of points are those of the middle one's shape."""
-    elastic, viscous = (
-        np.array([regime.parameters[name] for _, regime in shown])
-        for name in ("elasticity", "viscosity")
+def numbers_of(middle: Regime) -> Numbers:
+    """Deflection and thickening over M and L for the shape, entrainment and oil of a contact."""
+    if middle.ratio is None:
+        return partial(_line_numbers, alpha_ratio=middle.alpha_ratio)
+    return partial(_point_numbers, middle=middle)
+
+
+def _line_numbers(
+    m: np.ndarray, el: np.ndarray, alpha_ratio: float
+) -> tuple[np.ndarray, np.ndarray]:
+    # any speed serves, as both numbers depend on M and L alone
+    return line_measures(LineGroups(1.0, 0.5, m, el), alpha_ratio)
+
+
+def _point_numbers(m: np.ndarray, el: np.ndarray, middle: Regime) -> tuple[np.ndarray, np.ndarray]:
+    groups = AtlasGroups(
+        m.ravel(),
+        el.ravel(),
+        np.full(m.size, middle.ratio),
+        np.full(m.size, middle.angle),
+        np.full(m.size, middle.spin),
+        middle.alpha_ratio,
+        middle.compression,
     )
-    if shown[0][1].ratio is None:
-        films, title = line_films, "line contacts (Johnson, Hooke)"
+    deflection, thickening = regime_measures(groups, films(groups).minimum)
+    return deflection.reshape(m.shape), thickening.reshape(m.shape)
+
+
+def _near(axis: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Nodes of an axis within a twentieth of it from any of some values, on its logarithmic scale."""
+    distance = np.log(axis[:, None] / np.ravel(values))
+    return np.any(np.abs(distance) < 0.05 * np.log(axis[-1] / axis[0]), axis=1)
+
+
+def _roomiest(area: np.ndarray) -> tuple[int, int]:
+    """Row and column of an area that are farthest from its outside, names being wider than high."""
+    padded = np.pad(area, 1)
+    padded[: int(LEGEND[1] * len(padded)), : int(LEGEND[0] * len(padded))] = False
+    side = int(SIDE * len(padded))
+    padded[:, :side] = padded[:, -side:] = False
+    distance = distance_transform_edt(padded, sampling=(1.0, 0.5))
+    row, column = np.unravel_index(int(np.argmax(distance)), padded.shape)
+    return int(row) - 1, int(column) - 1
+
+
+def _shade(axes: Axes, number: np.ndarray) -> None:
+    """The areas of the regimes, over the whole panel."""
+    shades = {"cmap": ListedColormap(SHADES), "vmin": 0, "vmax": 3}
+    # places are even on both scales, as those of an image, whose outermost stand on the sides of the panel
+    low, high = -0.5 / (len(number) - 1), 1 + 0.5 / (len(number) - 1)
+    place = {"extent": (low, high) * 2, "transform": axes.transAxes, "aspect": "auto"}
+    axes.imshow(number, origin="lower", interpolation="nearest", **place, **shades)
+
+
+def _draw_published(axes: Axes, middle: Regime, m: np.ndarray, el: np.ndarray) -> list[Line2D]:
+    """Borders of the published chart, if it was made for such a contact."""
+    if middle.ratio is None:
+        number, source = line_chart(*line_parameters(m, el)), "Johnson and Hooke"
     else:
-        ratio = sorted(regime.ratio for _, regime in shown)[len(shown) // 2]
-        films = partial(point_films, ratio=ratio)
-        shape = f"{ellipticity(1 / ratio):.3g}"
-        title = f"points of ellipticity {shape} (Hamrock and Dowson: {POINT_RANGE[0]} to {POINT_RANGE[1]})"
-    draw_chart(axes, films, elastic, viscous)
-    axes.plot(elastic, viscous, "o-", color="tab:red", mec="black", lw=1, ms=6)
+        ratio = shape_along(middle)
+        if objection := _beyond_chart(middle, ratio):
+            return [Line2D([], [], ls="", label=f"no published chart: {objection}")]
+        number, source = point_chart(*point_parameters(m, el), ratio), "Hamrock and Dowson"
+    look = {"colors": "tab:blue", "linestyles": "--", "linewidths": 0.9}
+    for half in (number // 2, number % 2):  # elastic bodies, piezoviscous oil
+        axes.contour(m, el, half, levels=[0.5], **look)
+    return [Line2D([], [], color="tab:blue", ls="--", lw=0.9, label=source)]
+
+
+OBLIQUE = np.radians(5), 1.05
+"""Angle to an axis, and ratio of radii, from which entrainment counts as oblique."""
+
+
+def _beyond_chart(regime: Regime, ratio: float) -> str:
+    """Reason why Hamrock and Dowson's chart was not made for such a point contact; empty where it was."""
+    angle, oval = OBLIQUE
+    if regime.ratio > oval and angle < regime.angle < np.pi / 2 - angle:
+        return "entrained along no axis"
+    least, most = POINT_RANGE
+    if in_point_range(ratio):
+        return ""
+    return f"ellipticity {ellipticity(1 / ratio):.2g}, charted {least} to {most}"
+
+
+def shape_along(regime: Regime) -> float:
+    """D of a point contact, relative radius along the entrainment over that across [-]."""
+    along, across = radii_at_angle(1.0, regime.ratio, regime.angle)
+    return float(along / across)
+
+
+def _draw_contacts(axes: Axes, shown: Sequence[tuple[str, Regime]]) -> None:
+    """Contacts of one kind on the chart of the middle one's shape; each has the colour of its own regime."""
+    m, el = (
+        np.array([getattr(regime, name) for _, regime in shown]) for name in ("moes_m", "moes_l")
+    )
+    middle = shown[len(shown) // 2][1]
+    entries = draw_chart(axes, middle, m, el)
+    axes.plot(m, el, "-", color="tab:red", lw=1)
+    numbers = np.array([REGIMES.index(regime.name) for _, regime in shown])
+    for number in np.unique(numbers):
+        which = numbers == number
+        look = {"ls": "", "marker": "o", "mfc": DOTS[number], "mec": "tab:red", "ms": 7}
+        axes.plot(m[which], el[which], **look)
+        entries.append(Line2D([], [], label=REGIMES[number], **look))
     for end in {0, len(shown) - 1}:
+        right = axes.transLimits.transform(np.log10((m[end], el[end])))[0] > RIGHT_PART
         axes.annotate(
             shown[end][0],
-            (elastic[end], viscous[end]),
-            xytext=(8, -12),
+            (m[end], el[end]),
+            xytext=(-8 if right else 8, -12),
+            ha="right" if right else "left",
             textcoords="offset points",
             fontsize=9,
         )
-    axes.set_title(title, fontsize=10, y=1)
+    axes.legend(handles=entries, fontsize=7, loc="lower left", framealpha=0.8)
+    axes.set_title(_title(middle, len(shown)), fontsize=9, y=1)
+
+
+def _title(middle: Regime, contacts: int) -> str:
+    """What the chart is of, and what its lines are."""
+    if middle.ratio is None:
+        kind = "line contact"
+    elif middle.ratio < 1.001:
+        kind = "circular contact"
+    else:
+        turned = np.degrees(middle.angle)
+        kind = f"radii 1 : {middle.ratio:.3g}, entrained at {turned:.0f}° to the smaller one"
+    whose = f" (the middle one of {contacts})" if contacts > 1 else ""
+    lines = "dotted: deflection over film, dash-dotted: αp in the inlet, borders at 1"
+    return f"{kind}{whose}\n{lines}"

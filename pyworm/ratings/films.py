@@ -2,7 +2,7 @@
 
 from pyworm.formulas import film, thermal_reduction
 from pyworm.formulas.film import Film, LineGroups, PointGroups
-from pyworm.formulas.regimes import POINT_RANGE, line_regime, point_regime
+from pyworm.formulas.film_ranges import FORMULA_RANGES
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.ratings.rating import RatedFigure, Rating
 from pyworm.scene.index import Place
@@ -43,7 +43,15 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
     """
     prediction = predicted(scene)
     formulas = _LINE if isinstance(scene, LineScene) else _POINT
-    films = {key: (label, formula(prediction.groups)) for key, (label, formula) in formulas.items()}
+    objections = {
+        label: FORMULA_RANGES[key].objection(prediction.groups, prediction.regime)
+        for key, (label, _) in formulas.items()
+    }
+    films = {
+        key: (label, formula(prediction.groups))
+        for key, (label, formula) in formulas.items()
+        if not objections[label]
+    }
     figures = [
         RatedFigure(f"{key}_m", label, _both(of), 1e6, "µm") for key, (label, of) in films.items()
     ]
@@ -52,12 +60,16 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         simulated = found.film_central.value, found.film_min.value
         figures.append(RatedFigure("simulated_m", "Simulated", simulated, 1e6, "µm"))
     least = [float(of.minimum) for _, of in films.values() if of.minimum is not None]
-    words = [_groups(prediction.groups), "Formulas: isothermal, smooth, fully supplied."]
+    words = [_groups(prediction), "Formulas: isothermal, smooth, fully supplied."]
+    outside = [f"{label} ({reason})" for label, reason in objections.items() if reason]
+    if outside:
+        words.append(f"Not shown, outside their range: {'; '.join(outside)}.")
     roughness = scene.composite_roughness
-    if roughness is not None:
+    if roughness is not None and least:
         ratios = sorted(one / roughness for one in least)
+        span = " to ".join(dict.fromkeys(f"{one:.3g}" for one in (ratios[0], ratios[-1])))
         words.append(
-            f"lambda by the minimum films of the formulas: {ratios[0]:.3g} to {ratios[-1]:.3g} "
+            f"lambda by the minimum films of the formulas: {span} "
             f"(composite roughness {roughness * 1e6:.3g} µm)."
         )
     if scene.oil.heat is not None and prediction.speed > 0:
@@ -65,7 +77,7 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
     return Rating(
         key="films",
         title=f"Films by formula at {Place.of(scene)}",
-        source=", ".join(label for label, _ in films.values()),
+        source=", ".join(label for label, _ in formulas.values()),
         columns=("central film", "minimum film"),
         figures=tuple(figures),
         words=tuple(words),
@@ -81,17 +93,13 @@ def _both(found: Film) -> tuple[float | None, float | None]:
     )
 
 
-def _groups(groups: PointGroups | LineGroups) -> str:
-    """Dimensionless groups of the contact, as a sentence."""
+def _groups(prediction: Prediction) -> str:
+    """Dimensionless groups and regime of the contact, as a sentence."""
+    groups, regime = prediction.groups, prediction.regime
     sentence = f"Moes' M = {groups.moes_m:.3g}, L = {groups.moes_l:.3g}"
-    if isinstance(groups, LineGroups):
-        return f"{sentence}; {line_regime(groups).name}."
-    sentence += f", ellipticity k = {groups.ellipticity:.3g} across over along the entrainment"
-    least, most = POINT_RANGE
-    if not least <= groups.ellipticity <= most:
-        others = "all but Nijenbanning, Venner and Moes'"
-        return f"{sentence}, outside {least} to {most} where {others} formulas hold."
-    return f"{sentence}; {point_regime(groups).name}."
+    if isinstance(groups, PointGroups):
+        sentence += f", ellipticity k = {groups.ellipticity:.3g} across over along the entrainment"
+    return f"{sentence}; {regime.words}."
 
 
 def _heated(prediction: Prediction) -> str:

@@ -6,7 +6,6 @@ from typing import Any
 
 from pyworm.formulas.film import moes_line
 from pyworm.formulas.lubrication import lubrication
-from pyworm.formulas.regimes import line_regime
 from pyworm.planning.plan import Plan
 from pyworm.scene.formula_film import FormulaFilms, film_of
 from pyworm.scene.index import Place
@@ -70,14 +69,15 @@ def _point_films(found: FormulaFilms) -> dict[str, Any]:
         "film_min_m": float(found.minimum),
         "film_min_error": float(found.minimum_error),
         "inside_atlas": bool(found.inside),
-        "regime": str(found.regime),
+        **found.single_regime().summary(),
         "moes_M": float(found.groups.moes_m),
         "moes_L": float(found.groups.moes_l),
     }
 
 
 def _line_films(scene: LineScene) -> dict[str, Any]:
-    groups = line_scales(scene).groups
+    size = line_scales(scene)
+    groups = size.groups
     found = moes_line(groups)
     return {
         "kind": "line",
@@ -87,7 +87,7 @@ def _line_films(scene: LineScene) -> dict[str, Any]:
         "film_min_m": float(found.minimum),
         "film_min_error": inf,
         "inside_atlas": False,
-        "regime": line_regime(groups).name,
+        **size.regime.summary(),
         "moes_M": float(groups.moes_m),
         "moes_L": float(groups.moes_l),
     }

@@ -1,20 +1,32 @@
 """Films of point contacts by the formula of the atlas (`formulas.film_atlas`), a microsecond each."""
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
+from pyworm.formulas.film import PointGroups
 from pyworm.formulas.film_atlas import (
+    MOST_SLENDER,
     AtlasGroups,
     films,
     hertz_pressure,
     longer_semi_axis,
+    oil_thickening,
     reciprocal_alpha,
-    regimes,
+    regime_measures,
 )
 from pyworm.formulas.film_reduction import reduction
 from pyworm.formulas.hertz import hertz
 from pyworm.formulas.ranges import Values, positive
+from pyworm.formulas.regimes import (
+    REGIMES,
+    THICKENING_ERROR,
+    UNKNOWN_ERROR,
+    Regime,
+    flattening,
+    regime_number,
+)
 from pyworm.materials.oil import Oil
 from pyworm.scene.formula_heat import heat_groups, lacks_heat
 from pyworm.scene.point import Scene
@@ -56,7 +68,42 @@ class FormulaFilms:
     @property
     def regime(self) -> np.ndarray:
         """Names of the regimes of lubrication, `pyworm.formulas.regimes`."""
-        return regimes(self.groups)
+        return np.array(REGIMES)[regime_number(self.deflection, self.thickening)]
+
+    @property
+    def deflection(self) -> Values:
+        """Deflection over minimum film, above 1 of elastic bodies (`pyworm.formulas.regimes`) [-]."""
+        return self._measures[0]
+
+    @property
+    def thickening(self) -> Values:
+        """alpha times the pressure where the film forms, above 1 of a piezoviscous oil (likewise) [-]."""
+        return self._measures[1]
+
+    @cached_property
+    def _measures(self) -> tuple[Values, Values]:
+        """Both by the films without heat."""
+        return regime_measures(self.groups, films(self.groups).minimum)
+
+    def single_regime(self) -> Regime:
+        """The regime of lubrication of a single contact.
+
+        Raises
+        ------
+        ValueError
+            For several contacts, whose names `regime` has.
+        """
+        if np.size(self.central) != 1:
+            raise ValueError(f"{np.size(self.central)} contacts have no single regime")
+        return Regime(
+            deflection=float(self.deflection),
+            thickening=float(self.thickening),
+            deflection_error=float(films(self.groups).minimum_error)
+            if self.inside
+            else UNKNOWN_ERROR,
+            thickening_error=THICKENING_ERROR if self.inside else UNKNOWN_ERROR,
+            **{name: float(getattr(self.groups, name)) for name in _REGIME_GROUPS},
+        )
 
     def specific(self, roughness: Values) -> np.ndarray:
         """Central film over the composite roughness [m]: lambda [-]."""
@@ -158,6 +205,43 @@ def _groups(
         compression=oil.density(peak) / oil.density(np.zeros(())) - 1,
     )
     return groups, along * np.sqrt(twice)
+
+
+_REGIME_GROUPS = ("moes_m", "moes_l", "alpha_ratio", "compression", "ratio", "angle", "spin")
+"""Groups that a regime keeps."""
+
+
+def unentrained_regime(groups: PointGroups, minimum: float, oil: Oil) -> Regime:
+    """The regime where the contact point is nearly at rest, or for radii beyond those of Hertz's fits.
+
+    The limits are those of entrainment along an axis of the contact.
+
+    Parameters
+    ----------
+    groups : PointGroups
+        The contact.
+    minimum : float
+        Its minimum film [m].
+    oil : Oil
+        The oil.
+    """
+    ratio = min(max(groups.ratio, 1 / groups.ratio), MOST_SLENDER)
+    contact = hertz(1.0, 1 / groups.ratio, groups.load, 1.0)
+    alike = AtlasGroups(
+        moes_m=groups.moes_m,
+        moes_l=max(groups.moes_l, LEAST_L),
+        ratio=ratio,
+        angle=0.0 if groups.ratio <= 1 else np.pi / 2,
+        alpha_ratio=reciprocal_alpha(oil.viscosity, oil.viscosity.alpha),
+    )
+    deflection = flattening(contact.semi_axis_x, 1.0, minimum / groups.radius)
+    return Regime(
+        deflection=float(deflection),
+        thickening=float(oil_thickening(alike, deflection)),
+        deflection_error=UNKNOWN_ERROR,
+        thickening_error=UNKNOWN_ERROR,
+        **{name: float(getattr(alike, name)) for name in _REGIME_GROUPS},
+    )
 
 
 HEAT_AND_FLOW = (

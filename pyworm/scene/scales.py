@@ -15,10 +15,12 @@ from pyworm.formulas.film import (
     point_groups,
     radii_at_angle,
 )
+from pyworm.formulas.film_atlas import reciprocal_alpha
 from pyworm.formulas.hertz import HertzContact, HertzLine, hertz, hertz_line
+from pyworm.formulas.regimes import Regime, line_regime
 from pyworm.formulas.starvation import film_over_flooded
 from pyworm.scene.contact import Contact
-from pyworm.scene.formula_film import film_of
+from pyworm.scene.formula_film import film_of, unentrained_regime
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -61,6 +63,8 @@ class Scales:
         Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
     supply_ratio : float
         Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
+    regime : Regime
+        The regime of lubrication, of smooth surfaces with enough oil.
     """
 
     hertz: HertzContact
@@ -71,6 +75,7 @@ class Scales:
     inside_atlas: bool
     open_film: float
     supply_ratio: float
+    regime: Regime
 
     @property
     def slenderness(self) -> float:
@@ -121,25 +126,28 @@ def scales(scene: Scene) -> Scales:
         scene.oil.viscosity.alpha,
     )
     require_proportion(scene.name, groups)
-    flooded, least, inside = _flooded(scene, groups, at_rest=speed < typical / 10)
+    flooded, least, inside, regime = _flooded(scene, groups, at_rest=speed < typical / 10)
     ratio = _supply_ratio(scene, flooded)
     film = flooded * max(film_over_flooded(ratio, STARVED_EXPONENT), NEVER_BELOW)
     mean_pressure = POINT_MEAN * contact.pressure_max
     open_film = _open_film(scene, film, mean_pressure)
-    return Scales(contact, groups, angle, film, least, inside, open_film, ratio)
+    return Scales(contact, groups, angle, film, least, inside, open_film, ratio, regime)
 
 
-def _flooded(scene: Scene, groups: PointGroups, at_rest: bool) -> tuple[float, float, bool]:
-    """Central film with enough oil [m], the least one over it [-], and whether the atlas has such contacts.
+def _flooded(scene: Scene, groups: PointGroups, at_rest: bool) -> tuple[float, float, bool, Regime]:
+    """Central film with enough oil [m], the minimum over it [-], whether the atlas has it, and the regime.
 
     By the formula of the atlas, which outside its box too is nearer to solved films than Nijenbanning, Venner
     and Moes' (docs/reference/atlas.md). That is taken where the contact point is nearly at rest, which the
     atlas is not about, and of contacts more slender than its ellipses are fitted to.
     """
     if at_rest or max(scene.radii) > film_atlas.MOST_SLENDER * min(scene.radii):
-        return nijenbanning_venner_moes(groups).central_number, LEAST_TO_CENTRAL, False
+        central = nijenbanning_venner_moes(groups).central_number
+        regime = unentrained_regime(groups, LEAST_TO_CENTRAL * central, scene.oil)
+        return central, LEAST_TO_CENTRAL, False, regime
     found = film_of(scene)
-    return float(found.central), float(found.minimum / found.central), bool(found.inside)
+    least = float(found.minimum / found.central)
+    return float(found.central), least, bool(found.inside), found.single_regime()
 
 
 def _supply_ratio(scene: Contact, flooded: float) -> float:
@@ -201,6 +209,8 @@ class LineScales:
         Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
     supply_ratio : float
         Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
+    regime : Regime
+        The regime of lubrication, of smooth surfaces with enough oil.
     """
 
     hertz: HertzLine
@@ -208,6 +218,7 @@ class LineScales:
     film: float
     open_film: float
     supply_ratio: float
+    regime: Regime
 
 
 def line_scales(scene: LineScene) -> LineScales:
@@ -243,4 +254,5 @@ def line_scales(scene: LineScene) -> LineScales:
     ratio = _supply_ratio(scene, flooded)
     film = flooded * max(film_over_flooded(ratio, inf), NEVER_BELOW)
     mean_pressure = LINE_MEAN * contact.pressure_max
-    return LineScales(contact, groups, film, _open_film(scene, film, mean_pressure), ratio)
+    regime = line_regime(groups, reciprocal_alpha(viscosity, viscosity.alpha))
+    return LineScales(contact, groups, film, _open_film(scene, film, mean_pressure), ratio, regime)

@@ -164,7 +164,7 @@ class Solution(Shown):
     figures : Figures
         Scalars.
     regime : Regime
-        The regime of lubrication by the chart.
+        The regime of lubrication.
     fields : xarray.Dataset
         Fields over (y, x) in SI with units, in single precision: gap, covered, dry_pressure, pressure, film,
         entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was computed also
@@ -236,7 +236,7 @@ class Solution(Shown):
             "status": f"{state} ({self.stop_reason})",
             **films,
             **figures,
-            "regime": self.regime.name,
+            "regime": self.regime.words,
             "grid": " x ".join(str(self._sizes[of]) for of in self._axes),
             "effects": ", ".join(effect.name for effect in self.effects if effect.on),
         }
@@ -316,7 +316,7 @@ class Solution(Shown):
             **self._heat_summary(),
             "moes_M": figures.moes_m,
             "moes_L": figures.moes_l,
-            "regime": self.regime.name,
+            **self.regime.summary(),
             "grid": [sizes[axis] for axis in ("x", "y") if axis in sizes],
             "residual": figures.residual,
             "load_error": figures.load_error,

@@ -9,8 +9,9 @@ from scipy.interpolate import RegularGridInterpolator
 
 from pyworm.drives.zi_worm.dataset import mesh_cycle_data
 from pyworm.formulas.film import line_groups, point_groups
+from pyworm.formulas.film_atlas import AtlasGroups, films, regime_measures
 from pyworm.formulas.hertz import hertz, hertz_line
-from pyworm.formulas.regimes import line_regime, point_regime
+from pyworm.formulas.regimes import Regime, line_regime
 from pyworm.io.variables import describe
 from pyworm.result.result import Result
 from pyworm.solver.solution import Cost, DryFigures, Estimate, Figures, Solution
@@ -101,10 +102,28 @@ def make_solution(
         converged=converged,
         stop_reason="residual below its tolerance" if converged else "too many iterations",
         figures=figures,
-        regime=point_regime(point_groups(*radii, load, reduced_modulus, speed, 0.04, 2.2e-8)),
+        regime=_point_regime(point_groups(*radii, load, reduced_modulus, speed, 0.04, 2.2e-8)),
         fields=fields,
         history=make_history(),
         cost=Cost(seconds=2.5, convolutions=311.5),
+    )
+
+
+def _point_regime(groups):
+    """The regime of entrainment along an axis of the contact, by the formula of the atlas."""
+    ratio = max(groups.ratio, 1 / groups.ratio)
+    angle = 0.0 if groups.ratio <= 1 else np.pi / 2
+    alike = AtlasGroups(groups.moes_m, groups.moes_l, ratio, angle)
+    deflection, thickening = regime_measures(alike, films(alike).minimum)
+    return Regime(
+        float(deflection),
+        float(thickening),
+        0.05,
+        0.3,
+        float(groups.moes_m),
+        float(groups.moes_l),
+        ratio=ratio,
+        angle=angle,
     )
 
 

@@ -4,8 +4,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyworm.drives.roller_worm.film_formulas import REGIMES
 from pyworm.drives.roller_worm.load_sharing import lever
+from pyworm.formulas.film_atlas import reciprocal_alpha
+from pyworm.formulas.regimes import REGIMES
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
 
@@ -61,6 +62,7 @@ def roller_cycle_data(drive: "RollerWormDrive") -> "xr.Dataset":
                 "drive": KIND,
                 "roller_pitch": float(2 * np.pi / drive.rollers.count),
                 "rollers": drive.rollers.count,
+                "alpha_ratio": reciprocal_alpha(drive.oil.viscosity, drive.oil.viscosity.alpha),
             },
         )
     )

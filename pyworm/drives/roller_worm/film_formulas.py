@@ -7,21 +7,14 @@ import numpy as np
 from pyworm.drives.roller_worm.envelope import Array
 from pyworm.drives.roller_worm.motion import LineMotion
 from pyworm.formulas.film import dowson_higginson, line_groups, moes_line
-from pyworm.formulas.regimes import (
-    ISOVISCOUS_ELASTIC,
-    ISOVISCOUS_RIGID,
-    PIEZOVISCOUS_ELASTIC,
-    PIEZOVISCOUS_RIGID,
-    line_regime,
-)
+from pyworm.formulas.film_atlas import reciprocal_alpha
+from pyworm.formulas.regime_charts import line_films, line_parameters
+from pyworm.formulas.regimes import REGIMES, line_measures, regime_number
 from pyworm.formulas.roller_enveloping import printed_films, printed_minimum, printed_parameters
 from pyworm.formulas.thermal_reduction import thermal_loading, wilson_sheu
 from pyworm.formulas.wear_distress import specific_film
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil
-
-REGIMES = (ISOVISCOUS_RIGID, PIEZOVISCOUS_RIGID, ISOVISCOUS_ELASTIC, PIEZOVISCOUS_ELASTIC)
-"""Regimes in the order of their numbers in data."""
 
 
 @dataclass(frozen=True)
@@ -35,9 +28,9 @@ class ClosedFilms:
     printed_g_v, printed_g_e : ndarray
         Both parameters as printed in the source, without square roots.
     regime : ndarray
-        Number of the regime in `REGIMES`.
+        Number of the regime in `pyworm.formulas.regimes.REGIMES`; NaN where there is no load.
     by_regime : ndarray
-        Minimum films of the four, (4, ...) [m].
+        Minimum films of the four by Johnson and Hooke, (4, ...) [m].
     minimum, central : ndarray
         Dowson and Higginson's minimum and Moes' central film [m].
     printed_minimum : ndarray
@@ -80,30 +73,22 @@ def closed_films(
     load = np.where(load > 0, load, np.nan)
     contact = 1 / curvature, load, modulus, np.abs(motion.entrainment), viscosity.eta0
     groups = line_groups(*contact, viscosity.alpha)
-    judged = [
-        line_regime(line_groups(*(float(part) for part in parts), viscosity.alpha))
-        for parts in zip(
-            *(np.broadcast_to(part, load.shape).ravel() for part in contact), strict=True
-        )
-    ]
-
-    def shaped(values) -> Array:
-        return np.array(values, dtype=float).reshape(load.shape)
-
+    g_v, g_e = line_parameters(groups.moes_m, groups.moes_l)
+    number = regime_number(*line_measures(groups, reciprocal_alpha(viscosity, viscosity.alpha)))
+    limits = line_films(g_v, g_e)
+    unit = groups.radius * groups.speed / groups.load
     minimum = dowson_higginson(groups).minimum
     printed = printed_films(*contact, viscosity.alpha)
     printed_g_v, printed_g_e = printed_parameters(*contact, viscosity.alpha)
     heated = _heated_share(oil, motion)
     warm = np.where(np.isfinite(heated), heated, 1.0)
     return ClosedFilms(
-        g_v=shaped([one.parameters["viscosity"] for one in judged]),
-        g_e=shaped([one.parameters["elasticity"] for one in judged]),
+        g_v=g_v,
+        g_e=g_e,
         printed_g_v=printed_g_v,
         printed_g_e=printed_g_e,
-        regime=shaped([REGIMES.index(one.name) for one in judged]),
-        by_regime=np.stack(
-            [shaped([one.film_by_regime[name] for one in judged]) for name in REGIMES]
-        ),
+        regime=np.where(np.isnan(load), np.nan, number),
+        by_regime=np.stack([unit * limits[name] for name in REGIMES]),
         minimum=minimum,
         central=moes_line(groups).central,
         printed_minimum=printed_minimum(*contact, viscosity.alpha),

@@ -1,11 +1,12 @@
 """Geometric effects: deflection, second dimension, real gap, velocities that vary over the contact."""
 
 from dataclasses import replace
-from math import hypot, inf, pi, sqrt
+from math import hypot, inf, pi
 
 import numpy as np
 
 from pyworm.formulas.hertz import hertz
+from pyworm.formulas.regimes import flattening
 from pyworm.planning.effects.effect import EVERYTHING, Effect, Influence
 from pyworm.planning.prediction import Prediction
 from pyworm.scene.any_contact import AnyContact
@@ -39,12 +40,8 @@ def _on_the_rim(scene: AnyContact) -> tuple[np.ndarray, ...]:
 
 
 def _deflection(prediction: Prediction) -> float:
-    """Ratio of deflection to film thickness, by the mean pressure over the pressurised film."""
-    spread = hypot(
-        prediction.half_width, sqrt(2 * prediction.groups.radius * prediction.film_central)
-    )
-    pressure = prediction.pressure_mean * prediction.half_width / spread
-    return 2 * spread * pressure / prediction.scene.reduced_modulus / prediction.film_min
+    """Ratio of deflection to film thickness: the number by which bodies count as elastic."""
+    return flattening(prediction.half_width, prediction.groups.radius, prediction.film_min)
 
 
 def _by_deflection(prediction: Prediction) -> Influence:
@@ -59,8 +56,8 @@ DEFLECTION_FACTOR = 2.0
 
 ELASTIC_DEFLECTION = Effect(
     name="elastic-deflection",
-    symbol="2 b p / E' h",
-    source="deflection of a half-space under the mean pressure (Johnson 1985, 3.4)",
+    symbol="b^2 / 2 R h",
+    source="flattening of Hertz's contact along the entrainment (Johnson 1985, 4.2)",
     indicator=_deflection,
     influence=_by_deflection,
     without=lambda scene: replace(scene, rigid=True),

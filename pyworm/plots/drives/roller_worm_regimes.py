@@ -1,10 +1,10 @@
-"""The path of a roller over Hooke's chart of regimes, from entry to exit of each section."""
+"""The path of a roller over the chart of regimes of lines, from entry to exit of each section."""
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyworm.formulas.regimes import line_films
+from pyworm.formulas.regimes import LINE_ERROR, THICKENING_ERROR, Regime
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
 from pyworm.plots.layout import MICRO, placed_panels
 from pyworm.plots.regimes import SHORT, draw_chart
@@ -24,19 +24,27 @@ def draw_roller_regimes(result: Result) -> Figure:
 
 
 def _draw_chart(axes: Axes, middle) -> None:
-    elastic, viscous = (
-        middle[name].values for name in ("elasticity_parameter", "viscosity_parameter")
-    )
-    draw_chart(axes, line_films, elastic, viscous)
+    moes_m, moes_l = _moes(middle)
+    oil = float(middle.attrs["alpha_ratio"])
+    shape = Regime(1.0, 1.0, LINE_ERROR, THICKENING_ERROR, 1.0, 1.0, alpha_ratio=oil)
+    entries = draw_chart(axes, shape, moes_m.values, moes_l.values)
     for section, colour in SECTION_COLOURS.items():
         way = middle.sel(section=section)
-        x, y = way["elasticity_parameter"], way["viscosity_parameter"]
+        x, y = _moes(way)
         axes.plot(x, y, color=colour, lw=2, label=f"{section} section")
         axes.plot(x[0], y[0], "o", color=colour, mec="black", ms=7)
         axes.plot(x[-1], y[-1], "s", color=colour, mec="black", ms=7)
     axes.plot([], [], "o", color="white", mec="black", label="entry")
     axes.plot([], [], "s", color="white", mec="black", label="exit")
-    axes.legend(frameon=False, loc="lower right")
+    handles, labels = axes.get_legend_handles_labels()
+    labels += [entry.get_label() for entry in entries]
+    axes.legend([*handles, *entries], labels, framealpha=0.8, fontsize=8, loc="lower left")
+
+
+def _moes(cycle) -> tuple:
+    """Moes' M and L of Johnson's parameters, `pyworm.formulas.regime_charts.line_parameters`."""
+    moes_m = cycle["elasticity_parameter"] / np.sqrt(2)
+    return moes_m, cycle["viscosity_parameter"] / np.sqrt(2) / moes_m**1.5
 
 
 def _draw_films(axes: Axes, middle) -> None:

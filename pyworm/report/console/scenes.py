@@ -1,6 +1,6 @@
 """Tables on the console: scene, plan and solution, in workshop units."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
@@ -174,16 +174,25 @@ def figures_table(
             table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")
             table.add_row("  which is", summary["film_min_kind"])
         if key == "inlet_temperature_C":
-            for place, of in zip(HOT_PLACES, (*bodies, "the film"), strict=True):
-                name = f"temperature_max_{place}"
-                label = f"Largest temperature of {of}"
-                model = summary.get("temperature_max_model_error_K", {}).get(place)
-                add(label, _temperature(summary, place), name, _bar(model, 1.0, "K"))
+            for row in _temperature_rows(summary, bodies):
+                add(*row)
+    for label, text in _regime_rows(summary):
+        add(label, text, None)
     table.add_row("Grid", _grid(summary["grid"]))
     table.add_row("Converged", "yes" if summary["converged"] else "NO")
     words = [] if scene.phase is None else ["phase"]
     _explain(table, [*words, summary["film_min_kind"]])
     return table
+
+
+def _temperature_rows(
+    summary: Mapping[str, Any], bodies: tuple[str, str]
+) -> Iterator[tuple[str, str, str, str]]:
+    """Maximum temperatures: label, value, name of the published one, and bar of the model of roughness."""
+    for place, of in zip(HOT_PLACES, (*bodies, "the film"), strict=True):
+        model = summary.get("temperature_max_model_error_K", {}).get(place)
+        text, name = _temperature(summary, place), f"temperature_max_{place}"
+        yield f"Largest temperature of {of}", text, name, _bar(model, 1.0, "K")
 
 
 def _explain(table: Table, words: Sequence[str]) -> None:
@@ -329,7 +338,8 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
     for label, key, scale, unit in _SCENE:
         if key in summary:
             table.add_row(*_quantity(label, summary[key], scale, unit))
-    table.add_row("Regime", ", ".join(filter(None, (plan.regime.name, plan.regime.doubt))))
+    for row in _regime_rows(plan.regime.summary()):
+        table.add_row(*row)
     table.add_section()
     table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
     for grid in plan.grids:
@@ -404,6 +414,18 @@ def _quantity(label: str, value: float | Sequence[float], scale: float, unit: st
     values = value if isinstance(value, list) else [value]
     text = ", ".join(f"{part * scale:.4g}" for part in values)
     return f"{label} along x, y" if len(values) > 1 else label, f"{text} {unit}"
+
+
+def _regime_rows(summary: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """The regime of a contact, and how far it is from both borders."""
+    yield "Regime", ", close to ".join((summary["regime"], *summary["regime_close_to"]))
+    for label, key, beyond in (
+        ("  deflection over film", "deflection_over_film", "elastic"),
+        ("  alpha p in the inlet", "inlet_thickening", "piezoviscous"),
+    ):
+        value, error = summary[key], summary[f"{key}_error"]
+        known = f"± {100 * error:.2g} %" if error < 0.2 else f"within a factor of {1 + error:.3g}"
+        yield label, f"{value:.3g} {known} ({beyond} above 1)"
 
 
 def _grid(shape: Sequence[int]) -> str:

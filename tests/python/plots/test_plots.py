@@ -1,7 +1,6 @@
 """Pictures: all are drawn, and they show what their scales and outlines claim."""
 
 from dataclasses import replace
-from functools import partial
 from itertools import pairwise
 
 import numpy as np
@@ -27,7 +26,7 @@ from synthetic_solution import (
 )
 
 from pyworm.formulas.hertz import hertz, hertz_line
-from pyworm.formulas.regimes import line_films, point_films, prevailing
+from pyworm.formulas.regimes import Regime, regime_number
 from pyworm.io.variables import describe
 from pyworm.plots.contact.across_film import draw_across_film
 from pyworm.plots.contact.convergence import draw_history
@@ -45,7 +44,7 @@ from pyworm.plots.draw import draw
 from pyworm.plots.drives.zi_worm import draw_cycle
 from pyworm.plots.layout import Window, contact_window, heading
 from pyworm.plots.overlays import draw_tooth
-from pyworm.plots.regimes import SHORT, draw_chart, draw_regimes
+from pyworm.plots.regimes import draw_chart, draw_regimes, numbers_of
 from pyworm.plots.traction import draw_traction
 from pyworm.result.result import Result
 from pyworm.solver.solution import Estimate
@@ -196,26 +195,43 @@ def test_contacts_stand_on_the_chart_of_their_kind():
     point, line = make_solution(), make_line_solution()
     figure = draw_regimes(Result("both", {}, (point, line), None, {}))
     for axes, solution in zip(figure.axes, (point, line), strict=True):
-        (place,) = (curve.get_xydata()[0] for curve in axes.lines)
-        parameters = solution.regime.parameters
-        assert tuple(place) == (parameters["elasticity"], parameters["viscosity"])
-    assert "ellipticity 1 " in texts(figure)
+        way, dots = axes.lines
+        place = solution.regime.moes_m, solution.regime.moes_l
+        assert tuple(way.get_xydata()[0]) == tuple(dots.get_xydata()[0]) == place
+    assert "circular contact" in texts(figure)
+    legends = [[text.get_text() for text in axes.get_legend().get_texts()] for axes in figure.axes]
+    assert [names[-1] for names in legends] == [point.regime.name, line.regime.name]
+    assert "Hamrock and Dowson" in legends[0] and "Johnson and Hooke" in legends[1]
 
 
-@pytest.mark.parametrize("films", [line_films, partial(point_films, ratio=0.2)])
-def test_the_chart_shades_the_regime_that_prevails(films):
+def test_a_contact_outside_the_published_chart_has_none_drawn():
+    """Radii 1 : 30, entrained along the long axis: ellipticity 0.1."""
+    solution = make_solution()
+    along = replace(solution, regime=replace(solution.regime, ratio=30.0, angle=np.pi / 2))
+    figure = draw_regimes(Result("along", {}, (along,), None, {}))
+    words = "\n".join(text.get_text() for text in figure.axes[0].get_legend().get_texts())
+    assert "no published chart: ellipticity 0.11, charted 1 to 8" in words
+    assert "Hamrock" not in words
+    assert "radii 1 : 30, entrained at 90° to the smaller one" in texts(figure)
+
+
+@pytest.mark.parametrize("shape", [{}, {"ratio": 1.0, "angle": 0.0}, {"ratio": 20.0, "angle": 1.2}])
+def test_the_chart_shades_the_regime_of_both_numbers(shape):
     axes = Figure().subplots()
-    draw_chart(axes, films, np.array([0.3, 300.0]), np.array([0.3, 1e5]))
+    middle = Regime(1.0, 1.0, 0.1, 0.3, 20.0, 10.0, **shape)
+    draw_chart(axes, middle, np.array([0.3, 300.0]), np.array([0.3, 30.0]))
     (shades,) = axes.images
     left, right, bottom, top = shades.get_extent()
     numbers = shades.get_array()
-    for row, column in np.random.default_rng(3).integers(1, 299, (200, 2)):
+    assert set(np.unique(numbers)) == {0, 1, 2, 3}
+    for row, column in np.random.default_rng(3).integers(1, len(numbers) - 1, (200, 2)):
         across = left + (right - left) * (column + 0.5) / numbers.shape[1]
         up = bottom + (top - bottom) * (row + 0.5) / numbers.shape[0]
         to_data = axes.transAxes + axes.transData.inverted()
-        ge, gv = to_data.transform((across, up))
-        near = {prevailing(films(gv * a, ge * b)) for a in (0.9, 1.1) for b in (0.9, 1.1)}
-        assert list(SHORT)[int(numbers[row, column])] in near
+        place = np.array(to_data.transform((across, up)))
+        near = [np.array([place * (a, b)]).T for a in (0.95, 1.05) for b in (0.95, 1.05)]
+        found = {int(regime_number(*numbers_of(middle)(m, el))[0]) for m, el in near}
+        assert int(numbers[row, column]) in found
 
 
 def test_a_line_profile_has_hertz_dashed_and_shows_the_contact():

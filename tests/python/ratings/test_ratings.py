@@ -399,7 +399,11 @@ def test_film_formulas_stand_beside_the_thinnest_film_solved(worm_case):
     summary = films.summary()
     assert summary["central film"]["simulated_m"] == thin.figures.film_central.value
     assert summary["minimum film"]["simulated_m"] == thin.figures.film_min.value
-    assert any("outside 1 to 8 where all but Nijenbanning" in words for words in films.words)
+    outside = next(words for words in films.words if words.startswith("Not shown"))
+    assert "Hamrock and Dowson 1977 (ellipticity 0.21, made for 1 to 8)" in outside
+    assert "Masjedi and Khonsari 2015 (ellipticity 0.21, made for 1 to 8)" in outside
+    shown = {key for key, value in summary["central film"].items() if value is not None}
+    assert shown == {"chittenden_m", "simulated_m"}
 
 
 def test_film_formulas_of_errichellos_thinnest_listed_contact(capsys):
