@@ -367,7 +367,7 @@ def point_asymptotes(moes_m: float, moes_l: float, ratio: float) -> Asymptotes:
     )
 
 
-def line_asymptotes(moes_m: float, moes_l: float) -> Asymptotes:
+def line_asymptotes(moes_m: Any, moes_l: Any) -> Asymptotes:
     """Films of a line contact in its four limits, where the pressure is largest.
 
     Source: H. Moes, Lubrication and Beyond, University of Twente (2000); 3 and 1.287 are exact for

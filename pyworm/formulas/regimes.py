@@ -85,6 +85,11 @@ class Regime:
         return REGIMES[int(regime_number(self.deflection, self.thickening))]
 
     @property
+    def shape(self) -> tuple[float, float] | None:
+        """Ratio of radii and angle of a point contact; None of a line."""
+        return None if self.ratio is None or self.angle is None else (self.ratio, self.angle)
+
+    @property
     def close_to(self) -> tuple[str, ...]:
         """Regimes beyond a border that is within its uncertainty."""
         number = int(regime_number(self.deflection, self.thickening))
@@ -115,9 +120,9 @@ class Regime:
         }
 
 
-def regime_number(deflection: Values, thickening: Values) -> Values:
+def regime_number(deflection: Values, thickening: Values) -> np.ndarray:
     """Place in `REGIMES` from both numbers; where one is NaN no comparison holds, and 0 is returned."""
-    return 2 * (np.asarray(deflection) > 1) + 1 * (np.asarray(thickening) > 1)
+    return np.asarray(2 * (np.asarray(deflection) > 1) + 1 * (np.asarray(thickening) > 1))
 
 
 def flattening(half_width: Values, radius: Values, film_min: Values) -> Values:
@@ -160,7 +165,7 @@ def line_measures(groups: LineGroups, alpha_ratio: Values = 1.0) -> tuple[Values
     alpha_ratio : float or array
         Reciprocal asymptotic isoviscous pressure coefficient over alpha [-]; 1 of Barus' law.
     """
-    central = moes_line(groups).central / groups.moes_film
+    central = np.asarray(moes_line(groups).central) / groups.moes_film
     # in Moes' units b^2/R^2 is 8 M/pi
     deflection = flattening(np.sqrt(8 * groups.moes_m / np.pi), 1.0, LINE_MINIMUM * central)
     limits = line_asymptotes(groups.moes_m, groups.moes_l * alpha_ratio)

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,6 +17,7 @@ from scipy.ndimage import distance_transform_edt
 from pyworm.formulas.film import LineGroups, radii_at_angle
 from pyworm.formulas.film_atlas import AtlasGroups, films, regime_measures
 from pyworm.formulas.hertz import ellipticity
+from pyworm.formulas.ranges import Values
 from pyworm.formulas.regime_charts import (
     POINT_RANGE,
     in_point_range,
@@ -38,7 +40,7 @@ from pyworm.plots.layout import placed_panels, power_of_ten, result_heading
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
 
-Numbers = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+Numbers = Callable[[np.ndarray, np.ndarray], tuple[Values, Values]]
 """Deflection and thickening at arrays of Moes' M and L."""
 
 SHORT = {
@@ -121,7 +123,7 @@ def draw_chart(axes: Axes, middle: Regime, moes_m: np.ndarray, moes_l: np.ndarra
     deflection, thickening = numbers_of(middle)(m, el)
     number = regime_number(deflection, thickening)
     _shade(axes, number)
-    grey = {"colors": "0.4", "linewidths": 0.8}
+    grey: dict[str, Any] = {"colors": "0.4", "linewidths": 0.8}
     taken = _near(m[0], moes_m)[None, :] & _near(el[:, 0], moes_l)[:, None]
     for measure, error, style in (
         (deflection, middle.deflection_error, ":"),
@@ -139,7 +141,7 @@ def draw_chart(axes: Axes, middle: Regime, moes_m: np.ndarray, moes_l: np.ndarra
         area = number == index
         if np.mean(area) > LEAST_FRACTION:
             row, column = _roomiest(area & ~taken)
-            look = {"size": 10, "ha": "center", "va": "center", "color": "0.35"}
+            look: dict[str, Any] = {"size": 10, "ha": "center", "va": "center", "color": "0.35"}
             outline = [withStroke(linewidth=2.5, foreground=SHADES[index])]
             axes.text(m[0, column], el[row, 0], name, **look, path_effects=outline)
     axes.set(xscale="log", yscale="log", xlim=ends[0], ylim=ends[1])
@@ -155,19 +157,17 @@ def draw_chart(axes: Axes, middle: Regime, moes_m: np.ndarray, moes_l: np.ndarra
 
 def numbers_of(middle: Regime) -> Numbers:
     """Deflection and thickening over M and L for the shape, entrainment and oil of a contact."""
-    if middle.ratio is None:
+    if middle.shape is None:
         return partial(_line_numbers, alpha_ratio=middle.alpha_ratio)
     return partial(_point_numbers, middle=middle)
 
 
-def _line_numbers(
-    m: np.ndarray, el: np.ndarray, alpha_ratio: float
-) -> tuple[np.ndarray, np.ndarray]:
+def _line_numbers(m: np.ndarray, el: np.ndarray, alpha_ratio: float) -> tuple[Values, Values]:
     # any speed serves, as both numbers depend on M and L alone
     return line_measures(LineGroups(1.0, 0.5, m, el), alpha_ratio)
 
 
-def _point_numbers(m: np.ndarray, el: np.ndarray, middle: Regime) -> tuple[np.ndarray, np.ndarray]:
+def _point_numbers(m: np.ndarray, el: np.ndarray, middle: Regime) -> tuple[Values, Values]:
     groups = AtlasGroups(
         m.ravel(),
         el.ravel(),
@@ -178,7 +178,7 @@ def _point_numbers(m: np.ndarray, el: np.ndarray, middle: Regime) -> tuple[np.nd
         middle.compression,
     )
     deflection, thickening = regime_measures(groups, films(groups).minimum)
-    return deflection.reshape(m.shape), thickening.reshape(m.shape)
+    return np.reshape(deflection, m.shape), np.reshape(thickening, m.shape)
 
 
 def _near(axis: np.ndarray, values: np.ndarray) -> np.ndarray:
@@ -200,23 +200,27 @@ def _roomiest(area: np.ndarray) -> tuple[int, int]:
 
 def _shade(axes: Axes, number: np.ndarray) -> None:
     """The areas of the regimes, over the whole panel."""
-    shades = {"cmap": ListedColormap(SHADES), "vmin": 0, "vmax": 3}
+    shades: dict[str, Any] = {"cmap": ListedColormap(SHADES), "vmin": 0, "vmax": 3}
     # places are even on both scales, as those of an image, whose outermost stand on the sides of the panel
     low, high = -0.5 / (len(number) - 1), 1 + 0.5 / (len(number) - 1)
-    place = {"extent": (low, high) * 2, "transform": axes.transAxes, "aspect": "auto"}
+    place: dict[str, Any] = {
+        "extent": (low, high) * 2,
+        "transform": axes.transAxes,
+        "aspect": "auto",
+    }
     axes.imshow(number, origin="lower", interpolation="nearest", **place, **shades)
 
 
 def _draw_published(axes: Axes, middle: Regime, m: np.ndarray, el: np.ndarray) -> list[Line2D]:
     """Borders of the published chart, if it was made for such a contact."""
-    if middle.ratio is None:
+    if middle.shape is None:
         number, source = line_chart(*line_parameters(m, el)), "Johnson and Hooke"
     else:
-        ratio = shape_along(middle)
-        if objection := _beyond_chart(middle, ratio):
+        ratio = _ratio_along(*middle.shape)
+        if objection := _beyond_chart(*middle.shape):
             return [Line2D([], [], ls="", label=f"no published chart: {objection}")]
         number, source = point_chart(*point_parameters(m, el), ratio), "Hamrock and Dowson"
-    look = {"colors": "tab:blue", "linestyles": "--", "linewidths": 0.9}
+    look: dict[str, Any] = {"colors": "tab:blue", "linestyles": "--", "linewidths": 0.9}
     for half in (number // 2, number % 2):  # elastic bodies, piezoviscous oil
         axes.contour(m, el, half, levels=[0.5], **look)
     return [Line2D([], [], color="tab:blue", ls="--", lw=0.9, label=source)]
@@ -226,20 +230,21 @@ OBLIQUE = np.radians(5), 1.05
 """Angle to an axis, and ratio of radii, from which entrainment counts as oblique."""
 
 
-def _beyond_chart(regime: Regime, ratio: float) -> str:
-    """Reason why Hamrock and Dowson's chart was not made for such a point contact; empty where it was."""
-    angle, oval = OBLIQUE
-    if regime.ratio > oval and angle < regime.angle < np.pi / 2 - angle:
+def _beyond_chart(ratio: float, angle: float) -> str:
+    """Reason why Hamrock and Dowson's chart was not made for a shape (`Regime.shape`); empty where it was."""
+    least_angle, oval = OBLIQUE
+    if ratio > oval and least_angle < angle < np.pi / 2 - least_angle:
         return "entrained along no axis"
     least, most = POINT_RANGE
-    if in_point_range(ratio):
+    along = _ratio_along(ratio, angle)
+    if in_point_range(along):
         return ""
-    return f"ellipticity {ellipticity(1 / ratio):.2g}, charted {least} to {most}"
+    return f"ellipticity {ellipticity(1 / along):.2g}, charted {least} to {most}"
 
 
-def shape_along(regime: Regime) -> float:
-    """D of a point contact, relative radius along the entrainment over that across [-]."""
-    along, across = radii_at_angle(1.0, regime.ratio, regime.angle)
+def _ratio_along(ratio: float, angle: float) -> float:
+    """D of a shape (`Regime.shape`), relative radius along the entrainment over that across [-]."""
+    along, across = radii_at_angle(1.0, ratio, angle)
     return float(along / across)
 
 
@@ -254,7 +259,13 @@ def _draw_contacts(axes: Axes, shown: Sequence[tuple[str, Regime]]) -> None:
     numbers = np.array([REGIMES.index(regime.name) for _, regime in shown])
     for number in np.unique(numbers):
         which = numbers == number
-        look = {"ls": "", "marker": "o", "mfc": DOTS[number], "mec": "tab:red", "ms": 7}
+        look: dict[str, Any] = {
+            "ls": "",
+            "marker": "o",
+            "mfc": DOTS[number],
+            "mec": "tab:red",
+            "ms": 7,
+        }
         axes.plot(m[which], el[which], **look)
         entries.append(Line2D([], [], label=REGIMES[number], **look))
     for end in {0, len(shown) - 1}:
@@ -273,13 +284,13 @@ def _draw_contacts(axes: Axes, shown: Sequence[tuple[str, Regime]]) -> None:
 
 def _title(middle: Regime, contacts: int) -> str:
     """What the chart is of, and what its lines are."""
-    if middle.ratio is None:
+    if middle.shape is None:
         kind = "line contact"
-    elif middle.ratio < 1.001:
+    elif middle.shape[0] < 1.001:
         kind = "circular contact"
     else:
-        turned = np.degrees(middle.angle)
-        kind = f"radii 1 : {middle.ratio:.3g}, entrained at {turned:.0f}° to the smaller one"
+        ratio, angle = middle.shape
+        kind = f"radii 1 : {ratio:.3g}, entrained at {np.degrees(angle):.0f}° to the smaller one"
     whose = f" (the middle one of {contacts})" if contacts > 1 else ""
     lines = "dotted: deflection over film, dash-dotted: αp in the inlet, borders at 1"
     return f"{kind}{whose}\n{lines}"

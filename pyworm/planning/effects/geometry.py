@@ -41,7 +41,8 @@ def _on_the_rim(scene: AnyContact) -> tuple[np.ndarray, ...]:
 
 def _deflection(prediction: Prediction) -> float:
     """Ratio of deflection to film thickness: the number by which bodies count as elastic."""
-    return flattening(prediction.half_width, prediction.groups.radius, prediction.film_min)
+    groups = prediction.groups
+    return float(flattening(prediction.half_width, groups.radius, prediction.film_min))
 
 
 def _by_deflection(prediction: Prediction) -> Influence:
