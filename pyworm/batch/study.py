@@ -17,7 +17,7 @@ from pyworm.batch.sweep import Sweep, label, load_sweep
 from pyworm.batch.sweep_run import run_sweep
 from pyworm.io import units
 from pyworm.io.console import progress_bar
-from pyworm.io.given import kind_of, number
+from pyworm.io.given import kind_of, number, row, text
 from pyworm.io.progress import Progress
 from pyworm.io.terminal import say
 from pyworm.result.result import Result
@@ -84,7 +84,7 @@ def sweep(
         if isinstance(make, str | Path):
             study = _of_file(make, vary, workers, told, Store(directory / SCENES, fields))
         else:
-            how = effects, quantities and tuple(quantities), largest_grid
+            how = effects, quantities and tuple(row("quantities", quantities)), largest_grid
             study = _study(make, title, vary, (_accuracy(accuracy), *how), workers is not None)
         return run_sweep(study, directory, fields, workers, told, say if progress else _unheard)
 
@@ -121,8 +121,10 @@ def traction_curve(
         Surfaces that do not translate, or a scene that cannot be planned.
     """
     tasks = [
-        SceneTask(with_slide_roll_ratio(scene, ratio), _accuracy(accuracy), effects)
-        for ratio in slide_roll_ratios
+        SceneTask(
+            with_slide_roll_ratio(scene, ratio), _accuracy(accuracy), text("effects", effects)
+        )
+        for ratio in row("slide_roll_ratios", slide_roll_ratios)
     ]
     with ExitStack() as stack:
         directory = Path(stack.enter_context(TemporaryDirectory()) if out is None else out)

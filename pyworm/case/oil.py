@@ -19,7 +19,7 @@ from pyworm.case.table import NumberOrZero, PositiveNumber, Table, Text
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.formulas.unit_factors import DEGREES_40
 from pyworm.io import units
-from pyworm.io.given import kind_of, number
+from pyworm.io.given import kind_of, number, text
 from pyworm.materials.base_stock import Base, HeatCourseTable
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.library import named_oil, names
@@ -213,7 +213,7 @@ class OilLayerTable(Table):
     """`[oil.supply]`: the layer that arrives, over the place across the track."""
 
     across: tuple[units.Offset, ...]
-    thickness: tuple[units.Film, ...]
+    thickness: tuple[units.FilmOrZero, ...]
 
     @model_validator(mode="after")
     def _a_profile(self):
@@ -352,6 +352,7 @@ def named_liquid(name: str, temperature: float | str) -> Oil:
     ValueError
         No such liquid, or no temperature.
     """
+    name = text("name", name)
     kelvin = number("temperature", temperature, kind_of(units.Temperature))
     table = {"liquid": name, "temperature": f"{kelvin!r} K"}
     return OilTable.model_validate(_of_liquid(table)).oil()

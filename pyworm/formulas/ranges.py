@@ -23,6 +23,28 @@ def apart(value: float, bound: float, digits: int = 6) -> str:
     return repr(value)
 
 
+def numbers(name: str, value: object) -> np.ndarray:
+    """A value, or several, as an array of numbers.
+
+    Raises
+    ------
+    ValueError
+        Neither a number nor several.
+    """
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise ValueError(f"{name} = {value!r:.40}: must be a number") from None
+
+
+def scalar(name: str, value: object) -> float:
+    """A single number; ValueError of anything else."""
+    number = numbers(name, value)
+    if value is None or number.ndim:
+        raise ValueError(f"{name} = {value!r:.40}: must be a number")
+    return float(number)
+
+
 def within(name: str, value: Values | Sequence[float], low: float, high: float, unit: str) -> None:
     """Refuse a value outside a closed range, by more than the rounding of its conversion of units.
 
@@ -42,7 +64,7 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
     ValueError
         A value below, above or not a number.
     """
-    values = np.asarray(value, dtype=float)
+    values = numbers(name, value)
     above = values >= low - ROUNDING * abs(low)
     outside = ~(above & (values <= high + ROUNDING * abs(high)))
     if outside.any():
@@ -62,7 +84,7 @@ def positive(name: str, value: Values | Sequence[float], unit: str) -> None:
     ValueError
         A value that is zero, negative, infinite or not a number.
     """
-    values = np.asarray(value, dtype=float)
+    values = numbers(name, value)
     wrong = ~(np.isfinite(values) & (values > 0))
     if wrong.any():
         in_unit = f" {unit}" if unit else ""

@@ -4,27 +4,35 @@ A class of values names the kinds of its attributes in `QUANTITIES`. Sizes that 
 with the sentences of case files; what is impossible besides is refused by the class itself.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from math import isfinite
 from numbers import Real
-from typing import Any
+from typing import Any, get_args, get_origin, overload
+
+import numpy as np
 
 from pyworm.io.quantity import Kind, doubt, parse
+
+Given = float | str | Sequence[float | str] | np.ndarray
+"""What stands for numbers with a dimension: numbers in SI, texts with units, or rows of both."""
 
 LONGEST = 40
 """Characters of a value that a sentence shows."""
 
 
-def take(owner: Any, *, sizes: bool = True) -> None:
+def take(owner: Any, *, sizes: bool = True, law: type | None = None) -> None:
     """Replace the quantities of a frozen dataclass by numbers in SI; None stays where it is the default.
 
     Parameters
     ----------
     owner : dataclass
-        Its class has `QUANTITIES`, name of an attribute -> its type of `pyworm.io.units`.
+        Its class has `QUANTITIES`, name of an attribute -> its type of `pyworm.io.units`, of several
+        numbers `tuple[type, ...]`.
     sizes : bool, optional
         Whether numbers of a size that there is not are refused.
+    law : type, optional
+        Class of a law that may stand in place of a number, and has been checked itself.
 
     Raises
     ------
@@ -34,15 +42,87 @@ def take(owner: Any, *, sizes: bool = True) -> None:
     optional = {part.name for part in fields(owner) if part.default is None}
     for name, of in type(owner).QUANTITIES.items():
         value = getattr(owner, name)
-        if _holds(value):  # a law in place of a number, which has been checked itself
+        if law is not None and isinstance(value, law):
             continue
-        if value is not None or name not in optional:
-            object.__setattr__(owner, name, number(name, value, kind_of(of), sizes=sizes))
+        if value is None and name in optional:
+            continue
+        read = _several if get_origin(of) is tuple else number
+        object.__setattr__(owner, name, read(name, value, kind_of(of), sizes=sizes))
 
 
 def kind_of(annotated: Any) -> Kind:
-    """The kind of quantity of a type of `pyworm.io.units`."""
+    """The kind of quantity of a type of `pyworm.io.units`, or of a tuple of them."""
+    if get_origin(annotated) is tuple:
+        annotated = get_args(annotated)[0]
     return next(part for part in annotated.__metadata__ if isinstance(part, Kind))
+
+
+def _several(name: str, value: Any, kind: Kind, *, sizes: bool = True) -> tuple[float, ...]:
+    """Numbers in SI from numbers or texts with units in a row; ValueError as of `take`."""
+    return tuple(
+        number(f"{name}[{place}]", one, kind, sizes=sizes)
+        for place, one in enumerate(row(name, value))
+    )
+
+
+def text(name: str, value: Any) -> str:
+    """A text; ValueError of anything else."""
+    if not isinstance(value, str):
+        raise ValueError(f"{name} = {value!r:.{LONGEST}}: must be a text in quotes")
+    return value
+
+
+def row(name: str, value: Any) -> Sequence[Any] | np.ndarray:
+    """Several values in a row; ValueError of a single one."""
+    if isinstance(value, str) or not isinstance(value, Sequence | np.ndarray) or not np.ndim(value):
+        raise ValueError(
+            f"{name} = {value!r:.{LONGEST}}: must be several values, such as (1.0, 2.0)"
+        )
+    return value
+
+
+@overload
+def in_si(name: str, value: float | str, annotated: Any) -> float: ...
+
+
+@overload
+def in_si(name: str, value: Given, annotated: Any) -> Any: ...
+
+
+def in_si(name: str, value: Given, annotated: Any) -> Any:
+    """Numbers in SI from numbers, which stay as they are, or texts with units.
+
+    Parameters
+    ----------
+    name : str
+        What they are called.
+    value : float, str, array or sequence of them
+        A number or a text, or several.
+    annotated : type
+        Their type of `pyworm.io.units`.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        An array of several.
+
+    Raises
+    ------
+    ValueError
+        A text that means no such quantity, or neither number nor text.
+    """
+    dtype = getattr(value, "dtype", None)
+    if type(value) is float or (dtype is not None and dtype.kind not in "OUS"):
+        return value
+    if isinstance(value, str):
+        return number(name, value, kind_of(annotated))
+    if isinstance(value, Sequence | np.ndarray):
+        return np.array(
+            [in_si(f"{name}[{place}]", one, annotated) for place, one in enumerate(value)]
+        )
+    if isinstance(value, bool) or not isinstance(value, Real):
+        number(name, value, kind_of(annotated))
+    return value
 
 
 def number(name: str, value: Any, kind: Kind, *, sizes: bool = True) -> float:
@@ -89,17 +169,26 @@ def unusual(of: Any, above: str = "") -> Iterator[str]:
     for part in fields(of):
         value = getattr(of, part.name)
         name = f"{above}{part.name}"
-        if part.name in kinds and isinstance(value, Real) and isfinite(value):
-            kind = kind_of(kinds[part.name])
-            sentence = doubt(_text(float(value), kind), kind)
-            if sentence is not None:
-                yield f"{name} = {value:g} {kind.unit}".rstrip() + f": {sentence}"
+        if part.name in kinds and not _holds(value):
+            several = value if isinstance(value, tuple) else (value,)
+            worst = (_doubted(name, one, kind_of(kinds[part.name])) for one in several)
+            yield from (sentence for sentence in worst if sentence is not None)
         elif isinstance(value, tuple):
             for place, one in enumerate(value):
                 if _holds(one):
                     yield from unusual(one, f"{name}[{place}].")
         elif _holds(value):
             yield from unusual(value, f"{name}.")
+
+
+def _doubted(name: str, value: Any, kind: Kind) -> str | None:
+    """The sentence on an unusual number in SI; None of a usual one, and of what is no number."""
+    if not isinstance(value, Real) or not isfinite(value):
+        return None
+    sentence = doubt(_text(float(value), kind), kind)
+    return (
+        None if sentence is None else f"{name} = {value:g} {kind.unit}".rstrip() + f": {sentence}"
+    )
 
 
 def _holds(value: Any) -> bool:

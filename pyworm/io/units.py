@@ -58,6 +58,11 @@ Relief = quantity(
 )
 Radius = quantity("a radius", "m", "10 mm", possible=("1 um", "100 km"), usual=("0.1 mm", "100 m"))
 Film = quantity("a film", "m", "1 um", possible=("0.1 nm", "10 mm"), usual=("1 nm", "1 mm"))
+FilmOrZero = quantity(
+    "a film", "m", "1 um", "not negative", ("0.1 nm", "10 mm"), usual=("1 nm", "1 mm")
+)
+"""Layer of oil, which may be missing at some places."""
+
 Separation = quantity(
     "a separation", "m", "10 um", "not negative", ("0.1 nm", "10 mm"), usual=("10 nm", "1 mm")
 )
@@ -256,6 +261,8 @@ TemperatureDifference = quantity(
     "a temperature difference", "delta_degC", "15 K", "not negative", **_APART
 )
 """15 degrees are 15 kelvin, however they are written."""
+TemperatureRise = quantity("a temperature difference", "delta_degC", "15 K", "any", **_APART)
+"""A temperature above or below another one."""
 ThermalConductance = quantity(
     "a thermal conductance",
     "W/K",

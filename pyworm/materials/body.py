@@ -4,9 +4,9 @@ from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 from pyworm.formulas import wear_distress
-from pyworm.formulas.ranges import positive
+from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
-from pyworm.io.given import take
+from pyworm.io.given import in_si, take, text
 from pyworm.io.present import present
 from pyworm.materials import solids
 from pyworm.materials.long_waves import LongWaves
@@ -98,7 +98,7 @@ class Body:
         """Read quantities with units; refuse impossible constants of a solid."""
         take(self)
         positive("youngs_modulus", self.youngs_modulus, "Pa")
-        if not -1 < self.poisson_ratio <= 0.5:
+        if not -1 < scalar("poisson_ratio", self.poisson_ratio) <= 0.5:
             raise ValueError(
                 f"poisson_ratio = {self.poisson_ratio:g}: must lie above -1 and be at most 0.5, such as 0.3"
             )
@@ -118,8 +118,9 @@ class Body:
         density = present(self.density, "density")
         return conductivity * density * present(self.specific_heat, "specific_heat")
 
-    def warm_at(self, inlet: float) -> "Body":
+    def warm_at(self, inlet: float | str) -> "Body":
         """The solid under oil that enters at a temperature [K]: as warm where it has none of its own."""
+        inlet = in_si("inlet", inlet, units.Temperature)
         return replace(self, bulk_temperature=inlet) if self.bulk_temperature is None else self
 
 
@@ -177,7 +178,7 @@ def named_body(
         No such material, or a value that there is not.
     """
     try:
-        name = solids.named_material(material)
+        name = solids.named_material(text("material", material))
     except ValueError as error:
         raise ValueError(f'material "{material}": {error}') from None
     constants: dict[str, Any] = {**solids.constants(name)}

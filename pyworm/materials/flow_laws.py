@@ -8,9 +8,9 @@ from typing import Any, ClassVar, Literal, get_args
 import numpy as np
 import scipy
 
-from pyworm.formulas.ranges import one_of, positive, within
+from pyworm.formulas.ranges import one_of, positive, scalar, within
 from pyworm.io import units
-from pyworm.io.given import kind_of, number, take
+from pyworm.io.given import in_si, kind_of, number, take
 
 LEAST_LIMIT = 0.1e6
 """Limiting stress below which none falls [Pa]."""
@@ -45,7 +45,7 @@ class Branch:
         within("fraction", self.fraction, 0, 1, "")
         positive("ratio", self.ratio, "")
         positive("yasuda", self.yasuda, "")
-        if not 0 < self.exponent <= 1:
+        if not 0 < scalar("exponent", self.exponent) <= 1:
             raise ValueError(f"exponent = {self.exponent:g}: a branch's n is above 0 and at most 1")
 
 
@@ -131,13 +131,14 @@ class FlowLaw:
             positive("yasuda", self.yasuda, "")
             _require_branches(self.branches)
         single = self.law == "carreau-yasuda" and not self.branches
-        if (single or self.law == "carreau") and not 0 < self.exponent <= 1:
+        thins = 0 < scalar("exponent", self.exponent) <= 1
+        if (single or self.law == "carreau") and not thins:
             raise ValueError(
                 f"exponent = {self.exponent:g}: Carreau's n is above 0 and at most 1, since oils thin"
             )
 
     @classmethod
-    def of(cls, function: Callable[[float], float], stress: float, **limit: Any) -> "FlowLaw":
+    def of(cls, function: Callable[[float], float], stress: float | str, **limit: Any) -> "FlowLaw":
         """The law by which a function gives the stress [Pa] at a Newtonian one, viscosity times rate [Pa].
 
         Parameters
@@ -172,11 +173,12 @@ class FlowLaw:
         slope = np.where(place < places[0], 1.0, float(curve(places[-1], nu=1)))
         return np.exp(curve(inside) + slope * (place - inside))
 
-    def limit_at(self, pressure: float) -> float:
+    def limit_at(self, pressure: float | str) -> float:
         """Limiting stress tauL [Pa] at a pressure [Pa]."""
+        pressure = in_si("pressure", pressure, units.PressureCoordinate)
         return max(self.limit + self.limit_pressure * pressure, LEAST_LIMIT)
 
-    def stress_at(self, newtonian: float, pressure: float) -> float:
+    def stress_at(self, newtonian: float | str, pressure: float | str) -> float:
         """Shear stress [Pa] at a shear rate and a pressure [Pa], at the inlet's temperature.
 
         Parameters
@@ -186,6 +188,8 @@ class FlowLaw:
         pressure : float
             Pressure [Pa].
         """
+        newtonian = in_si("newtonian", newtonian, units.StressOrZero)
+        pressure = in_si("pressure", pressure, units.PressureCoordinate)
         onset, limit = self.stress * exp(self.stress_pressure * pressure), self.limit_at(pressure)
         if newtonian == 0 or self.law == "newtonian":
             return newtonian

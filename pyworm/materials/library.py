@@ -8,11 +8,13 @@ import re
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from math import log
+from typing import Any
 
 from pyworm.formulas import oil_properties
 from pyworm.formulas.gear_oil import ISO_GRADES
-from pyworm.formulas.ranges import Values
 from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_MILLIMETRE
+from pyworm.io import units
+from pyworm.io.given import Given, in_si, kind_of, number, text
 from pyworm.io.present import present
 from pyworm.materials.base_stock import (
     BASES,
@@ -57,28 +59,32 @@ class NamedOil:
             float(self.kinematic_viscosity(DEGREES_100)),
         )
 
-    def kinematic_viscosity(self, temperature: Values) -> Values:
+    def kinematic_viscosity(self, temperature: Given) -> Any:
         """Kinematic viscosity [m2/s] at a temperature [K]."""
+        temperature = in_si("temperature", temperature, units.Temperature)
         return oil_properties.walther_viscosity(self.walther_m, self.walther_n, temperature)
 
-    def density(self, temperature: Values) -> Values:
+    def density(self, temperature: Given) -> Any:
         """Density [kg/m3] at a temperature [K] and ambient pressure."""
+        temperature = in_si("temperature", temperature, units.Temperature)
         return oil_properties.density(
             self.stock.density_15, self.stock.density_coefficient, temperature
         )
 
-    def viscosity(self, temperature: Values) -> Values:
+    def viscosity(self, temperature: Given) -> Any:
         """Dynamic viscosity [Pa s] at a temperature [K] and ambient pressure."""
+        temperature = in_si("temperature", temperature, units.Temperature)
         return oil_properties.dynamic_viscosity(
             self.kinematic_viscosity(temperature), self.density(temperature)
         )
 
-    def alpha(self, temperature: Values) -> Values:
+    def alpha(self, temperature: Given) -> Any:
         """Pressure-viscosity coefficient [1/Pa] at a temperature [K], by Gold's law."""
+        temperature = in_si("temperature", temperature, units.Temperature)
         nu = self.kinematic_viscosity(temperature)
         return oil_properties.gold_alpha(nu, self.stock.gold_s, self.stock.gold_t)
 
-    def agma_alpha(self, temperature: Values) -> Values:
+    def agma_alpha(self, temperature: Given) -> Any:
         """Pressure-viscosity coefficient [1/Pa] at a temperature [K], by AGMA's law.
 
         Raises
@@ -86,6 +92,7 @@ class NamedOil:
         ValueError
             AGMA has no constants for the base stock.
         """
+        temperature = in_si("temperature", temperature, units.Temperature)
         if self.stock.agma_k is None or self.stock.agma_s is None:
             raise ValueError(
                 f"{self.name}: AGMA 925 has no pressure-viscosity law of {self.stock.name} oils"
@@ -94,24 +101,27 @@ class NamedOil:
             self.viscosity(temperature), self.stock.agma_k, self.stock.agma_s
         )
 
-    def expansivity(self, temperature: Values) -> Values:
+    def expansivity(self, temperature: Given) -> Any:
         """-d ln rho / dT [1/K] at a temperature [K]."""
+        temperature = in_si("temperature", temperature, units.Temperature)
         coefficient = self.stock.density_coefficient
         return coefficient * self.stock.density_15 / self.density(temperature)
 
-    def viscosity_slope(self, temperature: Values) -> Values:
+    def viscosity_slope(self, temperature: Given) -> Any:
         """-d ln eta / dT [1/K] of the dynamic viscosity at a temperature [K]."""
+        temperature = in_si("temperature", temperature, units.Temperature)
         nu = self.kinematic_viscosity(temperature)
         slope = oil_properties.walther_slope(self.walther_n, nu, temperature)
         return slope + self.expansivity(temperature)
 
-    def conductivity(self, temperature: Values) -> Values:
+    def conductivity(self, temperature: Given) -> Any:
         """Thermal conductivity [W/(m K)] at a temperature [K]."""
+        temperature = in_si("temperature", temperature, units.Temperature)
         if self.stock.conductivity is not None:
             return self.stock.conductivity
         return oil_properties.conductivity(self.stock.density_15, temperature)
 
-    def flow(self, temperature: float) -> FlowLaw:
+    def flow(self, temperature: float | str) -> FlowLaw:
         """Flow law: Eyring's up to a limiting stress.
 
         Both stresses are constants of the base stock, or follow from its limiting traction coefficient and
@@ -129,7 +139,7 @@ class NamedOil:
         stress = float(oil_properties.eyring_stress(self.alpha(temperature), coefficient))
         return FlowLaw("eyring-limited", stress=stress, limit=stress, limit_pressure=coefficient)
 
-    def oil(self, temperature: float) -> Oil:
+    def oil(self, temperature: float | str) -> Oil:
         """The oil of a contact whose inlet has a temperature [K].
 
         Roelands' exponents are those by which viscosity, alpha and the slope of viscosity with
@@ -141,6 +151,7 @@ class NamedOil:
         ValueError
             A temperature at which the laws of the oil do not hold.
         """
+        temperature = number("temperature", temperature, kind_of(units.Temperature))
         viscosity = Roelands.from_alpha(
             float(self.viscosity(temperature)), float(self.alpha(temperature))
         )
@@ -183,6 +194,7 @@ def named_oil(name: str) -> NamedOil:
     ValueError
         No such base stock or grade.
     """
+    name = text("oil", name)
     match = _NAME.fullmatch(name.strip())
     if match is None or int(match[2]) not in ISO_GRADES:
         near = get_close_matches(name, names(), n=3)

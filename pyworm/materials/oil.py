@@ -13,7 +13,7 @@ import numpy as np
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
-from pyworm.io.given import take
+from pyworm.io.given import Given, in_si, take
 from pyworm.io.present import present
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil_layer import OilLayer
@@ -43,6 +43,28 @@ def require_kinds(name: str, law: Any, *kinds: type) -> None:
         raise ValueError(
             f"{name} is a {type(law).__name__}: the kernel computes {known} from its constants, and would "
             f"ignore any other formula; give a {known} itself"
+        )
+
+
+def require_oil(oil: Any) -> None:
+    """Refuse what is no `Oil`, an oil over temperature among it.
+
+    Raises
+    ------
+    ValueError
+        It is of another class.
+    """
+    if isinstance(oil, Oil):
+        require_kinds("oil", oil, Oil)
+    elif callable(getattr(oil, "oil", None)):
+        raise ValueError(
+            f"oil is a {type(oil).__name__}, an oil over temperature: give it at that of the inlet, "
+            'such as named_oil("PAO VG 220").oil("60 degC")'
+        )
+    else:
+        raise ValueError(
+            f"oil is a {type(oil).__name__}, {oil!r:.40}: must be an Oil, such as "
+            'named_oil("PAO VG 220").oil("60 degC")'
         )
 
 
@@ -81,7 +103,7 @@ class Oil:
 
     def __post_init__(self) -> None:
         """Refuse laws unknown to the kernel, and contradictory constants."""
-        take(self)
+        take(self, law=OilLayer)
         require_kinds("viscosity", self.viscosity, Barus, Roelands, TabulatedViscosity)
         require_kinds("density", self.density, Density, TabulatedDensity)
         require_kinds("flow", self.flow, FlowLaw, type(None))
@@ -97,14 +119,17 @@ class Oil:
             positive("supply", self.supply, "m")
         positive("boundary_friction", self.boundary_friction, "")
 
-    def layer_at(self, across: Any) -> Any:
+    def layer_at(self, across: Given) -> np.ndarray:
         """Thickness of the oil that arrives at places across the entrainment [m], where it is limited."""
+        across = in_si("across", across, units.Offset)
         if isinstance(self.supply, OilLayer):
             return self.supply.at(across)
         return np.full(np.shape(across), self.supply)
 
-    def eta(self, pressure: float, rise: float = 0.0) -> float:
+    def eta(self, pressure: float | str, rise: float | str = 0.0) -> float:
         """Viscosity [Pa s] at a pressure [Pa] and a temperature above the inlet's [K]."""
+        pressure = in_si("pressure", pressure, units.PressureCoordinate)
+        rise = in_si("rise", rise, units.TemperatureRise)
         if isinstance(self.viscosity, TabulatedViscosity):
             return float(self.viscosity(pressure, rise))
         if self.heat is None or rise == 0:
@@ -138,12 +163,13 @@ class Oil:
             beta *= (log(self.viscosity.eta0) + ROELANDS_POLE_LOG) / span
         return beta
 
-    def warmed(self, rise: float) -> "Oil":
+    def warmed(self, rise: float | str) -> "Oil":
         """The oil at an inlet temperature higher by some kelvin, by its own laws.
 
         Roelands: ln eta + 9.67 falls as the distance from the pole of temperature to the power -s0, at every
         pressure, so that z stays what it is. Density and heat capacity follow their laws at ambient pressure.
         """
+        rise = in_si("rise", rise, units.TemperatureRise)
         heat = self.thermal
         thinner: Barus | Roelands | TabulatedViscosity
         if isinstance(self.viscosity, TabulatedViscosity):

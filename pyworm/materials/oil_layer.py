@@ -2,10 +2,13 @@
 
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Any, ClassVar
 
 import numpy as np
 
 from pyworm.formulas.ranges import within
+from pyworm.io import units
+from pyworm.io.given import Given, in_si, take
 
 
 @dataclass(frozen=True)
@@ -28,14 +31,20 @@ class OilLayer:
     across: tuple[float, ...]
     thickness: tuple[float, ...]
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {
+        "across": tuple[units.Offset, ...],
+        "thickness": tuple[units.FilmOrZero, ...],
+    }
+
     def __post_init__(self) -> None:
         """Refuse what is no profile."""
+        take(self)
         if len(self.across) != len(self.thickness) or len(self.across) < 2:
             raise ValueError("across, thickness: must be two numbers at least, and as many of each")
         if not all(a < b for a, b in pairwise(self.across)):
             raise ValueError("across: must increase")
         within("thickness", self.thickness, 0.0, 1.0, "m")
 
-    def at(self, across: np.ndarray) -> np.ndarray:
+    def at(self, across: Given) -> np.ndarray:
         """Thickness [m] at places across the entrainment [m]."""
-        return np.interp(across, self.across, self.thickness)
+        return np.interp(in_si("across", across, units.Offset), self.across, self.thickness)

@@ -10,12 +10,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from hashlib import sha256
-from typing import Any, Self
+from typing import Any, ClassVar, Self
 
 import numpy as np
 import scipy
 
-from pyworm.formulas.ranges import Values, positive
+from pyworm.formulas.ranges import positive, scalar
+from pyworm.io import units
+from pyworm.io.given import Given, in_si
 
 Array = np.ndarray
 
@@ -76,10 +78,19 @@ class Tabulated(ABC):
     values: Array
     reference: float
 
+    QUANTITIES: ClassVar[dict[str, Any]] = {
+        "pressures": units.PressureCoordinate,
+        "temperatures": units.Temperature,
+        "reference": units.Temperature,
+    }
+
     def __post_init__(self) -> None:
         """Refuse what is no table."""
         for name in ("pressures", "temperatures", "values"):
-            object.__setattr__(self, name, np.array(getattr(self, name), dtype=float))
+            given = in_si(name, getattr(self, name), type(self).QUANTITIES[name])
+            object.__setattr__(self, name, np.array(given, dtype=float))
+        reference = in_si("reference", self.reference, units.Temperature)
+        object.__setattr__(self, "reference", scalar("reference", reference))
         shape = self.pressures.size, self.temperatures.size
         if self.values.shape != shape:
             raise ValueError(
@@ -88,7 +99,8 @@ class Tabulated(ABC):
             )
         for name, least in (("pressures", 4), ("temperatures", 1)):
             axis = getattr(self, name)
-            if axis.size < least or not (np.isfinite(axis).all() and (np.diff(axis) > 0).all()):
+            increases = axis.ndim == 1 and np.isfinite(axis).all() and (np.diff(axis) > 0).all()
+            if axis.size < least or not increases:
                 raise ValueError(f"{name}: must be {least} or more numbers that increase")
         if not 0 <= self.pressures[0] <= AMBIENT:
             raise ValueError(
@@ -118,9 +130,9 @@ class Tabulated(ABC):
     def of(
         cls,
         function: Law,
-        reference: float,
-        largest_pressure: float = LARGEST_PRESSURE,
-        temperatures: Sequence[float] | None = None,
+        reference: float | str,
+        largest_pressure: float | str = LARGEST_PRESSURE,
+        temperatures: Sequence[float | str] | None = None,
     ) -> Self:
         """The table of a function.
 
@@ -140,7 +152,11 @@ class Tabulated(ABC):
         ValueError
             A value that is not finite and above zero.
         """
-        low, high = temperatures or (reference - COLDER, reference + WARMER)
+        reference = in_si("reference", reference, units.Temperature)
+        largest_pressure = in_si("largest_pressure", largest_pressure, units.Pressure)
+        if temperatures is None:
+            temperatures = (reference - COLDER, reference + WARMER)
+        low, high = in_si("temperatures", temperatures, units.Temperature)
         pressures = np.linspace(0.0, largest_pressure, PRESSURE_CELLS + 1)
         warmths = np.linspace(low, high, WARMTH_CELLS + 1)
         values = np.broadcast_to(
@@ -149,12 +165,14 @@ class Tabulated(ABC):
         )
         return cls(pressures, warmths, values, reference)
 
-    def at(self, temperature: float) -> Self:
+    def at(self, temperature: float | str) -> Self:
         """The same property of an oil that enters at another temperature [K]."""
         return replace(self, reference=temperature)
 
-    def __call__(self, pressure: Values, rise: Values = 0.0) -> Values:
+    def __call__(self, pressure: Given, rise: Given = 0.0) -> Any:
         """The property at pressures [Pa] and temperatures above the reference [K], as the kernel has it."""
+        pressure = in_si("pressure", pressure, units.PressureCoordinate)
+        rise = in_si("rise", rise, units.TemperatureRise)
         pressure, rise = np.broadcast_arrays(np.asarray(pressure, float), np.asarray(rise, float))
         last = self.pressures[-1]
         warm = np.clip(self.reference + rise, self.temperatures[0], self.temperatures[-1])
@@ -260,6 +278,8 @@ class TabulatedViscosity(Tabulated):
         Temperature at which the oil enters [K].
     """
 
+    QUANTITIES: ClassVar[dict[str, Any]] = Tabulated.QUANTITIES | {"values": units.Viscosity}
+
     @property
     def eta0(self) -> float:
         """Viscosity at ambient pressure and the reference [Pa s]."""
@@ -293,6 +313,8 @@ class TabulatedDensity(Tabulated):
     reference : float
         Temperature at which the oil enters [K].
     """
+
+    QUANTITIES: ClassVar[dict[str, Any]] = Tabulated.QUANTITIES | {"values": units.OilDensity}
 
     @property
     def rho0(self) -> float:

@@ -54,7 +54,16 @@ class OilHeat:
         "inlet_temperature": units.Temperature,
         "conductivity": units.OilConductivity,
         "specific_heat": units.SpecificHeat,
+        "viscosity_exponent": units.TemperatureCoefficientOrZero,  # of Barus' law; Roelands' has no unit
         "expansivity": units.TemperatureCoefficientOrZero,
+        "expansivity_decay": units.PressureCoefficientOrZero,
+        "conductivity_c1": units.PressureCoefficientOrZero,
+        "conductivity_c2": units.PressureCoefficientOrZero,
+        "heat_capacity_b0": units.TemperatureCoefficientAnySign,
+        "heat_capacity_b1": units.PressureCoefficientAnySign,
+        "heat_capacity_b2": units.SquaredPressureCoefficient,
+        "heat_capacity_k1": units.PressureCoefficientOrZero,
+        "heat_capacity_k2": units.PressureCoefficientOrZero,
     }
 
     def __post_init__(self) -> None:

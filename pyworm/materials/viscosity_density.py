@@ -12,7 +12,7 @@ import numpy as np
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import kind_of, number, take
+from pyworm.io.given import Given, in_si, kind_of, number, take
 
 ROELANDS_PRESSURE = 1.96e8
 """Pole pressure [Pa] of Roelands' law in its usual rounding (Roelands 1966)."""
@@ -54,8 +54,9 @@ class Barus:
         positive("eta0", self.eta0, "Pa s")
         within("alpha", self.alpha, 0, LARGEST_ALPHA, "1/Pa")
 
-    def __call__(self, pressure: Any) -> Any:
+    def __call__(self, pressure: Given) -> Any:
         """Viscosity [Pa s] at a pressure or pressures [Pa]."""
+        pressure = in_si("pressure", pressure, units.PressureCoordinate)
         return self.eta0 * np.exp(self.alpha * pressure)
 
 
@@ -92,7 +93,9 @@ class Roelands:
         positive("p0", self.p0, "Pa")
 
     @classmethod
-    def from_alpha(cls, eta0: float, alpha: float, p0: float = ROELANDS_PRESSURE) -> "Roelands":
+    def from_alpha(
+        cls, eta0: float | str, alpha: float | str, p0: float | str = ROELANDS_PRESSURE
+    ) -> "Roelands":
         """The law whose slope at p = 0 is Barus' alpha [1/Pa]: z = alpha p0 / (ln eta0 + 9.67)."""
         eta0 = number("eta0", eta0, kind_of(units.Viscosity))
         alpha = number("alpha", alpha, kind_of(units.PressureViscosityOrZero))
@@ -104,14 +107,17 @@ class Roelands:
         """Pressure-viscosity coefficient at p = 0 [1/Pa]."""
         return self.z * (log(self.eta0) + ROELANDS_POLE_LOG) / self.p0
 
-    def s0(self, beta: float, temperature: float) -> float:
+    def s0(self, beta: float | str, temperature: float | str) -> float:
         """Exponent of temperature [-] by which -d ln eta/dT is beta [1/K] at p = 0 and a temperature [K]."""
+        beta = in_si("beta", beta, units.TemperatureCoefficient)
+        temperature = in_si("temperature", temperature, units.Temperature)
         return (
             beta * (temperature - ROELANDS_POLE_TEMPERATURE) / (log(self.eta0) + ROELANDS_POLE_LOG)
         )
 
-    def __call__(self, pressure: Any) -> Any:
+    def __call__(self, pressure: Given) -> Any:
         """Viscosity [Pa s] at a pressure or pressures [Pa]."""
+        pressure = in_si("pressure", pressure, units.PressureCoordinate)
         rise = (log(self.eta0) + ROELANDS_POLE_LOG) * ((1 + pressure / self.p0) ** self.z - 1)
         return self.eta0 * np.exp(rise)
 
@@ -145,20 +151,21 @@ class Density:
         within("d1, d2", [self.d1, self.d2], 0, inf, "1/Pa")
 
     @classmethod
-    def incompressible(cls, rho0: float) -> "Density":
+    def incompressible(cls, rho0: float | str) -> "Density":
         """Constant density."""
         return cls(rho0, 0.0, 0.0)
 
     @classmethod
-    def dowson_higginson(cls, rho0: float) -> "Density":
+    def dowson_higginson(cls, rho0: float | str) -> "Density":
         """The form 1 + 0.6e-9 p / (1 + 1.7e-9 p)."""
         return cls(rho0, 0.6e-9, 1.7e-9)
 
     @classmethod
-    def dowson_higginson_pole(cls, rho0: float) -> "Density":
+    def dowson_higginson_pole(cls, rho0: float | str) -> "Density":
         """The form (5.9e8 + 1.34 p) / (5.9e8 + p): close to the other, not identical."""
         return cls(rho0, 0.34 / 5.9e8, 1 / 5.9e8)
 
-    def __call__(self, pressure: Any) -> Any:
-        """Density [kg/m3] at a pressure [Pa]."""
+    def __call__(self, pressure: Given) -> Any:
+        """Density [kg/m3] at a pressure or pressures [Pa]."""
+        pressure = in_si("pressure", pressure, units.PressureCoordinate)
         return self.rho0 * (1 + self.d1 * pressure / (1 + self.d2 * pressure))

@@ -8,7 +8,7 @@ import numpy as np
 
 from pyworm.formulas.regimes import Regime
 from pyworm.io import units
-from pyworm.io.given import kind_of, number, unusual
+from pyworm.io.given import kind_of, number, row, unusual
 from pyworm.io.shown import Shown, percent
 from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.discretisation import PLANS
@@ -29,6 +29,7 @@ from pyworm.planning.model import Model, model_for
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.planning.target import FILMS, HEAT_FIGURES, Aim
 from pyworm.scene.line import LineScene
+from pyworm.scene.own_functions import require_functions
 from pyworm.scene.plausibility import UnusualWarning, doubts, require_conceivable
 from pyworm.scene.point import Scene
 
@@ -135,7 +136,7 @@ class Plan(Shown):
 
 def plan(
     scene: Scene | LineScene,
-    accuracy: float = 0.01,
+    accuracy: float | str = 0.01,
     effects: str = "auto",
     quantities: Sequence[str] | None = None,
 ) -> Plan:
@@ -167,6 +168,7 @@ def plan(
     """
     if not isinstance(scene, Scene | LineScene):
         raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene or a LineScene")
+    require_functions(scene)
     _require_conduction(scene)
     for sentence in (*unusual(scene), *doubts((scene,), "load")):
         warnings.warn(f"{scene.name}: {sentence}", UnusualWarning, stacklevel=2)
@@ -190,7 +192,7 @@ def _require_conduction(scene: Scene | LineScene) -> None:
 
 def plan_of(
     scene: Scene | LineScene,
-    accuracy: float = 0.01,
+    accuracy: float | str = 0.01,
     effects: str = "auto",
     quantities: Sequence[str] | None = None,
 ) -> Plan:
@@ -200,6 +202,8 @@ def plan_of(
         raise ValueError(f'effects = {effects!r:.40}: must be a text with commas, such as "auto"')
     if isinstance(quantities, str):
         quantities = tuple(quantities.split(","))
+    if quantities is not None:
+        quantities = tuple(row("quantities", quantities))
     if not 1e-5 <= accuracy <= 0.5:
         raise ValueError(
             f"accuracy = {accuracy:g}: a relative error between 1e-5 and 0.5, such as 1%"

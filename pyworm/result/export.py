@@ -10,6 +10,14 @@ from pyworm.io.atomic import whole_file
 from pyworm.solver.solution import Solution
 
 
+def require_solution(solution: object) -> None:
+    """Refuse what is no solution; ValueError."""
+    if not isinstance(solution, Solution):
+        raise ValueError(
+            f"solution is a {type(solution).__name__}: must be a Solution, as pyworm.solve gives it"
+        )
+
+
 def write_csv(solution: Solution, path: str | os.PathLike) -> Path:
     """Write the fields of a solution as a table, a row for each node, units in brackets.
 
@@ -20,6 +28,7 @@ def write_csv(solution: Solution, path: str | os.PathLike) -> Path:
     path : path
         The file.
     """
+    require_solution(solution)
     path, fields = Path(path), solution.fields
     grid = np.meshgrid(*(fields[axis].values for axis in _axes(solution)), indexing="ij")
     columns = dict(zip(_axes(solution), grid, strict=True))
@@ -48,6 +57,7 @@ def write_vtk(solution: Solution, path: str | os.PathLike) -> Path:
     ValueError
         Another ending.
     """
+    require_solution(solution)
     path, fields = Path(path), solution.fields
     if path.suffix != ".vti":
         raise ValueError(f"{path.name}: VTK image data has names that end in .vti")

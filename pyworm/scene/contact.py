@@ -10,10 +10,10 @@ import numpy as np
 
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
-from pyworm.io.given import kind_of, number, take
+from pyworm.io.given import Given, in_si, kind_of, number, row, take
 from pyworm.io.shown import Shown
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
-from pyworm.materials.oil import Oil, require_kinds
+from pyworm.materials.oil import Oil, require_kinds, require_oil
 from pyworm.materials.rough_surfaces import rough_pair
 from pyworm.scene.life import Past
 
@@ -98,16 +98,31 @@ class Contact(Shown, ABC):
         if not isinstance(self.name, str):
             raise ValueError(f"name = {self.name!r:.40}: must be a text")
         take(self)
+        if self.separation is not None:
+            kind = kind_of(units.Offset)
+            object.__setattr__(self, "separation", number("separation", self.separation, kind))
+        if self.travelled is not None:
+            kind = kind_of(units.Offset)
+            ways = tuple(
+                tuple(number("travelled", one, kind) for one in row("travelled", body))
+                for body in row("travelled", self.travelled)
+            )
+            object.__setattr__(self, "travelled", ways)
         if not (isfinite(self.load) and self.load >= 0):
             raise ValueError(f"load = {self.load:g}: must be finite and greater than zero")
         if not callable(self.gap):
             raise ValueError(
                 f"gap is a {type(self.gap).__name__}: must be a function of places, such as a Paraboloid"
             )
-        require_kinds("oil", self.oil, Oil)
+        require_oil(self.oil)
         if not (isinstance(self.bodies, tuple) and len(self.bodies) == 2):
             raise ValueError("bodies: must be a tuple of two, body 1 and body 2")
         for body in self.bodies:
+            if not isinstance(body, Body):
+                raise ValueError(
+                    f"a body is a {type(body).__name__}, {body!r:.40}: must be a Body, such as "
+                    'named_body("16MnCr5") or Body("207 GPa", 0.3)'
+                )
             require_kinds("a body", body, Body)
         if self.oil.heat is not None:
             inlet = self.oil.heat.inlet_temperature
@@ -137,21 +152,21 @@ class Contact(Shown, ABC):
         """Relative radius of curvature along each direction of the contact [m]."""
 
     @abstractmethod
-    def velocities_at(self, *places: Array) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+    def velocities_at(self, *places: Given) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
         """Velocity [m/s] of body 1's and of body 2's surface at places [m], along each direction."""
 
-    def entrainment_at(self, *places: Array) -> tuple[Array, ...]:
+    def entrainment_at(self, *places: Given) -> tuple[Array, ...]:
         """Mean surface velocity [m/s] at places [m], along each direction."""
         return tuple((u1 + u2) / 2 for u1, u2 in zip(*self.velocities_at(*places), strict=True))
 
-    def sliding_at(self, *places: Array) -> tuple[Array, ...]:
+    def sliding_at(self, *places: Given) -> tuple[Array, ...]:
         """Velocity of body 1 relative to body 2 [m/s] at places [m], along each direction."""
         return tuple(u1 - u2 for u1, u2 in zip(*self.velocities_at(*places), strict=True))
 
-    def supply_at(self, *places: Array) -> Array:
+    def supply_at(self, *places: Given) -> Array:
         """Thickness of the oil that arrives at places [m], of a contact whose supply is limited."""
         u, v = (*(float(of) for of in self.entrainment_at(*(np.zeros(()),) * len(places))), 0.0)[:2]
-        x, y = (*places, np.zeros(places[0].shape))[:2]
+        x, y = (*as_arrays(*places), np.zeros(np.shape(places[0])))[:2]
         return self.oil.layer_at((u * y - v * x) / max(hypot(u, v), STILL))
 
     @property
@@ -192,6 +207,14 @@ class Contact(Shown, ABC):
         """Directions of both surfaces' velocities at the contact point, from the x axis [rad]."""
 
 
+def as_arrays(*coordinates: Given) -> tuple[Array, ...]:
+    """Coordinates of places [m] as arrays."""
+    return tuple(
+        np.asarray(in_si("xy"[axis], coordinate, units.Offset), dtype=float)
+        for axis, coordinate in enumerate(coordinates)
+    )
+
+
 def radii_of(gap: Any, given: tuple[Any, ...] | None) -> tuple[float, ...]:
     """Radii of a contact, those of its gap if they are not given; window, far field and grids depend on them.
 
@@ -214,7 +237,7 @@ def radii_of(gap: Any, given: tuple[Any, ...] | None) -> tuple[float, ...]:
 def _given_radii(given: tuple[Any, ...], of_gap: tuple[float, ...] | None) -> tuple[float, ...]:
     """Radii that are given, as numbers; ValueError where they contradict those of the gap."""
     kind = kind_of(units.Radius)
-    radii = tuple(number("radii", one, kind) for one in given)
+    radii = tuple(number("radii", one, kind) for one in row("radii", given))
     positive("radii", radii, "m")
     if of_gap is None:
         return radii
@@ -222,7 +245,9 @@ def _given_radii(given: tuple[Any, ...], of_gap: tuple[float, ...] | None) -> tu
         abs(given - own) > SAME * own for given, own in zip(radii, of_gap, strict=True)
     ):
         theirs, own = (", ".join(f"{radius:g}" for radius in of) for of in (radii, of_gap))
+        key = "radii" if len(radii) > 1 else "radius"
         raise ValueError(
-            f"radii {theirs} m contradict the gap, whose radii are {own} m; leave them out"
+            f"radii {theirs} m contradict the gap, whose radii are {own} m; leave them out, and where "
+            f"dataclasses.replace changes the gap, give {key}=None beside it"
         )
     return radii

@@ -27,9 +27,11 @@ from pyworm.formulas.regimes import (
     flattening,
     regime_number,
 )
-from pyworm.materials.oil import Oil
+from pyworm.io import units
+from pyworm.io.given import Given, in_si
+from pyworm.materials.oil import Oil, require_oil
 from pyworm.scene.formula_heat import heat_groups, lacks_heat
-from pyworm.scene.point import Scene
+from pyworm.scene.point import Scene, require_point
 
 LEAST_L = 1e-3
 """Moes' L of oils whose viscosity does not rise with pressure: far below where that thickens a film."""
@@ -105,19 +107,20 @@ class FormulaFilms:
             **{name: float(getattr(self.groups, name)) for name in _REGIME_GROUPS},
         )
 
-    def specific(self, roughness: Values) -> np.ndarray:
+    def specific(self, roughness: Given) -> np.ndarray:
         """Central film over the composite roughness [m]: lambda [-]."""
+        roughness = in_si("roughness", roughness, units.Roughness)
         positive("composite roughness", roughness, "m")
         return self.central / roughness
 
 
 def film(
-    radii: tuple[Values, Values],
-    load: Values,
-    reduced_modulus: Values,
-    velocity: tuple[Values, Values],
+    radii: tuple[Given, Given],
+    load: Given,
+    reduced_modulus: Given,
+    velocity: tuple[Given, Given],
     oil: Oil,
-    spin: Values = 0.0,
+    spin: Given = 0.0,
 ) -> FormulaFilms:
     """Films of point contacts by the formula of the atlas; numbers or arrays that broadcast together.
 
@@ -164,17 +167,32 @@ def film(
     )
 
 
+def _pair(name: str, given: tuple[Given, Given]) -> tuple[Given, Given]:
+    """Two values, along x and y; ValueError for what are none."""
+    if isinstance(given, str) or not hasattr(given, "__len__") or len(given) != 2:
+        raise ValueError(f"{name} = {given!r:.40}: must be two values, along x and along y")
+    return given
+
+
 def _groups(
-    radii: tuple[Values, Values],
-    load: Values,
-    reduced_modulus: Values,
-    velocity: tuple[Values, Values],
+    radii: tuple[Given, Given],
+    load: Given,
+    reduced_modulus: Given,
+    velocity: tuple[Given, Given],
     oil: Oil,
-    spin: Values,
+    spin: Given,
 ) -> tuple[AtlasGroups, np.ndarray]:
     """The groups of contacts, and Moes' unit of their films [m]; arguments as of `film`."""
+    require_oil(oil)
     rx, ry, load, modulus, u, v, spin = (
-        np.asarray(of, dtype=float) for of in (*radii, load, reduced_modulus, *velocity, spin)
+        np.asarray(in_si(name, of, kind), dtype=float)
+        for name, of, kind in (
+            *(("radii", of, units.Radius) for of in _pair("radii", radii)),
+            ("load", load, units.Force),
+            ("reduced_modulus", reduced_modulus, units.Modulus),
+            *(("velocity", of, units.Velocity) for of in _pair("velocity", velocity)),
+            ("spin", spin, units.Spin),
+        )
     )
     speed = np.hypot(u, v)
     for name, value, unit in (
@@ -270,6 +288,7 @@ def film_of(scene: Scene, reduced: bool = False) -> FormulaFilms:
     ValueError
         No entrainment at the contact point, such as under pure spin.
     """
+    require_point(scene)
     axes = hertz(*scene.radii, scene.load, scene.reduced_modulus)
     step = SPIN_STEP * min(axes.semi_axis_x, axes.semi_axis_y)
     places = (

@@ -16,12 +16,12 @@ MOST_SAMPLES = 50_000_000
 """Numbers of the largest array that is read: 400 MB."""
 
 
-def read_gap(path: Path) -> SampledGap:
+def read_gap(path: str | Path) -> SampledGap:
     """Read a gap from an npz or a NetCDF file.
 
     Parameters
     ----------
-    path : Path
+    path : str or Path
         `.npz` with `gap` (y, x), `dx`, `dy` and, unless the contact point is in the middle, the
         coordinates `x0`, `y0` of the first sample, all in metres; or `.nc` with a variable `gap` and
         coordinates `x`, `y`.
@@ -31,6 +31,7 @@ def read_gap(path: Path) -> SampledGap:
     ValueError
         No such file, of another kind, a key missing, or not a gap.
     """
+    path = Path(path)
     if not path.is_file():
         raise ValueError("no such file")
     if path.suffix == ".npz":

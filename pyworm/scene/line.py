@@ -12,8 +12,8 @@ import numpy as np
 
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
-from pyworm.io.given import kind_of, number, take
-from pyworm.scene.contact import FROM_GAP, Array, Contact, radii_of
+from pyworm.io.given import Given, kind_of, number, take
+from pyworm.scene.contact import FROM_GAP, Array, Contact, as_arrays, radii_of
 
 LineGap = Callable[[Array], tuple[Array, Array]]
 """x [m] -> undeformed gap [m] and a boolean, true where both surfaces exist. The gap is finite everywhere."""
@@ -43,8 +43,9 @@ class Parabola:
         """The relative radius of curvature [m]."""
         return (self.radius,)
 
-    def __call__(self, x: Array) -> tuple[Array, Array]:
-        """Gap [m] and where both surfaces exist (everywhere)."""
+    def __call__(self, x: Given) -> tuple[Array, Array]:
+        """Gap [m] at x [m], and where both surfaces exist (everywhere)."""
+        (x,) = as_arrays(x)
         return x**2 / (2 * self.radius), np.ones(x.shape, dtype=bool)
 
 
@@ -109,7 +110,8 @@ class LineScene(Contact):
         """Directions of both surfaces' velocities from the x axis; against it is all one to a lay."""
         return 0.0, 0.0
 
-    def velocities_at(self, *places: Array) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
-        """Velocity [m/s] of body 1's and of body 2's surface, the same at each x."""
-        first, second = ((np.full(np.shape(places[0]), velocity),) for velocity in self.velocities)
+    def velocities_at(self, *places: Given) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+        """Velocity [m/s] of body 1's and of body 2's surface, the same at each place x [m]."""
+        (x,) = as_arrays(*places)
+        first, second = ((np.full(x.shape, velocity),) for velocity in self.velocities)
         return first, second

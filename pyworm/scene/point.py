@@ -13,8 +13,8 @@ import numpy as np
 
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import take
-from pyworm.scene.contact import FROM_GAP, Array, Contact, radii_of
+from pyworm.io.given import Given, take
+from pyworm.scene.contact import FROM_GAP, Array, Contact, as_arrays, radii_of
 
 Gap = Callable[[Array, Array], tuple[Array, Array]]
 """(x, y) [m] -> undeformed gap [m] and a boolean, true where both surfaces exist.
@@ -55,8 +55,9 @@ class Paraboloid:
         """Relative radii of curvature along x and y [m]."""
         return self.radius_x, self.radius_y
 
-    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Gap [m] and where both surfaces exist (everywhere)."""
+    def __call__(self, x: Given, y: Given) -> tuple[Array, Array]:
+        """Gap [m] at (x, y) [m], and where both surfaces exist (everywhere)."""
+        x, y = as_arrays(x, y)
         gap = x**2 / (2 * self.radius_x) + y**2 / (2 * self.radius_y)
         return gap, np.ones(gap.shape, dtype=bool)
 
@@ -88,8 +89,9 @@ class RigidMotion:
         take(self)
         within("u, v, spin", (self.u, self.v, self.spin), -LARGEST, LARGEST, "")
 
-    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Velocity components [m/s] at (x, y)."""
+    def __call__(self, x: Given, y: Given) -> tuple[Array, Array]:
+        """Velocity components [m/s] at (x, y) [m]."""
+        x, y = as_arrays(x, y)
         return self.u - self.spin * y, self.v + self.spin * x
 
 
@@ -141,9 +143,9 @@ class Scene(Contact):
         """Relative radii along x and y [m]."""
         return self.radii
 
-    def velocities_at(self, *places: Array) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
-        """Velocity components [m/s] of body 1's and of body 2's surface at (x, y)."""
-        x, y = places
+    def velocities_at(self, *places: Given) -> tuple[tuple[Array, ...], tuple[Array, ...]]:
+        """Velocity components [m/s] of body 1's and of body 2's surface at places (x, y) [m]."""
+        x, y = as_arrays(*places)
         body_1, body_2 = self.motions
         return body_1(x, y), body_2(x, y)
 
@@ -155,3 +157,9 @@ class Scene(Contact):
 
     entrainment = Contact.entrainment_at
     sliding = Contact.sliding_at
+
+
+def require_point(scene: Any) -> None:
+    """Refuse what is no point contact; ValueError."""
+    if not isinstance(scene, Scene):
+        raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene, of a point contact")

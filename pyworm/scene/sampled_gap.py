@@ -6,7 +6,9 @@ from functools import cached_property
 import numpy as np
 import scipy
 
-from pyworm.scene.contact import Array
+from pyworm.io import units
+from pyworm.io.given import Given, in_si
+from pyworm.scene.contact import Array, as_arrays
 
 SMALLEST = 5
 """Fewest samples along each side: a cubic spline and the second differences of the filling need them."""
@@ -49,6 +51,9 @@ class SampledGap:
 
     def __post_init__(self) -> None:
         """Refuse an array that is no gap over x and y."""
+        for name in ("x", "y", "gap"):
+            given = in_si(name, getattr(self, name), units.Offset)
+            object.__setattr__(self, name, np.asarray(given, dtype=float))
         if self.gap.ndim != 2:
             raise ValueError(f"gap must have two dimensions (y, x), not {self.gap.ndim}")
         if self.gap.shape != (self.y.size, self.x.size):
@@ -98,8 +103,9 @@ class SampledGap:
         ny, nx = self.gap.shape
         return f"<SampledGap of {nx} x {ny} heights, radii {self.radii[0]:.4g} and {self.radii[1]:.4g} m>"
 
-    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Gap [m], zero at the contact point, and where both bodies exist."""
+    def __call__(self, x: Given, y: Given) -> tuple[Array, Array]:
+        """Gap [m] at (x, y) [m], zero at the contact point, and where both bodies exist."""
+        x, y = as_arrays(x, y)
         return self._height(x, y) - self._datum, self._covered(x, y)
 
     def _height(self, x: Array, y: Array) -> Array:

@@ -2,7 +2,8 @@
 
 from dataclasses import replace
 
-from pyworm.scene.point import RigidMotion, Scene
+from pyworm.formulas.ranges import scalar
+from pyworm.scene.point import RigidMotion, Scene, require_point
 
 
 def with_slide_roll_ratio(scene: Scene, ratio: float) -> Scene:
@@ -20,6 +21,8 @@ def with_slide_roll_ratio(scene: Scene, ratio: float) -> Scene:
     ValueError
         Surfaces that do more than translate and spin, or no entrainment.
     """
+    require_point(scene)
+    ratio = scalar("ratio", ratio)
     first, second = scene.motions
     if not (isinstance(first, RigidMotion) and isinstance(second, RigidMotion)):
         raise ValueError(f"{scene.name}: its motions are no RigidMotion, which slide at one ratio")

@@ -5,9 +5,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from pyworm.io import units
+from pyworm.io.given import kind_of, number
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.planning.plan import plan
-from pyworm.scene.point import Scene
+from pyworm.scene.point import Scene, require_point
 from pyworm.solver.solution import Solution
 from pyworm.solver.solve import solve
 
@@ -15,9 +17,9 @@ from pyworm.solver.solve import solve
 def passes(
     scene: Scene,
     count: int,
-    accuracy: float = 0.05,
+    accuracy: float | str = 0.05,
     effects: str = "auto",
-    replenished: float = 0.0,
+    replenished: float | str = 0.0,
 ) -> Iterator[Solution]:
     """Solve passes of a contact over one track, as of rollers or balls in a row, one after another.
 
@@ -27,7 +29,7 @@ def passes(
         The contact; its oil has the `supply` of the first pass.
     count : int
         Number of passes.
-    accuracy, effects : float, str
+    accuracy, effects : float or str, str
         As of `pyworm.plan`.
     replenished : float
         Part of the oil that is missing against the first supply which flows back from the sides between two
@@ -48,8 +50,10 @@ def passes(
     The law of replenishment is the simplest: a fixed part, everywhere across the track. What a contact leaves
     is the oil behind it (Chevalier, Lubrecht, Cann, Colin and Dalmaz 1998).
     """
+    require_point(scene)
     if scene.oil.supply is None:
         raise ValueError(f"{scene.name}: its oil has no supply; give the layer of the first pass")
+    replenished = number("replenished", replenished, kind_of(units.Share))
     if not 0 <= replenished <= 1:
         raise ValueError(f"replenished = {replenished:g}: must be between 0 and 1")
     first = scene

@@ -16,7 +16,7 @@ from pyworm.solver.transient.transient import Rates, finer, rates_at_present
 
 def solve(
     scene: Scene | LineScene,
-    plan: Plan,
+    plan: Plan | None = None,
     progress: Progress | None = None,
     rates: Rates | None = None,
 ) -> Solution:
@@ -27,7 +27,7 @@ def solve(
     scene : Scene or LineScene
         The contact.
     plan : Plan
-        Its plan, by `pyworm.plan`.
+        Its plan, by `pyworm.plan`, which cannot be left out.
     progress : callable, optional
         Called with what is being done and the fraction of the work that is done, 0 to 1.
     rates : Rates, optional
@@ -43,11 +43,13 @@ def solve(
 
     Raises
     ------
+    ValueError
+        No contact, no plan, or that of another contact.
     KernelError
         If values of the scene are not finite or memory does not suffice for the first grids
         (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
     """
-    plan.require_of(scene)
+    plan = _required(scene, plan)
     report = _rising(progress)
     stopwatch, warm_start = Stopwatch(), None
     while True:
@@ -72,6 +74,27 @@ def solve(
         missed = ", ".join(sorted(updated.on - plan.on))
         report(f"{scene.name}: calls for {missed} too", 0.0)
         plan = updated
+
+
+def _required(scene: Scene | LineScene, plan: Plan | None) -> Plan:
+    """The plan of a scene; ValueError for any other, or where one of the two is something else."""
+    if not isinstance(scene, Scene | LineScene):
+        of_case = "; a case gives it by case.scene()" if hasattr(scene, "scene") else ""
+        raise ValueError(
+            f"scene is a {type(scene).__name__}: must be a Scene or a LineScene{of_case}"
+        )
+    if plan is None:
+        raise ValueError(
+            "the plan is missing: give solve(scene, plan) one with the accuracy wanted, "
+            "pyworm.plan(scene, accuracy=0.02)"
+        )
+    if not isinstance(plan, Plan):
+        accuracy = plan if isinstance(plan, float | str) else 0.02
+        raise ValueError(
+            f"plan = {plan!r:.40}: must be a Plan, such as pyworm.plan(scene, accuracy={accuracy!r:.20})"
+        )
+    plan.require_of(scene)
+    return plan
 
 
 def _in_motion(

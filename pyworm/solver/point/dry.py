@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from pyworm.io.shown import Shown
 from pyworm.planning.grid import Grid
 from pyworm.scene.contact import Array
-from pyworm.scene.point import Scene
+from pyworm.scene.own_functions import require_functions
+from pyworm.scene.point import Scene, require_point
 from pyworm.scene.scales import scales
 from pyworm.solver import figures
 from pyworm.solver.point.level import dry_contact as solved_on
@@ -66,10 +67,10 @@ def dry_contact(scene: Scene, nodes: int = 129) -> DryPressure:
     ValueError
         No point contact, or one that is wider than its Hertz ellipse allows for.
     """
-    if not isinstance(scene, Scene):
-        raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene, of a point contact")
+    require_point(scene)
     if isinstance(nodes, bool) or not isinstance(nodes, int) or nodes < 9:
         raise ValueError(f"nodes = {nodes!r:.40}: must be a whole number from 9")
+    require_functions(scene)
     hertz = scales(scene).hertz
     a, b = REACH * hertz.semi_axis_x, REACH * hertz.semi_axis_y
     for _ in range(MOST_GROWTHS):

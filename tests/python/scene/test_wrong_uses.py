@@ -56,7 +56,10 @@ WRONG = {
         "its oil has heat, but body 1 has no conductivity or density or specific_heat",
     ),
     "one body": (lambda: ball(bodies=steel()), "bodies: must be a tuple of two"),
-    "bodies by name": (lambda: ball(bodies=("steel", "steel")), "a body is a str"),
+    "bodies by name": (
+        lambda: ball(bodies=("steel", "steel")),
+        "a body is a str, .*: must be a Body, such as named_body",
+    ),
     "a modulus in gigapascals": (lambda: pyworm.Body(207, 0.3), 'did you mean "207.0 GPa"'),
     "a modulus as force": (lambda: pyworm.Body("207 N", 0.3), 'youngs_modulus = "207 N"'),
     "a Poisson ratio of metal in per cent": (lambda: pyworm.Body(2e11, 30.0), "poisson_ratio = 30"),
@@ -69,10 +72,10 @@ WRONG = {
         'did you mean "0.4 um"',
     ),
     "an unknown material": (lambda: pyworm.named_body("stel"), 'material "stel": must be one of'),
-    "an oil by name": (lambda: ball(oil="PAO VG 220"), "oil is a str"),
+    "an oil by name": (lambda: ball(oil="PAO VG 220"), "oil is a str, .*: must be an Oil, such as"),
     "an oil without temperature": (
         lambda: ball(oil=pyworm.named_oil("PAO VG 220")),
-        "oil is a NamedOil",
+        r'oil is a NamedOil, an oil over temperature: .* named_oil\("PAO VG 220"\).oil\("60 degC"\)',
     ),
     "an unknown oil": (lambda: pyworm.named_oil("PAO 220"), "must be a base stock"),
     "alpha in 1/GPa": (lambda: pyworm.Barus(0.04, 20.0), 'did you mean "20.0 1/GPa"'),
@@ -107,6 +110,165 @@ WRONG = {
         "effects = .*must be a text",
     ),
     "an unknown quantity": (lambda: pyworm.plan(ball(), quantities="wear"), "wear is none of"),
+    "a gap without a mask": (
+        lambda: pyworm.plan(ball(gap=lambda x, y: x * x + y * y, radii=(0.5, 0.5))),
+        r"gap\(x, y\) gives one array of the shape \(3, 3\): must give the gap \[m\] and where both",
+    ),
+    "a dry contact of a gap without a mask": (
+        lambda: pyworm.dry_contact(ball(gap=lambda x, y: x * x + y * y, radii=(0.5, 0.5))),
+        r"gap\(x, y\) gives one array of the shape \(3, 3\): must give the gap",
+    ),
+    "a mask that is one truth": (
+        lambda: pyworm.plan(ball(gap=lambda x, y: (x * x + y * y, True), radii=(0.5, 0.5))),
+        r"gap\(x, y\) gives 2 values, one array of the shape \(3, 3\) and bool True: must give",
+    ),
+    "a mask of numbers": (
+        lambda: pyworm.plan(ball(gap=lambda x, y: (x * x + y * y, 0 * x + 1), radii=(0.5, 0.5))),
+        "gives a second array of float64: must be true where both surfaces exist",
+    ),
+    "a gap of one place": (
+        lambda: pyworm.plan(ball(gap=lambda x: (x * x, x == x), radii=(0.5, 0.5))),
+        r"gap\(x, y\) fails \(TypeError: .*\); it must give the gap",
+    ),
+    "a gap that is not finite": (
+        lambda: pyworm.plan(
+            ball(gap=lambda x, y: (np.where(y == 0, np.inf, x * x), x == x), radii=(0.5, 0.5))
+        ),
+        r"gap\(x, y\) gives inf near the contact point: must be finite everywhere",
+    ),
+    "a gap of a line without a mask": (
+        lambda: pyworm.plan(roller(gap=lambda x: x * x / 0.02, radius=0.01)),
+        r"gap\(x\) gives one array of the shape \(3,\): must give .* abs\(x\) < 0.005",
+    ),
+    "a motion of one velocity": (
+        lambda: pyworm.plan(ball(motions=(lambda x, y: 1.0 + 0 * x, pyworm.RigidMotion(1, 0)))),
+        "the motion of body 1 gives one array .*: must give its velocities along x and y",
+    ),
+    "a solve without a plan": (
+        lambda: pyworm.solve(ball()),
+        r"the plan is missing: .* pyworm.plan\(scene, accuracy=0.02\)",
+    ),
+    "a solve by an accuracy": (
+        lambda: pyworm.solve(ball(), 0.05),
+        r"plan = 0.05: must be a Plan, such as pyworm.plan\(scene, accuracy=0.05\)",
+    ),
+    "a solve of a plan": (
+        lambda: pyworm.solve(pyworm.plan(ball(), 0.2)),
+        "scene is a Plan: must be a Scene or a LineScene",
+    ),
+    "another gap with the radii of the old one": (
+        lambda: replace(ball(), gap=pyworm.Paraboloid(0.5, 0.5)),
+        "leave them out, and where dataclasses.replace changes the gap, give radii=None beside it",
+    ),
+    "another gap with the radius of the old one": (
+        lambda: replace(roller(), gap=pyworm.Parabola(0.5)),
+        "dataclasses.replace changes the gap, give radius=None beside it",
+    ),
+    "a film of an oil over temperature": (
+        lambda: pyworm.film((0.01, 0.01), 50.0, 226e9, (1.0, 0.0), pyworm.named_oil("PAO VG 220")),
+        r'oil is a NamedOil, an oil over temperature: .* named_oil\("PAO VG 220"\).oil\("60 degC"\)',
+    ),
+    "a film of one radius": (
+        lambda: pyworm.film(0.01, 50.0, 226e9, (1.0, 0.0), ball().oil),
+        "radii = 0.01: must be two values, along x and along y",
+    ),
+    "an oil at sixty kelvin": (
+        lambda: pyworm.named_oil("PAO VG 220").oil(60.0),
+        'temperature = 60 K: must be .* did you mean "60.0 degC"',
+    ),
+    "a layer of one place": (
+        lambda: pyworm.OilLayer("1 mm", ("1 um", "2 um")),
+        r"across = .1 mm.: must be several values, such as \(1.0, 2.0\)",
+    ),
+    **{
+        f"{name} for a {wrong}": (lambda call=call, given=given: call(given), sentence)
+        for name, call, given, wrong, sentence in (
+            ("no text", pyworm.named_oil, 220, "name", "oil = 220: must be a text"),
+            ("no text", pyworm.named_body, 1.0, "material", "material = 1.0: must be a text"),
+            ("a line", pyworm.film_of, roller(), "film", "scene is a LineScene: must be a Scene"),
+            ("a line", lambda v: next(pyworm.passes(v, 1)), roller(), "pass", "must be a Scene"),
+            (
+                "a line",
+                lambda v: pyworm.with_slide_roll_ratio(v, 0.1),
+                roller(),
+                "slide",
+                "a Scene",
+            ),
+            (
+                "a word",
+                lambda v: pyworm.with_slide_roll_ratio(ball(), v),
+                "x",
+                "ratio",
+                "ratio = .x",
+            ),
+            (
+                "one",
+                lambda v: pyworm.traction_curve(ball(), v),
+                0.1,
+                "curve",
+                "slide_roll_ratios = 0.1",
+            ),
+            (
+                "one",
+                lambda v: ball(radii=v),
+                0.01,
+                "radius",
+                "radii = 0.01: must be several values",
+            ),
+            (
+                "no number",
+                lambda v: pyworm.Body(2e11, v),
+                None,
+                "ratio",
+                "poisson_ratio = None: must",
+            ),
+            (
+                "a scene",
+                lambda v: pyworm.write_csv(v, "a.csv"),
+                ball(),
+                "file",
+                "must be a Solution",
+            ),
+            (
+                "a scene",
+                lambda v: pyworm.write_vtk(v, "a.vti"),
+                ball(),
+                "grid",
+                "must be a Solution",
+            ),
+            (
+                "a law",
+                pyworm.Parabola,
+                steel(),
+                "size",
+                "radius = Body.*: must be a radius as a number",
+            ),
+            (
+                "a number",
+                lambda v: pyworm.plan(ball(), quantities=v),
+                3,
+                "list",
+                "quantities = 3: must",
+            ),
+            (
+                "nothing",
+                lambda v: pyworm.Barus(0.04, v),
+                {},
+                "law",
+                r"alpha = {}: must be a pressure",
+            ),
+            (
+                "a list",
+                lambda v: pyworm.Oil(
+                    pyworm.Barus(0.04, 0), pyworm.Density(870.0, 0, 0), boundary_friction=v
+                ),
+                {},
+                "law",
+                "boundary_friction = {}",
+            ),
+        )
+    },
+    "a gap that is no file": (lambda: pyworm.read_gap("none.npz"), "no such file"),
     "a plan of no scene": (lambda: pyworm.plan(pyworm.Paraboloid(1, 1)), "scene is a Paraboloid"),
     "an impossible pressure": (
         lambda: pyworm.plan(roller(load=1e9, bodies=ELASTIC)),
