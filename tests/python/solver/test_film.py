@@ -247,10 +247,13 @@ def test_surfaces_that_entrain_nothing_are_refused():
 
 
 def test_a_gap_that_is_not_a_number_is_refused():
-    def broken(x, y):
-        return np.where(x > 0, np.nan, x**2), np.ones(x.shape, bool)
+    """Beside the contact point, where planning does not look, by the kernel."""
 
-    scene = replace(circular(50, 10), gap=broken)
+    def broken(x, y):
+        return np.where(x > 2e-3 * whole.radii[0], np.nan, x**2), np.ones(x.shape, bool)
+
+    whole = circular(50, 10)
+    scene = replace(whole, gap=broken)
     with pytest.raises(KernelError):
         pyworm.solve(scene, pyworm.plan(scene))
 
