@@ -47,4 +47,6 @@ class OilLayer:
 
     def at(self, across: Given) -> np.ndarray:
         """Thickness [m] at places across the entrainment [m]."""
-        return np.interp(in_si("across", across, units.Offset), self.across, self.thickness)
+        return np.asarray(
+            np.interp(in_si("across", across, units.Offset), self.across, self.thickness)
+        )

@@ -167,7 +167,7 @@ class Tabulated(ABC):
 
     def at(self, temperature: float | str) -> Self:
         """The same property of an oil that enters at another temperature [K]."""
-        return replace(self, reference=temperature)
+        return replace(self, reference=in_si("temperature", temperature, units.Temperature))
 
     def __call__(self, pressure: Given, rise: Given = 0.0) -> Any:
         """The property at pressures [Pa] and temperatures above the reference [K], as the kernel has it."""

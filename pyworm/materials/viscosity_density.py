@@ -153,17 +153,17 @@ class Density:
     @classmethod
     def incompressible(cls, rho0: float | str) -> "Density":
         """Constant density."""
-        return cls(rho0, 0.0, 0.0)
+        return cls(in_si("rho0", rho0, units.OilDensity), 0.0, 0.0)
 
     @classmethod
     def dowson_higginson(cls, rho0: float | str) -> "Density":
         """The form 1 + 0.6e-9 p / (1 + 1.7e-9 p)."""
-        return cls(rho0, 0.6e-9, 1.7e-9)
+        return cls(in_si("rho0", rho0, units.OilDensity), 0.6e-9, 1.7e-9)
 
     @classmethod
     def dowson_higginson_pole(cls, rho0: float | str) -> "Density":
         """The form (5.9e8 + 1.34 p) / (5.9e8 + p): close to the other, not identical."""
-        return cls(rho0, 0.34 / 5.9e8, 1 / 5.9e8)
+        return cls(in_si("rho0", rho0, units.OilDensity), 0.34 / 5.9e8, 1 / 5.9e8)
 
     def __call__(self, pressure: Given) -> Any:
         """Density [kg/m3] at a pressure or pressures [Pa]."""

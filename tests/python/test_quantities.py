@@ -308,25 +308,13 @@ DIMENSIONED = {
     "LineScene.radius": (lambda v: roller(gap=pyworm.Parabola(0.01), radius=v), 0.01, "10 mm"),
     "LineScene.velocities": (lambda v: roller(velocities=v), (1.1, 0.9), ("1.1 m/s", "0.9 m/s")),
     **{
-        f"{name}.{method}({part})": (
-            lambda v, method=method, at=at, make=make, count=count: getattr(make(), method)(
-                *(v if n == at else 0.0 for n in range(count))
-            ),
-            1e-4,
-            "0.1 mm",
-        )
-        for name, make, count in (("Scene", ball, 2), ("LineScene", roller, 1))
-        for method in ("velocities_at",)
-        for at, part in enumerate("xy"[:count])
-    },
-    **{
         f"{name}.{method}(places)": (
             lambda v, method=method, make=make, count=count: getattr(make(), method)(*(v,) * count),
             1e-4,
             "0.1 mm",
         )
         for name, make, count in (("Scene", ball, 2), ("LineScene", roller, 1))
-        for method in ("entrainment_at", "sliding_at")
+        for method in ("velocities_at", "entrainment_at", "sliding_at")
     },
     "Scene.entrainment(places)": (lambda v: ball().entrainment(v, v), 1e-4, "0.1 mm"),
     "Scene.sliding(places)": (lambda v: ball().sliding(v, v), 1e-4, "0.1 mm"),
