@@ -114,7 +114,19 @@ class Case(Shown):
 
     @property
     def mesh_places(self) -> dict[str, tuple[Any, ...]]:
-        """Sections, phases and stations of its drive's mesh to solve, by name; empty without a drive."""
+        """Sections, phases and stations of its drive's mesh to solve, by name; empty without a drive.
+
+        Phases at which the contact carries no load are left out, unless none carries any.
+        """
+        listed = self._listed_places
+        if "phase" not in listed:
+            return listed
+        loaded = tuple(phase for phase in listed["phase"] if phase not in self._idle_phases)
+        return {**listed, "phase": loaded or listed["phase"]}
+
+    @property
+    def _listed_places(self) -> dict[str, tuple[Any, ...]]:
+        """Places of the mesh as they are listed."""
         if self.drive is None:
             return {}
         operation = self.tables.operation
@@ -123,6 +135,12 @@ class Case(Shown):
             for name, key in MESH_PLACES.items()
             if hasattr(operation, key)
         }
+
+    @cached_property
+    def _idle_phases(self) -> tuple[float, ...]:
+        """Listed phases at which neighbouring contacts carry all of the load."""
+        phases = self._listed_places.get("phase", ())
+        return tuple(phase for phase in phases if self.drive.idle(phase))
 
     @property
     def slide_roll_ratios(self) -> tuple[float, ...]:
@@ -197,8 +215,16 @@ class Case(Shown):
         if self.drive is None:
             return self.doubts
         brought = self.drive.oil_brought
+        idle = ", ".join(f"{phase:g}" for phase in self._idle_phases)
         return (
             *self.doubts,
+            *(
+                [
+                    f"operation.phases: at {idle} neighbouring teeth carry all of the load; not solved"
+                ]
+                if idle
+                else []
+            ),
             *(f"drive.{warning}" for warning in self.drive.warnings),
             *(() if brought is None else brought.warnings),
         )

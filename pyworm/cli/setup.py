@@ -1,7 +1,7 @@
 """pyworm setup: the hob's set-up for a wanted contact pattern, its regrinding, and the wheel's shim."""
 
 import argparse
-from math import isnan
+from math import isfinite, isnan
 from pathlib import Path
 
 from pyworm.case.case import Case, load
@@ -67,13 +67,16 @@ def _setup(options: argparse.Namespace) -> int:
         raise CaseError(f"{options.case}: has no hob that could be set up; give a worm drive")
     warn_of_unusual(case)
     rows = {"now": made.now} | ({} if made.found is None else {"found": made.found})
+    with stage("finding the errors of the assembly that are allowed"):
+        allowed = case.drive.allowed_errors()
     with stage("cutting wheels with the reground hob"):
         life = _life(case)
     if options.json:
         content = {"case": case.name, "wanted": wanted, "reached": made.reached, **rows}
-        print_json(content | {"hob_life": life})
+        print_json(content | {"allowed_assembly_errors": allowed, "hob_life": life})
     else:
         _print(rows, life)
+        _print_allowed(allowed)
     if not made.reached:
         say(
             "warning: no set-up near the present one has that pattern without the worm cutting into the "
@@ -162,7 +165,10 @@ def _print(rows: dict[str, Row], life: list[Row]) -> None:
             table.add_column(name, justify="right")
         for key, (words, factor, form) in COLUMNS.items():
             if any(key in row for row in columns.values()):
-                table.add_row(words, *(f"{row[key] * factor:{form}}" for row in columns.values()))
+                values = (row[key] * factor for row in columns.values())
+                table.add_row(
+                    words, *(f"{of:{form}}" if isfinite(of) else "at edge" for of in values)
+                )
         Console().print(table)
 
     shown("Set-up of the hob", rows)
@@ -178,3 +184,22 @@ def _print(rows: dict[str, Row], life: list[Row]) -> None:
             "The hob over its life, swivelled anew after each regrinding",
             {f"{row['hob_oversize_m'] * 1e3:.3g} mm left": row for row in life},
         )
+
+
+def _print_allowed(allowed: dict[str, dict[str, float | str]]) -> None:
+    """The errors of the assembly that the drive allows, each alone."""
+    from rich.table import Table
+
+    from pyworm.io.console import Console
+
+    table = Table(title="Allowed errors of the assembly, each alone", title_justify="left")
+    for head in ("", "from", "limited by", "to", "limited by"):
+        table.add_column(head, justify="right" if head in ("from", "to") else "left")
+    for entry, row in allowed.items():
+        unit, factor, shown = ("m", 1e3, "mm") if "from_m" in row else ("deg", 1.0, "°")
+        cells = []
+        for end in ("from", "to"):
+            value = float(row[f"{end}_{unit}"]) * factor
+            cells += [f"{value:+.3f} {shown}", str(row[f"{end}_limited_by"])]
+        table.add_row(f"assembly.{entry}", *cells)
+    Console().print(table)

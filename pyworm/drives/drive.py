@@ -21,6 +21,9 @@ from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
+AllowedErrors = dict[str, dict[str, float | str]]
+"""Entry of `[drive.assembly]` -> from where to where, in the unit of the key, and what limits it."""
+
 
 class Drive(ABC):
     """A machine with lubricated contacts, which it makes and never solves.
@@ -123,6 +126,10 @@ class Drive(ABC):
         """Normal load of the contact at a phase [N], for each length of a line contact [N/m]."""
         return self.scene(phase).load
 
+    def idle(self, phase: float) -> bool:
+        """Whether the contact at a phase carries no load, as its neighbours carry all of it."""
+        return False
+
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss between all teeth, from that of some contacts; None where they are not enough."""
         return None
@@ -152,6 +159,10 @@ class Drive(ABC):
             Middle of the marked part along the face [m]; None for that without errors of assembly.
         """
         return None
+
+    def allowed_errors(self) -> AllowedErrors:
+        """Errors of the assembly that it allows, each alone; empty where they are not known."""
+        return {}
 
     def described(self) -> dict[str, float | str]:
         """Computed geometry and kinematics, in order; keys end in the SI unit, angles in `_deg`."""

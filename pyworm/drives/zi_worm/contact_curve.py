@@ -85,6 +85,10 @@ class ContactCurve(ContactPath):
             wheel_start=unknown[2:5] + rates[2:5] * past,
         )
 
+    def ends(self) -> tuple[float, float]:
+        """First and last worm angle of the path as far as it could be followed."""
+        return float(self._nodes[0]), float(self._nodes[-1])
+
     def search(self, tip_radius: float) -> Array:
         """Worm angles along the path as far as it could be followed."""
         return np.linspace(*self._nodes[[0, -1]], 401)

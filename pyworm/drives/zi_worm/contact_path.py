@@ -2,6 +2,7 @@
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from math import inf
 
 from pyworm.drives.zi_worm.flank_surface import FlankSurface
 from pyworm.drives.zi_worm.helicoid import Array, Seated
@@ -46,6 +47,10 @@ class ContactPath(ABC):
     @abstractmethod
     def touches(self, places: Array) -> Touches:
         """Contacts at places, (places,)."""
+
+    def ends(self) -> tuple[float, float]:
+        """Places between which contacts are followed; beyond them they are continued."""
+        return -inf, inf
 
     @abstractmethod
     def search(self, tip_radius: float) -> Array:

@@ -42,6 +42,9 @@ FINER = 17
 STRIDE = 3
 """One of so many `PHASES` for which that place is found; it moves slowly."""
 
+FAR = 1.0
+"""Gap of teeth that do not face each other [m]."""
+
 REACHED = 1e-6
 """Distance from its place below which a place of the flank is found [m]."""
 
@@ -225,7 +228,15 @@ def _behind(gears: "ZiWormGears") -> Array:
 
 
 def _first_gaps(gears: "ZiWormGears") -> Array:
-    """Least gap of the flanks at `PHASES` [m]; zero, at the contact point, where there are no deviations."""
+    """Least gap of the flanks at `PHASES` [m].
+
+    It is zero, at the contact point, where there are no deviations, and negative where misaligned flanks
+    touch at an edge before.
+    """
+    if gears.edge_contact is not None:
+        touches = [gears.first_touch(gears.cycle.contact(float(of))) for of in PHASES[::STRIDE]]
+        gaps = [FAR if touch is None else touch.gap for touch in touches]
+        return np.interp(PHASES, PHASES[::STRIDE], gaps)
     if not gears.deviating:
         return np.zeros(PHASES.size)
     least = []

@@ -7,6 +7,7 @@ import numpy as np
 
 from pyworm.drives.zi_worm.contact_pattern import THICKNESS
 from pyworm.drives.zi_worm.design import AS_DESIGNED
+from pyworm.drives.zi_worm.play import play
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
 from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
@@ -27,6 +28,7 @@ def described_drive(drive: "ZiWormDrive") -> Described:
         | _mesh(drive)
         | _shaft(drive)
         | _pattern(drive)
+        | _tolerances(drive)
     )
 
 
@@ -168,4 +170,14 @@ def _pattern(drive: "ZiWormDrive") -> Described:
         }
     if drive.assembly != AS_DESIGNED:
         about["wheel_shim_to_leaving_side_m"] = drive.wheel_shim(None).shift
+    return about
+
+
+def _tolerances(drive: "ZiWormDrive") -> Described:
+    """Play as assembled, and the errors of the assembly that the drive allows."""
+    about: Described = {}
+    if (left := play(drive)) is not None:
+        about["play_as_assembled_m"] = left
+    for one in drive.tolerances:
+        about |= {f"allowed_{one.entry}_{key}": value for key, value in one.row.items()}
     return about

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from pyworm.drives.drive import Drive
+from pyworm.drives.drive import AllowedErrors, Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.lubrication import Bath, Jets, OiledBody, OiledTeeth
@@ -35,13 +35,15 @@ from pyworm.drives.zi_worm.load_sharing import Arms, Shaft, SharedLoad, Transmis
 from pyworm.drives.zi_worm.loaded_pattern import loaded_pattern
 from pyworm.drives.zi_worm.mesh_cycle import ToothContact
 from pyworm.drives.zi_worm.mesh_loss import worm_mesh_loss
-from pyworm.drives.zi_worm.mesh_springs import mesh_springs
+from pyworm.drives.zi_worm.mesh_springs import MeshedTeeth, mesh_springs
 from pyworm.drives.zi_worm.meshing import WHEEL_AXIS, across_axis
 from pyworm.drives.zi_worm.misalignment import worm_misalignment
+from pyworm.drives.zi_worm.play import check_play
 from pyworm.drives.zi_worm.sensitivity import sensitivity_data
 from pyworm.drives.zi_worm.shapes import in_space
 from pyworm.drives.zi_worm.shim import found_shim
-from pyworm.drives.zi_worm.tooth_compliance import BEYOND, ToothSprings
+from pyworm.drives.zi_worm.tolerances import Tolerance, tolerances
+from pyworm.drives.zi_worm.tooth_compliance import BEYOND, LONGEST_RATIO, ToothSprings
 from pyworm.drives.zi_worm.tooth_pair_life import tooth_life
 from pyworm.drives.zi_worm.wanted_pattern import set_up
 from pyworm.drives.zi_worm.worm_shaft import BentShaft, WormShaft, bent_shaft
@@ -138,6 +140,7 @@ class ZiWormDrive(ZiWormGears, Drive):
             self._bending,
             *self._deviating,
             *filter(None, (self.warmth,)),
+            *(() if self.edge_contact is None else (self.edge_contact.words,)),
             *((MIRRORED,) if self.hand == "left" else ()),
             *(f"Taken as usual: drive.{one}." for one in self.taken),
         )
@@ -304,6 +307,10 @@ class ZiWormDrive(ZiWormGears, Drive):
         """Normal load of the tooth pair at a phase [N]; 0 where its neighbours carry all of it."""
         return self.shared(phase).force(phase)
 
+    def idle(self, phase: float) -> bool:
+        """Whether the tooth pair at a phase carries no load; under a given tooth load never."""
+        return isinstance(self.load, Transmission) and self.normal_load(phase) == 0
+
     @cached_property
     def unlifted(self) -> "ZiWormDrive | None":
         """The drive with load sharing as without films; None where no lift of films is known."""
@@ -316,15 +323,21 @@ class ZiWormDrive(ZiWormGears, Drive):
         """Contact patterns under the load, of the flank that the worm drives and of the other one."""
         return both_flanks(self, loaded_pattern)
 
+    def allowed_errors(self) -> AllowedErrors:
+        """Errors of the assembly that it allows, each alone."""
+        return {one.entry: one.row for one in self.tolerances}
+
+    @cached_property
+    def tolerances(self) -> tuple[Tolerance, ...]:
+        """Errors of the assembly that it allows, one at a time."""
+        return tolerances(self)
+
     @cached_property
     def springs(self) -> ToothSprings:
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
         whole = self.load.torque / float(self.arms(np.array([0.5])).of(self.load.shaft, 0.0)[0])
-        teeth = self.wheel_flank, self.worm_tooth, self.wheel_tooth
-        path = self.worm.threads, self.reference_radii
-        return mesh_springs(
-            *teeth, *path, reduced_modulus(*self.bodies), whole, self.load.stiffness
-        )
+        modulus = reduced_modulus(*self.bodies)
+        return mesh_springs(MeshedTeeth.of(self), modulus, whole, self.load.stiffness)
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
@@ -340,8 +353,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         return self.contact_beyond(phase).axes
 
     def _scene(self, phase: float) -> Scene:
-        if self.interference_words is not None:
-            raise ValueError(self.interference_words)
+        check_play(self)
         load = self.normal_load(phase)
         if load == 0:
             raise ValueError("the tooth pair carries no load there, its neighbours carry all")
@@ -352,11 +364,12 @@ class ZiWormDrive(ZiWormGears, Drive):
         return self.scene_of(self.contact(phase), load)
 
     def scene_of(self, contact: ToothContact, load: float) -> Scene:
-        """The same of a contact."""
+        """Scene of one tooth contact under a normal load [N]."""
+        radius_x, radius_y = contact.radii
         return Scene(
             name=f"phase {contact.phase:.2f}",
             gap=self.gap(contact),
-            radii=contact.radii,
+            radii=(min(radius_x, LONGEST_RATIO * radius_y), radius_y),
             motions=self.motions(contact),
             load=load,
             bodies=self.bodies,

@@ -20,21 +20,24 @@ from pyworm.drives.zi_worm.contact_pattern import (
 )
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.deviation_checks import check_deviations
+from pyworm.drives.zi_worm.edge_contact import EdgeContact
 from pyworm.drives.zi_worm.fillets import (
     check_fillets,
     fillet_warnings,
     hob_form_radius,
     worm_form_radius,
 )
+from pyworm.drives.zi_worm.first_touch import FirstTouch, first_touch
 from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths, wheel_of, worm_of
 from pyworm.drives.zi_worm.gap import ToothGap, surface_points
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.interference import Interference, deepest
 from pyworm.drives.zi_worm.mesh_cycle import MeshCycle, ToothContact, find_mesh_cycle
 from pyworm.drives.zi_worm.meshing import turned
+from pyworm.drives.zi_worm.seen_path import SeenPath
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.zi_worm.tooth_form import tooth_form_warnings
-from pyworm.drives.zi_worm.tooth_outline import ToothOutline, flank_outline
+from pyworm.drives.zi_worm.tooth_outline import RimmedFlank, ToothOutline, flank_outline
 
 PITCH_WARNED = 5e-6
 """Difference of normal base pitches [m] that gives a warning; tables of four digits leave up to 3 um."""
@@ -107,6 +110,7 @@ class ZiWormGears:
             *self._pitch_warnings(),
             *self._shift_warnings(),
             *self._ratio_warnings(),
+            *(() if self.edge_contact is None else (self.edge_contact.warning,)),
             *tooth_form_warnings(self),
             *fillet_warnings(self),
         )
@@ -234,19 +238,22 @@ class ZiWormGears:
         try:
             return self._cycle_of(self.worm_tooth)
         except ValueError:
-            errors = self.mounted
-            if errors == AS_DESIGNED:
+            if self.aligned:
                 raise
-            self._cycle_of(
-                self._thread_of(self._worm_with(AS_DESIGNED))
-            )  # refused by its own words
-            away, along = errors.centre_distance * 1e3, errors.axial_shift * 1e3
-            raise ValueError(
-                f"assembly: with the worm {away:.4g} mm farther from the wheel, {along:.4g} mm along the "
-                f"wheel's axis and {degrees(errors.shaft_angle):.4g} deg tilted, what a bent shaft adds "
-                "included, the flanks do not touch on the teeth as they do without; smaller errors, a "
-                "stiffer shaft or a larger hob.oversize are needed"
-            ) from None
+        aligned = self.aligned_cycle  # refused by its own words
+        return replace(aligned, path=SeenPath(aligned.path, self.worm_flank))
+
+    @property
+    def aligned(self) -> bool:
+        """Whether the worm runs where it is designed to."""
+        return self.mounted == AS_DESIGNED
+
+    @cached_property
+    def aligned_cycle(self) -> MeshCycle:
+        """The mesh cycle of one tooth pair without errors of the assembly."""
+        if self.aligned:
+            return self.cycle
+        return self._cycle_of(self._thread_of(self._worm_with(AS_DESIGNED)))
 
     def _cycle_of(self, thread: WormTooth) -> MeshCycle:
         """The mesh cycle of one tooth pair with a thread of the worm."""
@@ -254,6 +261,16 @@ class ZiWormGears:
             thread.worm, self.wheel_flank, self.worm.threads, self.reference_radii
         )
         return find_mesh_cycle(paths, self.ratio, thread, self.wheel_tooth)
+
+    @property
+    def errors_in_words(self) -> str:
+        """Where the worm runs, as differences from the design."""
+        errors = self.mounted
+        return (
+            f"the worm {errors.centre_distance * 1e3:.4g} mm farther from the wheel, "
+            f"{errors.axial_shift * 1e3:.4g} mm along the wheel's axis and "
+            f"{degrees(errors.shaft_angle):.4g} deg tilted, what a bent shaft adds included,"
+        )
 
     def gap(self, contact: ToothContact) -> ToothGap:
         """Undeformed gap over the contact's tangent plane."""
@@ -284,7 +301,8 @@ class ZiWormGears:
     @cached_property
     def rim(self) -> Array:
         """Parameters of the wheel flank's outline: tip, face end, root, face end."""
-        return flank_outline(self.wheel_flank, self.wheel_tooth, self.within, OUTLINE_SIDE)
+        rimmed = RimmedFlank(self.wheel_flank, self.wheel_tooth, self.within)
+        return flank_outline(rimmed, OUTLINE_SIDE)
 
     @property
     def within(self) -> tuple[float, ...]:
@@ -296,24 +314,26 @@ class ZiWormGears:
     def tooth_outline(self, contact: ToothContact) -> ToothOutline:
         """Outline of the wheel tooth and path of contact seen along a contact's normal."""
         angle = contact.wheel_angle
-        rim = self.wheel_flank.point(*self.rim, angle)
         path = np.stack(
             [turned(c.point, c.wheel_angle - angle) for c in map(self.cycle.contact, PATH)], axis=-1
         )
+        x, y, _ = contact.axes @ (path - contact.point[:, None])
+        return ToothOutline(*self._rim_seen(contact), x, y)
 
-        def seen(points: Array, axis: Array) -> Array:
-            return axis @ (points - contact.point[:, None])
-
-        x, y = contact.x_axis, contact.y_axis
-        return ToothOutline(seen(rim, x), seen(rim, y), seen(path, x), seen(path, y))
+    def _rim_seen(self, contact: ToothContact) -> tuple[Array, Array]:
+        """Outline of the wheel tooth over a contact's tangent plane [m]."""
+        rim = self.wheel_flank.point(*self.rim, contact.wheel_angle)
+        x, y, _ = contact.axes @ (rim - contact.point[:, None])
+        return x, y
 
     @cached_property
     def interference(self) -> Interference | None:
         """The deepest interference of worm and wheel beside their contact point; None where there is none."""
-        return deepest(
-            lambda phase: self.gap(self.cycle.contact(phase)),
-            lambda phase: self.tooth_outline(self.cycle.contact(phase)),
-        )
+        return deepest(lambda phase: self.first_touch(self.cycle.contact(phase)))
+
+    def first_touch(self, contact: ToothContact) -> FirstTouch | None:
+        """Where worm and wheel without load touch first as a contact holds them."""
+        return first_touch(self.gap(contact), *self._rim_seen(contact))
 
     @cached_property
     def flank_grid(self) -> FlankGrid:
@@ -351,17 +371,33 @@ class ZiWormGears:
             changes[name] = replace(part, deviations=None)
         return changes
 
-    @property
-    def interference_words(self) -> str | None:
-        """The interference as a sentence; None where there is none."""
-        found = self.interference
-        if found is None:
+    @cached_property
+    def edge_contact(self) -> EdgeContact | None:
+        """Where misaligned flanks without load touch, at an edge; None where at their contact point."""
+        phase = None if self.interference is None else self.interference.phase
+        if isinstance(self.cycle.path, SeenPath):
+            phase = 0.5
+        if phase is None:
             return None
-        face, radius = self.flank_place(self.cycle.contact(found.phase), found.x, found.y)
-        return (
-            f"hob.swivel of {degrees(self.hob.swivel):.4g} deg does not fit: the worm would cut "
-            f"{found.depth * 1e6:.1f} um into the flank that the hob leaves, at phase {found.phase:g}, "
-            f"{abs(face) * 1e3:.1f} mm from the middle of the face on a radius of {radius * 1e3:.1f} mm, and "
-            "touch it there only; another swivel, a larger hob or a smaller wheel.face_width is "
-            "needed"
+        contact = self.cycle.contact(phase)
+        touch = self.first_touch(contact)
+        if touch is None:
+            raise ValueError(
+                f"assembly: with {self.errors_in_words} worm and wheel do not reach each other"
+            )
+        on_wheel = contact.wheel_height.solve(touch.x, touch.y)[0]
+        point = surface_points(contact, np.asarray(touch.x), np.asarray(touch.y), on_wheel)
+        margins = {**self.worm_tooth.margins(point), **self.wheel_tooth.margins(point)}
+        return EdgeContact(
+            phase=phase,
+            face=float(point[1]),
+            radius=float(wheel_radius(point)),
+            boundary=min(margins, key=lambda name: float(margins[name])),
+            depth=0.0 if isinstance(self.cycle.path, SeenPath) else self.interference.depth,
+            mounted=self.mounted,
         )
+
+    def touching_place(self, contact: ToothContact) -> tuple[float, float]:
+        """Place of a contact's tangent plane about which the flanks touch without load [m]."""
+        touch = None if self.edge_contact is None else self.first_touch(contact)
+        return (0.0, 0.0) if touch is None else (touch.x, touch.y)

@@ -157,11 +157,13 @@ def share(
         approaches = levers * (turn + ahead) + lifts
         return np.array([pair.load(of) for pair, of in zip(pairs, approaches, strict=True)])
 
-    first_touch = -float((ahead + lifts / levers).max())
+    touching = np.array([pair.separation for pair in pairs])
+    first_touch = -float((ahead + (lifts - touching) / levers).max())
 
     def excess(further: float) -> float:
         return float(np.sum(arms * forces(first_touch + further))) - transmission.torque
 
-    guess = float(springs.approaches[:, -1].min() / np.max(levers))
+    pressed = springs.approaches[:, -1] - springs.separations
+    guess = float(pressed.min() / np.max(levers))
     turn = first_touch + rising_root(excess, guess)
     return SharedLoad(phases, forces(turn), turn)

@@ -50,7 +50,8 @@ def _nearer(drive: "ZiWormDrive", contact: ToothContact, shared: SharedLoad, at:
     if load > 0:
         radii = drive.cycle.contact(float(np.clip(contact.phase, 0, 1))).radii
         whole, face = float(shared.forces.sum()), drive.wheel.face_width
-        placed = placed_gap(drive.gap(contact), radii, whole, modulus, face, CELLS)
+        middle = drive.touching_place(contact)
+        placed = placed_gap(drive.gap(contact), radii, whole, modulus, face, CELLS, middle)
         dry = placed.pressed(load, modulus, placed.covered.astype(float))
         return dry.approach - deflection(placed, dry.pressure, modulus, at.x, at.y)
     if shared.turn == 0:

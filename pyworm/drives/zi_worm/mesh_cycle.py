@@ -12,6 +12,7 @@ from pyworm.drives.zi_worm.contact_path import ContactPath, Touches
 from pyworm.drives.zi_worm.flank_height import FlankHeight
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.meshing import across_axis
+from pyworm.drives.zi_worm.seen_path import SeenPath
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth
 
 FLAT = 1e-9
@@ -38,7 +39,8 @@ class ToothContact:
         The contact frame, each (3,): the common normal from worm to wheel; the direction of the larger
         relative radius of curvature, along which the worm sweeps positively; normal cross x_axis.
     radii : tuple of float
-        Relative radii of curvature along x_axis and y_axis [m]; infinite for line contact.
+        Relative radii of curvature along x_axis and y_axis [m]; infinite for line contact, and where flanks
+        that touch at an edge are nearer to each other on both sides of the origin.
     velocity : ndarray
         Velocity of the contact point in space, (3,) [m/s].
     worm_height, wheel_height : FlankHeight
@@ -87,6 +89,11 @@ class MeshCycle:
     begin_boundary: str
     end_boundary: str
 
+    def follows(self, phase: float) -> bool:
+        """Whether the contact at a phase is followed, not continued from the end of its path."""
+        first, last = self.path.ends()
+        return first <= self.begin + phase * (self.end - self.begin) <= last
+
     @property
     def speed_ratio(self) -> float:
         """Wheel speed by worm speed while this tooth pair leads, in the middle of its cycle."""
@@ -132,6 +139,17 @@ class MeshCycle:
         """Wheel angle ahead of threads / teeth times the worm's [rad], (phases,)."""
         return at.wheel_angle - self.ratio * at.worm_angle
 
+    @property
+    def absolute_error(self) -> float:
+        """Wheel angle ahead of the ideal at phase 0.5, counted from where it is cut [rad]."""
+        return self._ahead_in_middle
+
+    @property
+    def lever(self) -> float:
+        """Lever of the common normal about the wheel's axis at phase 0.5 [m]."""
+        at = self._touches(np.array([0.5]))
+        return float(np.sum(across_axis(at.point) * at.normal, axis=0)[0])
+
     @cached_property
     def _ahead_in_middle(self) -> float:
         return float(self._ahead(self._touches(np.array([0.5])))[0])
@@ -146,6 +164,7 @@ class MeshCycle:
         speed : float
             Worm speed [rad/s].
         """
+        seen = isinstance(self.path, SeenPath)
         at = self._touches(np.array([phase]))
         point, normal = at.point[:, 0], at.normal[:, 0]
         flanks = (
@@ -168,7 +187,7 @@ class MeshCycle:
         x_axis = x_axis * np.sign(x_axis @ self.path.worm.sweep(point))
         y_axis = np.cross(normal, x_axis)
         worm_height, wheel_height = heights(np.array([x_axis, y_axis, normal]))
-        flat = abs(curvatures[0]) < FLAT * abs(curvatures[1])
+        flat = abs(curvatures[0]) < FLAT * abs(curvatures[1]) or (seen and curvatures[0] < 0)
         radii = (np.inf if flat else float(1 / curvatures[0])), float(1 / curvatures[1])
         return ToothContact(
             phase=phase,

@@ -1,33 +1,57 @@
 """Cache of the compliance of a ZI worm drive's tooth pairs over their mesh cycle."""
 
+from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
-from pyworm.drives.zi_worm.flanks import WheelSurface, contact_paths
-from pyworm.drives.zi_worm.gap import ToothGap
-from pyworm.drives.zi_worm.mesh_cycle import find_mesh_cycle
-from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth
+from pyworm.drives.zi_worm.design import Assembly, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.tooth_compliance import ToothSprings, tooth_springs
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.gears import ZiWormGears
+
+
+@dataclass(frozen=True)
+class MeshedTeeth:
+    """Teeth by what decides their contacts.
+
+    Attributes
+    ----------
+    parts : tuple of Worm, Wheel and Hob
+        The design table.
+    distance : float
+        Distance of worm and wheel axes [m].
+    mounted : Assembly
+        Where the worm runs.
+    gears : ZiWormGears
+        The gears of them, whatever their load and oil.
+    """
+
+    parts: tuple[Worm, Wheel, Hob]
+    distance: float
+    mounted: Assembly
+    gears: "ZiWormGears" = field(compare=False)
+
+    @classmethod
+    def of(cls, gears: "ZiWormGears") -> "MeshedTeeth":
+        """The teeth of gears, or of a drive."""
+        parts = gears.worm, gears.wheel, gears.hob
+        return cls(parts, gears.centre_distance, gears.mounted, gears)
 
 
 @lru_cache(maxsize=2)
 def mesh_springs(
-    flank: WheelSurface,
-    worm_tooth: WormTooth,
-    wheel_tooth: WheelTooth,
-    threads: int,
-    reference_radii: tuple[float, float],
-    modulus: float,
-    whole_load: float,
-    stiffness: float,
+    teeth: MeshedTeeth, modulus: float, whole_load: float, stiffness: float
 ) -> ToothSprings:
-    """Compliance by all its parameters; cached, since drives often differ in friction, lifts and oil only."""
-    paths = contact_paths(worm_tooth.worm, flank, threads, reference_radii)
-    cycle = find_mesh_cycle(paths, flank.ratio, worm_tooth, wheel_tooth)
+    """Compliance by all that decides it; cached, as drives often differ in friction, lifts and oil only."""
+    gears = teeth.gears
     return tooth_springs(
-        gap_at=lambda phase: ToothGap(cycle.contact(phase), worm_tooth, wheel_tooth),
-        radii_at=lambda phase: cycle.contact(phase).radii,
+        gap_at=lambda phase: gears.gap(gears.cycle.contact(phase)),
+        radii_at=lambda phase: gears.cycle.contact(phase).radii,
         reduced_modulus=modulus,
         whole_load=whole_load,
         stiffness=stiffness,
-        longest=wheel_tooth.face_width,
+        longest=gears.wheel.face_width,
+        touch_at=lambda phase: gears.touching_place(gears.cycle.contact(phase)),
+        follows=gears.cycle.follows,
     )

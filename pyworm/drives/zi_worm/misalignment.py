@@ -3,7 +3,11 @@
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from pyworm.drives.misalignment import Misalignment, MountingError
+import numpy as np
+
+from pyworm.drives.misalignment import DryContact, Misalignment, MountingError
+from pyworm.drives.zi_worm.dry_contact import dry_contact_of
+from pyworm.drives.zi_worm.play import check_play
 from pyworm.scene.point import Scene
 
 if TYPE_CHECKING:
@@ -23,21 +27,25 @@ ERRORS = (
 """Label with the error in thousandths, its entry (`ZiWormDrive.varied`), its size in both directions."""
 
 METHOD = (
-    "Misalignment by the drive's own geometry: the unloaded contact is found again, at the same "
-    "phases of its new mesh cycle; the load of the tooth stays."
+    "Misalignment by the drive's own geometry: the contact is found again at the same phases, on the flanks "
+    "as they are, at an edge where they touch there; pressures are those of dry contacts under the same load "
+    "of the tooth. Where a contact comes to rest on an edge no closed form gives its film (run the case with "
+    "[drive.assembly]); one that rests on an edge without the error keeps its film."
 )
 
 
 def worm_misalignment(drive: "ZiWormDrive", contacts: Sequence[Scene]) -> Misalignment:
     """The contacts under each error of the assembly, in both directions."""
-    return Misalignment(
-        METHOD,
-        tuple(
-            _mounted(drive, label.format(by * 1e3), entry, by, contacts)
-            for label, entry, size in ERRORS
-            for by in (-size, size)
-        ),
+    errors = tuple(
+        _mounted(drive, label.format(by * 1e3), entry, by, contacts)
+        for label, entry, size in ERRORS
+        for by in (-size, size)
     )
+    return Misalignment(METHOD, errors, _dry(drive, contacts))
+
+
+def _dry(drive: "ZiWormDrive", contacts: Sequence[Scene]) -> tuple[DryContact, ...]:
+    return tuple(dry_contact_of(drive, of.load, of.phase) for of in contacts)
 
 
 def _mounted(
@@ -45,18 +53,27 @@ def _mounted(
 ) -> MountingError:
     try:
         other = drive.varied(entry, by)
+        check_play(other)
+        dry = _dry(other, contacts)
         moved = tuple(other.scene_under(of.load, of.phase) for of in contacts)
     except ValueError:
-        return MountingError(label, (), "the teeth no longer touch")
-    return MountingError(label, moved, _movement(drive, other))
+        return MountingError(label, (), "the teeth jam, or no longer reach each other")
+    note = _movement(drive, other, moved[0].load)
+    edges = [f"{of.phase:g}" for of, one in zip(contacts, dry, strict=True) if one.at_edge]
+    if edges:
+        note += f"; on an edge at phase {', '.join(edges)}"
+    return MountingError(label, moved, note, dry)
 
 
-def _movement(drive: "ZiWormDrive", other: "ZiWormDrive") -> str:
-    """Movement of the contact at mid-mesh and its relative radii, in words."""
-    before, after = drive.contact(0.5), other.contact(0.5)
-    across = (after.point[1] - before.point[1]) * 1e3
-    long_radius, short_radius = max(after.radii), min(after.radii)
-    return (
-        f"at mid-mesh the contact moves {across:+.1f} mm along the wheel's axis; radii "
-        f"{long_radius:.2f} m, {short_radius * 1e3:.1f} mm"
-    )
+def _movement(drive: "ZiWormDrive", other: "ZiWormDrive", load: float) -> str:
+    """Movement of the contact at mid-mesh under a load [N], in words."""
+    before, after = (dry_contact_of(of, load) for of in (drive, other))
+    faces = [
+        float(of.flank_place(dry.contact, np.array([dry.x]), np.array([dry.y]))[0][0])
+        for of, dry in ((drive, before), (other, after))
+    ]
+    moved = f"at mid-mesh the contact moves {(faces[1] - faces[0]) * 1e3:+.1f} mm along the wheel's axis"
+    if after.at_edge:
+        return moved
+    long_radius, short_radius = max(after.contact.radii), min(after.contact.radii)
+    return f"{moved}; radii {long_radius:.2f} m, {short_radius * 1e3:.1f} mm"

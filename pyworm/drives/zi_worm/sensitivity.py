@@ -1,16 +1,19 @@
 """Sensitivity of a ZI worm drive's contact at mid-mesh to errors of assembly and set-up."""
 
 from math import nan
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyworm.drives.zi_worm.tooth_compliance import placed_gap
+from pyworm.drives.zi_worm.dry_contact import dry_contact_of
+from pyworm.drives.zi_worm.play import check_play
 from pyworm.formulas.film import nijenbanning_venner_moes
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
-from pyworm.materials.body import reduced_modulus
 from pyworm.scene.scales import scales
+
+if TYPE_CHECKING:
+    from pyworm.drives.zi_worm.drive import ZiWormDrive
 
 ERRORS = {
     "assembly.centre_distance": 0.1e-3,
@@ -34,8 +37,8 @@ CONTACT = (
 """Variables of each contact."""
 
 
-def sensitivity_data(drive: Any) -> "xr.Dataset":
-    """The contact at mid-mesh under its load with each error alone; NaN where there is none.
+def sensitivity_data(drive: "ZiWormDrive") -> "xr.Dataset":
+    """The contact at mid-mesh under its load with each error alone; NaN where teeth cannot be assembled.
 
     Parameters
     ----------
@@ -52,8 +55,10 @@ def sensitivity_data(drive: Any) -> "xr.Dataset":
                 row.append(own)
                 continue
             try:
-                row.append(mid_mesh_contact(drive.varied(name, side * error), load))
-            except ValueError:  # no contact on the teeth, or teeth that jam
+                varied = drive.varied(name, side * error)
+                check_play(varied)
+                row.append(mid_mesh_contact(varied, load))
+            except ValueError:  # teeth that jam or do not reach each other
                 row.append(dict.fromkeys(CONTACT, nan))
         rows.append(row)
     errors = np.array(list(ERRORS.values()))
@@ -73,29 +78,25 @@ def sensitivity_data(drive: Any) -> "xr.Dataset":
     )
 
 
-def mid_mesh_contact(drive: Any, load: float) -> dict[str, float]:
+def mid_mesh_contact(drive: "ZiWormDrive", load: float) -> dict[str, float]:
     """The contact at mid-mesh under a load [N]: the variables `CONTACT`.
 
-    Place and pressure are those of the dry contact, the film is by formula.
+    Place and pressure are those of the dry contact on the flanks as they are, edges included. The film is by
+    formula, NaN where the contact rests on an edge, for which formulas of smooth flanks mean nothing.
     """
-    contact = drive.contact(0.5)
-    modulus = reduced_modulus(*drive.bodies)
-    placed = placed_gap(drive.gap(contact), contact.radii, load, modulus, drive.wheel.face_width)
-    dry = placed.pressed(load, modulus, placed.covered.astype(float))
-    weights = dry.pressure / dry.pressure.sum()
-    x, y = (
-        float((weights * axis).sum()) for axis in np.meshgrid(placed.x, placed.y, indexing="ij")
-    )
-    face, radius = drive.flank_place(contact, np.array([x]), np.array([y]))
+    dry = dry_contact_of(drive, load)
+    contact = dry.contact
+    face, radius = drive.flank_place(contact, np.array([dry.x]), np.array([dry.y]))
+    film = nan
+    if not dry.at_edge:
+        # of errors of these contacts, whose spin is beyond the atlas, the change of this film tells more
+        film = float(nijenbanning_venner_moes(scales(drive.scene_under(load, 0.5)).groups).central)
     return {
         "contact_face": float(face[0]),
         "contact_radius_on_wheel": float(radius[0]),
         "radius_long": contact.radii[0],
         "radius_short": contact.radii[1],
-        "dry_pressure_max": float(dry.pressure.max()),
-        # of errors of these contacts, whose spin is beyond the atlas, the change of this film tells more
-        "formula_film": float(
-            nijenbanning_venner_moes(scales(drive.scene_under(load, 0.5)).groups).central
-        ),
+        "dry_pressure_max": dry.pressure_max,
+        "formula_film": film,
         "contact_ratio": 1 / drive.pitch,
     }

@@ -48,7 +48,7 @@ def found_shim(gears: "ZiWormGears", wanted: float | None = None) -> Shim:
     before = middle(gears.patterns[0])
     if wanted is None:
         wanted = middle(contact_pattern(replace(gears, assembly=AS_DESIGNED), gears.flank_grid))
-    shift, face, slope = 0.0, before, _slope(gears)
+    shift, face, slope = 0.0, before, _slope(replace(gears, assembly=AS_DESIGNED))
     for _ in range(MOST_STEPS):
         if abs(face - wanted) <= TOLERANCES["face"]:
             break
@@ -76,6 +76,9 @@ def shimmed(gears: "ZiWormGears", shift: float) -> "ZiWormGears":
 
 
 def _slope(gears: "ZiWormGears") -> float:
-    """Way of the contact at mid-mesh along the face by the shift of the wheel."""
+    """Way of the contact at mid-mesh along the face by the shift of the wheel; of aligned flanks.
+
+    That of misaligned ones stays at the edge where they touch.
+    """
     ends = [shimmed(gears, side * DIFFERENCE).cycle.contact(0.5).point[1] for side in (-1, 1)]
     return float(ends[1] - ends[0]) / (2 * DIFFERENCE)

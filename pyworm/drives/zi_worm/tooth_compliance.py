@@ -54,7 +54,8 @@ class ToothSprings:
     loads : ndarray
         Normal loads [N], (loads,).
     separations : ndarray
-        Least gap between the teeth without load when the flanks beyond their ends would touch [m], (phases,).
+        Least gap between the teeth without load when the flanks would touch at their contact point [m],
+        (phases,); negative where they touch at an edge before.
     approaches : ndarray
         Approach [m] from that instant, (phases, loads).
     """
@@ -111,6 +112,12 @@ class ToothSpring:
         return float(np.exp(self.curve(np.log(pressed)))) if pressed > 0 else 0.0
 
 
+Place = tuple[float, float]
+"""A place on a tangent plane [m]."""
+
+CONTACT_POINT: Place = (0.0, 0.0)
+
+
 def tooth_springs(
     gap_at: Callable[[float], Gap],
     radii_at: Callable[[float], tuple[float, float]],
@@ -118,6 +125,8 @@ def tooth_springs(
     whole_load: float,
     stiffness: float,
     longest: float,
+    touch_at: Callable[[float], Place] = lambda phase: CONTACT_POINT,
+    follows: Callable[[float], bool] = lambda phase: 0 <= phase <= 1,
 ) -> ToothSprings:
     """Dry contacts of one tooth pair over its mesh cycle and a little beyond.
 
@@ -129,16 +138,31 @@ def tooth_springs(
         E' [Pa], load of all pairs together [N], stiffness beyond the contact [N/m].
     longest : float
         Half side of the window that no contact exceeds [m].
+    touch_at : callable, optional
+        Phase -> place about which flanks touch first; by default their contact point.
+    follows : callable, optional
+        Phase -> whether the contact is that of the flanks, not continued from where it could be followed no
+        farther; by default within the mesh cycle.
     """
     loads = LOAD_SHARES * whole_load
     phases, separations, approaches = [], [], []
     for phase in SPRING_PHASES:
         radii = radii_at(float(np.clip(phase, 0, 1)))
-        placed = placed_gap(gap_at(float(phase)), radii, whole_load, reduced_modulus, longest)
-        if placed is None or (least := float(placed.gap[placed.covered].min())) < -CROSSED:
+        placed = placed_gap(
+            gap_at(float(phase)),
+            radii,
+            whole_load,
+            reduced_modulus,
+            longest,
+            middle=touch_at(float(phase)),
+        )
+        if placed is None or not placed.covered.any():
+            continue
+        least = float(placed.gap[placed.covered].min())
+        if least < -CROSSED and not follows(float(phase)):
             continue
         phases.append(phase)
-        separations.append(max(least, 0.0))
+        separations.append(least)
         pressure = placed.covered.astype(float)
         row = []
         for load in loads[::-1]:
@@ -181,14 +205,18 @@ def placed_gap(
     reduced_modulus: float,
     longest: float,
     cells: tuple[int, int] = CELLS,
+    middle: Place = CONTACT_POINT,
 ) -> PlacedGap | None:
-    """The gap about its least under a load [N], arguments as of `tooth_springs`; None without teeth."""
+    """The gap about its least under a load [N], arguments as of `tooth_springs`; None without teeth.
+
+    The least is sought about a place of the tangent plane, `middle` [m].
+    """
     size = hertz(min(radii[0], LONGEST_RATIO * radii[1]), radii[1], load, reduced_modulus)
     sides = [
         min(fraction * axis, longest)
         for fraction, axis in zip(HALF_SIDES, (size.semi_axis_x, size.semi_axis_y), strict=True)
     ]
-    x, y = _window((0.0, 0.0), sides, SEARCH_CELLS)
+    x, y = _window(middle, sides, SEARCH_CELLS)
     height, covered = gap(*np.meshgrid(x, y, indexing="ij"))
     if not covered.any():
         return None

@@ -9,7 +9,8 @@ vanishes at that edge and nowhere else, since no flank normal is perpendicular t
 motion: it has a lever about the wheel's axis.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 from math import inf
 
 import numpy as np
@@ -51,23 +52,43 @@ class ToothOutline:
     path_y: Array
 
 
-def flank_outline(
-    flank: WheelSurface, tooth: WheelTooth, start: tuple[float, ...], count: int
-) -> Array:
-    """Parameters of the closed outline of a wheel's flank, (parameters, 4 count + 1).
+@dataclass(frozen=True)
+class RimmedFlank:
+    """A wheel's flank with its rim.
 
-    Parameters
+    Attributes
     ----------
     flank : WheelFlank or SweptWheel
         The flank.
     tooth : WheelTooth
         Its rim.
     start : tuple of float
-        Parameters of a point within the rim.
+        Parameters of any point within the rim, from which it is found.
+    """
+
+    flank: WheelSurface
+    tooth: WheelTooth
+    start: tuple[float, ...] = field(compare=False)
+
+
+@lru_cache(maxsize=4)
+def flank_outline(rimmed: RimmedFlank, count: int) -> Array:
+    """Parameters of the closed outline of a wheel's flank, (parameters, 4 count + 1).
+
+    Cached, since it does not depend on where the worm is assembled.
+
+    Parameters
+    ----------
+    rimmed : RimmedFlank
+        The flank.
     count : int
         Points on each of the four sides.
     """
-    return flank_places(flank, start, np.stack(tooth.rim(count)), tooth.hob_form_radius)
+    tooth = rimmed.tooth
+    aim = np.stack(tooth.rim(count))
+    places = flank_places(rimmed.flank, rimmed.start, aim, tooth.hob_form_radius)
+    places.flags.writeable = False
+    return places
 
 
 def flank_places(
@@ -78,7 +99,7 @@ def flank_places(
     Parameters
     ----------
     flank, start
-        As of `flank_outline`.
+        As of `RimmedFlank`.
     target : ndarray
         Radii and places along the axis [m], (2, places).
     hob_form_radius : float

@@ -138,7 +138,7 @@ def _nearer(now: Setting, change: Change, misses: Misses) -> Setting | None:
         tried = _changed(now, {entry: part * by for entry, by in change.items()})
         if tried is None or not np.linalg.norm(misses(tried)) < least:
             continue
-        if tried.gears.pitch <= 1 and tried.gears.interference is None:
+        if tried.gears.pitch <= 1 and tried.gears.edge_contact is None:
             return tried
     return None
 

@@ -10,7 +10,7 @@ from math import isnan, nan
 
 from pyworm.case.case import Case
 from pyworm.case.contact import GapCase
-from pyworm.drives.misalignment import MountingError
+from pyworm.drives.misalignment import DryContact, MountingError
 from pyworm.formulas.film import nijenbanning_venner_moes
 from pyworm.materials.oil import Oil
 from pyworm.materials.tabulated import TabulatedViscosity
@@ -39,9 +39,10 @@ class Variation:
     label : str
         What.
     film : float
-        Least film of all contacts that follows [m]; nan, as the ratios, where there is no contact.
+        Minimum film thickness of all contacts that follows [m]; nan, as its ratio, where there is no contact,
+        or one comes to rest on an edge, for which there is no closed form.
     film_ratio, pressure_ratio : float
-        Film there and largest Hertz pressure of all contacts over what they were [-].
+        Film there and largest dry pressure of all contacts over what they were [-].
     note : str
         What else it does.
     """
@@ -88,7 +89,7 @@ def sensitivity_section(case: Case, result: Result) -> Section | None:
         )
         for one in found.variations
     ]
-    head = ("", "Least film", "change", *(("lambda",) if roughness else ()), "Hertz pressure", "")
+    head = ("", "Least film", "change", *(("lambda",) if roughness else ()), "dry pressure", "")
     words = (
         "By closed forms, not solved again: at each solved contact the simulated film is changed by the "
         "fraction by which the least film of the atlas changes, outside its box the film of Nijenbanning, "
@@ -120,7 +121,7 @@ def sensitivity(case: Case, result: Result) -> Sensitivity:
     if case.drive is None:
         return Sensitivity(tuple(_of_oil(solved)), None)
     misalignment = case.drive.misalignment(solved.contacts)
-    mounted = (solved.mounted(error) for error in misalignment.errors)
+    mounted = (solved.mounted(error, misalignment.dry) for error in misalignment.errors)
     return Sensitivity((*_of_oil(solved), *mounted), misalignment.method)
 
 
@@ -147,11 +148,22 @@ class _Solved:
             note=note,
         )
 
-    def mounted(self, error: MountingError) -> Variation:
-        """What an error of mounting makes of them."""
+    def mounted(self, error: MountingError, before: tuple[DryContact, ...]) -> Variation:
+        """What an error of mounting makes of them, and of their dry contacts without it."""
         if not error.contacts:
             return Variation(error.label, nan, nan, nan, error.note)
-        return self.changed(error.label, error.contacts, error.note)
+        if not before:
+            return self.changed(error.label, error.contacts, error.note)
+        kept = [
+            old if dry.at_edge else new
+            for old, new, dry in zip(self.contacts, error.contacts, before, strict=True)
+        ]
+        found = self.changed(error.label, kept, error.note)
+        largest = [max(dry.pressure_max for dry in of) for of in (before, error.dry)]
+        found = replace(found, pressure_ratio=largest[1] / largest[0])
+        if any(new.at_edge and not old.at_edge for old, new in zip(before, error.dry, strict=True)):
+            return replace(found, film=nan, film_ratio=nan)
+        return found
 
 
 def _of_oil(solved: _Solved) -> Iterator[Variation]:

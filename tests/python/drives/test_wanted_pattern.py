@@ -73,7 +73,7 @@ def test_the_command_prints_a_hob_that_marks_so(tmp_path, capsys, monkeypatch):
 
 
 def test_the_command_tells_a_fitter_the_nearest_shim(tmp_path, capsys, monkeypatch):
-    """A worm shifted to the entering side, where the other flank would touch on no tooth."""
+    """A worm shifted to the entering side, where the other flank would touch at the end of the face only."""
     monkeypatch.setattr("pyworm.drives.zi_worm.shim.MOST_STEPS", 1)
     path = tmp_path / "shifted.toml"
     text = (CASES / "zi_sharif_2001.toml").read_text()
@@ -81,7 +81,8 @@ def test_the_command_tells_a_fitter_the_nearest_shim(tmp_path, capsys, monkeypat
     assert main(["setup", str(path), "--shim", "40 mm"]) == 3
     told = capsys.readouterr()
     assert re.search(r"Shift the wheel 0\.500 mm to the entering side\.", told.out)
-    assert "The other flank touches on no tooth with the shim." in told.out
+    place = re.search(r"other flank: from \S+ mm to (\S+) mm along the face", told.out)
+    assert float(place[1]) == pytest.approx(30, abs=1)
     assert "Wanted on the driven flank: +40.00 mm" in told.out
     assert "no shim brings the pattern there" in told.err
 

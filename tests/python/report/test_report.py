@@ -301,9 +301,12 @@ def test_a_hob_of_another_base_pitch_is_shown_first(tmp_path, capsys):
     result = Result(case.name, case.resolved, (make_hot_worm(0.5),), make_mesh_cycle(), {})
     *_, told = build_report(result).warnings
     assert "um more than the worm's" in told
-    # a worm turned by 1 mrad misses this wheel, which does not cost the report
-    lost = rows(build_report(result), "Sensitivity")["shaft angle -1.0 mrad"]
-    assert lost[-1] == "the teeth no longer touch" and not any(lost[:-1])
+    # a worm turned by 1 mrad touches this wheel at an edge, for whose film there is no closed form
+    film, change, pressure, note = rows(build_report(result), "Sensitivity")[
+        "shaft angle -1.0 mrad"
+    ]
+    assert not film and not change and float(pressure.split()[0]) > 10
+    assert note.endswith("; on an edge at phase 0.5")
     assert main(["check", str(path), "--phase", "0.5", "--json"]) == 0
     out, err = capsys.readouterr()
     assert json.loads(out)["warnings"] == [told]
@@ -376,7 +379,9 @@ def test_uneven_load_balances_the_tilt_of_the_flank_lines(increaser, share):
 
 
 def test_sensitivities_of_worms_to_assembly_errors():
-    """At mid-mesh: pressure by Brewe and Hamrock's fit of the radii told, films by Chittenden's formula."""
+    """At mid-mesh: dry pressure as Brewe and Hamrock's fit of the radii, within what ends and reliefs do to
+    it, films by Chittenden's formula.
+    """
     result = worm_result()
     middle = replace(result, solutions=result.solutions[1:])
     case = case_again(middle.case)
@@ -398,7 +403,7 @@ def test_sensitivities_of_worms_to_assembly_errors():
             one = found.pop(label.format(by * 1e3))
             radii = re.search(r"radii ([0-9.]+) m, ([0-9.]+) mm", one.note)
             ratio = pressure(float(radii[1]), float(radii[2]) * 1e-3) / pressure(3.049, 0.0954)
-            assert one.pressure_ratio == pytest.approx(ratio, abs=0.006)
+            assert one.pressure_ratio == pytest.approx(ratio, abs=0.025)
             films = [
                 float(chittenden(scales(drive.scene_under(14e3, 0.5)).groups).central)
                 for drive in (case.drive.varied(entry, by), case.drive)

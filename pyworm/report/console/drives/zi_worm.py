@@ -35,8 +35,11 @@ def sensitivity_table(cycle: "xr.Dataset") -> Table:
             at = cycle.isel(error=number, side=side)
             values = [float(at[f"varied_{name}"]) * scale for _, name, scale, _ in columns]
             known = np.isfinite(values[0])
-            cells = [f"{value:{style}}" for value, (*_, style) in zip(values, columns, strict=True)]
-            table.add_row(label, *(cells if known else ["no contact"]))
+            cells = [
+                f"{value:{style}}" if np.isfinite(value) else NO_FORMULA
+                for value, (*_, style) in zip(values, columns, strict=True)
+            ]
+            table.add_row(label, *(cells if known else ["cannot be assembled"]))
     return table
 
 
@@ -47,6 +50,9 @@ _ERRORS = {
     "hob.swivel": "hob's swivel",
 }
 """Entry in error -> what people call it."""
+
+NO_FORMULA = "at edge"
+"""What is shown in place of radii and films of a contact that rests on an edge of a tooth."""
 
 ANGLES = ("assembly.shaft_angle", "hob.swivel")
 
