@@ -45,6 +45,9 @@ PITCH_WARNED = 5e-6
 USUAL_SHIFT = 1.0
 """Profile shift beyond which a drawing gives a warning."""
 
+TURNS = 2
+"""Corrections of the turn of a wheel by which misaligned flanks touch; each leaves its square."""
+
 OUTLINE_SIDE = 60
 """Number of points on each side of the wheel tooth's outline."""
 
@@ -241,7 +244,22 @@ class ZiWormGears:
             if self.aligned:
                 raise
         aligned = self.aligned_cycle  # refused by its own words
-        return replace(aligned, path=SeenPath(aligned.path, self.worm_flank))
+        path = SeenPath(aligned.path, self.worm_flank)
+        for _ in range(TURNS):
+            path = replace(path, ahead=path.ahead - self._apart(replace(aligned, path=path)))
+        return replace(aligned, path=path)
+
+    def _apart(self, cycle: MeshCycle) -> float:
+        """Turn of the wheel by which the flanks of a mesh cycle come to touch at mid-mesh [rad]."""
+        contact = cycle.contact(0.5)
+        rimmed = RimmedFlank(self.wheel_flank, self.wheel_tooth, _within(cycle))
+        rim = _rim_seen(contact, flank_outline(rimmed, OUTLINE_SIDE), self.wheel_flank)
+        touch = first_touch(self.gap(contact), *rim)
+        if touch is None:
+            raise ValueError(
+                f"assembly: with {self.errors_in_words} worm and wheel do not reach each other"
+            )
+        return touch.gap / abs(cycle.lever)
 
     @property
     def aligned(self) -> bool:
@@ -307,9 +325,7 @@ class ZiWormGears:
     @property
     def within(self) -> tuple[float, ...]:
         """Parameters of a point of the wheel's flank within its outline."""
-        middle = self.cycle.contact(0.5)
-        *on_hob, lag = middle.wheel_height.start
-        return *on_hob, lag + middle.wheel_angle
+        return _within(self.cycle)
 
     def tooth_outline(self, contact: ToothContact) -> ToothOutline:
         """Outline of the wheel tooth and path of contact seen along a contact's normal."""
@@ -322,9 +338,7 @@ class ZiWormGears:
 
     def _rim_seen(self, contact: ToothContact) -> tuple[Array, Array]:
         """Outline of the wheel tooth over a contact's tangent plane [m]."""
-        rim = self.wheel_flank.point(*self.rim, contact.wheel_angle)
-        x, y, _ = contact.axes @ (rim - contact.point[:, None])
-        return x, y
+        return _rim_seen(contact, self.rim, self.wheel_flank)
 
     @cached_property
     def interference(self) -> Interference | None:
@@ -401,3 +415,16 @@ class ZiWormGears:
         """Place of a contact's tangent plane about which the flanks touch without load [m]."""
         touch = None if self.edge_contact is None else self.first_touch(contact)
         return (0.0, 0.0) if touch is None else (touch.x, touch.y)
+
+
+def _within(cycle: MeshCycle) -> tuple[float, ...]:
+    """Parameters of a point of the wheel's flank within its outline."""
+    middle = cycle.contact(0.5)
+    *on_hob, lag = middle.wheel_height.start
+    return *on_hob, lag + middle.wheel_angle
+
+
+def _rim_seen(contact: ToothContact, rim: Array, flank: WheelSurface) -> tuple[Array, Array]:
+    """Outline of the wheel tooth, by its parameters, over a contact's tangent plane [m]."""
+    x, y, _ = contact.axes @ (flank.point(*rim, contact.wheel_angle) - contact.point[:, None])
+    return x, y

@@ -5,7 +5,7 @@ away more than their crowning, and they touch at an edge of a tooth. Gap, veloci
 the tangent planes that the flanks have without the errors; over these planes they lie aslant and apart.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pyworm.drives.zi_worm.contact_path import ContactPath, Touches
 from pyworm.drives.zi_worm.flank_points import WormPoints
@@ -25,14 +25,18 @@ class SeenPath(ContactPath):
         The path without them.
     worm : Helicoid or SweptHelicoid
         The worm as assembled.
+    ahead : float
+        Turn of the wheel by which the flanks touch, or nearly so [rad]; wheel angles include it.
     """
 
     aligned: ContactPath
     worm: WormSurface
+    ahead: float = 0.0
 
     def touches(self, places: Array) -> Touches:
         """Contacts without the errors."""
-        return self.aligned.touches(places)
+        touches = self.aligned.touches(places)
+        return replace(touches, wheel_angle=touches.wheel_angle + self.ahead)
 
     def ends(self) -> tuple[float, float]:
         """Places between which the aligned path is followed."""

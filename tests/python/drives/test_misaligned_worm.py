@@ -58,6 +58,12 @@ def drive():
     return case_of(CASE, "aligned", Path()).drive
 
 
+def load_at(drive, worm_angle):
+    """Load of the tooth pair at a turn of the worm."""
+    first, last = (drive.contact(phase).worm_angle for phase in (0.0, 1.0))
+    return drive.normal_load((worm_angle - first) / (last - first))
+
+
 def moved(drive, **errors):
     return replace(drive, assembly=Assembly(**errors))
 
@@ -163,9 +169,12 @@ def test_pressure_passes_on_where_the_contact_point_leaves_the_flanks(drive):
         lost = isinstance(at(middle).cycle.path, SeenPath)
         with_normal, without = (with_normal, middle) if lost else (middle, without)
     before, after = (dry_contact_of(at(away), 3000.0) for away in (with_normal, without))
-    assert after.pressure_max == pytest.approx(before.pressure_max, rel=0.04)
-    shares = [at(away).normal_load(0.3) for away in (with_normal, without)]
-    assert shares[1] == pytest.approx(shares[0], rel=0.03)
+    assert after.pressure_max == pytest.approx(before.pressure_max, rel=0.06)
+    # the same turns of the worm, at which their mesh cycles have different phases
+    start = drive.contact(0.5).worm_angle
+    for turn in (-2.8, -0.9, 0.0, 1.0, 1.9):
+        loads = [load_at(at(away), start + turn) for away in (with_normal, without)]
+        assert loads[1] == pytest.approx(loads[0], rel=0.1)
 
 
 def test_allowed_errors_are_where_the_pressure_has_risen_or_the_play_is_gone(drive):
