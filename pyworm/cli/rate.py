@@ -121,6 +121,8 @@ def _print(console, rating: "Rating") -> None:
     for figure in rating.figures:
         table.add_row(figure.label, *(figure.shown(n) for n in range(len(rating.columns))))
     console.print(table)
+    for sentence in rating.basis:
+        console.print(sentence)
     if rating.safeties:
         console.print(_safeties(rating))
         for of in rating.safeties:
@@ -139,6 +141,7 @@ def _safeties(rating: "Rating"):
     table.add_column("Value", justify="right")
     table.add_column("Required", justify="right")
     table.add_column("Verdict")
+    table.add_column("By")
     for of in rating.safeties:
-        table.add_row(f"{of.symbol} {of.label}", of.shown, f"{of.minimum:g}", of.verdict)
+        table.add_row(f"{of.symbol} {of.label}", of.shown, f"{of.minimum:g}", of.verdict, of.clause)
     return table

@@ -164,6 +164,10 @@ class Drive(ABC):
         """Errors of the assembly that it allows, each alone; empty where they are not known."""
         return {}
 
+    def geometry(self) -> dict[str, float | str]:
+        """Computed geometry of its gears, for the page to sign; keys as of `described`."""
+        return {}
+
     def described(self) -> dict[str, float | str]:
         """Computed geometry and kinematics, in order; keys end in the SI unit, angles in `_deg`."""
         return {}

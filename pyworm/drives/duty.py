@@ -42,6 +42,8 @@ class WormDuty:
         Material of the wheel in the drive's contacts; None where it has no name.
     simulated_wheel_temperature : float or None
         Bulk temperature of the wheel in the drive's contacts [K].
+    contact_ratio : float or None
+        Pairs of teeth in mesh on average [-]; None of a gear without its flanks.
     conductance, other_loss : float or None
         Heat that the housing gives off for each kelvin of its oil [W/K], and losses besides the teeth [W],
         where they are given.
@@ -59,6 +61,7 @@ class WormDuty:
     wheel_temperature: float | None = None
     wheel_material: str | None = None
     simulated_wheel_temperature: float | None = None
+    contact_ratio: float | None = None
     conductance: float | None = None
     other_loss: float | None = None
 

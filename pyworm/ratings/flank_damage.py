@@ -20,6 +20,19 @@ from pyworm.ratings.rating import Safety, Value
 from pyworm.scene.index import Place
 from pyworm.solver.solution import Solution
 
+CLAUSES = {
+    "S_B": "ISO/TS 6336-20:2017, equation 100 of ISO/TR 13989-1:2000",
+    "S_lambda": "ISO/TS 6336-22:2018, equation 4 of ISO/TR 15144-1:2014",
+}
+"""Symbol of a safety -> standard, and where its former edition has it, by a public program."""
+
+BASIS = (
+    "Scuffing: ISO/TS 6336-20:2017, micropitting: ISO/TS 6336-22:2018. Neither text was read: formulas were "
+    "held against a public program that gives the equation numbers of their former editions, ISO/TR 13989-1 "
+    "and 15144-1 (mekanika.org); X_W, W_W and the factor 1.4 are remembered.",
+)
+"""Standards of both safeties, and what of them was not read."""
+
 LEAST_SHARE = 0.05
 """Fraction of the load carried by asperities from which a gap between rough flanks is no longer the film that
 smooth ones would have, of which limits of specific films are."""
@@ -247,11 +260,10 @@ def micropitting(
 def _named(
     symbol: str, label: str, bars: tuple | None, required: float, what: str
 ) -> dict[str, Any]:
+    given = {"minimum": required, "clause": CLAUSES[symbol]}
     if bars is None:
-        return {"symbol": symbol, "label": label, "minimum": required}
-    return {
-        "symbol": f"{symbol}_simulated", "label": f"{label}, simulated {what}", "minimum": required
-    }  # fmt: skip
+        return {"symbol": symbol, "label": label, **given}
+    return {"symbol": f"{symbol}_simulated", "label": f"{label}, simulated {what}", **given}
 
 
 def _barred(

@@ -11,7 +11,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
 from pyworm.materials.base_stock import Base
-from pyworm.ratings.flank_damage import LEAST_SHARE, Spot, simulated_spots
+from pyworm.ratings.flank_damage import BASIS, LEAST_SHARE, Spot, simulated_spots
 from pyworm.ratings.gear_damage import GearDamage, mean_scuffing_temperature
 from pyworm.ratings.mesh_loss import mesh_loss, with_missing
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
@@ -104,12 +104,9 @@ def _teeth(
         columns=tuple(columns),
         figures=figures,
         safeties=safeties,
+        basis=BASIS,
         words=tuple(words),
-        failed=tuple(
-            f"{of.symbol} = {of.value:.3g} against {of.label} is below {of.minimum:g}."
-            for of in safeties
-            if of.value is not None and of.value < of.minimum
-        ),
+        failed=tuple(of.failure for of in safeties if of.failure),
         not_rated=tuple(
             f"{of.symbol}, {of.label}: {of.why}" for of in safeties if of.value is None
         ),

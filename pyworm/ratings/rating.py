@@ -97,6 +97,8 @@ class Safety:
         Why it cannot be rated; empty where it is.
     inputs : dict
         What it was made of, by symbol and unit.
+    clause : str
+        Where the standard has it.
     doubts : tuple of str
         What was assumed, and constants whose value or sign is not certain; a sentence each.
     error, model : float or None
@@ -112,6 +114,7 @@ class Safety:
     doubts: tuple[str, ...] = ()
     error: float | None = None
     model: float | None = None
+    clause: str = ""
 
     @property
     def verdict(self) -> str:
@@ -129,6 +132,13 @@ class Safety:
             return f"{apart(self.value, self.minimum, 3)} {bars(self.error, self.model)}"
         text = short(self.value)
         return text if float(text) != self.minimum else apart(self.value, self.minimum, DIGITS)
+
+    @property
+    def failure(self) -> str:
+        """That it is not sufficient, in a sentence; empty where it is, or is not rated."""
+        if self.value is None or self.value >= self.minimum:
+            return ""
+        return f"{self.symbol} = {self.shown} against {self.label} is below {self.minimum:g}."
 
     @property
     def open(self) -> bool:
@@ -154,6 +164,7 @@ class Safety:
             "minimum": self.minimum,
             "error": self.error,
             "model_error": self.model,
+            "clause": self.clause,
             "verdict": self.verdict,
             "within_error_bars": self.open,
             "why": self.why,
@@ -186,6 +197,9 @@ class Rating:
         What is not rated, each with the reason.
     left_out : LeftOut
         What its simulated figures do not hold; nothing without any.
+    basis : tuple of str
+        Standard and edition of its safeties, what of it was not read, and what lies outside its scope; a
+        sentence each.
     differs : tuple of str
         What simulation and rating of the drive do not share, a sentence each.
     """
@@ -200,6 +214,7 @@ class Rating:
     failed: tuple[str, ...] = ()
     not_rated: tuple[str, ...] = ()
     left_out: LeftOut = field(default_factory=LeftOut)
+    basis: tuple[str, ...] = ()
     differs: tuple[str, ...] = ()
 
     @property
@@ -236,6 +251,7 @@ class Rating:
                 if self.safeties
                 else {}
             ),
+            **({"basis": list(self.basis)} if self.basis else {}),
             "words": list(self.words),
             "failed": list(self.failed),
             "not_rated": list(self.not_rated),

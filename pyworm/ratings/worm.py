@@ -19,6 +19,7 @@ from pyworm.formulas.worm_rating import WormRating
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.mesh_loss import mesh_loss, with_missing
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating, without_value
+from pyworm.ratings.worm_basis import BASIS, outside_scope
 from pyworm.ratings.worm_differences import differences
 from pyworm.ratings.worm_loads import RatedLoad, hardest, rated_loads
 from pyworm.ratings.worm_safeties import safeties, total_wear
@@ -101,6 +102,7 @@ def rate_worm_table(
             *NEVER_RATED,
         ),
         left_out=of_all(result.solutions) if simulated else LeftOut(),
+        basis=(*BASIS, *outside_scope(duty, loads)),
         differs=differences(table, duty, loads, directory),
     )
 

@@ -16,6 +16,7 @@ from pyworm.formulas.worm_losses import oil_factor
 from pyworm.formulas.worm_root import root_shear
 from pyworm.formulas.worm_standard import OIL_LIMITS, temperature_safety
 from pyworm.ratings.rating import Safety
+from pyworm.ratings.worm_basis import CLAUSES
 from pyworm.ratings.worm_loads import RatedLoad, hardest
 
 REQUIRED = {"S_W": 1.1, "S_H": 1.0, "S_delta": 1.0, "S_F": 1.1, "S_T": 1.1}
@@ -77,7 +78,7 @@ def total_wear(loads: tuple[RatedLoad, ...]) -> float:
 
 
 def _safety(symbol: str, **given) -> Safety:
-    return Safety(symbol, _LABELS[symbol], REQUIRED[symbol], **given)
+    return Safety(symbol, _LABELS[symbol], REQUIRED[symbol], clause=CLAUSES[symbol], **given)
 
 
 def _unrated(symbol: str, why: str) -> Safety:

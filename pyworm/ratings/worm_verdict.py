@@ -114,11 +114,7 @@ def failures(
         )
     # bearings that are assumed decide nothing
     decides = [of for of in made if of.symbol != "S_delta" or duty.deflection is not None]
-    failed += [
-        f"{of.symbol} = {of.shown} against {of.label} is below {of.minimum:g}."
-        for of in decides
-        if of.value is not None and of.value < of.minimum
-    ]
+    failed += [of.failure for of in decides if of.failure]
     return (*failed, *_cannot_run(duty, loads))
 
 

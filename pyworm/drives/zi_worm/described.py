@@ -18,12 +18,16 @@ if TYPE_CHECKING:
 Described = dict[str, float | str]
 
 
+def geometry_described(drive: "ZiWormDrive") -> Described:
+    """Geometry of worm and wheel of a drive, as designed; keys end in their unit."""
+    ratio: Described = {"contact_ratio": drive.mean_teeth_in_contact}
+    return _gear(drive) | _worm(drive) | _wheel(drive) | _clearances(drive) | ratio
+
+
 def described_drive(drive: "ZiWormDrive") -> Described:
     """Geometry of worm, wheel and hob, and the mesh, of a drive as assembled; keys end in their unit."""
     return (
-        _gear(drive)
-        | _worm(drive)
-        | _wheel(drive)
+        geometry_described(drive)
         | _hob(drive)
         | _mesh(drive)
         | _shaft(drive)
@@ -99,6 +103,16 @@ def _wheel(drive: "ZiWormDrive") -> Described:
     return about
 
 
+def _clearances(drive: "ZiWormDrive") -> Described:
+    """From the tips of the one to the roots of the other, on the line of centres."""
+    distance, worm, wheel, hob = drive.centre_distance, drive.worm, drive.wheel, drive.hob
+    root = hob.centre_distance - hob.tip_radius
+    return {
+        "worm_tip_clearance_m": distance - worm.tip_radius - root,
+        "wheel_tip_clearance_m": distance - wheel.throat_radius - worm.root_radius,
+    }
+
+
 def _hob(drive: "ZiWormDrive") -> Described:
     hob, flank = drive.hob, drive.wheel_flank.hob
     worm, cut = drive.base_pitches
@@ -126,7 +140,6 @@ def _mesh(drive: "ZiWormDrive") -> Described:
     faces, radii = np.transpose([drive.flank_place(of, 0.0, 0.0) for of in path])
     lead_angle = _lead_angle(drive.worm.lead, drive.reference_radius)
     return {
-        "contact_ratio": drive.mean_teeth_in_contact,
         "mesh_begins_at": drive.cycle.begin_boundary,
         "mesh_ends_at": drive.cycle.end_boundary,
         "pattern_along_face_m": float(faces[1]),

@@ -25,7 +25,7 @@ from pyworm.drives.zi_worm.dataset import (
     pattern_data,
     tooth_data,
 )
-from pyworm.drives.zi_worm.described import described_drive
+from pyworm.drives.zi_worm.described import described_drive, geometry_described
 from pyworm.drives.zi_worm.design import Assembly, Hand
 from pyworm.drives.zi_worm.duty import worm_duty
 from pyworm.drives.zi_worm.gap import ToothMotion
@@ -435,6 +435,10 @@ class ZiWormDrive(ZiWormGears, Drive):
             rate=self.speed * self.worm.threads / (2 * pi),
             power=self.wheel_torque * wheel_speed,
         )
+
+    def geometry(self) -> dict[str, float | str]:
+        """Diameters, lead, profile shift, backlash, clearances and contact ratio."""
+        return geometry_described(self)
 
     def described(self) -> dict[str, float | str]:
         """The computed drawing, its kinematics and its pattern."""

@@ -64,6 +64,7 @@ def worm_duty(drive: "ZiWormDrive") -> WormDuty:
     return replace(
         point,
         deflection=None if drive.bent is None else drive.bent.deflection,
+        contact_ratio=drive.mean_teeth_in_contact,
         words=(
             f"Derived from the drive: axial module {drive.module * 1e3:.3f} mm; diameter factor "
             f"{factor:.2f}, {reference}; profile shift of the wheel {drive.profile_shift:.3f}; {torque}.",

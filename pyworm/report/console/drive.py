@@ -23,11 +23,11 @@ def drive_table(drive: Drive) -> Table | None:
     table.add_column("Figure", no_wrap=True)
     table.add_column("Value", justify="right", no_wrap=True)
     for key, value in described.items():
-        table.add_row(*_row(key, value))
+        table.add_row(*described_row(key, value))
     return table
 
 
-def _row(key: str, value: float | str) -> tuple[str, str]:
+def described_row(key: str, value: float | str) -> tuple[str, str]:
     """Label and value of a figure, in its unit by the ending of its key."""
     for ending, factor, unit in _UNITS:
         if key.endswith(ending):

@@ -82,6 +82,8 @@ class Verdict:
         Its name, value and the least that is required.
     words : str
         "sufficient", "not sufficient" or "cannot be rated".
+    clause : str
+        Where the standard has it.
     why : str
         What it is made of, or why it is not rated.
     """
@@ -90,6 +92,7 @@ class Verdict:
     value: str
     required: str
     words: str
+    clause: str
     why: str
 
 
@@ -101,6 +104,10 @@ class Cover:
     ----------
     head : tuple of tuple of str
         Drive, drawing, customer and the like, with their values.
+    basis : Items
+        Standards and editions of the safeties, what of them was not read, and what is outside their scope.
+    geometry : tuple of tuple of str
+        Computed geometry of the gears, by name; empty where it is not known.
     verdicts : tuple of Verdict
         The safeties.
     doubts : Items
@@ -108,6 +115,8 @@ class Cover:
     """
 
     head: tuple[tuple[str, str], ...]
+    basis: Items
+    geometry: tuple[tuple[str, str], ...]
     verdicts: tuple[Verdict, ...]
     doubts: Items
 

@@ -9,6 +9,7 @@ from pyworm.case.workshop_units import shown
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.ratings.rating import Rating, Safety
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
+from pyworm.report.console.drive import described_row
 from pyworm.report.page.assumptions import assumptions_section
 from pyworm.report.page.content import Cover, Items, Overleaf, Picture, Table, Verdict, Words
 from pyworm.report.page.figures import glance_rows, life_rows
@@ -29,6 +30,7 @@ def verdict_of(safety: Safety) -> Verdict:
         safety.shown,
         f"{safety.minimum:g}",
         words,
+        safety.clause,
         made_of(safety),
     )
 
@@ -59,7 +61,20 @@ def cover_of(
         for of in rating.safeties
         for doubt in of.doubts
     )
-    return Cover(head, verdicts, Items(tuple(dict.fromkeys(doubts))))
+    basis = (sentence for rating in made for sentence in (*rating.differs, *rating.basis))
+    return Cover(
+        head,
+        Items(tuple(dict.fromkeys(basis))),
+        _geometry(case),
+        verdicts,
+        Items(tuple(dict.fromkeys(doubts))),
+    )
+
+
+def _geometry(case: Case) -> Identity:
+    """Computed geometry of a drive's gears in workshop units."""
+    computed = {} if case.drive is None else case.drive.geometry()
+    return tuple(described_row(key, value) for key, value in computed.items())
 
 
 def _operation(case: Case) -> Identity:

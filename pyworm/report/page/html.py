@@ -131,19 +131,29 @@ def _cover(cover: Cover, warnings: str) -> str:
     """Head, verdicts with colours and words, what a signer must know, and lines to sign."""
     rows = "\n".join(
         f'<tr><th scope="row">{typeset(of.what)}</th><td>{_kept(of.value)}</td>'
-        f"<td>{escape(of.required)}</td><td>{badge(of.words)}</td><td>{typeset(of.why)}</td></tr>"
+        f"<td>{escape(of.required)}</td><td>{badge(of.words)}</td><td>{escape(of.clause)}</td>"
+        f"<td>{typeset(of.why)}</td></tr>"
         for of in cover.verdicts
     )
     doubts = f"<h3>Assumed or doubtful</h3>\n{_block(cover.doubts)}" if cover.doubts.items else ""
     lines = "".join(
         f"<span>{who}: date, name</span>" for who in ("Calculated", "Checked", "Released")
     )
+    geometry = (
+        f'<h3>Geometry as computed</h3>\n<dl class="geometry">\n{_head(cover.geometry)}\n</dl>'
+        if cover.geometry
+        else ""
+    )
+    basis = f'<div class="basis">{_block(cover.basis)}</div>' if cover.basis.items else ""
     return f"""<section class="cover">
 <dl>
 {_head(cover.head)}
 </dl>
+{geometry}
+{basis}
 <div class="wide"><table>
-<thead><tr><th>Safety</th><th>Value</th><th>Required</th><th>Verdict</th><th>Made of</th></tr></thead>
+<thead><tr><th>Safety</th><th>Value</th><th>Required</th><th>Verdict</th><th>By</th>
+<th>Made of</th></tr></thead>
 <tbody>
 {rows}
 </tbody></table></div>

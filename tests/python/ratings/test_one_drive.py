@@ -217,6 +217,22 @@ def test_a_unit_smaller_than_the_standard_s_balance_is_rated():
     assert any("must lie between 0.05 and 0.5 m" in of for of in warm.doubts)
 
 
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ([], None),
+        ([('"1500 rpm"', '"5 rpm"')], "for wear a sliding speed of 0.0097 m/s, below 0.1 m/s"),
+        ([('"1500 rpm"', '"20000 rpm"')], "a sliding speed of 38.6 m/s, above 25 m/s"),
+    ],
+)
+def test_what_lies_outside_the_standard_s_scope_is_said(changes, said):
+    basis = worm(*changes)[0].basis
+    assert basis[0].startswith("Worm gear: ISO/TS 14521:2020")
+    outside = [of for of in basis if "Outside the scope" in of and "contact ratio" not in of]
+    assert (said is None) == (outside == [])
+    assert said is None or said in outside[0]
+
+
 def test_a_verdict_tells_a_value_from_the_minimum_that_it_misses():
     """110 degC over 100.04 degC is 1.09956, which four digits would show as 1.1."""
     rating, _ = worm(('temperature = "70 degC"', 'temperature = "100.04 degC"'))

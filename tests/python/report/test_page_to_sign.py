@@ -3,6 +3,7 @@
 import re
 import shutil
 import subprocess
+import tomllib
 from pathlib import Path
 
 import matplotlib.image
@@ -11,6 +12,7 @@ import pytest
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
 
 import pyworm
+from pyworm.case.case import case_of
 from pyworm.ratings.rating import Safety
 from pyworm.report.page.build import build_report
 from pyworm.report.page.html import render
@@ -43,6 +45,41 @@ def test_the_page_names_drawing_and_customer_and_every_safety(page):
     assert cover.count('class="verdict not-sufficient"') == 1  # of bearings that are assumed
     assert cover.index('class="warning"') < cover.index("Calculated")  # seen by who signs
     assert all(word in cover for word in ("Calculated", "Checked", "Released"))
+
+
+def test_standard_edition_and_clause_stand_above_the_verdicts(page):
+    cover = page[page.index('class="cover"') : page.index("</section>")]
+    above = cover[: cover.index("<thead>")]
+    assert "ISO/TS 14521:2020" in above and "DIN 3996:2012" in above
+    assert "Not read, but remembered" in above and "numbered from memory" in above
+    assert "contact ratio of 2, not above 2.1" in above  # 1.998 of this drive
+    for number in (8, 9, 10, 11, 12):
+        assert f"<td>clause {number}, " in cover
+
+
+def test_the_page_has_the_computed_geometry(page):
+    """Of the design table: m = p_x/pi, d = 2 r, c = a - r_a1 - r_f2, and what only flanks tell."""
+    above = page[page.index('class="geometry"') : page.index("<thead>")]
+    shown = dict(re.findall("<dt>(.*?)</dt><dd>(.*?)</dd>", above))
+    assert shown["Centre distance"] == "304.8 mm"
+    assert shown["Module"] == f"{28.73 / np.pi:.5g} mm"
+    assert shown["Lead"] == "86.18 mm"
+    assert shown["Worm tip diameter"] == f"{2 * 48.01:.5g} mm"
+    assert shown["Wheel throat diameter"] == f"{2 * 274.03:.5g} mm"
+    root = 305.62 - 51.63  # as far as the hob's tip comes
+    assert shown["Wheel root diameter"] == f"{2 * root:.5g} mm"
+    assert shown["Worm tip clearance"] == f"{304.8 - 48.01 - root:.5g} mm"
+    assert shown["Wheel tip clearance"] == f"{304.8 - 274.03 - 29.03:.5g} mm"
+    assert float(shown["Contact ratio"]) == pytest.approx(1.998, abs=1e-3)
+    assert float(shown["Profile shift"]) == pytest.approx(-0.42, abs=0.01)
+
+
+def test_a_drawing_s_backlash_is_on_the_page():
+    text = (CASES / "worm_drawing.toml").read_text() + '\n[worm_rating]\nlife = "25000 h"\n'
+    case = case_of(tomllib.loads(text), "drawn", CASES)
+    result = Result(case.name, case.resolved, (make_hot_worm(0.5),), make_mesh_cycle(), {})
+    cover = build_report(result, case).cover
+    assert dict(cover.geometry)["Backlash"] == "0.12 mm"
 
 
 def test_the_page_behind_has_figures_life_flanks_and_assumptions(page):

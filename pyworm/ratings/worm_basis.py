@@ -1,0 +1,58 @@
+"""What a rating of a worm gear rests on: standard, edition, clauses, what was not read, and the scope.
+
+Scope and the beginning of the table of contents, clauses 1 to 6, are those that the publishers of ISO/TS
+14521:2020 show; its other clauses are numbered from memory.
+"""
+
+from pyworm.drives.duty import WormDuty
+from pyworm.ratings.worm_loads import RatedLoad
+
+STANDARD = "ISO/TS 14521:2020"
+
+BASIS = (
+    f"Worm gear: {STANDARD}, Calculation of load capacity of worm gears, whose methods are those of DIN "
+    "3996:2012.",
+    "Not read, but remembered or from one public transcription of DIN 3996 (the worksheet on worm gears of "
+    "MITCalc): all its formulas, curves and strengths; its clauses are numbered from memory. The page of "
+    "constants in the documentation lists each number and how it is known.",
+)
+"""Standard and edition of the safeties, and what was not read."""
+
+CLAUSES = {
+    "S_W": "clause 8, wear load capacity",
+    "S_H": "clause 9, surface durability (pitting)",
+    "S_delta": "clause 10, deflection",
+    "S_F": "clause 11, tooth root strength",
+    "S_T": "clause 12, temperature safety factor",
+}
+"""Symbol of a safety -> its clause, from memory."""
+
+SMALLEST, FASTEST, SLOWEST_WEAR, LEAST_RATIO = 0.05, 25.0, 0.1, 2.1
+"""Scope of the standard: centre distance from [m], sliding speed up to, and of wear from [m/s], and contact
+ratio above [-]."""
+
+
+def outside_scope(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> tuple[str, ...]:
+    """What of a worm gear lies outside the standard's scope, a sentence each.
+
+    Parameters
+    ----------
+    duty : WormDuty
+        The worm gear.
+    loads : tuple of RatedLoad
+        Every load of its life.
+    """
+    speeds = [load.rated.sliding_speed for load in loads]
+    ratio, distance = duty.contact_ratio, duty.gear.centre_distance
+    found = []
+    if distance < SMALLEST:
+        found.append(f"a centre distance of {distance * 1e3:.4g} mm, below {SMALLEST * 1e3:g} mm")
+    if max(speeds) > FASTEST:
+        found.append(f"a sliding speed of {max(speeds):.3g} m/s, above {FASTEST:g} m/s")
+    if min(speeds) < SLOWEST_WEAR:
+        found.append(
+            f"for wear a sliding speed of {min(speeds):.2g} m/s, below {SLOWEST_WEAR:g} m/s"
+        )
+    if ratio is not None and ratio <= LEAST_RATIO:
+        found.append(f"a contact ratio of {ratio:.3g}, not above {LEAST_RATIO:g}")
+    return tuple(f"Outside the scope of {STANDARD}: {of}." for of in found)
