@@ -126,7 +126,8 @@ def _print(console, rating: "Rating") -> None:
     if rating.safeties:
         console.print(_safeties(rating))
         for of in rating.safeties:
-            console.print(f"{of.symbol}: {of.made_of}")
+            by = f"{of.symbol} ({of.clause})" if of.clause else of.symbol
+            console.print(f"{by}: {of.made_of}")
     for reason in rating.failed:
         console.print(f"FAILED: {reason}", style="bold")
     for words in rating.words:
@@ -141,7 +142,6 @@ def _safeties(rating: "Rating"):
     table.add_column("Value", justify="right")
     table.add_column("Required", justify="right")
     table.add_column("Verdict")
-    table.add_column("By")
     for of in rating.safeties:
-        table.add_row(f"{of.symbol} {of.label}", of.shown, f"{of.minimum:g}", of.verdict, of.clause)
+        table.add_row(f"{of.symbol} {of.label}", of.shown, f"{of.minimum:g}", of.verdict)
     return table

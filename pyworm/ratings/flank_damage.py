@@ -21,10 +21,10 @@ from pyworm.scene.index import Place
 from pyworm.solver.solution import Solution
 
 CLAUSES = {
-    "S_B": "ISO/TS 6336-20:2017, equation 100 of ISO/TR 13989-1:2000",
-    "S_lambda": "ISO/TS 6336-22:2018, equation 4 of ISO/TR 15144-1:2014",
+    "S_B": "ISO/TR 13989-1, eq. 100",
+    "S_lambda": "ISO/TR 15144-1, eq. 4",
 }
-"""Symbol of a safety -> standard, and where its former edition has it, by a public program."""
+"""Symbol of a safety -> where the former edition of its standard has it, by a public program."""
 
 BASIS = (
     "Scuffing: ISO/TS 6336-20:2017, micropitting: ISO/TS 6336-22:2018. Neither text was read: formulas were "

@@ -19,11 +19,11 @@ BASIS = (
 """Standard and edition of the safeties, and what was not read."""
 
 CLAUSES = {
-    "S_W": "clause 8, wear load capacity",
-    "S_H": "clause 9, surface durability (pitting)",
-    "S_delta": "clause 10, deflection",
-    "S_F": "clause 11, tooth root strength",
-    "S_T": "clause 12, temperature safety factor",
+    "S_W": "clause 8",
+    "S_H": "clause 9",
+    "S_delta": "clause 10",
+    "S_F": "clause 11",
+    "S_T": "clause 12",
 }
 """Symbol of a safety -> its clause, from memory."""
 

@@ -18,16 +18,33 @@ if TYPE_CHECKING:
 Described = dict[str, float | str]
 
 
-def geometry_described(drive: "ZiWormDrive") -> Described:
-    """Geometry of worm and wheel of a drive, as designed; keys end in their unit."""
+SIGNED = (
+    *("profile", "hand", "threads", "teeth", "centre_distance_m", "module_m", "diameter_factor"),
+    *("profile_shift", "pressure_angle_deg", "lead_m", "lead_angle_deg"),
+    *("worm_reference_diameter_m", "worm_tip_diameter_m", "worm_root_diameter_m"),
+    *("wheel_reference_diameter_m", "wheel_throat_diameter_m", "wheel_outside_diameter_m"),
+    *("wheel_root_diameter_m", "wheel_face_width_m", "backlash_m"),
+    *("worm_tip_clearance_m", "wheel_tip_clearance_m", "contact_ratio"),
+)
+"""What of the geometry stands on the page to sign."""
+
+
+def _geometry(drive: "ZiWormDrive") -> Described:
+    """Geometry of worm and wheel as designed."""
     ratio: Described = {"contact_ratio": drive.mean_teeth_in_contact}
     return _gear(drive) | _worm(drive) | _wheel(drive) | _clearances(drive) | ratio
+
+
+def signed_geometry(drive: "ZiWormDrive") -> Described:
+    """Geometry for the page to sign; keys end in their unit."""
+    found = _geometry(drive)
+    return {key: found[key] for key in SIGNED if key in found}
 
 
 def described_drive(drive: "ZiWormDrive") -> Described:
     """Geometry of worm, wheel and hob, and the mesh, of a drive as assembled; keys end in their unit."""
     return (
-        geometry_described(drive)
+        _geometry(drive)
         | _hob(drive)
         | _mesh(drive)
         | _shaft(drive)

@@ -25,7 +25,7 @@ from pyworm.drives.zi_worm.dataset import (
     pattern_data,
     tooth_data,
 )
-from pyworm.drives.zi_worm.described import described_drive, geometry_described
+from pyworm.drives.zi_worm.described import described_drive, signed_geometry
 from pyworm.drives.zi_worm.design import Assembly, Hand
 from pyworm.drives.zi_worm.duty import worm_duty
 from pyworm.drives.zi_worm.gap import ToothMotion
@@ -438,7 +438,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def geometry(self) -> dict[str, float | str]:
         """Diameters, lead, profile shift, backlash, clearances and contact ratio."""
-        return geometry_described(self)
+        return signed_geometry(self)
 
     def described(self) -> dict[str, float | str]:
         """The computed drawing, its kinematics and its pattern."""
