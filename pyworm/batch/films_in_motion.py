@@ -12,18 +12,17 @@ from contextlib import suppress
 from dataclasses import dataclass, fields, replace
 from math import inf
 from pathlib import Path
-from zipfile import BadZipFile
 
 import numpy as np
 
 from pyworm.batch.task import Task
-from pyworm.io.atomic import whole_file
+from pyworm.io.kept_arrays import DamagedError, keep, kept
 from pyworm.io.reason import reason_of
 from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.march import LostError, RateOfChange, march
-from pyworm.solver.transient.moments import as_arrays, from_arrays, until
+from pyworm.solver.transient.moments import Moment, as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, recent
 
 FEWEST = 2
@@ -79,18 +78,18 @@ class LifePart:
         for key, at in wanted.items():
             file = directory / _file(key, self.refinement)
             if at not in rates:
-                _write(file, flaw=flaw)
+                keep(file, flaw=flaw)
             else:
                 grid = list(vars(rates[at].grid).values())
-                kept = as_arrays(until(moments, ends[at]))
+                arrays = as_arrays(until(moments, ends[at]))
                 of_all = {name: getattr(rates[at], name) for name in RATES}
                 known = {name: of for name, of in of_all.items() if of is not None}
-                _write(file, grid=grid, since=since[at], **known, **kept)
+                keep(file, grid=grid, since=since[at], **known, **arrays)
 
     def _lost(self, directory: Path) -> bool:
         """Whether the solve of twice the spacing has ended already and found no film of any task."""
         coarser = [directory / _file(task.key, self.refinement - 1) for task in self.tasks]
-        return all(file.exists() and "flaw" in _content(file) for file in coarser)
+        return all(_has_flaw(file) for file in coarser)
 
 
 def solve_lives(
@@ -127,16 +126,35 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
     found, moments, since = [], [], -inf
     for refinement in range(solves_of_life(task.accuracy)):
         try:
-            data = _content(directory / _file(task.key, refinement))
-            if "flaw" in data:
-                return Rates((), flaw=str(data["flaw"]))
-            rates = {name: data[name] for name in RATES if name in data}
-            found.append(RateOfChange(_grid(data["grid"].tolist()), **rates))
-            moments.append(from_arrays(data))
-            since = float(data["since"])
-        except (OSError, ValueError, LookupError, EOFError, BadZipFile):
+            left = kept(directory / _file(task.key, refinement), _left)
+        except (OSError, DamagedError):
             return None
+        if isinstance(left, str):
+            return Rates((), flaw=left)
+        rate, moment, since = left
+        found.append(rate)
+        moments.append(moment)
     return Rates(tuple(found), tuple(moments), since)
+
+
+def _left(data: dict[str, np.ndarray]) -> str | tuple[RateOfChange, tuple[Moment, ...], float]:
+    """What a transient solve has left for a task: rate, moments and since when, or why there is none."""
+    if "flaw" in data:
+        return str(data["flaw"])
+    rates = {name: data[name] for name in RATES if name in data}
+    return (
+        RateOfChange(_grid(data["grid"].tolist()), **rates),
+        from_arrays(data),
+        float(data["since"]),
+    )
+
+
+def _has_flaw(file: Path) -> bool:
+    """Whether a transient solve has left the reason why there is no film."""
+    try:
+        return isinstance(kept(file, _left), str)
+    except (OSError, DamagedError):
+        return False
 
 
 def drop_rates(task: Task, directory: Path) -> None:
@@ -184,17 +202,6 @@ def in_motion(task: Task) -> bool:
 
 def _file(key: str, refinement: object) -> str:
     return f"{key}.rate-{refinement}.npz"
-
-
-def _write(file: Path, **content: object) -> None:
-    with whole_file(file) as partial, partial.open("wb") as stream:
-        np.savez(stream, **content)
-
-
-def _content(file: Path) -> dict[str, np.ndarray]:
-    """What `_write` has written; OSError, ValueError, EOFError or BadZipFile where it is not whole."""
-    with file.open("rb") as stream, np.load(stream) as data:
-        return dict(data)
 
 
 def _grid(numbers: Sequence[float]) -> Grid | LineGrid:

@@ -21,8 +21,8 @@ from pyworm.formulas.wear_law import (
     harder_ratio,
     truncated_roughness,
 )
-from pyworm.io.atomic import whole_file
 from pyworm.io.bounded_number import read_json
+from pyworm.io.kept_arrays import DamagedError, keep, kept
 from pyworm.result.flank_wear import FlankGrid, asperity_pass, flank_grid, smoothed
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
@@ -325,61 +325,83 @@ class WearRun:
         wheel_depth, self.worm_depth = self._split(worn.depth)
         self.depths.append(wheel_depth)
         self.say(_told(self.steps[-1]))
-        with whole_file(self.directory / STATE) as aside, aside.open("wb") as file:
-            np.savez_compressed(
-                file,
-                key=self.key,
-                steps=json.dumps([asdict(step) for step in self.steps]),
-                face=self.grid.face,
-                radius=self.grid.radius,
-                depths=np.array(self.depths),
-                axial=self.thread.face,
-                from_worm_axis=self.thread.radius,
-                worm_depth=self.worm_depth,
-                rate=self._last.rate,
-                worm_rate=self._last.worm_rate,
-                volume_rate=self._last.volume_rate,
-                turns=(self.turn, self._last.turn),
-                coefficient=self.coefficient,
-                loads=json.dumps(self.loads),
-                next_step=worn.step,
-            )
+        keep(
+            self.directory / STATE,
+            key=self.key,
+            steps=json.dumps([asdict(step) for step in self.steps]),
+            face=self.grid.face,
+            radius=self.grid.radius,
+            depths=np.array(self.depths),
+            axial=self.thread.face,
+            from_worm_axis=self.thread.radius,
+            worm_depth=self.worm_depth,
+            rate=self._last.rate,
+            worm_rate=self._last.worm_rate,
+            volume_rate=self._last.volume_rate,
+            turns=(self.turn, self._last.turn),
+            coefficient=self.coefficient,
+            loads=json.dumps(self.loads),
+            next_step=worn.step,
+        )
 
     def _restored(self) -> Worn | None:
         """Where an earlier march of the same plan was stopped; None without one."""
         path = self.directory / STATE
-        if not path.is_file():
-            return None
-        with np.load(path) as held:
-            if str(held["key"]) != self.key:
+        try:
+            key, state = kept(path, lambda held: (str(held["key"]), held))
+            if key != self.key:
                 self.say(f"{path}: of another case or plan, not used")
                 return None
-            if not all(np.isfinite(held[name]).all() for name in ("depths", "rate", "worm_rate")):
-                self.say(f"{path}: has a flank that is not known everywhere, not used")
-                return None
-            self.grid = FlankGrid(held["face"], held["radius"])
-            self.thread = FlankGrid(held["axial"], held["from_worm_axis"])
-            self.worm_depth = held["worm_depth"]
-            self.depths = list(held["depths"])
-            self.steps = [WearFigures(**step) for step in read_json(str(held["steps"]))]
-            last = self.steps[-1]
-            self.volume = last.volume_m3
-            self.loads = read_json(str(held["loads"]))
-            if self.loads.get("lifts") is not None:
-                self.loads["lifts"] = tuple(map(tuple, self.loads["lifts"]))
-            self.turn, turn = map(float, held["turns"])
-            self.coefficient = float(held["coefficient"])
-            self._last = _Solved(
-                held["rate"],
-                held["worm_rate"],
-                float(held["volume_rate"]),
-                (last.worm_roughness_m, last.wheel_roughness_m),
-                turn,
-                None,
-            )
-            self.say(f"goes on at {last.hours:.4g} h")
-            depth = np.concatenate([self.depths[-1].ravel(), self.worm_depth.ravel()])
-            return Worn(last.hours, depth, self._last.rates, float(held["next_step"]))
+            found = kept(path, _state_of)
+        except FileNotFoundError:
+            return None
+        except DamagedError as error:
+            self.say(f"{error}, not used")
+            return None
+        if not all(np.isfinite(state[name]).all() for name in ("depths", "rate", "worm_rate")):
+            self.say(f"{path}: has a flank that is not known everywhere, not used")
+            return None
+        vars(self).update(found)
+        last = self.steps[-1]
+        self.say(f"goes on at {last.hours:.4g} h")
+        depth = np.concatenate([self.depths[-1].ravel(), self.worm_depth.ravel()])
+        return Worn(last.hours, depth, self._last.rates, float(state["next_step"]))
+
+
+def _state_of(held: dict[str, np.ndarray]) -> dict[str, Any]:
+    """Attributes of a run, by their names, from the arrays of its state."""
+    steps = [WearFigures(**step) for step in read_json(str(held["steps"]))]
+    last, loads = steps[-1], read_json(str(held["loads"]))
+    if loads.get("lifts") is not None:
+        loads["lifts"] = tuple(map(tuple, loads["lifts"]))
+    turn, last_turn = map(float, held["turns"])
+    grid = FlankGrid(held["face"], held["radius"])
+    thread = FlankGrid(held["axial"], held["from_worm_axis"])
+    if (
+        held["depths"].shape != (len(steps), *grid.shape)
+        or held["worm_depth"].shape != thread.shape
+    ):
+        raise ValueError("depths of another grid")
+    roughness = last.worm_roughness_m, last.wheel_roughness_m
+    return {
+        "grid": grid,
+        "thread": thread,
+        "worm_depth": held["worm_depth"],
+        "depths": list(held["depths"]),
+        "steps": steps,
+        "volume": last.volume_m3,
+        "loads": loads,
+        "turn": turn,
+        "coefficient": float(held["coefficient"]),
+        "_last": _Solved(
+            held["rate"],
+            held["worm_rate"],
+            float(held["volume_rate"]),
+            roughness,
+            last_turn,
+            None,
+        ),
+    }
 
 
 def _mean(depth: Array, rate: Array) -> float:

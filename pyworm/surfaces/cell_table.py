@@ -1,18 +1,18 @@
 """Contact and flow of a rough surface over its separation from a smooth one, solved once and kept."""
 
 import os
+from contextlib import suppress
 from dataclasses import asdict, dataclass, fields
 from functools import lru_cache
 from hashlib import sha256
 from math import inf, isfinite
 from pathlib import Path
 from typing import Any
-from zipfile import BadZipFile
 
 import numpy as np
 
-from pyworm.io.atomic import whole_file
 from pyworm.io.input_error import CaseError
+from pyworm.io.kept_arrays import DamagedError, keep, kept
 from pyworm.kernel.core import EXTENSION, NOT_CONVERGED, KernelError
 from pyworm.kernel.rough_cell import conduct, press
 from pyworm.materials.topography import Topography
@@ -95,17 +95,20 @@ def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None)
     """
     path = _cache() / f"{_key(cell, reduced_modulus, hardness)}.npz"
     try:
-        with path.open("rb") as file, np.load(file) as kept:
-            return CellTable(
-                float(kept["height"]), *(kept[one.name] for one in fields(CellTable)[1:])
-            )
-    except (OSError, ValueError, KeyError, EOFError, BadZipFile):
+        return kept(path, _of_arrays)
+    except (OSError, DamagedError):
         table = solve_cell(cell, reduced_modulus, hardness)
-    try:
-        with whole_file(path) as partial, partial.open("wb") as written:
-            np.savez(written, **asdict(table))
-    except OSError:
-        pass  # where nothing can be kept it is solved again
+    with suppress(OSError):  # where nothing can be kept it is solved again
+        keep(path, **asdict(table))
+    return table
+
+
+def _of_arrays(arrays: dict[str, Array]) -> CellTable:
+    """The table of kept arrays, one each for the places of the others; ValueError if they are not."""
+    height, *rest = (arrays[one.name] for one in fields(CellTable))
+    table = CellTable(float(height), *rest)
+    if len({len(column) for column in rest}) != 1 or not all(np.isfinite(rest[0])):
+        raise ValueError("columns of other lengths, or without values")
     return table
 
 

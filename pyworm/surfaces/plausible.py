@@ -7,8 +7,13 @@ import numpy as np
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.parameters import slopes
 
+Array = np.ndarray
+
 SIDES = 1e-8, 1.0
 """Shortest and longest side [m]: a scan of an atomic force microscope, a large part on a table."""
+
+HIGHEST = 1e3
+"""Size of a height [m] beyond which it is none, in whatever unit: a mark of a missing point, or damage."""
 
 LOWEST = 1e-11
 """Least root mean square height [m]: a tenth of an atom; cleaved mica has some 0.05 nm."""
@@ -96,4 +101,13 @@ def require_plausible(surface: Topography) -> None:
             f"{degrees(STEEPEST):g}, with heights of {surface.rms * 1e6:.3g} um and points "
             f"{float(np.min(surface.spacing)) * 1e6:.3g} um apart; check the units of both, height_unit "
             "and spacing"
+        )
+
+
+def require_possible_heights(heights: Array) -> None:
+    """Refuse heights [m] that are infinite or larger than any unit makes them; NaN are missing points."""
+    highest = float(np.nanmax(np.abs(heights), initial=0.0))
+    if highest > HIGHEST:
+        raise ValueError(
+            f"has a height of {highest:.3g} m, which no surface has; points that are missing must be NaN"
         )

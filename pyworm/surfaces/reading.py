@@ -6,7 +6,12 @@ from pathlib import Path
 import numpy as np
 
 from pyworm.surfaces.instrument_file import is_compressed, read_instrument
-from pyworm.surfaces.plausible import likely_unit, plausible_side, require_plausible_sides
+from pyworm.surfaces.plausible import (
+    likely_unit,
+    plausible_side,
+    require_plausible_sides,
+    require_possible_heights,
+)
 from pyworm.surfaces.point_list import on_grid
 from pyworm.surfaces.text_file import TextHeights, read_text
 from pyworm.surfaces.text_header import metres_of
@@ -60,12 +65,14 @@ def read_heights(
     if path.suffix.lower() == ".npy":
         numbers = _read_npy(path)
         metres, step = _require_given(numbers, metres, spacing)
-        heights, steps = numbers.T * metres, (step, step)
+        with np.errstate(invalid="ignore"):  # by the other kind of NaN, which damaged files have
+            heights, steps = numbers.T * metres, (step, step)
     elif _is_text(path):
         heights, steps = _of_text(_text(path), metres, spacing)
     else:
         heights, steps = read_instrument(path, metres, spacing, MOST_POINTS)
     _require_area(heights)
+    require_possible_heights(heights)
     require_plausible_sides(heights.shape, steps, spacing is not None)
     return np.ascontiguousarray(heights), steps
 

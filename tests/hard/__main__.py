@@ -27,6 +27,7 @@ from draws import DRAWS, SEED
 from drive_report import drives_run, drives_walked
 from drive_trial import COMMANDS
 from fuzz import many
+from fuzz_readers import many as many_read
 from fuzz_results import many as many_files
 from named import GAPS, HOT, ISOTHERMAL
 from promise import COUNTS, DRIVES, complaints
@@ -143,6 +144,7 @@ def main() -> int:
             with TemporaryDirectory() as directory:
                 found += many(print, Path(directory))
                 found += many_files(print, Path(directory))
+                found += many_read(print, Path(directory))
             continue
         if part in ("drive", "commands"):
             wanted = _numbers(numbers, DRIVES)

@@ -1,0 +1,47 @@
+"""Arrays kept in files of our own, for a later run to go on from: whole, or told to be damaged."""
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numpy as np
+
+from pyworm.io.atomic import whole_file
+
+Made = TypeVar("Made")
+
+
+class DamagedError(ValueError):
+    """A file of kept arrays that is not whole, or not one of ours."""
+
+
+def keep(path: Path, **arrays: Any) -> None:
+    """Write arrays, numbers and texts by their names, atomically; OSError where that fails."""
+    with whole_file(path) as partial, partial.open("wb") as file:
+        np.savez_compressed(file, **arrays)
+
+
+def kept(path: Path, make: Callable[[dict[str, np.ndarray]], Made]) -> Made:
+    """What is made of the arrays in a file.
+
+    Parameters
+    ----------
+    path : Path
+        A file that `keep` has written.
+    make : callable
+        Makes of arrays, by their names, what is wanted; whatever it stumbles over is a damage of the file.
+
+    Raises
+    ------
+    FileNotFoundError
+        There is no such file.
+    DamagedError
+        It cannot be read, or lacks something.
+    """
+    try:
+        with path.open("rb") as file, np.load(file) as arrays:
+            return make(dict(arrays))
+    except FileNotFoundError:
+        raise
+    except Exception as error:  # whatever a damaged archive makes the library stumble over
+        raise DamagedError(f"{path}: is damaged ({type(error).__name__})") from error
