@@ -1,6 +1,7 @@
 """Mutated case files: whatever is in one, it runs or is refused in one sentence, and nothing else happens.
 
-All are planned; of cases that are solved in a second, those that can be planned are solved too.
+All are planned, some are rated or have their films emulated; of cases that are solved in a second, those that
+can be planned are solved too.
 
 A mutation changes what one key holds, drops, renames or adds one, or damages the file's text. Extreme values
 are meant to get through the schema and to be met by what makes scenes and plans of them.
@@ -31,11 +32,19 @@ from pyworm.result.result import open_result
 
 CASES = Path(__file__).parents[2] / "cases"
 
-QUICK = ("point_m20_l10", "line_thermal", "traction_steel", "gap_example", "spin_zi_like")
+DATA = Path(__file__).parents[1] / "data"
+
+QUICK = (
+    "point_m20_l10", "line_thermal", "traction_steel", "gap_example", "spin_zi_like", "impact_ball",
+    "starved_ball", "reversal_line", "attacked_line",
+)  # fmt: skip
 """Cases that are checked in milliseconds."""
 
 SLOW = ("zi_sharif_2001", "worm_drawing", "spur_pair", "errichello_speed_increaser", "roller_ref")
 """Drives, which take a second."""
+
+RATED = ("bearing_nu2210", "oil_zi", "errichello_speed_increaser", "attacked_pair")
+"""Cases that are rated in a second."""
 
 LITTER = (
     0, 1, -1, 3.5, 1e308, -1e308, 5e-324, float("nan"), float("inf"), -float("inf"), 10**400,
@@ -143,6 +152,16 @@ def solved(mutant: Mutant, directory: Path) -> tuple[int, str, list[str]]:
     return run
 
 
+def rated(mutant: Mutant, directory: Path) -> tuple[int, str, list[str]]:
+    """The outcome of a mutant that is rated."""
+    return outcome(mutant, directory, ("rate",))
+
+
+def filmed(mutant: Mutant, directory: Path) -> tuple[int, str, list[str]]:
+    """The outcome of a mutant whose films are emulated."""
+    return outcome(mutant, directory, ("film", *SHORTER.get(mutant.base, ())))
+
+
 def _flaws_of_result(file: Path, code: int) -> Iterator[str]:
     """A result that does not hold what its exit code says, or scenes that make no sense."""
     solutions = open_result(file).solutions
@@ -154,6 +173,9 @@ def _flaws_of_result(file: Path, code: int) -> Iterator[str]:
 
 MANY = {QUICK: 3000, SLOW: 120}
 """Mutants of each group of cases that are planned in the suite."""
+
+MANY_RATED, MANY_FILMED = 1000, 1000
+"""Mutants that are rated, and whose films are emulated."""
 
 MANY_SOLVED = 800
 """Mutants that are solved where they can be planned, as every fourth can."""
@@ -181,12 +203,22 @@ def many(tell: Callable[[str], None], directory: Path) -> list[str]:
 
         one()
 
-    for bases, count in MANY.items():
-        meet(bases, count, outcome)
+    for planned, count in MANY.items():
+        meet(planned, count, outcome)
     tell(
         f"{codes.total()} mutated cases: {codes[BAD_INPUT]} refused in one sentence, {codes[CONVERGED]} "
         f"planned, {len(found)} flaws"
     )
+    for bases, count, judge, what in (
+        (RATED, MANY_RATED, rated, "rated"),
+        (QUICK, MANY_FILMED, filmed, "with films"),
+    ):
+        codes.clear()
+        meet(bases, count, judge)
+        tell(
+            f"{codes.total()} more: {codes[BAD_INPUT]} refused, {codes[CONVERGED]} {what}, "
+            f"{len(found)} flaws in all"
+        )
     codes.clear()
     meet(QUICK, MANY_SOLVED, solved)
     tell(
@@ -230,7 +262,9 @@ def _names_more(sentence: str) -> bool:
 
 
 def _mutants_of(base: str) -> st.SearchStrategy[Mutant]:
-    text = (CASES / f"{base}.toml").read_text()
+    text = next(
+        path for path in (CASES / f"{base}.toml", DATA / f"{base}.toml") if path.is_file()
+    ).read_text()
     tables = tomllib.loads(text)
     if "file" in tables.get("contact", {}):
         tables["contact"]["file"] = str(CASES / tables["contact"]["file"])
@@ -356,4 +390,4 @@ def _value(value: Any) -> str:
     return toml(value)
 
 
-_OF_CASE = {base: _mutants_of(base) for base in (*QUICK, *SLOW)}
+_OF_CASE = {base: _mutants_of(base) for base in dict.fromkeys((*QUICK, *SLOW, *RATED))}

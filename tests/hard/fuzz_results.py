@@ -72,7 +72,13 @@ class Base:
         if self.case == "sweep":
             return ("plot",)
         rated = self.case == "spur_pair"
-        return ("plot", "report", *["rate"] * rated, *["run"] * (self.case == "traction_steel"))
+        return (
+            "plot",
+            "report",
+            "explore",
+            *["rate"] * rated,
+            *["run"] * (self.case == "traction_steel"),
+        )
 
 
 def bases(directory: Path, names: tuple[str, ...] = (*RUNS, "sweep")) -> list[Base]:
@@ -125,6 +131,7 @@ def outcome(base: Base, command: str, content: bytes, directory: Path) -> tuple[
     words = {
         "plot": ["plot", str(file)],
         "report": ["report", str(file)],
+        "explore": ["explore", str(file)],
         "rate": ["rate", case, "--result", str(file), "--anyway"],
         "run": ["run", case, *COARSE, *RUNS.get(base.case, ()), "--out", str(place)],
     }[command]
