@@ -220,6 +220,18 @@ def _alpha_measured(of):
     return within_factor(_gold(of, "PAG", 180e-6), 9.5e-9, 1.35)
 
 
+def _spread_holds_measured(of):
+    """The spread holds the measured oils, and is at most twice what they need."""
+    for base, nus in (("mineral", (38e-6, 13.8e-6)), ("PAO", (43e-6, 17.8e-6))):
+        for nu, wanted in zip(nus, MEASURED[base][3].values(), strict=True):
+            if not abs(wanted / _gold(of, base, nu) - 1) < of[base]["alpha_spread"]:
+                return False
+    off = abs(9.5e-9 / _gold(of, "PAG", 221e-6) - 1)
+    return off < of["PAG"]["alpha_spread"] and all(
+        0.15 < rows["alpha_spread"] < 0.6 for rows in of.values()
+    )
+
+
 def _golds_exponents(of):
     """Exponents of all base stocks agree within 12 %, and coefficients fall mineral, PAO, ester, PAG."""
     exponents = [of[base]["gold_t"] for base in of]
@@ -296,6 +308,7 @@ STOCKS = Chapter(
         Check("densities in their ranges", _densities),
         Check("heat capacity by Cragoe within 18 %", _heat_capacity),
         Check("alpha of three measured oils within 1.3 to 1.35", _alpha_measured),
+        Check("the spread of alpha holds measured oils", _spread_holds_measured),
         Check("Gold's exponents alike, coefficients in order", _golds_exponents),
         Check("AGMA's alpha is Gold's within 1.4", _agma_as_gold),
         Check("limiting stresses in order", _limits_of_traction),

@@ -94,6 +94,8 @@ def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
         )
     named = named_oil(asked.name)
     whole = {"boundary_friction": named.stock.boundary_friction, **table, "name": named.name}
+    if not _gives_alpha(table.get("viscosity")):
+        whole.setdefault("alpha_spread", named.stock.alpha_spread)
     for key, own in _tables(named, asked.temperature).items():
         given = table.get(key, {})
         if isinstance(given, dict) and "law" not in given:
@@ -101,6 +103,11 @@ def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
             kept = {one: value for one, value in own.items() if one not in replaced}
             whole[key] = kept | given
     return whole
+
+
+def _gives_alpha(viscosity: Any) -> bool:
+    """Whether `[oil.viscosity]` has its own rise with pressure, by a constant or by a law."""
+    return isinstance(viscosity, dict) and not viscosity.keys().isdisjoint({"law", "alpha", "z"})
 
 
 def _tables(named: NamedOil, temperature: float) -> dict[str, dict[str, Any]]:

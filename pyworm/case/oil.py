@@ -255,6 +255,7 @@ class OilTable(Table):
     heat: HeatTable | None = None
     supply: SupplyTable | None = None
     boundary_friction: Annotated[float, Field(strict=True, gt=0, le=1)] = BOUNDARY_FRICTION
+    alpha_spread: Annotated[float, Field(strict=True, ge=0, le=1)] = 0.0
 
     @model_validator(mode="before")
     @classmethod
@@ -317,6 +318,7 @@ class OilTable(Table):
             heat=None if self.heat is None else self.heat.heat(viscosity),
             supply=self.supply.layer() if isinstance(self.supply, OilLayerTable) else self.supply,
             boundary_friction=self.boundary_friction,
+            alpha_spread=self.alpha_spread,
         )
 
 

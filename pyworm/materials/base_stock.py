@@ -41,6 +41,8 @@ class BaseStock:
         [J/(kg K)].
     gold_s, gold_t : float
         Constants of Gold's law of the pressure-viscosity coefficient (`oil_laws.gold_alpha`).
+    alpha_spread : float
+        Relative uncertainty of that coefficient [-].
     density_d1, density_d2 : float
         Rise of the density with pressure [1/Pa] (`pyworm.materials.viscosity_density.Density`).
     conductivity : float or None
@@ -67,6 +69,7 @@ class BaseStock:
     specific_heat: float
     gold_s: float
     gold_t: float
+    alpha_spread: float = 0.0
     density_d1: float = 0.6e-9
     density_d2: float = 1.7e-9
     conductivity: float | None = None
@@ -130,6 +133,7 @@ class StockTable(_Table):
     conductivity: units.OilConductivity | None = None
     gold_s: Positive | None = None
     gold_t: _Fraction | None = None
+    alpha_spread: Annotated[float, Field(strict=True, ge=0, lt=1)] = 0.0
     agma_k: _AgmaFactor | None = None
     agma_s: _Fraction | None = None
     limiting_coefficient: _Fraction | None = None
@@ -149,6 +153,8 @@ class StockTable(_Table):
     def own(self) -> dict[str, Any]:
         """The given properties under the names of `BaseStock`."""
         own = self.model_dump(exclude_unset=True, include=set(StockTable.model_fields))
+        if {"gold_s", "gold_t"} & own.keys():
+            own.setdefault("alpha_spread", 0.0)  # measured by whoever gives it
         if "agma_k" in own:
             own["agma_k"] *= 1e6  # AGMA's law is written in mm2/N
         if "eyring_stress" in own:
@@ -166,6 +172,7 @@ class _BaseStockTable(StockTable):
     specific_heat: units.SpecificHeat
     gold_s: Positive
     gold_t: _Fraction
+    alpha_spread: Annotated[float, Field(strict=True, gt=0, lt=1)]
     grades: dict[int, tuple[Positive, Positive]]
     sources: dict[str, str]
 

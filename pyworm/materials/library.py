@@ -170,6 +170,7 @@ class NamedOil:
                 **stock.heat,
             ),
             boundary_friction=stock.boundary_friction,
+            alpha_spread=stock.alpha_spread,
         )
 
 

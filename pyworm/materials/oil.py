@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
-from pyworm.formulas.ranges import positive
+from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, take
 from pyworm.io.present import present
@@ -90,6 +90,9 @@ class Oil:
         the track; None where there is always enough.
     boundary_friction : float
         Friction coefficient of the bodies' asperities in contact under this oil [-].
+    alpha_spread : float
+        Relative uncertainty of the pressure-viscosity coefficient [-]: its base stock's for an oil of the
+        library, zero where it was measured.
     """
 
     viscosity: Barus | Roelands | TabulatedViscosity
@@ -98,6 +101,7 @@ class Oil:
     heat: OilHeat | None = None
     supply: float | OilLayer | None = None
     boundary_friction: float = BOUNDARY_FRICTION
+    alpha_spread: float = 0.0
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"supply": units.Film}
 
@@ -118,6 +122,7 @@ class Oil:
         if isinstance(self.supply, float):
             positive("supply", self.supply, "m")
         positive("boundary_friction", self.boundary_friction, "")
+        within("alpha_spread", self.alpha_spread, 0, 1, "")
 
     def layer_at(self, across: Given) -> np.ndarray:
         """Thickness of the oil that arrives at places across the entrainment [m], where it is limited."""

@@ -33,7 +33,7 @@ class Extreme:
     reason : str or None
         Reason why its error bar is infinite (`solution.Estimate`).
     model : float or None
-        Its uncertainty by the model of roughness in the same unit; None where roughness was not simulated.
+        Its model uncertainty in the same unit; None where there is none.
     """
 
     value: float

@@ -7,7 +7,7 @@ reads figures and fields from the last one. `pyworm.solver.grid_sequence` decide
 from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import log2, sqrt
+from math import hypot, log2, sqrt
 from typing import Any, ClassVar, Generic, TypeVar
 
 from pyworm.io.present import present
@@ -29,6 +29,7 @@ from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.oil_supply import supply_figures
+from pyworm.solver.oil_uncertainty import oil_uncertainty
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
 from pyworm.solver.roughness_uncertainty import left_out, roughness_uncertainty
 
@@ -433,7 +434,15 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         return film, abs(fine - coarse) / (3 * film), density
 
     def uncertainties(self, level: LevelT) -> dict[str, float]:
-        """Relative uncertainty of each figure of a converged film between rough surfaces."""
+        """Relative model uncertainty of the figures of a converged film: by its oil, and by roughness."""
+        scene = self._scene
+        by_oil = oil_uncertainty(scene)
+        if self._rough is None:
+            return by_oil
+        rough = self._roughness_uncertainty(level)
+        return {name: hypot(value, by_oil.get(name, 0.0)) for name, value in rough.items()}
+
+    def _roughness_uncertainty(self, level: LevelT) -> dict[str, float]:
         scene, half_width = self._scene, predicted(self._scene).half_width
         waves = left_out(moving_waves(scene), self._size.groups, half_width, scene.reduced_modulus)
         return roughness_uncertainty(

@@ -37,8 +37,9 @@ class Estimate:
     datum : float
         What the error is relative to the distance from: of temperatures the inlet's [K], else zero.
     model : float or None
-        Relative uncertainty by the assumptions of averaged roughness
-        (`pyworm.solver.roughness_uncertainty`), no part of `error`; None where roughness was not simulated.
+        Relative uncertainty by the assumptions of averaged roughness (`roughness_uncertainty`) and, of
+        films, by a pressure-viscosity coefficient that was not measured (`oil_uncertainty`), no part of
+        `error`; None where there is neither.
     """
 
     value: float

@@ -143,7 +143,7 @@ class GridSequence:
             plan, self._readings, self._solver.convergence.orders, self._level.grid.finer()
         )
         if film_is_sound(self._level, self._settled, plan):
-            if plan.model.rough and not self._uncertainties:
+            if not self._uncertainties:
                 self._uncertainties = self._solver.uncertainties(self._level)
             if reason is None and plan.wider_grids and not self._window:
                 reason = self._compare_windows()

@@ -149,7 +149,7 @@ def figures_table(
     table.add_column("Value", justify="right")
     mixed = "film_min_model_error" in summary
     if mixed:
-        table.add_column("Model of\nroughness", justify="right")
+        table.add_column("Model\nuncertainty", justify="right")
     if published:
         table.add_column("Published", justify="right")
 
@@ -284,7 +284,7 @@ def heat_table(
 
 
 def _model_bar(summary: Mapping[str, Any], name: str) -> str:
-    """Uncertainty of a figure by the model of roughness [%]; empty where roughness was not simulated."""
+    """Model uncertainty of a figure [%]; empty where there is none."""
     error = summary.get(f"{name}_model_error")
     return "" if error is None else f"{error * 100:.2g}"
 
@@ -405,7 +405,7 @@ def _bar(error: float | None, scale: float, unit: str) -> str:
 
 
 def _of_model(error_key: str | None) -> str | None:
-    """Key of the uncertainty by the model of roughness beside that of a numerical error bar."""
+    """Key of the model uncertainty beside that of a numerical error bar."""
     return error_key and error_key.replace("_error", "_model_error")
 
 

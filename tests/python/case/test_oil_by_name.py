@@ -47,6 +47,14 @@ def test_any_spelling_of_the_name_becomes_the_oil_s_own():
     assert table.heat.inlet_temperature == pytest.approx(333.15)
 
 
+def test_spread_of_alpha_is_the_base_stock_s_unless_alpha_is_given():
+    assert oil(name="mineral VG 220").alpha_spread == 0.28
+    assert oil(name="mineral VG 220", viscosity={"eta0": "0.1 Pa s"}).alpha_spread == 0.28
+    assert oil(name="mineral VG 220", viscosity={"alpha": "20 1/GPa"}).alpha_spread == 0
+    assert oil(name="mineral VG 220", viscosity={"z": 0.6}).alpha_spread == 0
+    assert oil(name="mineral VG 220", alpha_spread=0.1).alpha_spread == 0.1
+
+
 def test_boundary_friction_is_the_base_stock_s_unless_it_is_given():
     rubbing = [oil(name=f"{base} VG 220").boundary_friction for base in ("mineral", "PAO", "PAG")]
     assert rubbing == sorted(rubbing, reverse=True)
