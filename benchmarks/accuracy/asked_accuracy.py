@@ -135,7 +135,7 @@ def trial(kind: str, scene: Scene, accuracy: float, made: Study) -> dict:
         "kind": kind,
         "scene": scene.name,
         "accuracy": accuracy,
-        "converged": solution.converged,
+        "converged": solution.accurate,
         "error": errors[worst],
         "of": worst,
         "unsure": max(of.band for of in made.references.values()),

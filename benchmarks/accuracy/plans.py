@@ -146,7 +146,7 @@ def trial(name: str, of: Trial, accuracy: float) -> tuple[dict, list[dict]]:
         "accuracy": accuracy,
         "seconds": seconds,
         "seconds_all": seconds_all,
-        "converged": found.converged,
+        "converged": found.accurate,
         "converged_all": everything.converged,
         "worst": max(apart.values()),
         **{f"by_{quantity}": value for quantity, value in apart.items()},

@@ -100,7 +100,7 @@ def row(number: int, of: dict, scene: Scene, heat: dict[str, float]) -> dict:
         "film_lift": figure("film_lift_m", unit),
         "pressure_max": figure("pressure_max_Pa", dry.pressure_max),
         "pressure_max_error": figure("pressure_max_error"),
-        "certified": int(bool(of["converged"] == 1.0)),
+        "certified": int(bool(of["accurate"] == 1.0)),
         "status": of["stop_reason"],
         "grid_x": figure("grid_x"),
         "grid_y": figure("grid_y"),

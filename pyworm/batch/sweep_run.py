@@ -22,6 +22,8 @@ from pyworm.result.formula_summary import formula_summary
 from pyworm.result.sweep_result import SweepResult, sweep_table
 
 BY_FORMULA = "films by formula, as accurate as asked for"
+
+_ACCURATE = {"converged": True, "accurate": True, "stop_reason": BY_FORMULA}
 """Stop reason of a scene that needed no solve."""
 
 
@@ -113,9 +115,9 @@ def _by_formula(tasks: Iterable[Task]) -> dict[str, dict]:
         films = films_by_formula(task.scene, task.plan)
         if films is not None:
             summary = formula_summary(task.scene, task.plan, films)
-            found[task.key] = {**summary, "converged": True, "stop_reason": BY_FORMULA}
+            found[task.key] = {**summary, **_ACCURATE}
     return found
 
 
 def _unsolved(task: Task, reason: str) -> dict:
-    return {**asdict(task.place), "converged": False, "stop_reason": reason}
+    return {**asdict(task.place), "converged": False, "accurate": False, "stop_reason": reason}

@@ -95,9 +95,9 @@ def _run(options: argparse.Namespace) -> int:
         put(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
         if table is not None:
             put(f"Life      {table}: figures with error bars at every instant")
-    if result.stop_reason is None:
+    if result.shortfall is None:
         return CONVERGED
-    return end_with(f"{case.name}: {result.stop_reason}", NOT_CONVERGED)
+    return end_with(f"{case.name}: {result.shortfall}", NOT_CONVERGED)
 
 
 def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
@@ -113,7 +113,7 @@ def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
         "scenes": [solution.summary() for solution in result.solutions],
         "failed": result.provenance["failed"],
         "warnings": result.provenance["warnings"],
-        **({} if result.stop_reason is None else {"stop_reason": result.stop_reason}),
+        **({} if result.shortfall is None else {"stop_reason": result.shortfall}),
         **({} if cycle is None else {"cycle": cycle.summary()}),
         **({} if case.drive is None else {"standard_loss": standard.summary()}),
         **({} if heating is None else {"heating_loss": heating.summary()}),
@@ -226,5 +226,7 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     for summary in summaries:
         if not summary["converged"]:
             console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")
+        elif not summary["accurate"]:
+            console.print(f"{summary['name']} is {summary['stop_reason']}")
     for name, reason in failed.items():
         console.print(f"{name} could not be solved: {reason}")

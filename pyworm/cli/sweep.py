@@ -95,6 +95,6 @@ def _sweep(options: argparse.Namespace) -> int:
     else:
         for name in pictures:
             put(f"Picture   {directory / name}")
-    if result.converged.all():
+    if result.accurate.all():
         return CONVERGED
     return end_with(f"{result.name}: {'; '.join(unconverged(result))}", NOT_CONVERGED)

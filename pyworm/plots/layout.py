@@ -262,6 +262,8 @@ def heading(case_name: str, solution: Solution) -> str:
     parts.append(f"{load / 1e3:.4g} k{unit}" if load >= 1e3 else f"{load:.4g} {unit}")
     if not solution.converged:
         parts.append(f"NOT CONVERGED ({solution.stop_reason.partition(';')[0]})")
+    elif not solution.accurate:
+        parts.append(solution.stop_reason.partition(":")[0])
     return joined(*parts, solution.left_out.words)
 
 

@@ -25,6 +25,14 @@ def headline(solutions: Sequence[Solution]) -> str:
     return f"Least film {film.value * 1e6:.3g} µm {numerical}{model}; {words}"
 
 
+def less_accurate(solutions: Sequence[Solution]) -> str:
+    """The contacts whose figures are used with wider error bars than asked for; empty without any."""
+    wide = [of for of in solutions if of.converged and not of.accurate]
+    if not wide:
+        return ""
+    return "Less accurate than asked for: " + ", ".join(of.name for of in wide) + "."
+
+
 def opening(solutions: Sequence[Solution], rough_teeth: str) -> list[str]:
     """Sentences shown before any figure of solved contacts.
 
@@ -36,5 +44,10 @@ def opening(solutions: Sequence[Solution], rough_teeth: str) -> list[str]:
         Sentence on their friction by a standard, shown where roughness carries load.
     """
     at_worst = of_all(solutions)
-    lines = [at_worst.sentence, headline(solutions), rough_teeth if at_worst.as_if_smooth else ""]
+    lines = [
+        at_worst.sentence,
+        headline(solutions),
+        less_accurate(solutions),
+        rough_teeth if at_worst.as_if_smooth else "",
+    ]
     return [line for line in lines if line]

@@ -139,6 +139,15 @@ class Result(Shown):
         return f"{self.missing} ({'; '.join(cause for cause, _ in causes)})"
 
     @property
+    def shortfall(self) -> str | None:
+        """Why a run does not have all figures with the accuracy asked for; None where it has."""
+        wide = [
+            f"{one.name}: {one.stop_reason}" for one in self.sound.solutions if not one.accurate
+        ]
+        lacking = [self.stop_reason, *wide]
+        return "; ".join(filter(None, lacking)) or None
+
+    @property
     def unsound(self) -> tuple[Solution, ...]:
         """The solutions that did not converge."""
         return tuple(one for one in self.solutions if not one.converged)

@@ -61,6 +61,11 @@ class SweepResult:
         """Whether the solution of each scene converged."""
         return self.table["converged"].values == 1
 
+    @property
+    def accurate(self) -> np.ndarray:
+        """Whether the solution of each scene has the accuracy asked for."""
+        return self.table["accurate"].values == 1
+
     @cached_property
     def left_out(self) -> LeftOut:
         """Effects left out of the figures, at the worst of the converged scenes."""
@@ -171,8 +176,9 @@ def _check(result: SweepResult) -> None:
             raise ValueError(f'there is no column of "{key}", which varies')
     if table["stop_reason"].dtype.kind in "iufb":
         raise ValueError("stop_reason is no text")
-    if not np.isin(table["converged"].values, (0, 1)).all():
-        raise ValueError("converged must be 0 or 1")
+    for name in ("converged", "accurate"):
+        if not np.isin(table[name].values, (0, 1)).all():
+            raise ValueError(f"{name} must be 0 or 1")
     by_formula = table["formula"].values != "" if "formula" in table else False
     for name in {"film_min_m", "film_central_m", "pressure_max_Pa"} & set(table.data_vars):
         known = result.converged & ~(by_formula & np.isnan(table[name].values))
@@ -190,7 +196,8 @@ def sweep_table(
     values : sequence of mapping
         For each scene the varied values as written, by key.
     rows : sequence of mapping
-        For each scene its summary, or at least its place, `converged` and `stop_reason`.
+        For each scene its summary, or at least its place, `converged`, `accurate` and
+        `stop_reason`.
     keys : sequence of str
         For each scene the key by which its file is named.
     """

@@ -15,6 +15,7 @@ from pyworm.planning.plan import Plan
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
+from pyworm.solver.accuracy_met import is_converged
 from pyworm.solver.convergence_history import convergence_history
 from pyworm.solver.error_estimate import Reading
 from pyworm.solver.estimates import estimates
@@ -25,7 +26,7 @@ from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, settle
 from pyworm.solver.prospect import refusal
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
 from pyworm.solver.solution import Estimate, Figures, Solution
-from pyworm.solver.stop_reason import TELLING, film_is_sound, is_converged, stop_reason
+from pyworm.solver.stop_reason import TELLING, film_is_sound, stop_reason, with_wider_bars
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient.transient import Rates, transient
 from pyworm.solver.window_limit import WindowLimit, in_this_window, in_wider_window
@@ -169,7 +170,11 @@ class GridSequence:
         scene, plan, level = self._scene, self._plan, self._level
         cost = self._stopwatch.cost(level.film)
         outcome = self._solver.outcome(level)
-        reason = outcome.flaw or reason
+        figures = self._estimates()
+        if outcome.flaw is not None:
+            reason = outcome.flaw
+        elif film_is_sound(level, self._settled, plan):
+            reason = with_wider_bars(reason, figures, self._settled.reading.figures, plan)
         converged = is_converged(reason)
         if not converged and rests_on_edge(outcome.fields):
             reason += CURE
@@ -187,7 +192,7 @@ class GridSequence:
             converged=converged,
             stop_reason=reason,
             figures=Figures(
-                **cast("dict[str, Any]", self._estimates()),
+                **cast("dict[str, Any]", figures),
                 film_min_at=self._settled.reading.film_min_at,
                 load_error=level.film.balance.load_error,
                 residual=level.film.balance.residual,

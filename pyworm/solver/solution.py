@@ -14,6 +14,7 @@ from pyworm.io.shown import Shown
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.target import ROUGH_FIGURES
 from pyworm.scene.index import Place
+from pyworm.solver.accuracy_met import is_accurate
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.left_out import LeftOut, judged
 from pyworm.solver.oil_supply import SupplyFigures
@@ -158,7 +159,8 @@ class Solution(Shown):
     load : float
         Normal load [N], of a line contact that for each length [N/m].
     converged : bool
-        Whether the figures may be trusted within their error bars.
+        Whether the figures may be trusted within their error bars, which may be wider than asked for
+        (`accurate`).
     stop_reason : str
         Reason why the solver stopped.
     figures : Figures
@@ -232,6 +234,8 @@ class Solution(Shown):
         figures = self.figures.shown()[1]
         films = {name: figures.pop(name) for name in ("film_min", "film_central")}
         state = "converged" if self.converged else "not converged"
+        if self.accurate:
+            state = "accurate"
         return f"Solution {self.name}", {
             "status": f"{state} ({self.stop_reason})",
             **films,
@@ -264,6 +268,11 @@ class Solution(Shown):
 
     def __hash__(self) -> int:
         return hash((self.name, self.kind, self.load, self.converged, self.figures))
+
+    @property
+    def accurate(self) -> bool:
+        """Whether the figures have the accuracy asked for."""
+        return is_accurate(self.stop_reason)
 
     @property
     def left_out(self) -> LeftOut:
@@ -302,6 +311,7 @@ class Solution(Shown):
             LOAD_KEYS[self.kind]: self.load,
             **self.left_out.summary(),
             "converged": self.converged,
+            "accurate": self.accurate,
             "stop_reason": self.stop_reason,
             **_flat("film_min", "m", figures.film_min),
             "film_min_at_m": list(figures.film_min_at),

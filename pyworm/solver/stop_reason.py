@@ -5,13 +5,15 @@ from collections.abc import Mapping
 import numpy as np
 
 from pyworm.planning.plan import Plan
+from pyworm.solver.accuracy_met import ACCURATE, LESS_ACCURATE, is_accurate
+from pyworm.solver.estimate import Estimate
 from pyworm.solver.level import Level
 from pyworm.solver.newton import HOPELESS, Settled
 from pyworm.solver.prospect import spike_stays
-from pyworm.solver.solution import Estimate
 
-ACCURATE = "the figures are as accurate as asked for"
-"""Stop reason of a converged solution, or its beginning."""
+WIDEST = 0.5
+"""Largest error of the figures asked for with which a film is used: in means and losses over a mesh cycle it
+is better than none, and its error bar is that of the whole."""
 
 TELLING = 1e-2
 """Residual beyond which the figures of a grid have no error estimate, unless the tolerance is larger."""
@@ -21,9 +23,26 @@ MOST_UNSETTLED = 3
 of a film with a limiting stress."""
 
 
-def is_converged(reason: str) -> bool:
-    """Whether a stop reason is that of a converged solution."""
-    return reason.startswith(ACCURATE)
+def with_wider_bars(
+    reason: str, estimates: Mapping[str, Estimate], figures: Mapping[str, float], plan: Plan
+) -> str:
+    """The stop reason of a sound film, qualified where its figures have error bars that are too wide.
+
+    Parameters
+    ----------
+    reason : str
+        Why the sequence of grids ended.
+    estimates : mapping
+        The figures with their error bars.
+    figures : mapping
+        Their values on the last grid.
+    plan : Plan
+        Accuracy and figures asked for.
+    """
+    error = plan.aim.worst({name: of.error for name, of in estimates.items()}, figures)
+    if is_accurate(reason) or not error <= WIDEST:
+        return reason
+    return f"{LESS_ACCURATE}, {error:.1%}: {reason}"
 
 
 def film_is_sound(level: Level, settled: Settled, plan: Plan) -> bool:

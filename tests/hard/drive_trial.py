@@ -174,9 +174,10 @@ def _figures(content: dict[str, Any]) -> dict[str, Any]:
         scenes = content["scenes"]
         found |= {
             "phases": len(scenes) + len(content["failed"]),
-            "converged": sum(scene["converged"] for scene in scenes),
+            "converged": sum(scene["accurate"] for scene in scenes),
+            "usable": sum(scene["converged"] for scene in scenes),
             "reasons": {
-                scene["name"]: scene["stop_reason"] for scene in scenes if not scene["converged"]
+                scene["name"]: scene["stop_reason"] for scene in scenes if not scene["accurate"]
             }
             | content["failed"],
             "mesh_loss": content.get("mesh_loss"),
@@ -249,7 +250,7 @@ def drive_verdict(trial: DriveTrial, accuracy: str) -> DriveVerdict:
     reasons = run.figures.get("reasons") or ({} if converged else {"all": run.said.strip()})
     return DriveVerdict(
         *about,
-        "complete" if converged == phases else "incomplete",
+        "complete" if run.figures.get("usable", 0) == phases else "incomplete",
         phases,
         converged,
         reason="; ".join(f"{name}: {reason}" for name, reason in reasons.items()),

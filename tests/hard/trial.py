@@ -141,7 +141,7 @@ def verdict(one: Trial, store: Store) -> Verdict:
     grid = tuple(summary["grid"])
     return Verdict(
         name,
-        "converged" if summary["converged"] else "not converged",
+        "converged" if summary["accurate"] else "not converged",
         summary["stop_reason"],
         summary["convolutions"] * prod(grid) / 1e6,
         grid,

@@ -100,7 +100,9 @@ def make_solution(
         phase=phase,
         load=load,
         converged=converged,
-        stop_reason="residual below its tolerance" if converged else "too many iterations",
+        stop_reason="the figures are as accurate as asked for"
+        if converged
+        else "too many iterations",
         figures=figures,
         regime=_point_regime(point_groups(*radii, load, reduced_modulus, speed, 0.04, 2.2e-8)),
         fields=fields,
@@ -157,7 +159,9 @@ def make_line_solution(load=183e3, film_central=175e-9, phase=None, converged=Tr
         phase=phase,
         load=load,
         converged=converged,
-        stop_reason="the figures are accurate" if converged else "too many iterations",
+        stop_reason="the figures are as accurate as asked for"
+        if converged
+        else "too many iterations",
         figures=Figures(
             film_min=Estimate(float(film.min()), 0.004, 0.001),
             film_central=Estimate(film_central, 0.002, 0.001),

@@ -179,7 +179,7 @@ def figures_table(
     for label, text in _regime_rows(summary):
         add(label, text, None)
     table.add_row("Grid", _grid(summary["grid"]))
-    table.add_row("Converged", "yes" if summary["converged"] else "NO")
+    table.add_row("Converged", _converged(summary))
     words = [] if scene.phase is None else ["phase"]
     _explain(table, [*words, summary["film_min_kind"]])
     return table
@@ -239,8 +239,7 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
                 *([_model_bar(values, "film_min")] if mixed else []),
                 *([f"{values['specific_film']:.3g}"] if rough else []),
             ]
-        converged = "yes" if values["converged"] else "NO"
-        table.add_row(label, *cells, f"{values['seconds']:.1f}", converged)
+        table.add_row(label, *cells, f"{values['seconds']:.1f}", _converged(values))
     _explain(table, places.lower().split("\n"))
     return table
 
@@ -281,6 +280,13 @@ def heat_table(
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         table.add_row(label, *cells)
     return table
+
+
+def _converged(summary: Mapping[str, Any]) -> str:
+    """Whether a scene converged, and less accurate than asked for."""
+    if not summary["converged"]:
+        return "NO"
+    return "yes" if summary["accurate"] else "less accurate"
 
 
 def _model_bar(summary: Mapping[str, Any], name: str) -> str:

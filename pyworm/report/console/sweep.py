@@ -11,6 +11,7 @@ from rich.table import Table
 from pyworm.io.console import Console
 from pyworm.result.sweep_result import SweepResult, distinguishing
 from pyworm.scene.index import PLACE_NAMES
+from pyworm.solver.accuracy_met import LESS_ACCURATE
 
 MOST_ROWS = 60
 """Scenes beyond which the table is left to the file."""
@@ -42,12 +43,17 @@ def show(result: SweepResult, directory: Path) -> None:
 
 
 def unconverged(result: SweepResult) -> list[str]:
-    """Numbers and reasons of the scenes that did not converge, a sentence for each reason."""
+    """Numbers and reasons of the scenes that did not converge as asked for, a sentence for each reason."""
+    scenes = result.table.sizes["scene"]
     reasons = Counter(result.table["stop_reason"].values[~result.converged].tolist())
-    return [
-        f"{count} of {result.table.sizes['scene']} scenes did not converge: {reason}"
+    sentences = [
+        f"{count} of {scenes} scenes did not converge: {reason}"
         for reason, count in reasons.most_common()
     ]
+    wide = int((result.converged & ~result.accurate).sum())
+    if wide:
+        sentences.append(f"{wide} of {scenes} scenes are {LESS_ACCURATE}")
+    return sentences
 
 
 def rows(result: SweepResult) -> list[dict[str, Any]]:
@@ -82,12 +88,13 @@ def rows_table(result: SweepResult) -> Table:
     for number in range(data.sizes["scene"]):
         row = data.isel(scene=number)
         converged = row["converged"] == 1
+        accurate = "yes" if row["accurate"] == 1 else "less accurate"
         cells = [_cell(row[key].item()) for key in varied]
         cells += [
             f"{row[name].item() * scale:{form}}" if converged and not np.isnan(row[name]) else ""
             for _, name, scale, form in shown
         ]
-        table.add_row(*cells, "yes" if converged else "NO")
+        table.add_row(*cells, accurate if converged else "NO")
     return table
 
 

@@ -141,7 +141,8 @@ def scene_rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
         if of is not None:
             warm = temperature(of, solution.inlet_temperature)
             rows.append([f"Hottest point, {words}", warm])
-    return [*rows, ["Converged", "yes" if solution.converged else "NO"]]
+    wide = "" if solution.accurate else ", less accurate than asked for"
+    return [*rows, ["Converged", f"yes{wide}" if solution.converged else "NO"]]
 
 
 def _shown(figure: Estimate, scale: float, unit: str) -> str:

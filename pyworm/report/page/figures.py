@@ -262,7 +262,9 @@ def _hertz(case: Case, solution: Solution) -> float | None:
 
 
 def _converged(solution: Solution) -> str:
-    return "yes" if solution.converged else f"NO: {solution.stop_reason}"
+    if solution.accurate:
+        return "yes"
+    return f"{'yes' if solution.converged else 'NO'}: {solution.stop_reason}"
 
 
 def heat_section(case: Case, result: Result) -> Section | None:

@@ -22,11 +22,11 @@ from pyworm.io.input_error import CaseError
 from pyworm.kernel.core import NO_DESCENT, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.scene.scales import scales
+from pyworm.solver.accuracy_met import ACCURATE
 from pyworm.solver.contact import SENSELESS
 from pyworm.solver.newton import newton_step, settle
 from pyworm.solver.point import level
 from pyworm.solver.point.contact import PointContactSolver
-from pyworm.solver.stop_reason import ACCURATE
 
 
 @pytest.mark.parametrize(
