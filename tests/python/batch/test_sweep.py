@@ -338,6 +338,7 @@ def made_up(axes, pairs):
     rows = [
         {
             "converged": number != 1,
+            "accurate": number != 1,
             "stop_reason": "",
             "film_min_m": 1e-7 * (1 + number),
             "film_min_error": 0.02,
