@@ -108,6 +108,7 @@ fortran-docs: build/ford/bin/ford
 lint: $(INSTALLED)
 	ruff check .
 	ruff format --check .
+	mypy
 	fortitude check fortran tests/fortran
 
 clean:

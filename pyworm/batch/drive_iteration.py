@@ -25,6 +25,7 @@ from pyworm.batch.lifts_in_motion import lifts_of
 from pyworm.batch.task import Task
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
+from pyworm.io.present import present
 from pyworm.io.progress import Progress
 from pyworm.ratings.heating import HeatingLoss, heating_loss, tooth_loss_of
 from pyworm.ratings.standard_loss import standard_loss
@@ -77,7 +78,7 @@ def run_balanced(
 
     Arguments and errors as of `batch.case_run.run`; also returns the tasks as they were solved in the end.
     """
-    how = {
+    how: dict[str, Any] = {
         "directory": directory,
         "executor": executor,
         "progress": progress,
@@ -111,8 +112,7 @@ class _Search:
 
     def glance(self, case: Case, tasks: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with the values found by films of lower accuracy."""
-        less = {"accuracy": GLANCE, "wider_window": False}
-        given = [replace(task, case=case, **less) for task in tasks]
+        given = [replace(task, case=case, accuracy=GLANCE, wider_window=False) for task in tasks]
         moving = [task for task in given if in_motion(task)]
         some = [steady(task) for task in given] if moving else given
         for _ in range(1 if moving else GLANCES):
@@ -120,7 +120,7 @@ class _Search:
             before, result = case, run(case, again, **how, cycle_of=methodcaller("loaded_cycle"))
             case = self._next(before, result, [])
             if case is before or self._is_close(
-                before, case, drive_cycle(result).phases, GLANCE_LEAVES
+                before, case, present(drive_cycle(result), "a mesh cycle").phases, GLANCE_LEAVES
             ):
                 break
         cycle = drive_cycle(result)
@@ -190,7 +190,7 @@ class _Search:
         losses: list[tuple[float, float]],
     ) -> dict[str, dict[str, Any]]:
         """Values for the next pass; a standard's loss, which does not depend on temperature, unchanged."""
-        loss = cycle.loss
+        loss = present(cycle.loss, "the loss of the cycle")
         of_loads = {"friction": float(f"{loss.friction:.2g}"), "lifts": cycle.lifts or None}
         found = {
             table: {key: of_loads[key] for key in keys}
@@ -258,7 +258,8 @@ def _told_lifts(given: Sequence[tuple[float, float]]) -> str:
 def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:
     """Largest relative change of the loads at some phases between two cases."""
     before, after = (
-        np.array([of.drive.normal_load(phase) for phase in phases]) for of in (case, new)
+        np.array([present(of.drive, "drive").normal_load(phase) for phase in phases])
+        for of in (case, new)
     )
     return float(np.max(np.abs(after / before - 1)))
 

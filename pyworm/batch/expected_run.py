@@ -59,8 +59,7 @@ def _solved(tasks: Sequence[Task]) -> tuple[tuple[Expectation, ...], float]:
 
 def _lifts(tasks: Sequence[Task]) -> float:
     """Processor time of the search for lifts, from some of the tasks [s]."""
-    less = {"accuracy": GLANCE, "wider_window": False}
-    some = [replace(task, **less) for task in every(STRIDE, tasks)]
+    some = [replace(task, accuracy=GLANCE, wider_window=False) for task in every(STRIDE, tasks)]
     all_of_them = len(tasks) / len(some)
     moving = [task for task in some if in_motion(task)]
     if not moving:

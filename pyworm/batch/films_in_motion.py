@@ -23,7 +23,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.march import LostError, RateOfChange, march
 from pyworm.solver.transient.moments import Moment, as_arrays, from_arrays, until
-from pyworm.solver.transient.transient import Rates, part_at, recent
+from pyworm.solver.transient.transient import Rates, part_at, present_in_life, recent
 
 FEWEST = 2
 """Number of tasks of one life from which they share its transient solve."""
@@ -63,8 +63,8 @@ class LifePart:
         if self.refinement > 0 and self._lost(directory):
             return
         course = self.of.course
-        wanted = {task.key: task.scene.past.seconds for task in self.tasks}
-        part = part_at(course, self.tasks[0].scene.past.seconds)
+        wanted = {task.key: present_in_life(task.scene).seconds for task in self.tasks}
+        part = part_at(course, present_in_life(self.tasks[0].scene).seconds)
         times, last = sorted(wanted.values()), course.instant(part.last)
         try:
             found = march(course, self.refinement, part.begin, times, last)
@@ -172,7 +172,7 @@ def tasks_by_part(life: Sequence[Task]) -> list[tuple[Task, ...]]:
         return []
     found = defaultdict(list)
     for task in life:
-        found[part_at(course, task.scene.past.seconds)].append(task)
+        found[part_at(course, present_in_life(task.scene).seconds)].append(task)
     return [tuple(part) for part in found.values()]
 
 
@@ -207,7 +207,7 @@ def _file(key: str, refinement: object) -> str:
 def _grid(numbers: Sequence[float]) -> Grid | LineGrid:
     """A grid from the values of its attributes."""
     if len(numbers) == len(fields(Grid)):
-        *lengths, columns, rows = numbers
-        return Grid(*lengths, int(columns), int(rows))
+        west, south, dx, dy, columns, rows = numbers
+        return Grid(west, south, dx, dy, int(columns), int(rows))
     dx, first, count = numbers
     return LineGrid(dx, int(first), int(count))

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 
 from pyworm.batch.films_in_motion import tasks_by_part
 from pyworm.batch.task import Task
+from pyworm.io.present import present
 from pyworm.solver.transient.lifts import moving_lifts, steady_lift
-from pyworm.solver.transient.transient import part_at
+from pyworm.solver.transient.transient import part_at, present_in_life
 
 
 @dataclass(frozen=True)
@@ -34,13 +35,17 @@ class PartLifts:
     def __call__(self) -> dict[float, float]:
         """Phase -> lift [m]; without those of which no film is found."""
         course = self.tasks[0].course
-        phases = {task.scene.past.seconds: task.place.phase for task in self.tasks}
+        phases = {
+            present_in_life(task.scene).seconds: present(task.place.phase, "phase")
+            for task in self.tasks
+        }
         if self.moving:
             begin = part_at(course, min(phases)).begin
             found = moving_lifts(course, begin, sorted(phases))
         else:
-            found = {at: steady_lift(course, at) for at in phases}
-        return {phases[at]: lift for at, lift in found.items() if lift is not None}
+            steady = {at: steady_lift(course, at) for at in phases}
+            found = {at: lift for at, lift in steady.items() if lift is not None}
+        return {phases[at]: lift for at, lift in found.items()}
 
 
 def lifts_of(tasks: Sequence[Task], moving: bool, executor: Executor | None) -> dict[float, float]:

@@ -59,7 +59,7 @@ def solve_all(
         for done, future in enumerate(as_completed(futures), 1):
             reasons[futures[future].key] = _reason(future, futures[future], store)
             tell(f"{done} of {len(tasks)} scenes", done / len(tasks))
-    return {task.key: reasons[task.key] for task in tasks if reasons[task.key] is not None}
+    return {task.key: why for task in tasks if (why := reasons[task.key]) is not None}
 
 
 def solve_and_keep(task: Task, store: Store, progress: Progress | None = None) -> str | None:

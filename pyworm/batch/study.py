@@ -120,7 +120,7 @@ def traction_curve(
     ValueError
         Surfaces that do not translate, or a scene that cannot be planned.
     """
-    tasks = [
+    tasks: list[Any] = [
         SceneTask(
             with_slide_roll_ratio(scene, ratio), _accuracy(accuracy), text("effects", effects)
         )
@@ -165,7 +165,7 @@ def _study(
     if not vary or not all(len(values) for values in vary.values()):
         raise ValueError("nothing varies; name values of the function's arguments, load=(10, 20)")
     combinations = [dict(zip(vary, one, strict=True)) for one in product(*vary.values())]
-    tasks = []
+    tasks: list[Any] = []
     for values in combinations:
         scene = make(**values)
         if not isinstance(scene, Scene | LineScene):

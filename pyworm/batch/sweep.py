@@ -96,9 +96,9 @@ def load_sweep(
         raise CaseError(f"{path}: {error}") from error
     if not pairs:
         raise CaseError(f"{path}: has no share {first}/{count}, there are fewer cases")
-    values, tasks = zip(*pairs, strict=True)
+    every_values, every_task = zip(*pairs, strict=True)
     axes = [list(table) for table in tables.vary]
-    return Sweep(path.stem, tables.title, data, axes, values, tasks)
+    return Sweep(path.stem, tables.title, data, axes, every_values, every_task)
 
 
 def label(values: Mapping[str, Value]) -> str:

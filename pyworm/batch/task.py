@@ -17,7 +17,7 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.solve import solve
 from pyworm.solver.transient.course import Course, course_of
-from pyworm.solver.transient.transient import Rates
+from pyworm.solver.transient.transient import Rates, present_in_life
 
 KEY_LENGTH = 24
 """Hexadecimal digits of a key: 96 bits, so that no two of any number of scenes ever share one."""
@@ -66,7 +66,7 @@ class Task:
     @cached_property
     def course(self) -> Course:
         """The course of its life; ValueError if that carries no load in motion."""
-        return course_of(self.scene.past.life, self.plan)
+        return course_of(present_in_life(self.scene).life, self.plan)
 
     @property
     def identity(self) -> dict[str, Any]:
@@ -107,7 +107,7 @@ class Task:
         solution = solve(self.scene, self.plan, progress, rates)
         if self.case.drive is not None:
             beside = self.case.drive.scene_data(self.scene)
-            solution = solution.changed(fields=merged(solution.held("fields"), beside))
+            solution = solution.changed(fields=merged(solution.dataset("fields"), beside))
         return Result(
             self.case.name,
             self.case.resolved,

@@ -13,6 +13,7 @@ from pyworm.batch.drive_iteration import run_balanced
 from pyworm.batch.task import Task, key_of
 from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, march
 from pyworm.case.case import Case
+from pyworm.drives.duty import WormDuty
 from pyworm.formulas.wear_law import (
     RUN_IN,
     WEAR_COEFFICIENT,
@@ -23,6 +24,7 @@ from pyworm.formulas.wear_law import (
 )
 from pyworm.io.bounded_number import read_json
 from pyworm.io.kept_arrays import DamagedError, keep, kept
+from pyworm.io.present import present
 from pyworm.result.flank_wear import FlankGrid, asperity_pass, flank_grid, smoothed
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
@@ -140,6 +142,14 @@ class _Solved:
         return np.concatenate([self.rate.ravel(), self.worm_rate.ravel()])
 
 
+def worm_duty(case: Case) -> WormDuty:
+    """The worm gear of a case as the standards see it; ValueError of another drive, or none."""
+    duty = None if case.drive is None else case.drive.duty()
+    if not isinstance(duty, WormDuty):
+        raise ValueError(f"{case.name}: wear is simulated of worm drives only")
+    return duty
+
+
 class WearRun:
     """A march of a case's wear, which goes on where an earlier one in the same directory was stopped.
 
@@ -171,16 +181,16 @@ class WearRun:
     ) -> None:
         self.case, self.plan, self.directory, self.say, self.how = case, plan, directory, say, how
         self.tasks = [replace(task, effects=EFFECTS, wider_window=False) for task in tasks]
-        self.duty = case.drive.duty()
-        self.cut = self.duty.roughness
+        self.duty = worm_duty(case)
+        worm, wheel = self.duty.roughness
+        self.cut = present(worm, "bodies.worm.roughness"), present(wheel, "bodies.wheel.roughness")
         self.steps: list[WearFigures] = []
         self.depths: list[Array] = []
         self.volume, self.turn = 0.0, 0.0
         self.coefficient = plan.coefficient
         self.loads: dict[str, Any] = {}
-        self.grid: FlankGrid | None = None
-        self.thread: FlankGrid | None = None
-        self._last: _Solved | None = None
+        self._grids: tuple[FlankGrid, FlankGrid] | None = None
+        self._state: _Solved | None = None
         identity = {
             "case": case.physics,
             "form": "whole mesh",
@@ -192,6 +202,21 @@ class WearRun:
             "places": [task.place.given for task in self.tasks],
         }
         self.key = key_of(identity)
+
+    @property
+    def grid(self) -> FlankGrid:
+        """Cells of the wheel's flank, known from the first solve on."""
+        return present(self._grids, "the cells of the flanks")[0]
+
+    @property
+    def thread(self) -> FlankGrid:
+        """Cells of the worm's flank, likewise."""
+        return present(self._grids, "the cells of the flanks")[1]
+
+    @property
+    def _last(self) -> _Solved:
+        """Contacts of the flanks as they are."""
+        return present(self._state, "contacts of the flanks")
 
     def run(self) -> tuple[WearFigures, ...]:
         """March to the plan's hours, or to what the standard allows; figures at the end of each step."""
@@ -213,7 +238,7 @@ class WearRun:
         solved = self._solved(None, self.cut)
         if self.plan.calibrated_to is not None:
             solved = self._calibrated(solved)
-        self._last, self.turn = solved, solved.turn
+        self._state, self.turn = solved, solved.turn
         step = min(first_step(solved.rates, self.plan.tolerance), self.plan.hours)
         worn = Worn(0.0, np.zeros(len(solved.rates)), solved.rates, step)
         self._written(worn, 0.0)
@@ -225,7 +250,7 @@ class WearRun:
         part = self.plan.run_in
         run_in = self._solved(np.zeros(self.grid.shape), (part * worm, part * wheel))
         found = _mean(run_in.rate, run_in.rate)
-        scale = self.plan.calibrated_to / found
+        scale = present(self.plan.calibrated_to, "calibrated_to") / found
         self.coefficient *= scale
         self.say(f"k = {self.coefficient:.3g} m2/N, calibrated")
         rates = {of: scale * getattr(solved, of) for of in ("rate", "volume_rate", "worm_rate")}
@@ -240,11 +265,11 @@ class WearRun:
         """Rates of wear of flanks worn so far [m/h]."""
         wheel, worm = self._split(depth)
         removed = _mean(worm, self._last.worm_rate), _mean(wheel, self._last.rate)
-        roughness = tuple(
+        rough_worm, rough_wheel = (
             truncated_roughness(cut, off, self.plan.run_in)
             for cut, off in zip(self.cut, removed, strict=True)
         )
-        self._next = self._solved(wheel, roughness)
+        self._next = self._solved(wheel, (rough_worm, rough_wheel))
         return self._next.rates
 
     def _keep(self, worn: Worn, error: float) -> None:
@@ -252,7 +277,7 @@ class WearRun:
         before = self.steps[-1].hours
         rates = self._last.volume_rate + self._next.volume_rate
         self.volume += rates / 2 * (worn.hours - before)
-        self._last = self._next
+        self._state = self._next
         self._written(worn, error)
 
     def _solved(self, depth: Array | None, roughness: tuple[float, float]) -> _Solved:
@@ -265,9 +290,11 @@ class WearRun:
         tasks = [replace(task, case=case) for task in self.tasks]
         result, _ = run_balanced(case, tasks, self.directory / "contacts", say=self.say, **self.how)
         try:
-            if self.grid is None:
-                self.grid, self.thread = flank_grid(result), flank_grid(result, "worm")
-            speed = case.drive.phases_per_second
+            if self._grids is None:
+                self._grids = flank_grid(result), flank_grid(result, "worm")
+            speed = present(
+                present(case.drive, "drive").phases_per_second, "speed of the mesh cycle"
+            )
             made = asperity_pass(result, self.grid, speed)
             on_worm = asperity_pass(result, self.thread, speed, "worm")
         except ValueError as error:
@@ -278,23 +305,28 @@ class WearRun:
         worm_turns = self.duty.worm_speed / (2 * pi) * HOUR
         of_worm = self.coefficient * self.plan.worm_ratio * worm_turns
         of_wheel = self.coefficient * worm_turns / self.duty.gear.ratio
-        turn = float(result.mesh_cycle["wheel_turn"].mean())
+        turn = float(present(result.mesh_cycle, "a mesh cycle")["wheel_turn"].mean())
         rates = of_wheel * made.work, of_worm * on_worm.work, of_wheel * made.volume
         return _Solved(*rates, roughness, turn, result)
 
     def _loads(self, result: Result) -> dict[str, Any]:
         """Friction in the balance of torques and lifts of the films, for the next flank."""
-        cycle, open_ = drive_cycle(result), self.case.left_open.get("operation", ())
-        found = {"friction": float(f"{cycle.loss.friction:.2g}"), "lifts": cycle.lifts or None}
+        cycle = present(drive_cycle(result), "a mesh cycle")
+        loss, open_ = present(cycle.loss, "its loss"), self.case.left_open.get("operation", ())
+        found = {"friction": float(f"{loss.friction:.2g}"), "lifts": cycle.lifts or None}
         return {key: found[key] for key in open_}
 
     def _figures(self, worn: Worn, error: float) -> WearFigures:
-        of, solutions = self._last, self._last.result.sound.solutions
-        cycle = drive_cycle(of.result)
+        of, result = self._last, present(self._last.result, "solved contacts")
+        solutions = result.sound.solutions
+        loss = present(present(drive_cycle(result), "a mesh cycle").loss, "its loss")
+        borne = [one.figures.asperity_load_fraction for one in solutions]
         wheel_depth, worm_depth = self._split(worn.depth)
         densities = [
             body.density or usual
-            for body, usual in zip(self.case.drive.bodies, (7850.0, 8800.0), strict=True)
+            for body, usual in zip(
+                present(self.case.drive, "drive").bodies, (7850.0, 8800.0), strict=True
+            )
         ]
         # the same force and path on both: volumes are as their k, over all threads and all teeth
         worm = self.plan.worm_ratio * self.volume * self.duty.gear.ratio
@@ -307,10 +339,8 @@ class WearRun:
             mass_kg=self.volume * self.duty.gear.teeth * densities[1],
             backlash_m=(of.turn - self.turn) * self.duty.gear.module * self.duty.gear.teeth / 2,
             pattern_m2=float((of.rate > PATTERN * of.rate.max()).sum() * self.grid.cell),
-            asperity_share=float(
-                np.mean([one.figures.asperity_load_fraction.value for one in solutions])
-            ),
-            friction=cycle.loss.friction,
+            asperity_share=float(np.mean([of.value for of in borne if of is not None])),
+            friction=loss.friction,
             film_min_m=min(one.figures.film_min.value for one in solutions),
             worm_roughness_m=of.roughness[0],
             wheel_roughness_m=of.roughness[1],
@@ -384,8 +414,7 @@ def _state_of(held: dict[str, np.ndarray]) -> dict[str, Any]:
         raise ValueError("depths of another grid")
     roughness = last.worm_roughness_m, last.wheel_roughness_m
     return {
-        "grid": grid,
-        "thread": thread,
+        "_grids": (grid, thread),
         "worm_depth": held["worm_depth"],
         "depths": list(held["depths"]),
         "steps": steps,
@@ -393,7 +422,7 @@ def _state_of(held: dict[str, np.ndarray]) -> dict[str, Any]:
         "loads": loads,
         "turn": turn,
         "coefficient": float(held["coefficient"]),
-        "_last": _Solved(
+        "_state": _Solved(
             held["rate"],
             held["worm_rate"],
             float(held["volume_rate"]),

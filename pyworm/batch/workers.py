@@ -7,8 +7,10 @@ import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from functools import partial
 from multiprocessing import get_context, parent_process, resource_tracker
 from multiprocessing.connection import Connection
+from multiprocessing.context import SpawnProcess
 from queue import SimpleQueue
 from typing import Any
 
@@ -40,9 +42,9 @@ class WorkerPool(Executor):
             self._idle.put(worker)
         self._threads = ThreadPoolExecutor(count)
 
-    def submit(self, function: Callable, /, *arguments: Any) -> Future:
+    def submit(self, function: Callable[..., Any], /, *arguments: Any, **named: Any) -> Future[Any]:
         """Call a function in one of the processes; the future may raise WorkerDiedError."""
-        return self._threads.submit(self._call, function, arguments)
+        return self._threads.submit(self._call, partial(function, **named), arguments)
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
         """Accept no more calls; end the processes once the pending ones are done."""
@@ -73,37 +75,37 @@ class _Worker:
 
     def __init__(self) -> None:
         self._ended = False
-        self._process = None
-        self._connection: Connection | None = None
+        self._running: tuple[SpawnProcess, Connection] | None = None
 
     def call(self, function: Callable, arguments: tuple) -> Any:
-        if self._process is None or not self._process.is_alive():
-            self._start()
+        if self._running is None or not self._running[0].is_alive():
+            self._running = self._started()
+        process, connection = self._running
         try:
-            self._connection.send((function, arguments))
-            answer, error = self._connection.recv()
+            connection.send((function, arguments))
+            answer, error = connection.recv()
         except (EOFError, OSError):  # the process is gone, and its end of the pipe with it
-            self._process.join()
-            how = _ending(self._process.exitcode)
-            self._process = None
-            self._connection.close()
-            raise WorkerDiedError(how) from None
+            process.join()
+            self._running = None
+            connection.close()
+            raise WorkerDiedError(_ending(process.exitcode)) from None
         if error is not None:
             raise error
         return answer
 
     def stop(self) -> None:
-        if self._process is not None:
-            self._connection.close()
-            self._process.join()
+        if self._running is not None:
+            process, connection = self._running
+            connection.close()
+            process.join()
 
     def terminate(self) -> None:
         with self._starting:
             self._ended = True
-        if self._process is not None:
-            self._process.terminate()
+        if self._running is not None:
+            self._running[0].terminate()
 
-    def _start(self) -> None:
+    def _started(self) -> tuple[SpawnProcess, Connection]:
         connection, other_end = _SPAWN.Pipe()
         process = _SPAWN.Process(target=_serve, args=(other_end,), daemon=True)
         with self._starting:
@@ -124,20 +126,21 @@ class _Worker:
                         del os.environ[name]
                     else:
                         os.environ[name] = value
-            self._process, self._connection = process, connection
         other_end.close()
+        return process, connection
 
 
 def _serve(connection: Connection) -> None:
     """Answer calls until the connection closes."""
     _end_with_parent()
-    if os.getppid() != parent_process().pid:  # it was killed before
+    if os.getppid() != getattr(parent_process(), "pid", None):  # it was killed before
         return
     while True:
         try:
             function, arguments = connection.recv()
         except (EOFError, OSError):
             return
+        outcome: tuple[Any, Exception | None]
         try:
             outcome = function(*arguments), None
         except Exception as error:
@@ -158,9 +161,9 @@ def _end_with_parent() -> None:
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGTERM)
 
 
-def _ending(exit_code: int) -> str:
+def _ending(exit_code: int | None) -> str:
     """How a process ended, in words."""
-    if exit_code >= 0:
+    if exit_code is None or exit_code >= 0:
         return f"its process ended with exit code {exit_code}"
     name = signal.Signals(-exit_code).name
     hint = ", as when memory runs out" if name == "SIGKILL" else ""

@@ -1,6 +1,6 @@
 """`[bodies]`: the solids of a contact."""
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
 
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
@@ -54,7 +54,7 @@ class BodyTable(Table):
     surface: SurfaceTable | None = None
 
     @model_validator(mode="after")
-    def _surface_alone(self):
+    def _surface_alone(self) -> Self:
         for name in ("roughness", "roughness_ra", *_OF_HEIGHTS, "lay"):
             if self.surface is not None and getattr(self, name) is not None:
                 raise ValueError(f"{name} means nothing beside surface, whose heights give it")
@@ -78,7 +78,7 @@ class BodyTable(Table):
         return whole
 
     @model_validator(mode="after")
-    def _roughness_complete(self):
+    def _roughness_complete(self) -> Self:
         if self.roughness is not None and self.roughness_ra is not None:
             raise ValueError("give either roughness (Rq) or roughness_ra (Ra), one of the two")
         for name in _OF_HEIGHTS:

@@ -20,6 +20,7 @@ from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
 from pyworm.io import units
 from pyworm.io.input_error import CaseError, sentence
+from pyworm.io.present import present
 from pyworm.io.shown import Shown, percent
 from pyworm.io.stage import stage
 from pyworm.io.toml import read_toml
@@ -63,7 +64,7 @@ class Case(Shown):
 
     name: str
     directory: Path
-    tables: CaseTable
+    tables: Any  # a CaseTable, of which each kind of case has its own with further keys
     doubts: tuple[str, ...] = ()
 
     def shown(self) -> tuple[str, dict[str, str]]:
@@ -288,7 +289,8 @@ class Case(Shown):
 
     def _mesh_place(self, wanted: dict[str, Any]) -> Place:
         """A place of the drive's mesh, by default the first that the case lists."""
-        given = {}
+        given: dict[str, Any] = {}
+        sections = present(self.drive, "drive").sections
         for name, value in wanted.items():
             listed = self.mesh_places.get(name)
             if value is None:
@@ -296,8 +298,8 @@ class Case(Shown):
                 continue
             if listed is None:
                 raise CaseError(f"{name} {value}: the drive of {self.name} has no {name}s")
-            if name == "section" and value not in (*listed, *self.drive.sections):
-                raise CaseError(f"section {value}: choose one of {', '.join(self.drive.sections)}")
+            if name == "section" and value not in (*listed, *sections):
+                raise CaseError(f"section {value}: choose one of {', '.join(sections)}")
             if name != "section" and not 0 <= value <= 1:
                 raise CaseError(f"{name} {value:g}: must lie between 0 and 1")
             given[name] = value

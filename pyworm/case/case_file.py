@@ -1,10 +1,10 @@
 """Tables and keys that all case files share."""
 
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, model_validator
 
-from pyworm.case.bodies import taken_by_name
+from pyworm.case.bodies import Bodies, taken_by_name
 from pyworm.case.oil import OilTable
 from pyworm.case.table import Table, Text, by_dotted_key
 from pyworm.io import units
@@ -59,7 +59,7 @@ class FileTable(Table):
     assumed: Annotated[dict[str, Text], BeforeValidator(_by_key)] = Field(default_factory=dict)
 
     @model_validator(mode="after")
-    def _only_what_is_given_is_assumed(self):
+    def _only_what_is_given_is_assumed(self) -> Self:
         for key in self.assumed:
             if self.at(key) is None:
                 raise ValueError(f"assumed.{key} means nothing: the file does not give {key}")
@@ -87,13 +87,16 @@ class CaseTable(FileTable):
             return given
         return given | {"assumed": taken | by_dotted_key(own)}
 
+    if TYPE_CHECKING:
+        bodies: Bodies  # each kind has its own
+
     accuracy: units.Share = 0.01
     effects: Annotated[str, AfterValidator(_effects)] = "auto"
     quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
     oil: OilTable
 
     @model_validator(mode="after")
-    def _bodies_take_heat_with_the_oil(self):
+    def _bodies_take_heat_with_the_oil(self) -> Self:
         named = "" if self.oil.temperature is None else f" of {self.oil.name}"
         for name, body in self.bodies:
             for key in ("density", "conductivity", "specific_heat"):

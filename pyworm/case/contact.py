@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
@@ -12,6 +12,7 @@ from pyworm.case.past import PastTable
 from pyworm.case.table import Number, Table, Text
 from pyworm.io import units
 from pyworm.io.input_error import CaseError
+from pyworm.io.present import present
 from pyworm.scene.gap_file import read_gap
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Gap, Paraboloid, RigidMotion, Scene
@@ -78,7 +79,7 @@ class MotionTable(Table):
         return ratios
 
     @model_validator(mode="after")
-    def _one_of_both_forms(self):
+    def _one_of_both_forms(self) -> Self:
         given = {
             name
             for name in ("velocity_1", "velocity_2", "mean_velocity", "slide_roll_ratios")
@@ -99,17 +100,13 @@ class MotionTable(Table):
             Velocity of body 1 less that of body 2, over their mean [-]; where the mean velocity is given.
         """
         if slide_roll_ratio is None:
-            velocities = self.velocity_1, self.velocity_2
+            first = present(self.velocity_1, "motion.velocity_1")
+            second = present(self.velocity_2, "motion.velocity_2")
         else:
             factors = 1 + slide_roll_ratio / 2, 1 - slide_roll_ratio / 2
-            velocities = tuple(
-                tuple(factor * of for of in self.mean_velocity) for factor in factors
-            )
-        spins = self.spin_1, self.spin_2
-        first, second = (
-            RigidMotion(*velocity, spin) for velocity, spin in zip(velocities, spins, strict=True)
-        )
-        return first, second
+            u, v = present(self.mean_velocity, "motion.mean_velocity")
+            first, second = ((factor * u, factor * v) for factor in factors)
+        return RigidMotion(*first, self.spin_1), RigidMotion(*second, self.spin_2)
 
 
 class LineMotionTable(Table):

@@ -1,6 +1,7 @@
 """What case files about a drive have in common."""
 
 from abc import abstractmethod
+from typing import TYPE_CHECKING, Any, Self
 
 from pydantic import model_validator
 
@@ -17,16 +18,20 @@ LOADS = ("load", "worm_torque", "wheel_torque", "power")
 class DriveCase(CaseTable):
     """A case file about a drive; each kind has its own `drive`, `operation` and `bodies` besides."""
 
+    if TYPE_CHECKING:  # each kind has its own
+        drive: Any
+        operation: Any
+
     lubrication: LubricationTable | None = None
 
     @model_validator(mode="after")
-    def _one_supply(self):
+    def _one_supply(self) -> Self:
         if self.lubrication is not None and self.oil.supply is not None:
             raise ValueError("give either oil.supply or [lubrication], from which it follows")
         return self
 
     @model_validator(mode="after")
-    def _a_body_dips(self):
+    def _a_body_dips(self) -> Self:
         names = tuple(type(self.bodies).model_fields)
         if isinstance(self.lubrication, BathTable) and self.lubrication.body not in names:
             raise ValueError(

@@ -1,6 +1,6 @@
 """A case about a pair of involute gears on parallel axes."""
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -79,7 +79,7 @@ class GearPairCase(RatedCase):
     gear_rating: GearRatingTable = Field(default_factory=GearRatingTable)
 
     @model_validator(mode="after")
-    def _scuffing_with_heat(self):
+    def _scuffing_with_heat(self) -> Self:
         if self.oil.heat is None and self.surfaces and self.surfaces.scuffing_temperature:
             raise ValueError("surfaces.scuffing_temperature means nothing without [oil.heat]")
         return self

@@ -5,7 +5,7 @@ of drives are imported when their kind is asked for: most cases have one, and ea
 """
 
 from functools import cache
-from typing import Literal
+from typing import Any, Literal
 
 from pydantic import BaseModel, create_model
 
@@ -13,6 +13,7 @@ from pyworm.case.case_file import CaseTable
 from pyworm.case.contact import GapCase, LineCase, PointCase
 from pyworm.case.ratings import RatedCase
 from pyworm.drives.kinds import KINDS, module_of
+from pyworm.io.present import present
 
 DRAWN = "worm"
 """A worm drive by its drawing is no drive of its own kind: it becomes the design table of one."""
@@ -35,7 +36,7 @@ def case_model(about: str, kind: str) -> type[CaseTable]:
         from pyworm.case.worm import DrawnWormCase
 
         return DrawnWormCase
-    return module_of(kind, "pyworm.case").CASE
+    return present(module_of(kind, "pyworm.case"), f"the case of {kind}").CASE
 
 
 def rated() -> tuple[str, ...]:
@@ -47,5 +48,6 @@ def rated() -> tuple[str, ...]:
 @cache
 def kind_model(about: str) -> type[BaseModel]:
     """Model of the part of a case file that holds its kind."""
-    kind = create_model("Kind", kind=(Literal[SUBJECTS[about]], ...))
-    return create_model("KindCase", **{about: (kind, ...)})
+    named: dict[str, Any] = {"kind": (Literal[SUBJECTS[about]], ...)}
+    parts: dict[str, Any] = {about: (create_model("Kind", **named), ...)}
+    return create_model("KindCase", **parts)

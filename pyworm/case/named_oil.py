@@ -115,12 +115,12 @@ def _tables(named: NamedOil, temperature: float) -> dict[str, dict[str, Any]]:
     oil = named.oil(temperature)
     viscosity = {"eta0": oil.viscosity.eta0, "alpha": float(named.alpha(temperature))}
     flow = {key: getattr(oil.flow, key) for key in ("stress", "limit", "limit_pressure")}
-    heat = asdict(oil.heat) | {"beta": float(named.viscosity_slope(temperature))}
+    heat = asdict(oil.thermal) | {"beta": float(named.viscosity_slope(temperature))}
     del heat["viscosity_exponent"]
     return {
         "viscosity": {"law": "roelands", **_written(viscosity)},
         "density": {"law": "general", **_written(asdict(oil.density))},
-        "shear": {"law": oil.flow.law, **_written(flow)},
+        "shear": {"law": oil.sheared.law, **_written(flow)},
         "heat": _written(heat),
     }
 

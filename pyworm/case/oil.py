@@ -1,7 +1,7 @@
 """`[oil]`: the lubricant of a case."""
 
 from math import exp
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
@@ -20,12 +20,13 @@ from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.formulas.unit_factors import DEGREES_40
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, text
+from pyworm.io.present import present
 from pyworm.materials.base_stock import Base, HeatCourseTable
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.library import named_oil, names
 from pyworm.materials.oil import BOUNDARY_FRICTION, Oil
 from pyworm.materials.oil_layer import OilLayer
-from pyworm.materials.tabulated import TabulatedViscosity
+from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import ROELANDS_PRESSURE, Barus, Density, Roelands
 
@@ -70,7 +71,7 @@ class RoelandsTable(Table):
         return viscosity
 
     @model_validator(mode="after")
-    def _one_of_each(self):
+    def _one_of_each(self) -> Self:
         if (self.z is None) == (self.alpha is None):
             raise ValueError("give either z or alpha, one of the two")
         if self.pole_pressure is not None and self.pole_coefficient is not None:
@@ -85,7 +86,7 @@ class RoelandsTable(Table):
             pole = self.pole_pressure or ROELANDS_PRESSURE
         if self.z is not None:
             return Roelands(self.eta0, self.z, pole)
-        return Roelands.from_alpha(self.eta0, self.alpha, pole)
+        return Roelands.from_alpha(self.eta0, present(self.alpha, "alpha"), pole)
 
 
 class DensityTable(Table):
@@ -138,7 +139,7 @@ class _LimitingStress(Table):
     limit_pressure: NumberOrZero = 0.0
 
     @model_validator(mode="after")
-    def _some_limit(self):
+    def _some_limit(self) -> Self:
         if self.limit == self.limit_pressure == 0:
             raise ValueError('give limit, such as "100 MPa", or limit_pressure, such as 0.05')
         return self
@@ -199,13 +200,13 @@ class HeatTable(HeatCourseTable):
         """The laws of an oil of this viscosity."""
         constants = self.model_dump(exclude={"s0", "beta"})
         if isinstance(viscosity, TabulatedViscosity):
-            exponent = 0.0  # the table has it
+            exponent: float = 0.0  # the table has it
         elif isinstance(viscosity, Barus):
-            exponent = self.beta
+            exponent = present(self.beta, "beta")
         elif self.s0 is not None:
             exponent = self.s0
         else:
-            exponent = viscosity.s0(self.beta, self.inlet_temperature)
+            exponent = viscosity.s0(present(self.beta, "beta"), self.inlet_temperature)
         return OilHeat(viscosity_exponent=exponent, **constants)
 
 
@@ -216,7 +217,7 @@ class OilLayerTable(Table):
     thickness: tuple[units.FilmOrZero, ...]
 
     @model_validator(mode="after")
-    def _a_profile(self):
+    def _a_profile(self) -> Self:
         self.layer()
         return self
 
@@ -269,7 +270,7 @@ class OilTable(Table):
         return spelled_out(table) if "temperature" in table or bare else table
 
     @model_validator(mode="after")
-    def _one_exponent_of_temperature(self):
+    def _one_exponent_of_temperature(self) -> Self:
         if isinstance(self.viscosity, OwnViscosity):
             if self.heat is not None and not self.heat.s0 is self.heat.beta is None:
                 raise ValueError(
@@ -306,14 +307,19 @@ class OilTable(Table):
     def oil(self) -> Oil:
         """The oil as the kernel sees it."""
         inlet = self._inlet
-        own = isinstance(self.viscosity, OwnViscosity)
-        viscosity = (
-            self.viscosity.viscosity(inlet, self.density) if own else self.viscosity.viscosity()
-        )
-        tait = isinstance(self.density, TaitTable)
+        viscosity: Barus | Roelands | TabulatedViscosity
+        if isinstance(self.viscosity, BarusTable | RoelandsTable):
+            viscosity = self.viscosity.viscosity()
+        else:
+            viscosity = self.viscosity.viscosity(inlet, self.density)
+        density: Density | TabulatedDensity
+        if isinstance(self.density, TaitTable):
+            density = self.density.density(inlet)
+        else:
+            density = self.density.density()
         return Oil(
             viscosity=viscosity,
-            density=self.density.density(inlet) if tait else self.density.density(),
+            density=density,
             flow=None if self.shear is None else FlowLaw(**_constants(self.shear)),
             heat=None if self.heat is None else self.heat.heat(viscosity),
             supply=self.supply.layer() if isinstance(self.supply, OilLayerTable) else self.supply,

@@ -2,7 +2,7 @@
 
 from functools import cache
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -129,7 +129,7 @@ class CarreauYasudaTable(Table):
     branches: list[BranchTable] = Field(default_factory=list)
 
     @model_validator(mode="after")
-    def _whole(self):
+    def _whole(self) -> Self:
         total = sum(branch.fraction for branch in self.branches)
         if self.branches and abs(total - 1) > 1e-6:
             raise ValueError(f"the fractions of branches add up to {total:g}, and must to 1")

@@ -1,19 +1,18 @@
 """`[past]`: loads and speeds that a contact written directly had before."""
 
 from dataclasses import dataclass, replace
-from functools import singledispatch
 from itertools import pairwise
-from typing import Annotated
+from typing import Annotated, Self
 
 import numpy as np
 from pydantic import Field, model_validator
 
 from pyworm.case.table import Number, Table
 from pyworm.io import units
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.line import LineScene
-from pyworm.scene.point import RigidMotion, Scene
+from pyworm.scene.point import RigidMotion
 from pyworm.scene.waves import velocities
 
 Factors = Annotated[tuple[Number, ...], Field(min_length=2)]
@@ -32,7 +31,7 @@ class PastTable(Table):
     separation: Annotated[tuple[units.Separation, ...], Field(min_length=2)] | None = None
 
     @model_validator(mode="after")
-    def _a_course_that_ends_at_present(self):
+    def _a_course_that_ends_at_present(self) -> Self:
         if self.times[0] != 0 or any(after <= before for before, after in pairwise(self.times)):
             raise ValueError('times begin at "0 s" and rise')
         given = {key: of for key in ("load", "speed") if (of := getattr(self, key)) is not None}
@@ -72,7 +71,7 @@ class PastTable(Table):
                 "above zero"
             )
 
-    def of(self, scene: Contact) -> Contact:
+    def of(self, scene: AnyContact) -> AnyContact:
         """The contact with this past."""
         course = _WrittenLife(scene, self.times, self.load, self.speed, self.separation)
         life = Life(self.times[-1], course, unturned, self.times[1:-1])
@@ -83,13 +82,13 @@ class PastTable(Table):
 class _WrittenLife:
     """Time since the beginning [s] -> the contact then; ValueError where it carries no load."""
 
-    present: Contact
+    present: AnyContact
     times: tuple[float, ...]
     load: tuple[float, ...] | None
     speed: tuple[float, ...] | None
     separation: tuple[float, ...] | None
 
-    def __call__(self, seconds: float) -> Contact:
+    def __call__(self, seconds: float) -> AnyContact:
         load, speed = (
             1.0 if factors is None else float(np.interp(seconds, self.times, factors))
             for factors in (self.load, self.speed)
@@ -111,16 +110,11 @@ class _WrittenLife:
         return tuple(tuple(-left * of for of in way) for way in velocities(self.present))
 
 
-@singledispatch
-def _moving(scene: Scene, factor: float) -> Scene:
-    """A contact whose surfaces move some times as fast."""
-    first, second = (
-        RigidMotion(factor * of.u, factor * of.v, factor * of.spin) for of in scene.motions
-    )
-    return replace(scene, motions=(first, second))
-
-
-@_moving.register
-def _(scene: LineScene, factor: float) -> LineScene:
-    first, second = scene.velocities
-    return replace(scene, velocities=(factor * first, factor * second))
+def _moving(scene: AnyContact, factor: float) -> AnyContact:
+    """A contact whose surfaces, which translate and spin at most, move some times as fast."""
+    if isinstance(scene, LineScene):
+        first, second = scene.velocities
+        return replace(scene, velocities=(factor * first, factor * second))
+    rigid = [motion for motion in scene.motions if isinstance(motion, RigidMotion)]
+    body_1, body_2 = (RigidMotion(factor * of.u, factor * of.v, factor * of.spin) for of in rigid)
+    return replace(scene, motions=(body_1, body_2))

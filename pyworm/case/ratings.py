@@ -1,6 +1,6 @@
 """Tables of ratings, with or without a drive: bearings, worm gear, gear pair, oil."""
 
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, Self, get_args
 
 from pydantic import AfterValidator, Field, model_validator
 
@@ -47,7 +47,7 @@ class BearingTable(Table):
     published: Published = Field(default_factory=dict)
 
     @model_validator(mode="after")
-    def _one_way_each(self):
+    def _one_way_each(self) -> Self:
         if None not in (self.fatigue_load_limit, self.static_rating):
             raise ValueError("give either fatigue_load_limit or static_rating, one of the two")
         if None not in (self.viscosity, self.oil):
@@ -107,7 +107,7 @@ class DamageLimits(Table):
     required_micropitting: PositiveNumber = 1.0
 
     @model_validator(mode="after")
-    def _one_permissible_film(self):
+    def _one_permissible_film(self) -> Self:
         if None not in (self.permissible_specific_film, self.micropitting_load_stage):
             raise ValueError(
                 "give either permissible_specific_film or micropitting_load_stage, of which it is made"
@@ -161,7 +161,7 @@ class WormRatingTable(Table):
         )
 
     @model_validator(mode="after")
-    def _one_life(self):
+    def _one_life(self) -> Self:
         if self.spectrum and self.life is not None:
             raise ValueError("give either life or spectrum, whose durations make it up")
         return self
@@ -181,7 +181,7 @@ class GearRatingTable(DamageLimits):
     jets: Count | None = None
 
     @model_validator(mode="after")
-    def _jets_in_full(self):
+    def _jets_in_full(self) -> Self:
         given = [part is not None for part in (self.flow, self.feed_pressure, self.jets)]
         if any(given) and not all(given):
             raise ValueError("give flow, feed_pressure and jets together")
@@ -222,7 +222,7 @@ class RatedCase(DriveCase):
     oil_choice: OilChoiceTable | None = None
 
     @model_validator(mode="after")
-    def _one_oil(self):
+    def _one_oil(self) -> Self:
         worm = getattr(self, "worm_rating", None)
         check_one_oil(self.oil, _oils_named(worm, self.bearings))
         return self
@@ -237,20 +237,20 @@ class RatingCase(FileTable):
     oil_choice: OilChoiceTable | None = None
 
     @model_validator(mode="after")
-    def _worm_gear_where_needed(self):
+    def _worm_gear_where_needed(self) -> Self:
         for key in ("worm_rating", "oil_choice"):
             if getattr(self, key) is not None and self.worm_gear is None:
                 raise ValueError(f"[{key}] needs a [worm_gear] or a [drive]")
         return self
 
     @model_validator(mode="after")
-    def _an_oil_to_rate(self):
+    def _an_oil_to_rate(self) -> Self:
         if self.worm_rating is not None and self.worm_rating.oil is None:
             raise ValueError('worm_rating.oil is missing, such as "PAG VG 220"')
         return self
 
     @model_validator(mode="after")
-    def _one_oil_of_a_worm_gear(self):
+    def _one_oil_of_a_worm_gear(self) -> Self:
         if self.worm_gear is not None:
             check_one_oil(None, _oils_named(self.worm_rating, self.bearings))
         return self

@@ -1,7 +1,7 @@
 """A case about a roller enveloping worm drive."""
 
 from math import inf
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -54,7 +54,7 @@ class RollersTable(Table):
     stiffness: units.Stiffness | None = None
 
     @model_validator(mode="after")
-    def _shape_has_what_it_needs(self):
+    def _shape_has_what_it_needs(self) -> Self:
         if (self.shape == "cone") != (self.half_angle != 0):
             raise ValueError("give a half_angle other than zero to a cone, and to a cone only")
         if self.shape == "ball" and not self.length < 2 * self.radius:
@@ -106,7 +106,7 @@ class RollerOperationTable(Table):
     stations: Annotated[tuple[Phase, ...], Field(min_length=1)] | None = None
 
     @model_validator(mode="after")
-    def _one_power(self):
+    def _one_power(self) -> Self:
         given = [name for name in POWERS if getattr(self, name) is not None]
         if len(given) != 1:
             but = f", not {' and '.join(given)}" if given else ""
@@ -114,7 +114,7 @@ class RollerOperationTable(Table):
         return self
 
     @model_validator(mode="after")
-    def _loaded_sections(self):
+    def _loaded_sections(self) -> Self:
         if self.preload == 0 and "right" in self.sections:
             raise ValueError(
                 'sections has "right", the idling section, which carries no load where preload is 0; give '
@@ -137,7 +137,7 @@ class RollerWormCase(RatedCase):
     bodies: RollerBodies
 
     @model_validator(mode="after")
-    def _free_rollers_need_a_flow_law(self):
+    def _free_rollers_need_a_flow_law(self) -> Self:
         if self.operation.rolling == "free" and self.oil.shear is None:
             raise ValueError(
                 "[oil.shear] is missing: free rollers are driven by the film's shear; give it, or "
@@ -146,7 +146,7 @@ class RollerWormCase(RatedCase):
         return self
 
     @model_validator(mode="after")
-    def _crown_where_the_ends_are_solved(self):
+    def _crown_where_the_ends_are_solved(self) -> Self:
         if self.operation.stations is None and self.drive.rollers.crown is None:
             raise ValueError(
                 "drive.rollers.crown is missing: sharp ends press without bound, no film with ends can "

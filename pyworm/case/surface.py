@@ -3,12 +3,14 @@
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
+import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
 from pyworm.case.table import Seed, Table, Text
 from pyworm.io import units
+from pyworm.io.present import present
 from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.generated import gaussian, self_affine
@@ -46,7 +48,7 @@ class SelfAffineTable(Table):
     seed: Seed
 
     @model_validator(mode="after")
-    def _waves_fit(self):
+    def _waves_fit(self) -> Self:
         self.topography()
         return self
 
@@ -81,7 +83,7 @@ class SurfaceTable(Table):
     _directory: Path | None = PrivateAttr(default=None)
 
     @model_validator(mode="after")
-    def _one_source(self):
+    def _one_source(self) -> Self:
         if (self.file is None) == (self.generated is None):
             raise ValueError("give either file or generated, one of the two")
         for name in ("spacing", "height_unit"):
@@ -105,7 +107,7 @@ class SurfaceTable(Table):
 
     @property
     def _path(self) -> Path:
-        return self._directory / self.file
+        return self._directory / present(self.file, "file")
 
     def waves(self) -> SeparatedWaves:
         """Roughness and longer waves of the surface.
@@ -146,11 +148,19 @@ def _of_file(table: SurfaceTable, path: Path, state: tuple[int, int] | None) -> 
 
 @lru_cache(maxsize=8)
 def _of_generated(table: SurfaceTable) -> SeparatedWaves:
+    if table.generated is None:
+        raise ValueError("generated is missing")
     made = table.generated.topography()
     return _separated(table, made.height, made.spacing, periodic=True)
 
 
-def _separated(table: SurfaceTable, heights, spacing, *, periodic: bool) -> SeparatedWaves:
+def _separated(
+    table: SurfaceTable,
+    heights: np.ndarray,
+    spacing: tuple[float, float],
+    *,
+    periodic: bool,
+) -> SeparatedWaves:
     return separate_waves(
         heights,
         spacing,

@@ -14,6 +14,7 @@ from pydantic import Discriminator, Field, Tag, model_validator
 
 from pyworm.case.table import Count, Seed, Table, Text
 from pyworm.io.number_with_unit import parse_in
+from pyworm.io.present import present
 
 Value = Any
 """What a case file may have after a key."""
@@ -68,7 +69,7 @@ class RangeTable(_Interval):
         start, stop, unit = self._ends(self.start, self.stop)
         spaced = np.geomspace if self.scale == "log" else np.linspace
         whole = isinstance(self.start, int) and isinstance(self.stop, int)
-        return self._written(spaced(start, stop, self.count), unit, whole)
+        return self._written(list(spaced(start, stop, self.count)), unit, whole)
 
 
 class DrawTable(_Interval):
@@ -91,12 +92,14 @@ class DrawTable(_Interval):
         """The values, as a case file has them."""
         low, high, unit = self._ends(self.low, self.high)
         sequence = int.from_bytes(sha256(key.encode()).digest()[:8])
-        fraction = np.random.Generator(np.random.PCG64([seed, sequence])).random(self.count)
+        fraction = np.random.Generator(np.random.PCG64([present(seed, "seed"), sequence])).random(
+            self.count
+        )
         if self.draw == "log-uniform":
             drawn = low * (high / low) ** fraction
         else:
             drawn = low + (high - low) * fraction
-        return self._written(drawn, unit, whole=False)
+        return self._written(list(drawn), unit, whole=False)
 
 
 def _form(values: Any) -> str:

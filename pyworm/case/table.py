@@ -33,7 +33,7 @@ class Table(BaseModel):
 
 def by_dotted_key(table: dict[str, Any], above: str = "") -> dict[str, Any]:
     """Values of a table and of those within it: "bodies.worm.roughness" -> value."""
-    flat = {}
+    flat: dict[str, Any] = {}
     for key, value in table.items():
         name = f"{above}.{key}" if above else key
         flat |= by_dotted_key(value, name) if isinstance(value, dict) else {name: value}

@@ -1,7 +1,7 @@
 """A case about a worm drive by the numbers of its drawing."""
 
 from dataclasses import replace
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import AfterValidator, model_validator
 
@@ -137,7 +137,7 @@ class DrawnWormDriveTable(Table):
     shaft: ShaftTable | None = None
 
     @model_validator(mode="after")
-    def _one_size_of_the_worm(self):
+    def _one_size_of_the_worm(self) -> Self:
         sizes = self.diameter_factor, self.worm.reference_diameter, self.profile_shift
         if all(size is None for size in sizes):
             raise ValueError(

@@ -4,7 +4,7 @@ from dataclasses import replace
 from itertools import pairwise
 from math import inf, pi
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -21,6 +21,7 @@ from pyworm.case.ratings import RatedCase, WormRatingTable
 from pyworm.case.table import Count, Phase, Table, Text
 from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.drives.besides_teeth import BesidesTeeth
+from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.drives.zi_worm import tooth
@@ -169,13 +170,13 @@ class OperationTable(Table):
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
 
     @model_validator(mode="after")
-    def _one_speed(self):
+    def _one_speed(self) -> Self:
         if (self.worm_speed is None) == (self.wheel_speed is None):
             raise ValueError("give either worm_speed or wheel_speed, one of the two")
         return self
 
     @model_validator(mode="after")
-    def _one_load(self):
+    def _one_load(self) -> Self:
         given = [name for name in LOADS if getattr(self, name) is not None]
         if len(given) != 1:
             but = f", not {' and '.join(given)}" if given else ""
@@ -190,7 +191,7 @@ class OperationTable(Table):
         return self
 
     @model_validator(mode="after")
-    def _lifts_of_elastic_teeth(self):
+    def _lifts_of_elastic_teeth(self) -> Self:
         if self.lifts is None:
             return self
         if self.sharing == "equal":
@@ -211,14 +212,14 @@ class WormDriveCase(RatedCase):
     hob_life: ClassVar[tuple[float, ...]] = ()
     """Parts of the hob's oversize left over its life; a design table does not tell how it is reground."""
 
-    drive: Table
+    drive: Any  # each kind has its own table
     operation: OperationTable
     bodies: WormBodies
     worm_rating: WormRatingTable | None = None
     cooling: CoolingTable | None = None
 
     @model_validator(mode="after")
-    def _cooling_of_what_warms(self):
+    def _cooling_of_what_warms(self) -> Self:
         if self.cooling is None:
             return self
         if self.oil.heat is None or self.operation.load is not None:
@@ -238,7 +239,7 @@ class WormDriveCase(RatedCase):
         return "bath" if self.lubrication.method == "bath" else "injection"
 
     @model_validator(mode="after")
-    def _rated_as_lubricated(self):
+    def _rated_as_lubricated(self) -> Self:
         if self.lubrication is None or self.worm_rating is None:
             return self
         rated = self._rated_lubrication
@@ -250,7 +251,7 @@ class WormDriveCase(RatedCase):
         return self
 
     @model_validator(mode="after")
-    def _rated_as_simulated(self):
+    def _rated_as_simulated(self) -> Self:
         if self.worm_rating is not None:
             check_rated_material(self.worm_rating, self.bodies.wheel)
             check_rated_temperature(self.worm_rating, self.oil, cooled=self.cooling is not None)
@@ -259,7 +260,7 @@ class WormDriveCase(RatedCase):
         return self
 
     @model_validator(mode="after")
-    def _stiffness_with_sharing(self):
+    def _stiffness_with_sharing(self) -> Self:
         if self.drive.stiffness is not None and self.operation.load is not None:
             raise ValueError(
                 "drive.stiffness means nothing with operation.load, the load of one tooth; give a torque "
@@ -336,12 +337,12 @@ class WormDriveCase(RatedCase):
             bearings=cooled.get("bearings"),
         )
 
-    def duty(self, drive: ZiWormDrive) -> WormDuty:
+    def duty(self, drive: Drive) -> WormDuty:
         """The worm gear with the temperatures and the cooling of the drive."""
-        duty, cooling = (
-            replace(drive.duty(), wheel_material=self.bodies.wheel.material),
-            self.cooling,
-        )
+        of_drive, cooling = drive.duty(), self.cooling
+        if not isinstance(of_drive, WormDuty):
+            raise TypeError("a worm drive is rated as a worm gear")
+        duty = replace(of_drive, wheel_material=self.bodies.wheel.material)
         if cooling is not None:
             duty = replace(duty, conductance=cooling.conductance, other_loss=cooling.other_loss)
         balanced = duty.simulated_wheel_temperature != duty.oil_temperature
@@ -440,7 +441,7 @@ class ZiWormCase(WormDriveCase):
     drive: ZiWormTable
 
 
-def deviations_of(part: Table) -> dict[str, FlankDeviations | None]:
+def deviations_of(part: Any) -> dict[str, FlankDeviations | None]:
     """The deviations of the flanks of worm or wheel, as its design table has them."""
     return {"deviations": part.deviations and part.deviations.deviations()}
 

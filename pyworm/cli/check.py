@@ -2,6 +2,7 @@
 
 import argparse
 from dataclasses import asdict
+from typing import Any
 
 from pyworm.case.case import load
 from pyworm.cli.arguments import add_accuracy_and_effects, add_case
@@ -48,7 +49,7 @@ def _check(options: argparse.Namespace) -> int:
             }
             for task, lacking, of in zip(tasks, without, expected, strict=True)
         ]
-        content = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
+        content: dict[str, Any] = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
         if case.drive is not None:
             content |= {
                 "drive": case.drive.described(),

@@ -44,7 +44,8 @@ def add_film(commands: argparse._SubParsersAction) -> None:
 
 def _film(options: argparse.Namespace) -> int:
     if options.case is None:
-        name, scenes, warnings = "contact", [_of_options(options)], []
+        name, warnings = "contact", []
+        scenes: list[Scene | LineScene] = [_of_options(options)]
     else:
         from pyworm.case.case import load
 
@@ -92,12 +93,13 @@ def _of_options(options: argparse.Namespace) -> "Scene":
         velocity = [read("velocity", of, units.Velocity) for of in options.velocity]
         motion = RigidMotion(*[*velocity, 0.0][:2])
         temperature = read("temperature", options.temperature, units.Temperature)
+        first, second = (named_body(of, None, temperature) for of in options.bodies)
         return Scene(
             name="contact",
             gap=Paraboloid(*(read("radii", of, units.Radius) for of in options.radii)),
             motions=(motion, motion),
             load=read("load", options.load, units.Force),
-            bodies=tuple(named_body(of, None, temperature) for of in options.bodies),
+            bodies=(first, second),
             oil=named_oil(options.oil).oil(temperature),
         )
     except ValueError as error:

@@ -107,10 +107,16 @@ def _parser() -> argparse.ArgumentParser:
 class _Version(argparse.Action):
     """Print the version; looked up only when asked for."""
 
-    def __init__(self, option_strings, dest):
+    def __init__(self, option_strings: Sequence[str], dest: str) -> None:
         super().__init__(option_strings, dest, nargs=0, help="print the version")
 
-    def __call__(self, parser, namespace, values, option_string=None):
+    def __call__(
+        self,
+        parser: argparse.ArgumentParser,
+        namespace: argparse.Namespace,
+        values: object,
+        option_string: str | None = None,
+    ) -> None:
         import pyworm
 
         put(f"pyworm {pyworm.__version__}")

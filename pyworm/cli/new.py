@@ -42,7 +42,7 @@ def _new(options: argparse.Namespace) -> int:
     title = options.title or _title(answers)
     case = case_of(tomllib.loads(new_worm_text(answers, title)), path.stem, path.parent)
     try:
-        path.write_text(new_worm_text(answers, title, case.drive.taken))
+        path.write_text(new_worm_text(answers, title, getattr(case.drive, "taken", ())))
     except OSError as error:
         raise CaseError(f"{path}: cannot be written ({error})") from None
     warn_of_unusual(case)

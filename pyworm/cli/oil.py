@@ -10,6 +10,7 @@ from pyworm.io.json import print_json
 from pyworm.io.terminal import put
 
 if TYPE_CHECKING:
+    from pyworm.io.console import Console
     from pyworm.materials.library import NamedOil
 
 
@@ -139,7 +140,7 @@ def _alpha(oil: "NamedOil", temperature: float) -> float | None:
         return None
 
 
-def _print_oil(console, oil: "NamedOil") -> None:
+def _print_oil(console: "Console", oil: "NamedOil") -> None:
     from rich.table import Table
 
     known = _properties(oil)

@@ -10,11 +10,13 @@ from pyworm.cli.arguments import add_compared_case
 from pyworm.cli.shared import CONVERGED, FAILED, PICTURES, SWEEP_PICTURE, drawn_pictures
 from pyworm.io.atomic import check_writable
 from pyworm.io.input_error import CaseError
+from pyworm.io.present import present
 from pyworm.io.terminal import put, say
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
     from pyworm.result.result import Result
+    from pyworm.result.sweep_result import SweepResult
 
 
 def add_plot(commands: argparse._SubParsersAction) -> None:
@@ -40,7 +42,6 @@ def add_plot(commands: argparse._SubParsersAction) -> None:
 
 
 def _plot(options: argparse.Namespace) -> int:
-    from pyworm.plots.sweep import draw_sweep
     from pyworm.result.result import open_result
     from pyworm.result.sweep_result import open_sweep
 
@@ -61,14 +62,23 @@ def _plot(options: argparse.Namespace) -> int:
             say(f"warning: {differ}")
     if options.animate is not None:
         return _animate(options, result, directory)
-    if sweep is not None:
-        draw_all, old = (lambda aside: draw_sweep(sweep, aside / SWEEP_PICTURE)), ()
+    draw_all: Callable[[Path], list[Path]]
+    old: Sequence[str] = ()
+    if result is None:
+        draw_all = partial(_draw_table, present(sweep, "a sweep"))
     else:
         draw_all, old = _chosen(options, result)
     pictures, complete = drawn_pictures(directory, draw_all, old)
     for name in pictures:
         put(f"{directory / name}")
     return CONVERGED if complete else FAILED
+
+
+def _draw_table(sweep: "SweepResult", aside: Path) -> list[Path]:
+    """Draw the picture of a sweep into a directory."""
+    from pyworm.plots.sweep import draw_sweep
+
+    return draw_sweep(sweep, aside / SWEEP_PICTURE)
 
 
 def _chosen(
@@ -102,8 +112,10 @@ def _animate(options: argparse.Namespace, result: "Result | None", directory: Pa
         )
     kind = options.animate
 
+    shown = present(result, "a result")
+
     def draw(aside: Path) -> list[Path]:
-        return [animate(result, life, aside / f"{name}.{kind}") for name, life in named.items()]
+        return [animate(shown, life, aside / f"{name}.{kind}") for name, life in named.items()]
 
     try:
         films, complete = drawn_pictures(directory, draw)

@@ -15,6 +15,9 @@ from pyworm.io.terminal import say
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
+    from pyworm.io.console import Console
     from pyworm.ratings.rated_case import Asked
     from pyworm.ratings.rating import Rating
     from pyworm.result.result import Result
@@ -58,7 +61,7 @@ def _rate(options: argparse.Namespace) -> int:
             made = ratings(asked, result)
             lacking = left_out(asked, result)
     if not made:
-        why = next(iter(not_rated(asked, made) if asked.rating_is_asked else ()), None)
+        why = next(iter(not_rated(asked, tuple(made)) if asked.rating_is_asked else ()), None)
         raise CaseError(
             f"{options.case}: {why}"
             if why
@@ -72,7 +75,7 @@ def _rate(options: argparse.Namespace) -> int:
                 "case": asked.name,
                 **lacking.summary(),
                 "ratings": [rating.summary() for rating in made],
-                "not_rated": not_rated(asked, made),
+                "not_rated": not_rated(asked, tuple(made)),
                 "warnings": asked.warnings,
                 "not_converged": unconverged(result),
                 "assumed": asked.tables.assumed,
@@ -100,7 +103,7 @@ def _show(
         console.print(sentence)
     for rating in made:
         _print(console, rating)
-    left = not_rated(asked, made)
+    left = not_rated(asked, tuple(made))
     if left:
         console.print("Not rated:")
     for sentence in left:
@@ -111,7 +114,7 @@ def _show(
         console.print(f"  {what}: {why}", soft_wrap=True)
 
 
-def _print(console, rating: "Rating") -> None:
+def _print(console: "Console", rating: "Rating") -> None:
     from rich.table import Table
 
     table = Table("Figure", title=rating.titled, title_justify="left", caption=rating.source)
@@ -135,7 +138,7 @@ def _print(console, rating: "Rating") -> None:
     console.print()
 
 
-def _safeties(rating: "Rating"):
+def _safeties(rating: "Rating") -> "Table":
     from rich.table import Table
 
     table = Table("Safety", title="Safeties", title_justify="left")

@@ -14,6 +14,7 @@ from pyworm.io.json import print_json
 from pyworm.io.terminal import put, say
 
 if TYPE_CHECKING:
+    from pyworm.batch.task import Task
     from pyworm.result.result import Result
 from pyworm.cli.shared import (
     CONVERGED,
@@ -56,7 +57,7 @@ def _run(options: argparse.Namespace) -> int:
     case = load(options.case)
     directory = options.out or Path("results") / case.name
     check_writable(directory)
-    tasks = planned_tasks(case, options)
+    tasks: Sequence[Task] = planned_tasks(case, options)
     warn_of_unusual(case)
 
     from pyworm.batch.case_run import RESULT_NAME, NothingSolvedError

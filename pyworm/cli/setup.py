@@ -10,6 +10,7 @@ from pyworm.cli.shared import CONVERGED, NOT_CONVERGED, warn_of_unusual
 from pyworm.drives.hob_setup import Row
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
+from pyworm.io.present import present
 from pyworm.io.quantity import SHARE, Kind, parse
 from pyworm.io.stage import stage
 from pyworm.io.terminal import put, say
@@ -68,7 +69,7 @@ def _setup(options: argparse.Namespace) -> int:
     warn_of_unusual(case)
     rows = {"now": made.now} | ({} if made.found is None else {"found": made.found})
     with stage("finding the errors of the assembly that are allowed"):
-        allowed = case.drive.allowed_errors()
+        allowed = present(case.drive, "drive").allowed_errors()
     with stage("cutting wheels with the reground hob"):
         life = _life(case)
     if options.json:

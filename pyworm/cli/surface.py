@@ -73,7 +73,8 @@ def _surface(options: argparse.Namespace) -> int:
         check_writable(options.out)
     shown = _with_bodies(_surfaces(options), options)
     found = [{"name": one.name, **figures(one.waves, one.texture)} for one in shown]
-    pictures, complete = [], True
+    pictures: list[str] = []
+    complete = True
     if options.out is not None:
         cells = [periodic_cell(one.waves.roughness) for one in shown]
         tables = [
@@ -149,7 +150,7 @@ def _with_bodies(shown: list[_Shown], options: argparse.Namespace) -> list[_Show
     """The surfaces on bodies whose modulus and hardness are those of the options, where given."""
     from pyworm.io.quantity import Kind, parse
 
-    instead = {}
+    instead: dict[str, Any] = {}
     for name, noun in (("modulus", "a reduced modulus"), ("hardness", "an indentation hardness")):
         text = getattr(options, name)
         if text is not None:

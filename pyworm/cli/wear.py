@@ -1,6 +1,7 @@
 """pyworm wear: the wear of a worm drive's wheel over its life."""
 
 import argparse
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,10 +22,11 @@ from pyworm.formulas.wear_law import (
 from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
+from pyworm.io.present import present
 from pyworm.io.terminal import put, say
 
 if TYPE_CHECKING:
-    from pyworm.batch.wear_run import WearRun
+    from pyworm.batch.wear_run import WearFigures, WearRun
 
 ACCURACY = "10 %"
 """Accuracy of the contacts unless another is asked for: the wear coefficient is known to a factor of 3."""
@@ -86,7 +88,7 @@ def _wear(options: argparse.Namespace) -> int:
     tasks = planned_tasks(case, options)
 
     from pyworm.batch.case_run import NothingSolvedError
-    from pyworm.batch.wear_run import STATE, WearPlan, WearRun
+    from pyworm.batch.wear_run import STATE, WearPlan, WearRun, worm_duty
 
     found, by = _coefficient(options, case)
     ratio, on_worm = _worm_ratio(options, case)
@@ -99,7 +101,7 @@ def _wear(options: argparse.Namespace) -> int:
             return end_with(f"{case.name}: {error}", FAILED)
         except ValueError as error:
             raise CaseError(f"{options.case}: {error}") from None
-    limit = case.drive.duty().gear.wear_limit
+    limit = worm_duty(case).gear.wear_limit
     allowed = steps[-1].hours >= plan.hours * (1 - 1e-9)
     assumed = (
         f"k = {run.coefficient:.3g} m2/N, {by}; roughness of both falls to {plan.run_in:g} of that as cut; "
@@ -151,7 +153,7 @@ def _draw(case: Case, run: "WearRun", limit: float) -> None:
 def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, float], str]:
     """What a plan takes for the wear coefficient, and where it comes from."""
     if options.energy is not None:
-        friction = case.drive.oil.boundary_friction
+        friction = present(case.drive, "drive").oil.boundary_friction
         by = f"{friction:g}/{options.energy:g} J/m3 by the energy form"
         return {"coefficient": energy_coefficient(options.energy, friction)}, by
     if not options.calibrate:
@@ -181,7 +183,8 @@ def _worm_ratio(options: argparse.Namespace, case: Case) -> tuple[float, str]:
             f"the worm's k is {options.worm_ratio:g} of the wheel's, as given",
         )
     usual = WORM_HARDNESS, WHEEL_HARDNESS
-    worm, wheel = (own.hardness or of for own, of in zip(case.drive.bodies, usual, strict=True))
+    bodies = present(case.drive, "drive").bodies
+    worm, wheel = (own.hardness or of for own, of in zip(bodies, usual, strict=True))
     ratio, linear = (harder_ratio(max(worm, wheel), wheel, power) for power in (2.0, 1.0))
     return ratio, (
         f"the worm's k is {ratio:.2g} of the wheel's, the square of their hardnesses {wheel * 1e-9:.3g} and "
@@ -189,7 +192,7 @@ def _worm_ratio(options: argparse.Namespace, case: Case) -> tuple[float, str]:
     )
 
 
-def _show(steps) -> None:
+def _show(steps: "Sequence[WearFigures]") -> None:
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 

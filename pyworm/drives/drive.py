@@ -1,10 +1,10 @@
 """Base of all drives: scenes of their contacts, and data for tables, pictures, ratings and reports."""
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from pyworm.drives.duty import Duty
 from pyworm.drives.hob_setup import HobSetup
@@ -15,6 +15,7 @@ from pyworm.drives.shape import Space
 from pyworm.drives.shim import Shim
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
+from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.scene.contact import BODIES
 from pyworm.scene.index import Place
@@ -48,13 +49,22 @@ class Drive(ABC):
 
     body_names: ClassVar[tuple[str, str]] = BODIES
     rated_as: ClassVar[type[Duty] | None] = None
-    assumptions: tuple[str, ...] = ("The load of each contact is that of the drive.",)
-    warnings: tuple[str, ...] = ()
     oil: Oil
+    bodies: tuple[Body, Body]
     lubrication: Bath | Jets | None = None
 
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """What it assumes, a sentence each."""
+        return ("The load of each contact is that of the drive.",)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What is unusual about it, a sentence each."""
+        return ()
+
     @abstractmethod
-    def scene(self, phase: float) -> Scene | LineScene:
+    def scene(self, *place: Any, **named: Any) -> Scene | LineScene:
         """The lubricated contact at a phase of the mesh cycle, 0 to 1.
 
         A drive with several contacts at a phase takes the other names of `Place` that its `[operation]` lists
@@ -69,6 +79,16 @@ class Drive(ABC):
     @abstractmethod
     def cycle_data(self) -> "xr.Dataset":
         """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""
+
+    @property
+    def phases_per_second(self) -> float | None:
+        """Phases of its mesh cycle that pass in a second; None where that is not known."""
+        return None
+
+    @property
+    def sections(self) -> Mapping[str, Any]:
+        """Sections of its worm by name; empty of a worm that is one."""
+        return {}
 
     def oiled_teeth(self) -> OiledTeeth | None:
         """Its teeth as they carry oil; None where that is not known."""

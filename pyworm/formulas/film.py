@@ -38,6 +38,13 @@ class Film:
             raise ValueError("the formula gives no central film")
         return float(self.central)
 
+    @property
+    def minimum_number(self) -> float:
+        """Minimum film of one contact [m], by a formula that gives it."""
+        if self.minimum is None:
+            raise ValueError("the formula gives no minimum film")
+        return float(self.minimum)
+
 
 @dataclass(frozen=True)
 class PointGroups:

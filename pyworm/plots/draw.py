@@ -131,7 +131,7 @@ def picture_names(result: Result) -> list[str]:
 
 def _whole_pictures(result: Result) -> dict[str, Callable[[], Figure | None]]:
     """Name in the file name -> what draws a picture of the whole result."""
-    pictures = {
+    pictures: dict[str, Callable[[], Figure | None]] = {
         name: partial(picture.draw, result) for name, picture in cycle_pictures(result).items()
     }
     if result.solutions:

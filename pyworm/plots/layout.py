@@ -285,7 +285,7 @@ def with_gaps(solutions: Sequence[Solution], values: Sequence[float]) -> np.ndar
 def mark_gaps(axes: Axes, places: Sequence[float], solutions: Sequence[Solution]) -> None:
     """Dotted lines where solutions did not converge, named in the legend."""
     gaps = [place for place, one in zip(places, solutions, strict=True) if not one.converged]
-    label = f"not converged: {', '.join(f'{place:g}' for place in gaps)}"
+    label: str | None = f"not converged: {', '.join(f'{place:g}' for place in gaps)}"
     for place in gaps:
         axes.axvline(place, color="black", ls=":", lw=1.2, label=label)
         label = None

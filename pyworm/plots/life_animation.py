@@ -1,10 +1,12 @@
 """An animation of pressure and film while a contact lives."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
 
 from pyworm.plots.layout import MEGA, MICRO, MILLI, joined, placed_panels
 from pyworm.result.headline import of_all
@@ -40,12 +42,13 @@ def animate(result: Result, life: ContactLife, path: Path) -> Path:
     if not life.frames:
         raise ValueError("this result has no fields over time; only films in motion have")
     kind = path.suffix.removeprefix(".")
-    if not WRITERS[kind].isAvailable():
+    writer: Any = WRITERS[kind]
+    if not writer.isAvailable():
         other = "install ffmpeg, or ask for --animate gif"
         raise ValueError(f"no program writes {kind} files here; {other}")
     drawing = Points(result, life) if life.frames[0].y is not None else Lines(result, life)
     animation = FuncAnimation(drawing.figure, drawing.show, len(life.frames), blit=False)
-    animation.save(path, WRITERS[kind](fps=RATE), dpi=DOTS_PER_INCH)
+    animation.save(path, writer(fps=RATE), dpi=DOTS_PER_INCH)
     return path
 
 
@@ -82,7 +85,9 @@ class Points:
             self.figure.colorbar(drawn, ax=panel, label=label)
             self._maps.append((panel, colours, top))
 
-    def _drawn(self, panel: Axes, frame: Fields, values: np.ndarray, colours: str, top: float):
+    def _drawn(
+        self, panel: Axes, frame: Fields, values: np.ndarray, colours: str, top: float
+    ) -> QuadMesh:
         return panel.pcolormesh(
             frame.x * MILLI,
             frame.y * MILLI,

@@ -111,7 +111,7 @@ def _flowing(oil: NamedOil) -> tuple[np.ndarray, np.ndarray]:
 
 def _on_walther_axis(nu: Sequence[float] | np.ndarray) -> np.ndarray:
     """Where viscosities [mm2/s] lie on the axis on which the Walther law is straight."""
-    return double_log(np.asarray(nu) * SQUARE_MILLIMETRE)
+    return np.asarray(double_log(np.asarray(nu) * SQUARE_MILLIMETRE))
 
 
 def _walther_axes(axes: Axes) -> None:

@@ -14,7 +14,7 @@ from pyworm.solver.solution import Solution
 
 def draw_traction(result: Result) -> Figure:
     """Friction coefficient, and largest temperatures where heat was simulated, with their error bars."""
-    swept = sorted(traction_curve(result), key=lambda solution: solution.slide_roll_ratio)
+    swept = sorted(traction_curve(result), key=lambda solution: solution.slide_roll_ratio or 0.0)
     heated = [one for one in swept if one.figures.temperature_max_film is not None]
     rows = 2 if heated else 1
     size, room = (8, 3.2 * rows + 0.6), (0.9, 0.1, 0.5, 0.1)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from functools import partial
 from time import process_time
+from typing import Any
 
 import numpy as np
 
@@ -56,12 +57,12 @@ def closed_forms(scene: Scene | LineScene) -> dict[str, Point]:
 def _films(scene: Scene | LineScene) -> dict[str, Callable[[], Film | FormulaFilms]]:
     """What gives the films of a scene by each formula for its kind, by name."""
     line = isinstance(scene, LineScene)
-    groups = (line_scales if line else scales)(scene).groups
+    groups: Any = (line_scales(scene) if isinstance(scene, LineScene) else scales(scene)).groups
     formulas = LINE_FORMULAS if line else POINT_FORMULAS
     films: dict[str, Callable[[], Film | FormulaFilms]] = {
         name: partial(formula, groups) for name, formula in formulas.items()
     }
-    if not line and any(scene.entrainment(np.zeros(()), np.zeros(()))):
+    if not isinstance(scene, LineScene) and any(scene.entrainment(np.zeros(()), np.zeros(()))):
         films[ATLAS] = partial(film_of, scene)
     return films
 

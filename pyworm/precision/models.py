@@ -98,6 +98,6 @@ def fidelities(
 
 def conducting(scene: Scene | LineScene) -> Scene | LineScene:
     """The contact with an oil of uniform temperature across the film, so that only the surfaces warm."""
-    heat = scene.oil.heat
+    heat = scene.oil.thermal
     warm = replace(heat, conductivity=CONDUCTING * heat.conductivity)
     return replace(scene, oil=replace(scene.oil, heat=warm))

@@ -112,7 +112,14 @@ def study(
 class _Study:
     """A study in progress."""
 
-    def __init__(self, scene, quantities, budget: float, progress: Progress, clock) -> None:
+    def __init__(
+        self,
+        scene: Scene | LineScene,
+        quantities: Sequence[str] | None,
+        budget: float,
+        progress: Progress,
+        clock: Callable[[], float],
+    ) -> None:
         self._scene = scene
         self._models, lacking = fidelities(scene, quantities)
         self._complete = self._models[-1]

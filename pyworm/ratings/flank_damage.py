@@ -1,5 +1,6 @@
 """Scuffing and micropitting: what an oil bears, and what flanks of simulated films and friction come to."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -92,8 +93,8 @@ def gear_oil(oil: Oil, base: str) -> GearOil:
     """The oil of contacts, by its own laws, for ISO/TS 6336-22; it has heat."""
     inlet = oil.heat.inlet_temperature
 
-    def law(name: str):
-        def of(temperature):
+    def law(name: str) -> Callable[[np.ndarray], np.ndarray]:
+        def of(temperature: np.ndarray) -> np.ndarray:
             return np.vectorize(lambda kelvin: getattr(oil.warmed(kelvin - inlet).viscosity, name))(
                 temperature
             )
@@ -142,7 +143,8 @@ def simulated_spots(solutions: tuple[Solution, ...]) -> tuple[Spot, ...]:
 
 def _spot(solution: Solution) -> Spot:
     figures, film = solution.figures, solution.figures.film_min
-    hottest, warm = None, (0.0, None)
+    hottest: float | None = None
+    warm: tuple[float, float | None] = (0.0, None)
     sides = figures.temperature_max_body_1, figures.temperature_max_body_2
     if None not in sides:
         estimate = max(sides, key=lambda of: of.value)
@@ -200,7 +202,7 @@ def scuffing(
         "theta_S": limit.by,
         "at": place,
     }
-    doubts = ()
+    doubts: tuple[str, ...] = ()
     if bars:
         doubts = (
             "theta_S belongs to the standard's friction: its S_B decides, the simulated one tells how "
@@ -248,7 +250,7 @@ def micropitting(
         "limit": limit.by,
         "at": place,
     }
-    doubts = ()
+    doubts: tuple[str, ...] = ()
     if bars:
         doubts = (
             "lambda_GFP belongs to the standard's film: its S_lambda decides, the simulated one tells "

@@ -1,5 +1,8 @@
 """Gear pairs by AGMA's closed forms: specific film, wear, scuffing, oil flow, beside the simulation."""
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 
 from pyworm.case.case_file import PublishedValue
@@ -76,8 +79,9 @@ def _teeth(
         key: _as_shown(published[name], key) for key, _, name, _, _ in _TEETH if name in published
     }
     simulated = {} if result is None else _simulated(drive, duty, result)
-    columns = {"closed form": closed, SIMULATION: simulated, "printed": printed}
-    columns = {name: values for name, values in columns.items() if values}
+    given: dict[str, Mapping[str, Any]]
+    given = {"closed form": closed, SIMULATION: simulated, "printed": printed}
+    columns = {name: values for name, values in given.items() if values}
     figures = tuple(
         RatedFigure(
             key,
@@ -141,7 +145,7 @@ def _closed_forms(duty: GearPairDuty, table: GearRatingTable) -> dict[str, float
     """Film, wear, loss and scuffing by formulas, at the worst place of the line of action."""
     line = duty.line_of_action
     thin = line.thinnest
-    closed = {
+    closed: dict[str, float | str | None] = {
         "pitch_line_velocity_m_s": duty.pitch_line_velocity,
         "film_min_m": float(line.film_min[thin]),
         "film_min_phase": float(line.phase[thin]),
@@ -191,7 +195,7 @@ def _wear(duty: GearPairDuty, film: float, spots: tuple[Spot, ...] = ()) -> dict
     if roughness is None:
         return {}
     wear = rate_wear(film, roughness, duty.pitch_line_velocity)
-    found = {
+    found: dict[str, float | str] = {
         "composite_roughness_m": roughness,
         "specific_film": wear.specific_film_min,
         "regime": wear.regime,

@@ -288,7 +288,7 @@ def _gearbox_rows(rated: WormRating) -> list[tuple]:
         ("bearings", "Loss of bearings"),
         ("seals", "Loss of seals"),
     )
-    parts = [
+    parts: list[tuple] = [
         (f"loss_{name}_W", label, lambda of=name: getattr(rated.standard_losses, of), 1e-3, "kW")
         for name, label in by_standard
     ]

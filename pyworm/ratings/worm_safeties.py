@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from pyworm.case.ratings import WormRatingTable
 from pyworm.case.worm_conditions import material_of, standard_oil, sump_by_standard
@@ -77,7 +78,7 @@ def total_wear(loads: tuple[RatedLoad, ...]) -> float:
     return sum(of.rated.wear.depth for of in loads)
 
 
-def _safety(symbol: str, **given) -> Safety:
+def _safety(symbol: str, **given: Any) -> Safety:
     return Safety(symbol, _LABELS[symbol], REQUIRED[symbol], clause=CLAUSES[symbol], **given)
 
 
@@ -156,7 +157,8 @@ def _miner(loads: tuple[RatedLoad, ...]) -> float:
 def _deflection(of: _Rated) -> Safety:
     worst, limit = hardest(of.loads), deflection_limit(of.duty.gear.module)
     if of.duty.deflection is not None:
-        bent, doubts = of.duty.deflection * worst.torque / of.duty.torque, ()
+        bent = of.duty.deflection * worst.torque / of.duty.torque
+        doubts: tuple[str, ...] = ()
         where = "[drive.shaft]"
     else:
         bent = worst.rated.shaft_deflection

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 
 from pyworm.drives.mesh_loss import ContactLoss
+from pyworm.io.present import present
 from pyworm.solver.solution import Solution
 
 
@@ -10,12 +11,12 @@ def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
     """Friction and loss of solutions with friction, in their order."""
     return [
         ContactLoss(
-            phase=of.phase,
+            phase=present(of.phase, "phase"),
             load=of.load,
-            friction=of.figures.friction_coefficient.value,
-            power=of.figures.power_loss.value,
-            error=of.figures.power_loss.error,
-            model=of.figures.power_loss.model,
+            friction=present(of.figures.friction_coefficient, "friction").value,
+            power=present(of.figures.power_loss, "power_loss").value,
+            error=present(of.figures.power_loss, "power_loss").error,
+            model=present(of.figures.power_loss, "power_loss").model,
             section=of.section,
             station=of.station,
             course=_course(of),

@@ -2,6 +2,7 @@
 
 import csv
 import os
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
@@ -86,5 +87,5 @@ def _array(name: str, values: np.ndarray) -> str:
     return f"{head}\n{_numbers(values.ravel())}\n</DataArray>\n"
 
 
-def _numbers(values) -> str:
+def _numbers(values: Iterable[float]) -> str:
     return " ".join(f"{float(value):.9g}" for value in values)

@@ -18,8 +18,9 @@ import scipy
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.formulas.whole_numbers import whole
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.present import present
 from pyworm.io.variables import describe
-from pyworm.result.mesh_cycle import flank_place
+from pyworm.result.mesh_cycle import flank_place, phase_of
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
 
@@ -64,7 +65,7 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     """
     solved = sorted(
         (one for one in result.solutions if one.converged and "tooth_face" in one.fields),
-        key=lambda one: one.phase,
+        key=phase_of,
     )
     if len(solved) < FEWEST_PHASES:
         return None
@@ -75,7 +76,7 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     shape = len(radius), len(face)
     extremes = {name: np.full(shape, np.inf if name in _LEAST else -np.inf) for name in names}
     loaded = LOADED_FRACTION * max(float(layer["pressure"].max()) for layer in layers)
-    for before, after in _neighbours(solved, layers, [one.phase for one in result.unsound]):
+    for before, after in _neighbours(solved, layers, [phase_of(one) for one in result.unsound]):
         for part in np.linspace(0, 1, STEPS + 1):
             now = {name: (1 - part) * before[name] + part * after[name] for name in before}
             inside = now["pressure"] > loaded
@@ -101,7 +102,8 @@ def _on_tooth(result: Result, face: Array, radius: Array) -> Array:
 
     Between phases a contact at the edge of a tooth is interpolated with places beyond it.
     """
-    rim = [result.mesh_cycle[name].values for name in ("rim_face", "rim_radius")]
+    cycle = present(result.mesh_cycle, "a mesh cycle")
+    rim = [cycle[name].values for name in ("rim_face", "rim_radius")]
     (x, y), (next_x, next_y) = rim, [np.roll(axis, -1) for axis in rim]
     face, radius = (axis[..., None] for axis in np.meshgrid(face, radius))
     spans = (y > radius) != (next_y > radius)
@@ -116,7 +118,7 @@ def _neighbours(
 ) -> Iterator[tuple[dict[str, Array], dict[str, Array]]]:
     """Solutions between which fields are interpolated; separated where a phase between did not converge."""
     for (first, before), (last, after) in pairwise(zip(solved, layers, strict=True)):
-        if any(first.phase < gap < last.phase for gap in gaps):
+        if any(phase_of(first) < gap < phase_of(last) for gap in gaps):
             yield before, before
             yield after, after
         else:
@@ -188,7 +190,7 @@ def entry(solution: Solution, x: Array, y: Array) -> Array:
         return result
     result[inside] = 0.0
     nodes, place = np.flatnonzero(inside), np.array(np.nonzero(inside), float)
-    steps = v / dy, u / dx
+    steps = [v / dy, u / dx]
     longest = 0.5 / max(np.abs(step).max() for step in steps) * speed.max()
     steps = [longest * step / np.maximum(speed, SLOWEST * speed.max()) for step in steps]
     inflow = np.maximum(inflow, 0.0) / speed[inside].mean()

@@ -16,9 +16,10 @@ import scipy
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.formulas.whole_numbers import whole
+from pyworm.io.present import present
 from pyworm.result.flank_map import LOADED_FRACTION, common_grid, layer_of
 from pyworm.result.life import ContactLife, Fields, lives
-from pyworm.result.mesh_cycle import flank_place
+from pyworm.result.mesh_cycle import flank_place, phase_of
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
 
@@ -110,7 +111,8 @@ _PLACES = {"wheel": ("tooth_face", "tooth_radius"), "worm": ("thread_axial", "th
 
 def _placed(one: Solution, x: Array, y: Array, side: Side) -> dict[str, Array]:
     """A solution's fields on the common grid, with places on one of the flanks."""
-    places = flank_place(one, *np.meshgrid(x, y), _PLACES[side])
+    at_x, at_y = np.meshgrid(x, y)
+    places = flank_place(one, at_x, at_y, _PLACES[side])
     return {**layer_of(one, x, y), **dict(zip(("face", "radius"), places, strict=True))}
 
 
@@ -131,7 +133,7 @@ def flank_grid(result: Result, side: Side = "wheel") -> FlankGrid:
     """
     solved = _solved(result)
     layers = [_placed(one, *common_grid(solved), side) for one in solved]
-    stations = _whole_mesh([one.phase for one in solved], layers, _tooth_load(result))
+    stations = _whole_mesh([phase_of(one) for one in solved], layers, _tooth_load(result))
     axes = []
     for name in ("face", "radius"):
         low = min(float(_loaded(layer, name).min()) for _, layer in stations) - MARGIN
@@ -155,7 +157,7 @@ def _solved(result: Result) -> list[Solution]:
         raise ValueError(
             f"{len(solved)} phases converged with simulated roughness; wear needs {FEWEST_PHASES} or more"
         )
-    return sorted(solved, key=lambda one: one.phase)
+    return sorted(solved, key=phase_of)
 
 
 def asperity_pass(
@@ -182,7 +184,7 @@ def asperity_pass(
     x, y = common_grid(solved)
     layers = [_with_areas(_placed(one, x, y, side), x, y) for one in solved]
     work, volume = np.zeros(grid.shape), 0.0
-    phases, layers = _in_motion(result, [one.phase for one in solved], layers, x, y)
+    phases, layers = _in_motion(result, [phase_of(one) for one in solved], layers, x, y)
     stations = _whole_mesh(phases, layers, _tooth_load(result))
     for (phase, before), (next_phase, after) in pairwise(stations):
         moved = np.hypot(*(np.median(after[of] - before[of]) for of in ("face", "radius")))
@@ -206,7 +208,9 @@ def flank_work(result: Result, grid: FlankGrid, side: Side = "wheel") -> Array |
     life = _worm_life(result)
     if life is None or len(_rough_phases(result)) < FEWEST_PHASES:
         return None
-    rate = float(np.median(np.diff(life.phases) / np.diff(life.seconds)))
+    rate = float(
+        np.median(np.diff(present(life.phases, "phases of the life")) / np.diff(life.seconds))
+    )
     return asperity_pass(result, grid, rate, side).work
 
 
@@ -230,7 +234,11 @@ def _in_motion(
     life = _worm_life(result)
     if life is None:
         return phases, layers
-    at = np.interp([one.seconds for one in life.frames], life.seconds, life.phases)
+    at = np.interp(
+        [one.seconds for one in life.frames],
+        life.seconds,
+        present(life.phases, "phases of the life"),
+    )
     between = [
         (phase, *_on_grid(frame, x, y))
         for phase, frame in sorted(zip(at, life.frames, strict=True), key=lambda pair: pair[0])

@@ -38,8 +38,10 @@ def formula_summary(
     ValueError
         No entrainment at the contact point.
     """
-    line = isinstance(scene, LineScene)
-    found = _line_films(scene) if line else _point_films(films or film_of(scene))
+    if isinstance(scene, LineScene):
+        found = _line_films(scene)
+    else:
+        found = _point_films(films or film_of(scene))
     roughness = scene.composite_roughness
     known: dict[str, Any] = {"lubrication": lubrication(None, None)}
     if roughness is not None:
@@ -82,9 +84,9 @@ def _line_films(scene: LineScene) -> dict[str, Any]:
     return {
         "kind": "line",
         "formula": LINE_FORMULA,
-        "film_central_m": float(found.central),
+        "film_central_m": found.central_number,
         "film_central_error": inf,
-        "film_min_m": float(found.minimum),
+        "film_min_m": found.minimum_number,
         "film_min_error": inf,
         "inside_atlas": False,
         **size.regime.summary(),

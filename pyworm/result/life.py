@@ -108,10 +108,11 @@ class ContactLife:
         """Work of friction [J], of a line contact for each length [J/m], and its error bar."""
         if "power_loss" not in self.figures:
             return None
-        return tuple(
+        work, error = (
             float(np.trapezoid(of["power_loss"], self.seconds))
             for of in (self.figures, self.errors)
         )
+        return work, error
 
     def extreme(self, name: str) -> tuple[float, float, float]:
         """The least film, or the largest value of another figure, its error bar and its time [s]."""
@@ -167,7 +168,7 @@ def life_names(result: Result) -> dict[str, ContactLife]:
 
 
 def _life(place: Place, solutions: Sequence[Solution]) -> ContactLife:
-    held = [solution.held("life") for solution in solutions]
+    held = [solution.dataset("life") for solution in solutions]
     times = np.concatenate([of["life_seconds"].values for of in held])
     seconds, first = np.unique(times, return_index=True)
 

@@ -2,12 +2,14 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES, Array, Loss, cycle_loss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.present import present
 from pyworm.result.contact_loss import contact_losses
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -139,7 +141,11 @@ class DriveCycle:
 
 
 def _told(one: Extreme, unit: str) -> dict:
-    values = {f"value_{unit}".rstrip("_"): one.value, "error": one.error, "phase": one.phase}
+    values: dict[str, Any] = {
+        f"value_{unit}".rstrip("_"): one.value,
+        "error": one.error,
+        "phase": one.phase,
+    }
     if one.place is not None:
         values |= {"face_m": one.place[0], "radius_m": one.place[1]}
     if one.model is not None:
@@ -154,15 +160,16 @@ def drive_cycle(result: Result) -> DriveCycle | None:
     cycle = result.mesh_cycle
     if cycle is None or "tooth_load" not in cycle:
         return None
-    solved = sorted(result.solutions, key=lambda solution: solution.phase)
+    solved = sorted(result.solutions, key=phase_of)
     good = [solution for solution in solved if solution.converged]
     if len(good) < FEWEST_PHASES:
         return None
+    lifts = [(phase_of(one), one.figures.lift) for one in good if one.figures.lift is not None]
     heated = all(one.figures.temperature_max_film is not None for one in good)
-    film = _extreme(good, "film_min", min, lambda one: one.figures.film_min_at)
+    film = _extreme(good, "film_min", min, _least_at)
     return DriveCycle(
-        phases=tuple(one.phase for one in good),
-        unconverged=tuple(one.phase for one in solved if not one.converged),
+        phases=tuple(phase_of(one) for one in good),
+        unconverged=tuple(phase_of(one) for one in solved if not one.converged),
         film_min=film,
         pressure_max=_extreme(good, "pressure_max", max, _largest_at),
         temperatures={
@@ -179,11 +186,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
             if all(one.figures.power_loss is not None for one in good)
             else None
         ),
-        lifts=(
-            tuple((one.phase, one.figures.lift) for one in good)
-            if all(one.figures.lift is not None for one in good)
-            else ()
-        ),
+        lifts=(tuple(lifts) if len(lifts) == len(good) else ()),
         lifted=_lifted(cycle, good) if "dry_tooth_load" in cycle else None,
         lambda_central=_lambda(_extreme(good, "film_central", min), good[0].composite_roughness),
         left_out=of_all(good),
@@ -212,12 +215,27 @@ def _extreme(
     one = pick(solutions, key=lambda solution: getattr(solution.figures, name).value)
     estimate: Estimate = getattr(one.figures, name)
     heat = name.startswith("temperature")
-    size = estimate.value - one.inlet_temperature if heat else estimate.value
+    size = (
+        estimate.value - present(one.inlet_temperature, "inlet_temperature")
+        if heat
+        else estimate.value
+    )
     at = None if place is None else flank_place(one, *place(one))
     model = None if estimate.model is None else estimate.model * abs(size)
     return Extreme(
         estimate.value, estimate.error * abs(size), one.phase, at, estimate.reason, model
     )
+
+
+def phase_of(solution: Solution) -> float:
+    """Phase of a solution of a mesh cycle; ValueError of one outside a cycle."""
+    return present(solution.phase, f"phase of {solution.name}")
+
+
+def _least_at(solution: Solution) -> tuple[float, float]:
+    """Place of the minimum film of a point contact [m]."""
+    x, y = solution.figures.film_min_at
+    return x, y
 
 
 def _largest_at(solution: Solution) -> tuple[float, float]:
@@ -230,8 +248,8 @@ def _largest_at(solution: Solution) -> tuple[float, float]:
 
 def flank_place(
     solution: Solution,
-    x: Array,
-    y: Array,
+    x: Array | float,
+    y: Array | float,
     names: tuple[str, str] = ("tooth_face", "tooth_radius"),
 ) -> tuple:
     """Place on a flank over points of a solution's tangent plane.

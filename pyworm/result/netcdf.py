@@ -40,7 +40,7 @@ def as_netcdf(groups: "Mapping[str, PlainDataset | xr.Dataset]") -> memoryview:
 def _defined(group: Any, data: "PlainDataset | xr.Dataset") -> list[tuple[Any, np.ndarray]]:
     """The variables of a dataset, defined in a group, with their values."""
     beside = [str(name) for name in data.coords if name not in data.dims]
-    group.setncatts(data.attrs | ({"coordinates": " ".join(beside)} if beside else {}))
+    group.setncatts(dict(data.attrs) | ({"coordinates": " ".join(beside)} if beside else {}))
     for name, size in data.sizes.items():
         group.createDimension(name, size)
     defined = []

@@ -276,7 +276,7 @@ def _groups(result: Result) -> "dict[str, PlainDataset | xr.Dataset]":
         "case": _to_json(result.case),
         "provenance": _to_json(result.provenance),
     }
-    groups = {"/": PlainDataset({}, (), about)}
+    groups: dict[str, PlainDataset | xr.Dataset] = {"/": PlainDataset({}, (), about)}
     if result.mesh_cycle is not None:
         groups["/mesh_cycle"] = result.mesh_cycle
     for number, solution in enumerate(result.solutions):
@@ -291,7 +291,7 @@ def _groups(result: Result) -> "dict[str, PlainDataset | xr.Dataset]":
 
 def plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
     """Scalars as NetCDF attributes: no None, truth values as 0 or 1, objects flattened."""
-    plain = {}
+    plain: dict[str, Any] = {}
     for name, value in summary.items():
         if isinstance(value, Mapping):
             plain |= {f"{name}_{part}": number for part, number in value.items()}

@@ -10,6 +10,7 @@ from math import ceil, isnan, log2
 
 import numpy as np
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, PlainVariable
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.solution import Solution
@@ -54,7 +55,7 @@ _MARK = "rounded"
 
 def is_rounded(solution: Solution) -> bool:
     """Whether fields were rounded by `rounded`."""
-    return _MARK in solution.held("fields").attrs
+    return _MARK in solution.dataset("fields").attrs
 
 
 def rounded(solution: Solution) -> Solution:
@@ -76,14 +77,16 @@ def rounded(solution: Solution) -> Solution:
             data = data if type(data) is PlainDataset else _plain(data)
             variables = {name: _rounded(solution, name, of) for name, of in data.variables.items()}
             parts[part] = PlainDataset(variables, data.coords, dict(data.attrs))
-    parts["fields"].attrs[_MARK] = f"to {OF_ERROR_BAR:g} of error bars"
+    fields = parts["fields"]
+    marked = {**fields.attrs, _MARK: f"to {OF_ERROR_BAR:g} of error bars"}
+    parts["fields"] = PlainDataset(fields.variables, fields.coords, marked)
     return solution.changed(**parts)
 
 
-def _plain(data) -> PlainDataset:
+def _plain(data: "PlainDataset | xr.Dataset") -> PlainDataset:
     """A dataset of xarray's as a plain one."""
     variables = {
-        str(name): PlainVariable(of.dims, of.values, of.attrs)
+        str(name): PlainVariable(tuple(map(str, of.dims)), of.values, of.attrs)
         for name, of in data.variables.items()
     }
     return PlainDataset(variables, tuple(map(str, data.coords)), data.attrs)

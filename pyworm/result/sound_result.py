@@ -125,12 +125,12 @@ def _flaws_of_fields(solution: Solution) -> Iterator[str]:
             yield f"the field {name} is missing"
         elif set(fields[name].dims) != set(axes):
             yield f"the field {name} is over {', '.join(map(str, fields[name].dims)) or 'nothing'}"
-    for name, field in fields.variables.items():
+    for held, field in fields.variables.items():
         if field.dtype.kind not in "iufb":
-            yield f"the field {name} is not one of numbers"
+            yield f"the field {held} is not one of numbers"
         # a tooth's gap is known where the teeth are
-        elif solution.converged and name != "tooth_gap" and not np.isfinite(field.values).all():
-            yield f"it is marked as converged, but its field {name} is not finite everywhere"
+        elif solution.converged and held != "tooth_gap" and not np.isfinite(field.values).all():
+            yield f"it is marked as converged, but its field {held} is not finite everywhere"
     if solution.converged and fields["pressure"].values.min() < 0:
         yield "it is marked as converged, but its pressure is negative somewhere"
     # the mean planes of rough flanks may cross where asperities carry the load
@@ -186,4 +186,4 @@ def _rises(coordinate: "xr.DataArray") -> bool:
 
 
 def _is_size(value: Any) -> bool:
-    return isinstance(value, int | float | np.number) and isfinite(value) and value > 0
+    return isinstance(value, int | float | np.number) and bool(isfinite(value) and value > 0)

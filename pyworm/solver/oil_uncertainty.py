@@ -26,6 +26,7 @@ def oil_uncertainty(scene: Scene | LineScene) -> dict[str, float]:
     if oil.alpha_spread == 0 or not isinstance(law, Barus | Roelands):
         return {}
     part = 1 / (1 + oil.alpha_spread)
+    less: Barus | Roelands
     if isinstance(law, Barus):
         less = replace(law, alpha=part * law.alpha)
     else:

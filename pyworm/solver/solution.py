@@ -248,10 +248,7 @@ class Solution(Shown):
     @property
     def _sizes(self) -> Mapping[Any, int]:
         """Sizes of the dimensions of the fields."""
-        held = self.held("fields")
-        if held is None:
-            raise ValueError(f"{self.name}: has no fields")
-        return held.sizes
+        return self.dataset("fields").sizes
 
     @property
     def _axes(self) -> tuple[str, ...]:
@@ -291,6 +288,13 @@ class Solution(Shown):
     def held(self, part: str) -> "PlainDataset | xr.Dataset | None":
         """One of `DATASETS` as it is held: xarray is not loaded for it."""
         return held(self, part)
+
+    def dataset(self, part: str) -> "PlainDataset | xr.Dataset":
+        """One of `DATASETS` as it is held; ValueError where it has none."""
+        held = self.held(part)
+        if held is None:
+            raise ValueError(f"{self.name}: has no {part}")
+        return held
 
     def changed(self, **changes: Any) -> "Solution":
         """The solution with other values of some attributes; xarray is not loaded for it."""

@@ -182,7 +182,7 @@ class GearPairDrive(Drive):
         """Undeformed gap of the pair of teeth over the tangent plane."""
         teeth = self.teeth
         contact = self.contacts(phase)
-        flanks = (
+        pinion, gear = (
             Flank(
                 base=size.base,
                 length=float(length),
@@ -199,7 +199,7 @@ class GearPairDrive(Drive):
                 strict=True,
             )
         )
-        return GearGap(*flanks, teeth.face_width, self.lead_crowning)
+        return GearGap(pinion, gear, teeth.face_width, self.lead_crowning)
 
     def scene(self, phase: float) -> LineScene | Scene:
         """The lubricated contact at a phase; a line contact is that of the middle of the face.

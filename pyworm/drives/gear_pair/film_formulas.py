@@ -106,12 +106,16 @@ def rate(
         return GearRating(**rating)
     rating["scuffing_temperature"] = surfaces.scuffing_temperature
     if oil.heat is not None:
+        effusivity_1, effusivity_2 = (
+            effusivity(body.conductivity, body.density, body.specific_heat) for body in bodies
+        )
         flash = flash_temperature(
             surfaces.friction_coefficient,
             contacts.unit_load,
             contacts.pinion_velocity,
             contacts.gear_velocity,
-            *(effusivity(body.conductivity, body.density, body.specific_heat) for body in bodies),
+            effusivity_1,
+            effusivity_2,
             half_width,
         )
         bulk = sum(body.bulk_temperature for body in bodies) / 2

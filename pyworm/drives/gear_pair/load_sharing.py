@@ -122,10 +122,10 @@ class LoadSharing:
         reach = ceil(pair.transverse_contact_ratio + pair.overlap_ratio)
         # Counted from the line itself, which so is among them to the last digit, even where it ends.
         before = np.floor((s - pair.start) / pitch)
-        return sum(
-            self._over_line(s + (number - before) * pitch, *self._stiffness)
-            for number in range(-reach, reach + 1)
-        )
+        together = np.zeros(np.shape(s))
+        for number in range(-reach, reach + 1):
+            together = together + self._over_line(s + (number - before) * pitch, *self._stiffness)
+        return together
 
     def _over_line(
         self, s: Array, function: Callable[[Array], Array], integral: Callable[[Array], Array]

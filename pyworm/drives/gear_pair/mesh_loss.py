@@ -35,5 +35,6 @@ def _mean_friction(drive: "GearPairDrive", contacts: Sequence[ContactLoss]) -> f
     phases = drive.cycle_phases()
     all_of_them = drive.contacts(phases)
     weight = all_of_them.unit_load * np.abs(all_of_them.sliding)
-    friction = np.interp(phases, *zip(*known, strict=True))
+    at, frictions = zip(*known, strict=True)
+    friction = np.interp(phases, at, frictions)
     return float(np.trapezoid(weight * friction, phases) / np.trapezoid(weight, phases))

@@ -1,6 +1,7 @@
 """Dataset of a roller enveloping worm drive for pictures and tables."""
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -109,7 +110,7 @@ def _contact_lines(drive: "RollerWormDrive") -> dict[str, tuple]:
     states = [
         [drive.state(name, float(phase), STATIONS) for phase in PHASES] for name in drive.sections
     ]
-    tables = (
+    tables: tuple[tuple[dict[str, Callable[[Any], Any]], tuple[str, ...]], ...] = (
         (_OF_A_LINE, ("section", "phase")),
         (_ALONG_A_LINE, ("section", "phase", "station")),
         (_BY_REGIME, ("section", "phase", "regime", "station")),

@@ -108,7 +108,11 @@ def closed_films(
 def _specific_film(film: Array, bodies: tuple[Body, Body]) -> Array:
     """Films over the composite roughness."""
     roughness = composite_roughness(*bodies)
-    return np.full(film.shape, np.nan) if roughness is None else specific_film(film, roughness)
+    return (
+        np.full(film.shape, np.nan)
+        if roughness is None
+        else np.asarray(specific_film(film, roughness))
+    )
 
 
 def _heated_share(oil: Oil, motion: LineMotion) -> Array:
@@ -121,4 +125,4 @@ def _heated_share(oil: Oil, motion: LineMotion) -> Array:
     loading = thermal_loading(oil.viscosity.eta0, beta, speed, oil.heat.conductivity)
     sliding = np.abs(first - second)
     ratio = np.divide(sliding, speed, out=np.full_like(speed, 2.0), where=sliding < 2 * speed)
-    return wilson_sheu(loading, ratio)
+    return np.asarray(wilson_sheu(loading, ratio))

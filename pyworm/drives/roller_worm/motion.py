@@ -150,7 +150,7 @@ class FilmTraction:
             viscosity.eta0,
             viscosity.alpha,
         )
-        return moes_line(groups).central
+        return np.asarray(moes_line(groups).central)
 
     def slices(self, load: Array, curvature: Array) -> tuple[Array, Array, Array]:
         """Hertz's width [m] of slices, their mean pressure [Pa] and the viscosity at that [Pa s]."""

@@ -91,7 +91,7 @@ class ContactCurve(ContactPath):
 
     def search(self, tip_radius: float) -> Array:
         """Worm angles along the path as far as it could be followed."""
-        return np.linspace(*self._nodes[[0, -1]], 401)
+        return np.linspace(self._nodes[0], self._nodes[-1], 401)
 
     def worm_surface(self, angle: float) -> WormPoints:
         """The worm's points."""
@@ -124,9 +124,10 @@ class ContactCurve(ContactPath):
                 rate = -_solved(slopes, pace)[:, 0]
                 side.append((here, unknown, rate))
                 here, guess = here + way, unknown + way * rate
-                unknown = self._solved_at(guess, here)
-                if unknown is None or np.abs(unknown - guess).max() > LONGEST:
+                solved = self._solved_at(guess, here)
+                if solved is None or np.abs(solved - guess).max() > LONGEST:
                     break
+                unknown = solved
             found.append(side)
         path = [*found[0][:0:-1], *found[1]]
         angles, unknowns, rates = zip(*path, strict=True)

@@ -150,7 +150,7 @@ class Met:
 
 def met(gears: "ZiWormGears", grid: FlankGrid, contact: ToothContact) -> Met:
     """The places of a grid that lie over the worm's flank at a contact."""
-    point = gears.wheel_flank.point(*grid.q, contact.wheel_angle)
+    point = gears.wheel_flank.point(*grid.q, wheel_angle=contact.wheel_angle)
     near = np.flatnonzero(_inside(gears, point) > -NEAR)
     point = point[:, near]
     x, y, height = contact.axes @ (point - contact.point[:, None])

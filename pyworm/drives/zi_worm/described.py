@@ -11,6 +11,7 @@ from pyworm.drives.zi_worm.play import play
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
 from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
+from pyworm.io.present import present
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive
@@ -94,7 +95,7 @@ def _worm(drive: "ZiWormDrive") -> Described:
     if worm.generator is None:
         about |= {
             "base_lead_angle_deg": degrees(_lead_angle(worm.lead, worm.base_radius)),
-            "base_radius_m": worm.base_radius,
+            "base_radius_m": present(worm.base_radius, "base_radius"),
             "worm_base_diameter_m": 2 * worm.base_radius,
         }
     return about

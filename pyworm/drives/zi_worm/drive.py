@@ -52,6 +52,7 @@ from pyworm.io.plain_dataset import PlainDataset
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.index import Place
+from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
 MIRRORED = (
@@ -444,7 +445,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         """The computed drawing, its kinematics and its pattern."""
         return described_drive(self)
 
-    def misalignment(self, contacts: Sequence[Scene]) -> Misalignment:
+    def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
         """The same phases with each error of the assembly, one at a time."""
         return worm_misalignment(self, contacts)
 
@@ -456,7 +457,7 @@ class ZiWormDrive(ZiWormGears, Drive):
         """The thread that drives and the flank of the wheel that it drives."""
         return in_space(self, [of.phase for of in places])
 
-    def scene_data(self, scene: Scene) -> PlainDataset:
+    def scene_data(self, scene: Scene | LineScene) -> PlainDataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
         contact = self.contact(scene.phase)
         places = partial(self.flank_place, contact), partial(self.thread_place, contact)

@@ -115,7 +115,7 @@ class FlankHeight:
 
     @cached_property
     def _contact_determinant(self) -> float:
-        return self.surface.newton(list(self.start), self.origin, self.axes)[2]
+        return float(self.surface.newton(list(self.start), self.origin, self.axes)[2])
 
     @cached_property
     def _guess(self) -> Array:

@@ -39,7 +39,8 @@ class WormPoints(FlankSurface):
         self, q: list[Array], line: Components, axes: Array
     ) -> tuple[Array, list[Array], Array]:
         """Height where the step leads, step and the determinant of the ways in the tangent plane."""
-        on = self.worm.expanded(*q, self.angle)
+        u, turn = q
+        on = self.worm.expanded(u, turn, self.angle)
         ways = [(dot(way, axes[0]), dot(way, axes[1])) for way in (on.by_u, on.by_turn)]
         off = [dot(on.point, axis) - dot(line, axis) for axis in axes]
         step, determinant = _solved_two(ways, off[:2])
@@ -48,14 +49,16 @@ class WormPoints(FlankSurface):
 
     def normals(self, q: list[Array]) -> tuple[Components, list[Components]]:
         """Normals and their derivatives."""
-        on = self.worm.expanded(*q, self.angle)
+        u, turn = q
+        on = self.worm.expanded(u, turn, self.angle)
         return on.normal, [on.normal_by_u, on.normal_by_turn]
 
     def rates(
         self, q: list[Array], line: Components, axes: Array, direction: Components
     ) -> list[Array]:
         """Change of q along a direction of the tangent plane."""
-        on = self.worm.expanded(*q, self.angle)
+        u, turn = q
+        on = self.worm.expanded(u, turn, self.angle)
         ways = [(dot(way, axes[0]), dot(way, axes[1])) for way in (on.by_u, on.by_turn)]
         return _solved_two(ways, [dot(direction, axis) for axis in axes[:2]])[0]
 
@@ -111,7 +114,7 @@ class WheelPoints(FlankSurface):
         cut, (ex, ey, _) = self._cut(q, axes)
         rows = [[dot(way, axis) for way in cut.ways] for axis in (ex, ey)]
         ahead = [dot(direction, axis) for axis in axes[:2]]
-        return _solved_three([*rows, list(cut.slopes)], [*ahead, 0.0])[0]
+        return _solved_three([*rows, list(cut.slopes)], [*ahead, np.zeros_like(ahead[0])])[0]
 
     def margin(self, q: list[Array]) -> Array:
         """How far u is within the curve's bounds."""

@@ -2,12 +2,14 @@
 
 from abc import ABC, abstractmethod
 
+import numpy as np
+
 from pyworm.drives.zi_worm.helicoid import Array, Components
 
 
 def dot(one: Components, other: Components) -> Array:
     """Scalar product of components."""
-    return one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
+    return np.asarray(one[0] * other[0] + one[1] * other[1] + one[2] * other[2])
 
 
 def along(point: Components, way: Array | float, direction: Components) -> Components:

@@ -39,7 +39,7 @@ class ToothGap:
         """Gap [m], continued beyond the teeth, and where both teeth exist."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         covered = np.ones(x.shape, dtype=bool)
-        heights, taken_off = [], 0.0
+        heights, taken_off = [], np.zeros(x.shape)
         for flank, tooth in (
             (self.contact.worm_height, self.worm_tooth),
             (self.contact.wheel_height, self.wheel_tooth),

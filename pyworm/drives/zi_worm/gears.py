@@ -159,7 +159,7 @@ class ZiWormGears:
     @property
     def deviating(self) -> dict[str, Worm | Wheel]:
         """Worm and wheel as far as deviations of their flanks are known, by their names."""
-        parts = {"worm": self.worm, "wheel": self.wheel}
+        parts: dict[str, Worm | Wheel] = {"worm": self.worm, "wheel": self.wheel}
         return {name: part for name, part in parts.items() if part.deviations is not None}
 
     @property
@@ -376,7 +376,7 @@ class ZiWormGears:
     def turned_parts(self) -> dict[str, Any]:
         """What half a turn about X changes, by its names; deviations are those of the driven flank only."""
         parts = (("hob", self.hob), ("assembly", self.assembly))
-        changes = {
+        changes: dict[str, Any] = {
             name: replace(part, axial_shift=-part.axial_shift)
             for name, part in parts
             if part.axial_shift
@@ -426,5 +426,7 @@ def _within(cycle: MeshCycle) -> tuple[float, ...]:
 
 def _rim_seen(contact: ToothContact, rim: Array, flank: WheelSurface) -> tuple[Array, Array]:
     """Outline of the wheel tooth, by its parameters, over a contact's tangent plane [m]."""
-    x, y, _ = contact.axes @ (flank.point(*rim, contact.wheel_angle) - contact.point[:, None])
+    x, y, _ = contact.axes @ (
+        flank.point(*rim, wheel_angle=contact.wheel_angle) - contact.point[:, None]
+    )
     return x, y

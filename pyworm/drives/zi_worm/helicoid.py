@@ -14,6 +14,7 @@ positively about Z; the other flank is the same one turned by half a turn about 
 from dataclasses import dataclass
 from functools import cached_property
 from math import cos, sin
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -41,8 +42,16 @@ class Seated:
         Shift of the axis along the wheel's axis Y [m].
     """
 
-    screw: float
-    start_radius: float
+    if TYPE_CHECKING:  # of each kind its own property
+
+        @property
+        def screw(self) -> float:
+            """Advance per radian, lead / 2 pi [m]."""
+
+        @property
+        def start_radius(self) -> float:
+            """Radius at which the flank begins [m]."""
+
     centre_distance: float
     swivel: float
     axial_shift: float
@@ -170,7 +179,7 @@ class Helicoid(Seated):
 
         At rotation angle psi of the screw the plane is normal . x = support - base_travel psi.
         """
-        support, slope, bend = (support for support, _ in self.planes(theta))
+        support, slope, bend = (np.asarray(support) for support, _ in self.planes(theta))
         return support, slope, bend
 
     def point(self, theta: Array, along: Array, angle: float = 0.0) -> Array:

@@ -146,8 +146,8 @@ def share(
     """
     if transmission.sharing == "equal":
         on_teeth = (phases >= 0) & (phases <= 1)
-        forces = on_teeth * transmission.torque / np.sum(arms * on_teeth)
-        return SharedLoad(phases, forces, 0.0)
+        shares = on_teeth * transmission.torque / np.sum(arms * on_teeth)
+        return SharedLoad(phases, shares, 0.0)
 
     pairs = [springs.at(phase) for phase in phases]
 

@@ -101,5 +101,5 @@ def _through(count: int, chosen: Array) -> Array:
 def _reached(marked: Array, shape: tuple[int, ...], chosen: list[Array]) -> Array:
     """Nodes whose polynomial goes through a marked one of the chosen nodes."""
     for axis, (count, at) in enumerate(zip(shape, chosen, strict=True)):
-        marked = np.take(marked, _through(count, at), axis=axis).any(axis=axis + 1)
+        marked = np.asarray(np.take(marked, _through(count, at), axis=axis).any(axis=axis + 1))
     return marked

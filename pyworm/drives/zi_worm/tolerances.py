@@ -112,7 +112,8 @@ Excess = Callable[[float], float]
 
 def _allowed(sign: int, pressure: Excess, jammed: Excess) -> tuple[float, Limit]:
     """Largest allowed size of an error with a sign, and what limits it."""
-    size, limit = _first_beyond(lambda error: pressure(sign * error)), "pressure"
+    size = _first_beyond(lambda error: pressure(sign * error))
+    limit: Limit = "pressure"
     if size == LARGEST:
         limit = "none within reach"
     if jammed(sign * size) > 0:

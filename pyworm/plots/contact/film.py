@@ -52,7 +52,7 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
     x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
     levels = np.linspace(0, top, 41)
     bands = film_axes.contourf(x, y, film, levels=levels, cmap="viridis", extend="max")
-    lines = MaxNLocator(12).tick_values(0, top)
+    lines = np.asarray(MaxNLocator(12).tick_values(0, top))
     lines = lines[lines <= top]
     film_axes.contour(x, y, film, levels=lines, colors="white", linewidths=0.5, alpha=0.8)
     draw_tooth(film_axes, fields)

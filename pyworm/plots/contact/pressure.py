@@ -28,7 +28,7 @@ def draw_pressure(case_name: str, solution: Solution) -> Figure:
     titles = [f"{title}: at most {values.max():.4g} MPa" for title, values in maps.items()]
     figure, axes = panels(window, titles, heading(case_name, solution))
     top = max(values.max() for values in maps.values())
-    levels = MaxNLocator(10).tick_values(0, top if top > 0 else 1)
+    levels: np.ndarray = np.asarray(MaxNLocator(10).tick_values(0, top if top > 0 else 1))
     # Nearly no pressure is left white, so that the reach of the pressure can be seen.
     lowest = levels[1] / 10
     bounds = np.append(lowest, levels[1:])

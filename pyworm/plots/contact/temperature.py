@@ -51,11 +51,13 @@ def draw_temperature(
     figure, axes = panels(window, titles, heading(case_name, solution))
     coldest = min(values.min() for values in maps)
     hottest = max(coldest + LEAST_RANGE, max(values.max() for values in maps))
-    bounds = MaxNLocator(BANDS).tick_values(coldest, hottest)
+    bounds = np.asarray(MaxNLocator(BANDS).tick_values(coldest, hottest))
     colours = ListedColormap(colormaps["inferno"](np.linspace(0.05, 1, bounds.size - 1)))
     scale = ScalarMappable(BoundaryNorm(bounds, colours.N), colours)
     for panel, values in zip(axes, maps, strict=True):
-        _draw_map(panel, fields["x"].values * MILLI, fields["y"].values * MILLI, values, scale)
+        _draw_map(
+            panel, fields["x"].values * MILLI, fields["y"].values * MILLI, values, scale, bounds
+        )
         draw_tooth(panel, fields)
         draw_dry_outline(panel, fields, "tab:cyan")
         colour_bar(panel, scale, "temperature / °C", bounds)
@@ -71,11 +73,15 @@ def draw_temperature(
 
 
 def _draw_map(
-    axes: Axes, x: np.ndarray, y: np.ndarray, values: np.ndarray, scale: ScalarMappable
+    axes: Axes,
+    x: np.ndarray,
+    y: np.ndarray,
+    values: np.ndarray,
+    scale: ScalarMappable,
+    boundaries: np.ndarray,
 ) -> None:
-    bounds = scale.norm.boundaries
-    axes.contourf(x, y, values, levels=bounds, cmap=scale.cmap, norm=scale.norm)
-    lines = bounds[(bounds > values.min()) & (bounds < values.max())]
+    axes.contourf(x, y, values, levels=boundaries, cmap=scale.cmap, norm=scale.norm)
+    lines = boundaries[(boundaries > values.min()) & (boundaries < values.max())]
     if lines.size:
         axes.contour(x, y, values, levels=lines, colors="white", linewidths=0.4, alpha=0.6)
 

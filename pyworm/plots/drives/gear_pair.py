@@ -13,6 +13,7 @@ from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
 from pyworm.result.headline import of_all
+from pyworm.result.mesh_cycle import phase_of
 from pyworm.result.result import Result
 from pyworm.solver.solution import Estimate, Solution
 
@@ -168,11 +169,12 @@ def _finished(figure: Figure, panels: Sequence[Axes], cycle: "xr.Dataset") -> Fi
         for place in places.values():
             panel.axvline(place, color="0.6", linewidth=0.9, linestyle=":")
         panel.set_xlim(places["SAP"], places["EAP"])
-    names, before = [], -np.inf
+    names: list[str] = []
+    before = -np.inf
     for name, place in sorted(places.items(), key=lambda mark: mark[1]):
         near = place - before < NEAR * (places["EAP"] - places["SAP"])
         names.append(f"{name}\n" if near and not names[-1].endswith("\n") else name)
-        before = place
+        before = float(place)
     top = panels[0].secondary_xaxis("top")
     top.set_xticks(sorted(places.values()), names)
     top.tick_params(length=0, labelsize="small")
@@ -185,7 +187,7 @@ def _heading(result: Result) -> str:
 
 
 def _solved(result: Result) -> list[Solution]:
-    return sorted(result.solutions, key=lambda solution: solution.phase)
+    return sorted(result.solutions, key=phase_of)
 
 
 def _heated(solution: Solution) -> bool:

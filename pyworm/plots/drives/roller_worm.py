@@ -35,7 +35,7 @@ def draw_roller_cycle(result: Result) -> Figure:
 
 def throat(cycle: "xr.Dataset") -> tuple[float, float]:
     """Wheel angles between the sections [deg]."""
-    angle = np.degrees(cycle["wheel_angle"])
+    angle = cycle["wheel_angle"] * (180 / np.pi)
     return float(angle.sel(section="right")[-1]), float(angle.sel(section="left")[0])
 
 
@@ -54,9 +54,9 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...])
         if solved:
             at = [float(np.interp(one.phase, way["phase"], angle)) for one in solved]
             film = with_gaps(solved, [one.figures.film_min.value for one in solved]) * MICRO
-            style = {"fmt": "k.", "ms": 5, "capsize": 2, "lw": 0.8}
+            errors = {"fmt": "k.", "ms": 5, "capsize": 2, "lw": 0.8}
             estimates = [one.figures.film_min for one in solved]
-            draw_estimates(axes, at, film, film, estimates, **style)
+            draw_estimates(axes, at, film, film, estimates, **errors)
             mark_gaps(axes, at, solved)
         pitch = np.degrees(cycle.attrs["roller_pitch"])
         mesh = np.arange(np.ceil(angle[0] / pitch), np.floor(angle[-1] / pitch) + 1) * pitch

@@ -1,9 +1,12 @@
 """A roller enveloping worm drive in three dimensions: rollers, both sections' flanks, contact lines."""
 
+from typing import Any
+
 import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.layout import MILLI, new_figure
 from pyworm.result.result import Result
 
@@ -48,7 +51,7 @@ def draw_roller_drive(result: Result) -> Figure:
     return figure
 
 
-def _draw_rollers(axes, cycle) -> None:
+def _draw_rollers(axes: Any, cycle: "xr.Dataset") -> None:
     """All rollers of the wheel; those that touch are darker."""
     lines = cycle["contact_line"].mean("across").values
     for surface in cycle["roller_surface"].values:
@@ -58,5 +61,5 @@ def _draw_rollers(axes, cycle) -> None:
         axes.plot_surface(x, y, z, color="0.35" if touching else "0.8", alpha=0.9, lw=0)
 
 
-def _components(points) -> tuple[np.ndarray, ...]:
+def _components(points: "xr.DataArray") -> tuple[np.ndarray, ...]:
     return tuple(points.sel(axis=axis).values * MILLI for axis in "xyz")

@@ -5,6 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.regimes import LINE_ERROR, THICKENING_ERROR, Regime
+from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
 from pyworm.plots.layout import MICRO, placed_panels
 from pyworm.plots.regimes import SHORT, draw_chart
@@ -23,7 +24,7 @@ def draw_roller_regimes(result: Result) -> Figure:
     return figure
 
 
-def _draw_chart(axes: Axes, middle) -> None:
+def _draw_chart(axes: Axes, middle: "xr.Dataset") -> None:
     moes_m, moes_l = _moes(middle)
     oil = float(middle.attrs["alpha_ratio"])
     shape = Regime(1.0, 1.0, LINE_ERROR, THICKENING_ERROR, 1.0, 1.0, alpha_ratio=oil)
@@ -41,17 +42,17 @@ def _draw_chart(axes: Axes, middle) -> None:
     axes.legend([*handles, *entries], labels, framealpha=0.8, fontsize=8, loc="lower left")
 
 
-def _moes(cycle) -> tuple:
+def _moes(cycle: "xr.Dataset") -> tuple["xr.DataArray", "xr.DataArray"]:
     """Moes' M and L of Johnson's parameters, `pyworm.formulas.regime_charts.line_parameters`."""
     moes_m = cycle["elasticity_parameter"] / np.sqrt(2)
     return moes_m, cycle["viscosity_parameter"] / np.sqrt(2) / moes_m**1.5
 
 
-def _draw_films(axes: Axes, middle) -> None:
+def _draw_films(axes: Axes, middle: "xr.Dataset") -> None:
     """Film by the formula of each regime, and the regime that holds."""
     for section in SECTION_COLOURS:
         way = middle.sel(section=section)
-        angle = np.degrees(way["wheel_angle"])
+        angle = way["wheel_angle"] * (180 / np.pi)
         for number, (name, style) in enumerate(zip(SHORT, (":", "-.", "--", "-"), strict=True)):
             film = way["film_by_regime"].sel(regime=name) * MICRO
             label = SHORT[name].replace("\n", " ") if section == "left" else None

@@ -24,6 +24,7 @@ from pyworm.plots.layout import (
 from pyworm.plots.overlays import draw_largest_temperatures
 from pyworm.ratings.standard_loss import StandardLoss, standard_of_result
 from pyworm.result.headline import of_all
+from pyworm.result.mesh_cycle import phase_of
 from pyworm.result.result import Result
 from pyworm.solver.left_out import AS_IF_SMOOTH
 from pyworm.solver.solution import Solution
@@ -37,7 +38,7 @@ def draw_cycle(result: Result) -> Figure:
     cycle = result.mesh_cycle
     solved = sorted(
         (solution for solution in result.solutions if solution.phase is not None),
-        key=lambda solution: solution.phase,
+        key=phase_of,
     )
     sheared = [one for one in solved if one.figures.friction_coefficient is not None]
     heated = [one for one in solved if one.figures.temperature_max_film is not None]

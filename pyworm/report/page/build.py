@@ -94,7 +94,7 @@ def _warnings(
 ) -> tuple[str, ...]:
     """What a reader must know before all else."""
     heating = heating_of(case, drive_cycle(result), standard)
-    warnings = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
+    warnings: tuple[str, ...] = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
     warnings += tuple(opening(result.solutions, standard.words))
     if heating is not None:
         warnings += (heating.words,)

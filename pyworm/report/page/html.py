@@ -224,10 +224,10 @@ def _table(table: Table) -> str:
         cells = "".join(f'<th scope="col">{escape(of)}</th>' for of in table.head)
         lines.append(f"<thead><tr>{cells}</tr></thead>")
     lines.append("<tbody>")
-    for name, *cells in table.rows:
+    for name, *values in table.rows:
         part = ' class="part"' if name.startswith(" ") else ""
         first = f'<th scope="row"{part}>{_words(name.strip())}</th>'
-        lines.append(f"<tr>{first}{''.join(_cell(of) for of in cells)}</tr>")
+        lines.append(f"<tr>{first}{''.join(_cell(of) for of in values)}</tr>")
     lines.append("</tbody></table></div>")
     if table.note:
         lines.append(f'<p class="note">{typeset(table.note)}</p>')

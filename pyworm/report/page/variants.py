@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from pyworm.case.case import NO_PHYSICS, Case, case_again
 from pyworm.case.table import by_dotted_key
@@ -106,7 +107,7 @@ def _differences(variants: Sequence[Variant]) -> Matrix:
     return Matrix(tuple((key, cells) for key, cells in rows if len(set(cells)) > 1))
 
 
-def _matrix(columns: Sequence[dict[str, object]], text: Callable[[object], str]) -> Matrix:
+def _matrix(columns: Sequence[dict[str, Any]], text: Callable[[Any], str]) -> Matrix:
     """Rows by their names, in the order of the columns; a column that has none is empty there."""
     names = dict.fromkeys(name for column in columns for name in column)
     return Matrix(

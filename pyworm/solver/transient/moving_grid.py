@@ -17,7 +17,7 @@ and Cook 1974, J. Comput. Phys. 14, 227-253).
 """
 
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 import scipy
@@ -87,7 +87,7 @@ class _SeenScene(Scene):
 
     mesh: MeshMotion
 
-    def entrainment(self, *places: Array) -> tuple[Array, ...]:
+    def entrainment(self, *places: Any) -> tuple[Array, ...]:
         u, v = super().entrainment_at(*places)
         w_x, w_y = self.mesh(*places)
         return u - w_x, v - w_y
@@ -99,7 +99,7 @@ class _SeenLineScene(LineScene):
 
     mesh: Stretching
 
-    def entrainment_at(self, *places: Array) -> tuple[Array, ...]:
+    def entrainment_at(self, *places: Any) -> tuple[Array, ...]:
         (u,), (w,) = super().entrainment_at(*places), self.mesh(*places)
         return (u - w,)
 

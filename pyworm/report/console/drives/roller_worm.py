@@ -1,6 +1,7 @@
 """The mesh cycle of a roller enveloping drive by closed forms, for people."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 from rich.table import Table
@@ -9,7 +10,7 @@ from pyworm.formulas.unit_factors import RPM
 from pyworm.formulas.wear_distress import regime
 from pyworm.io.on_demand import xarray as xr
 
-_ROWS: tuple[tuple[str, Callable[["xr.Dataset"], float], str], ...] = (
+_ROWS: tuple[tuple[str, Callable[["xr.Dataset"], Any], str], ...] = (
     ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
     ("Load per length / kN/m", lambda at: at["load_per_length"] / 1e3, ".1f"),
     ("Relative radius / mm", lambda at: at["contact_radius"] * 1e3, ".3f"),
