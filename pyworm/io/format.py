@@ -1,5 +1,7 @@
 """Rounded numbers and durations as text."""
 
+from math import isinf
+
 
 def rough(value: float) -> str:
     """An approximate number as text: two digits, without powers of ten."""
@@ -19,6 +21,25 @@ def duration(seconds: float) -> str:
 def percent(share: float) -> str:
     """A fraction as text, in per cent."""
     return f"{share * 100:.0f} %" if share >= 0.095 else f"{share * 100:.2g} %"
+
+
+def with_bars(
+    value: str,
+    error: float,
+    model: float | None = None,
+    scale: float = 100.0,
+    unit: str = " %",
+    reason: str | None = None,
+) -> str:
+    """A value with its error bars as text; a lower bound, with the reason, where the error has no bound.
+
+    Errors without a bound are those of unresolved peaks, of which a grid shows no more than there is.
+    """
+    because = "" if reason is None else f" ({reason})"
+    if isinf(error):
+        rough = "" if model is None else f" ± {model * scale:.2g}{unit} (model)"
+        return f"≥ {value}{rough}{because or ' (error not known)'}"
+    return f"{value} {bars(error, model, scale, unit)}{because}"
 
 
 def bars(error: float, model: float | None, scale: float = 100.0, unit: str = " %") -> str:

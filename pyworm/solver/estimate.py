@@ -1,9 +1,10 @@
 """A figure with its error bar, and calculation with it."""
 
 from dataclasses import dataclass
-from math import hypot, inf, isnan
+from math import hypot, inf, isinf, isnan
 from typing import Any
 
+from pyworm.io.format import with_bars
 from pyworm.io.shown import percent
 
 ORIGINS = ("grid", "domain", "algebra", "approximation")
@@ -71,7 +72,10 @@ class Estimate:
 
     def __format__(self, form: str) -> str:
         """The value in a form, by default of four digits, and its error bar."""
-        return f"{self.value:{form or '.4g'}} ± {self._relative}"
+        value = f"{self.value:{form or '.4g'}}"
+        if isinf(self.error):
+            return with_bars(value, self.error, reason=self.reason)
+        return f"{value} ± {self._relative}"
 
     def __str__(self) -> str:
         return format(self, "")

@@ -4,6 +4,7 @@ The procedure is that of `docs/theory/film.md`: settle the film on a grid; compa
 estimate the errors; stop, or halve the spacing.
 """
 
+from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any, cast
 
@@ -196,7 +197,7 @@ class GridSequence:
                 film_min_at=self._settled.reading.film_min_at,
                 load_error=level.film.balance.load_error,
                 residual=level.film.balance.residual,
-                **outcome.figures,
+                **_extrapolated(outcome.figures, figures["film_min"]),
             ),
             regime=plan.regime,
             cost=cost,
@@ -204,6 +205,7 @@ class GridSequence:
             composite_roughness=scene.composite_roughness,
             **datasets,
             accuracy=plan.accuracy,
+            accuracy_of=plan.aim.figures,
         )
 
     def _compare_windows(self) -> str | None:
@@ -306,3 +308,15 @@ def _lack_of_memory(error: KernelError) -> str:
     if error.status != NO_MEMORY:
         raise error
     return str(error)
+
+
+def _extrapolated(figures: Mapping[str, Any], film_min: Estimate) -> dict[str, Any]:
+    """Figures of the last grid, with the minimum film on the centre line extrapolated as that of the contact.
+
+    Else the minimum over the whole contact, extrapolated upwards, may stand above one of its part.
+    """
+    exit_min = figures.get("film_exit_min")
+    if exit_min is None or not film_min.on_grid:
+        return dict(figures)
+    by = film_min.value / film_min.on_grid
+    return {**figures, "film_exit_min": max(exit_min * by, film_min.value)}

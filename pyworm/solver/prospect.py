@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
+from pyworm.io.format import percent
 from pyworm.planning.expected_work import WORTHLESS
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -37,7 +38,7 @@ def refusal(
     least = aim.worst(least_errors(readings, orders), readings[-1].figures)
     if least <= max(plan.accuracy, WORTHLESS):
         return None
-    return f"the largest grid allowed would leave an error of at least {least:.0%}"
+    return f"the largest grid allowed would leave an error of at least {percent(least)}"
 
 
 def spike_stays(reading: Reading, grid: Grid | LineGrid, largest: int) -> bool:

@@ -202,6 +202,8 @@ class Solution(Shown):
         Every effect, judged by the solved figures.
     accuracy : float
         Relative error asked for [-]; 0 where it is not known, so that every effect left out counts.
+    accuracy_of : tuple of str
+        Names of the figures to which it refers (`pyworm.planning.target.Aim`); empty where that is not known.
     """
 
     name: str
@@ -224,6 +226,7 @@ class Solution(Shown):
     life: "xr.Dataset | None" = None
     effects: tuple[Judgement, ...] = ()
     accuracy: float = 0.0
+    accuracy_of: tuple[str, ...] = ()
 
     plot = later(
         "pyworm.plots.of_solution", "Pictures", "Its pictures, such as `solution.plot.film()`."
@@ -317,6 +320,8 @@ class Solution(Shown):
             "converged": self.converged,
             "accurate": self.accurate,
             "stop_reason": self.stop_reason,
+            "accuracy": self.accuracy,
+            "accuracy_of": list(self.accuracy_of),
             **_flat("film_min", "m", figures.film_min),
             "film_min_at_m": list(figures.film_min_at),
             "film_min_kind": figures.film_min_kind,

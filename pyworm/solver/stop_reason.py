@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from pyworm.io.format import percent
 from pyworm.planning.plan import Plan
 from pyworm.solver.accuracy_met import ACCURATE, LESS_ACCURATE, is_accurate
 from pyworm.solver.estimate import Estimate
@@ -80,7 +81,7 @@ def stop_reason(
         return ACCURATE
     domain = plan.aim.worst({name: of.domain for name, of in estimates.items()}, figures)
     if np.isfinite(domain) and domain > plan.accuracy:
-        return f"the end of the window leaves an error of {domain:.1%}: films depend on surfaces far out"
+        return f"the end of the window leaves an error of {percent(domain)}: films depend on surfaces far out"
     last = level.grid.finer().nodes > plan.largest_grid
     if not met and (last or unsettled >= MOST_UNSETTLED):
         return _not_met(level, plan)
@@ -94,7 +95,7 @@ def stop_reason(
         return "the largest grid allowed does not resolve the film"
     if np.isinf(error):
         return "the largest grid allowed leaves no second grid, or window, to compare with"
-    return f"the largest grid allowed leaves an error of {error:.1%}"
+    return f"the largest grid allowed leaves an error of {percent(error)}"
 
 
 def _not_met(level: Level, plan: Plan) -> str:

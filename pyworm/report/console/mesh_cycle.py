@@ -1,5 +1,7 @@
 """Tables on the console: the whole mesh cycle of a result."""
 
+from math import isfinite
+
 from rich.table import Table
 
 from pyworm.drives.kinds import module_of
@@ -32,14 +34,13 @@ def cycle_table(cycle: DriveCycle) -> Table:
         table.add_column(heading, justify="right")
 
     def extreme(label: str, one: Extreme, scale: float, unit: str, offset: float = 0.0) -> None:
-        value = (
-            f"{(one.value - offset) * scale:.4g} {unit}".rstrip() + f" ± {_two(one.error * scale)}"
-        )
+        value = f"{(one.value - offset) * scale:.4g} {unit}".rstrip()
+        value = f"{value} ± {_two(one.error * scale)}" if isfinite(one.error) else f"≥ {value}"
         value += "" if one.model is None else f" ± {_two(one.model * scale)} (model)"
         place = ("", "") if one.place is None else (f"{part * 1e3:.1f}" for part in one.place)
         table.add_row(label, value, f"{one.phase:g}", *place)
         if one.reason is not None:
-            table.add_row("  error bar", one.reason)
+            table.add_row("  error bar" if isfinite(one.error) else "  no upper bound", one.reason)
 
     extreme("Least film", cycle.film_min, 1e6, "µm")
     extreme("Largest pressure", cycle.pressure_max, 1e-6, "MPa")

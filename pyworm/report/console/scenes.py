@@ -11,6 +11,7 @@ from pyworm.case.case_file import PublishedValue
 from pyworm.io.format import duration, rough
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.plan import Plan
+from pyworm.result.accuracy import accuracy_words
 from pyworm.scene.contact import BODIES
 from pyworm.scene.index import PLACE_NAMES, Place
 from pyworm.scene.line import LineScene
@@ -168,7 +169,7 @@ def figures_table(
         error, model = figures.get(error_key), figures.get(_of_model(error_key))
         add(label, _value(figures[key] * scale, unit, error), name, _bar(model, 100.0, "%"))
         if error_key is not None and f"{error_key}_reason" in figures:
-            table.add_row("  error bar", figures[f"{error_key}_reason"])
+            table.add_row(_reason_label(figures[error_key]), figures[f"{error_key}_reason"])
         if key == "film_min_m":
             place = ", ".join(f"{along * 1e3:.3g}" for along in summary["film_min_at_m"])
             table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")
@@ -180,6 +181,8 @@ def figures_table(
         add(label, text, None)
     table.add_row("Grid", _grid(summary["grid"]))
     table.add_row("Converged", _converged(summary))
+    if accuracy := accuracy_words(summary["accuracy"], summary["accuracy_of"]):
+        table.add_row("Accuracy asked for", accuracy)
     words = [] if scene.phase is None else ["phase"]
     _explain(table, [*words, summary["film_min_kind"]])
     return table
@@ -231,7 +234,7 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
         if values["converged"]:
             cells = [
                 f"{_dry_pressure(scene, values) / 1e6:.4g}",
-                f"{values['pressure_max_Pa'] / 1e6:.4g}",
+                f"{_at_least(values['pressure_max_error'])}{values['pressure_max_Pa'] / 1e6:.4g}",
                 f"{values['film_central_m'] * 1e6:.4g}",
                 f"{values['film_central_error'] * 100:.2g}",
                 f"{values['film_min_m'] * 1e6:.4g}",
@@ -397,12 +400,24 @@ def _title(scene: Scene | LineScene) -> str:
 
 def _value(value: float, unit: str, error: float | None = None) -> str:
     text = f"{value:.4g} {unit}".rstrip()
-    return text if error is None else f"{text} {_bar(error, 100.0, '%')}"
+    if error is None:
+        return text
+    return f"{text} {_bar(error, 100.0, '%')}" if isfinite(error) else f"≥ {text}"
+
+
+def _reason_label(error: float) -> str:
+    """What the reason of an unusual error bar is the reason of."""
+    return "  error bar" if isfinite(error) else "  no upper bound"
+
+
+def _at_least(error: float) -> str:
+    """Mark of a lower bound before a value whose error has no bound."""
+    return "" if isfinite(error) else "≥ "
 
 
 def _temperature(summary: Mapping[str, Any], place: str) -> str:
     value, error = (summary[key][place] for key in ("temperature_max_C", "temperature_max_error_K"))
-    return f"{value:.1f} °C {_bar(error, 1.0, 'K')}"
+    return f"{value:.1f} °C {_bar(error, 1.0, 'K')}" if isfinite(error) else f"≥ {value:.1f} °C"
 
 
 def _bar(error: float | None, scale: float, unit: str) -> str:

@@ -9,6 +9,7 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from pyworm.io.console import Console
+from pyworm.io.on_demand import xarray as xr
 from pyworm.result.sweep_result import SweepResult, distinguishing
 from pyworm.scene.index import PLACE_NAMES
 from pyworm.solver.accuracy_met import LESS_ACCURATE
@@ -91,11 +92,19 @@ def rows_table(result: SweepResult) -> Table:
         accurate = "yes" if row["accurate"] == 1 else "less accurate"
         cells = [_cell(row[key].item()) for key in varied]
         cells += [
-            f"{row[name].item() * scale:{form}}" if converged and not np.isnan(row[name]) else ""
+            _figure(row, name, f"{row[name].item() * scale:{form}}") if converged else ""
             for _, name, scale, form in shown
         ]
         table.add_row(*cells, accurate if converged else "NO")
     return table
+
+
+def _figure(row: "xr.Dataset", name: str, text: str) -> str:
+    """A figure, as a lower bound where its error has no bound; empty where there is none."""
+    if np.isnan(row[name]):
+        return ""
+    unbounded = name == "pressure_max_Pa" and not np.isfinite(row["pressure_max_error"])
+    return f"≥ {text}" if unbounded else text
 
 
 def _cell(value: float | str) -> str:

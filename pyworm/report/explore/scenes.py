@@ -5,12 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from pyworm.io.format import bars
+from pyworm.io.format import with_bars
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.layout import MILLI, contact_window
 from pyworm.report.explore.packed import packed
 from pyworm.report.explore.quantities import FIELDS, Quantity
 from pyworm.report.page.figures import place_of, temperature
+from pyworm.result.accuracy import accuracy_words
 from pyworm.result.mesh_cycle import flank_place
 from pyworm.result.result import Result
 from pyworm.solver.estimate import Estimate
@@ -142,10 +143,12 @@ def scene_rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
             warm = temperature(of, solution.inlet_temperature)
             rows.append([f"Hottest point, {words}", warm])
     wide = "" if solution.accurate else ", less accurate than asked for"
-    return [*rows, ["Converged", f"yes{wide}" if solution.converged else "NO"]]
+    accuracy = accuracy_words(solution.accuracy, solution.accuracy_of)
+    stated = [["Accuracy asked for", accuracy]] if accuracy else []
+    return [*rows, ["Converged", f"yes{wide}" if solution.converged else "NO"], *stated]
 
 
 def _shown(figure: Estimate, scale: float, unit: str) -> str:
     """A figure with its numerical and, where there is one, its model uncertainty."""
-    shown = f"{figure.value * scale:.4g} {unit} {bars(figure.error, figure.model)}"
-    return shown.replace("  ", " ")
+    value = f"{figure.value * scale:.4g} {unit}".rstrip()
+    return with_bars(value, figure.error, figure.model, reason=figure.reason)

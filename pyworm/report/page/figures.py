@@ -9,7 +9,7 @@ from pyworm.case.case_file import PublishedValue
 from pyworm.case.contact import GapCase
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.io.format import bars
+from pyworm.io.format import bars, with_bars
 from pyworm.io.quantity_text import shown_like
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import Rating
@@ -187,17 +187,15 @@ def _loss_rows(
 
 def estimate(figure: Estimate, scale: float, unit: str) -> str:
     """A figure with its error bar."""
-    reason = "" if figure.reason is None else f" ({figure.reason})"
-    return (
-        f"{figure.value * scale:.4g} {unit}".rstrip()
-        + f" {bars(figure.error, figure.model)}{reason}"
-    )
+    value = f"{figure.value * scale:.4g} {unit}".rstrip()
+    return with_bars(value, figure.error, figure.model, reason=figure.reason)
 
 
 def temperature(figure: Estimate, inlet: float) -> str:
     """A temperature with its error bar in kelvin."""
     rise = abs(figure.value - inlet)
-    return f"{figure.value - ZERO_CELSIUS:.1f} °C {bars(figure.error, figure.model, rise, ' K')}"
+    value = f"{figure.value - ZERO_CELSIUS:.1f} °C"
+    return with_bars(value, figure.error, figure.model, rise, " K", figure.reason)
 
 
 def film_section(case: Case, result: Result) -> Section:

@@ -14,6 +14,7 @@ from math import ceil, inf, nextafter
 
 import numpy as np
 
+from pyworm.io.format import percent
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.planning.expected_work import Kind, solves_of_life
 from pyworm.planning.plan import Plan
@@ -327,7 +328,7 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     left = plan.aim.worst(errors, readings[-1].figures)
     flaw = None
     if not left <= MOST * plan.accuracy:  # finer grids of the present film would not mend that
-        flaw = f"the transient solve through the contact's life leaves an error of {left:.1%}"
+        flaw = f"the transient solve through the contact's life leaves an error of {percent(left)}"
     coarse = flaw is not None and not rates.finest and len(rates.found) < MOST_SOLVES
     life = _life(scene, plan, rates, readings, turned)
     return Transient(rates.found[-1], level, errors, flaw, coarse, life)
