@@ -320,8 +320,11 @@ class Solution(Shown):
             "converged": self.converged,
             "accurate": self.accurate,
             "stop_reason": self.stop_reason,
-            "accuracy": self.accuracy,
-            "accuracy_of": list(self.accuracy_of),
+            **(
+                {"accuracy": self.accuracy, "accuracy_of": list(self.accuracy_of)}
+                if self.accuracy_of
+                else {}
+            ),
             **_flat("film_min", "m", figures.film_min),
             "film_min_at_m": list(figures.film_min_at),
             "film_min_kind": figures.film_min_kind,

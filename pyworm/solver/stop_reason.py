@@ -43,7 +43,7 @@ def with_wider_bars(
     error = plan.aim.worst({name: of.error for name, of in estimates.items()}, figures)
     if is_accurate(reason) or not error <= WIDEST:
         return reason
-    return f"{LESS_ACCURATE}, {error:.1%}: {reason}"
+    return f"{LESS_ACCURATE}, {percent(error)}: {reason}"
 
 
 def film_is_sound(level: Level, settled: Settled, plan: Plan) -> bool:

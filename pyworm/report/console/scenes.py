@@ -177,15 +177,20 @@ def figures_table(
         if key == "inlet_temperature_C":
             for row in _temperature_rows(summary, bodies):
                 add(*row)
-    for label, text in _regime_rows(summary):
-        add(label, text, None)
-    table.add_row("Grid", _grid(summary["grid"]))
-    table.add_row("Converged", _converged(summary))
-    if accuracy := accuracy_words(summary["accuracy"], summary["accuracy_of"]):
-        table.add_row("Accuracy asked for", accuracy)
+    for label, text in (*_regime_rows(summary), *_solution_rows(summary)):
+        table.add_row(label, text)
     words = [] if scene.phase is None else ["phase"]
     _explain(table, [*words, summary["film_min_kind"]])
     return table
+
+
+def _solution_rows(summary: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """The last grid, whether the solution converged, and which figures the accuracy refers to."""
+    yield "Grid", _grid(summary["grid"])
+    yield "Converged", _converged(summary)
+    if "accuracy_of" in summary:
+        words = accuracy_words(summary["accuracy"], summary["accuracy_of"])
+        yield "Accuracy asked for", words
 
 
 def _temperature_rows(

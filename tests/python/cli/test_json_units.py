@@ -86,6 +86,7 @@ RANGES = {
     r"(locking|locking_rest|heat)$": (0, 100),
     r"^left_out\.": (0, 1e3),
     r"(moes_M|moes_L|viscosity_index)$": (1, 1e3),
+    r"^accuracy$": (1e-5, 0.5),
     r"(deflection_over_film|inlet_thickening)(_error)?$": (1e-2, 1e3),
     r"(grade|nearest_grade|jets|grid|convolutions|expected_convolutions)$": (1, 1e5),
     r"(residual|load_error|mass_error|heat_balance)$": (0, 0.1),
