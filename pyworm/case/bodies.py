@@ -20,6 +20,13 @@ def _finish(text: str) -> str:
     return text
 
 
+RZ_OVER_RA = 6.0
+"""Mean peak-to-valley height Rz over the arithmetic mean Ra (ISO 6336-2: Ra = Rz/6, from memory) [-]; of
+single surfaces 4 to 10."""
+
+_ROUGHNESSES = "roughness", "roughness_ra", "roughness_rz"
+"""Keys that give a height of roughness, one of them."""
+
 _OF_HEIGHTS = "roughness_slope", "roughness_aspect", "asperity_sharpness", "asperity_density"
 """Keys that say how the heights of a roughness are spread."""
 
@@ -28,7 +35,8 @@ class BodyTable(Table):
     """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
 
     Without a bulk temperature of its own a body is as warm as the oil at the inlet. The roughness is the root
-    mean square height Rq, or by `roughness_ra` the arithmetic mean Ra, 0.8 Rq of heights spread normally.
+    mean square height Rq, or by `roughness_ra` the arithmetic mean Ra, 0.8 Rq of heights spread normally, or
+    by `roughness_rz` the mean peak-to-valley height Rz, six times Ra as ISO 6336-2 has it.
     The lay is the angle of its ridges from the surface's own motion. With `asperity_sharpness` the contact is
     that of Greenwood and Tripp's asperities. A `material` by name gives all constants
     that are not given beside it, a `finish` the usual roughness of flanks so made.
@@ -44,6 +52,7 @@ class BodyTable(Table):
     bulk_temperature: units.Temperature | None = None
     roughness: units.Roughness | None = None
     roughness_ra: units.Roughness | None = None
+    roughness_rz: units.Roughness | None = None
     roughness_slope: Annotated[float, Field(strict=True, gt=0, le=1)] | None = None
     roughness_aspect: Annotated[float, Field(strict=True, ge=1 / 9, le=9)] | None = None
     lay: units.AngleOrZero | None = None
@@ -55,7 +64,7 @@ class BodyTable(Table):
 
     @model_validator(mode="after")
     def _surface_alone(self) -> Self:
-        for name in ("roughness", "roughness_ra", *_OF_HEIGHTS, "lay"):
+        for name in (*_ROUGHNESSES, *_OF_HEIGHTS, "lay"):
             if self.surface is not None and getattr(self, name) is not None:
                 raise ValueError(f"{name} means nothing beside surface, whose heights give it")
         return self
@@ -69,9 +78,9 @@ class BodyTable(Table):
         whole, finish = dict(given), given.get("finish")
         if solids.is_named(given.get("material")):
             whole = solids.constants(solids.named_material(given["material"])) | whole
-        if finish is not None and given.keys() & {"roughness", "roughness_ra", "surface"}:
+        if finish is not None and given.keys() & {*_ROUGHNESSES, "surface"}:
             raise ValueError(
-                "give either finish or roughness (roughness_ra, surface), one of the two"
+                "give either finish or roughness (roughness_ra, roughness_rz, surface), one of them"
             )
         if finish in solids.finishes():
             whole["roughness_ra"] = solids.usual_roughness(finish)
@@ -79,14 +88,13 @@ class BodyTable(Table):
 
     @model_validator(mode="after")
     def _roughness_complete(self) -> Self:
-        if self.roughness is not None and self.roughness_ra is not None:
-            raise ValueError("give either roughness (Rq) or roughness_ra (Ra), one of the two")
+        known = [name for name in _ROUGHNESSES if getattr(self, name) is not None]
+        if len(known) > 1:
+            raise ValueError(
+                "give either roughness (Rq), roughness_ra (Ra) or roughness_rz (Rz), one of them"
+            )
         for name in _OF_HEIGHTS:
-            if (
-                getattr(self, name) is not None
-                and self.roughness is None
-                and self.roughness_ra is None
-            ):
+            if getattr(self, name) is not None and not known:
                 raise ValueError(f"{name} needs roughness (Rq) or roughness_ra (Ra) beside it")
         if self.asperity_sharpness is not None and self.roughness_slope is not None:
             raise ValueError(
@@ -108,9 +116,12 @@ class BodyTable(Table):
         if self.surface is not None and self.surface.found:
             constants |= _of_surface(self.surface.topography())
             constants["long_waves"] = self.surface.long_waves()
-        mean = constants.pop("roughness_ra", None)
-        if mean is not None:
-            constants["roughness"] = RQ_OVER_RA * mean
+        for name, factor in (
+            ("roughness_ra", RQ_OVER_RA),
+            ("roughness_rz", RQ_OVER_RA / RZ_OVER_RA),
+        ):
+            if (height := constants.pop(name, None)) is not None:
+                constants["roughness"] = factor * height
         if oil.heat is not None and self.bulk_temperature is None:
             constants["bulk_temperature"] = oil.heat.inlet_temperature
         return Body(**constants)

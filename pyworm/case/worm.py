@@ -12,6 +12,7 @@ from pyworm.case.zi_worm import (
     DeviationTable,
     ShaftTable,
     WormDriveCase,
+    WormDriveTable,
     deviations_of,
 )
 from pyworm.drives.zi_worm.design import Design, Hand
@@ -112,14 +113,14 @@ class DrawnHobTable(_Drawn):
     axial_shift: units.Offset | None = None
 
 
-class DrawnWormDriveTable(Table):
+class DrawnWormDriveTable(WormDriveTable):
     """`[drive]`, kind = "worm": the numbers of a drawing."""
 
     also_called = drawing_words.OF_DRIVE
 
     kind: Literal["worm"]
     profile: Annotated[str, AfterValidator(_computed)]
-    centre_distance: units.Length
+    centre_distance: units.Length | None = None
     threads: Count
     teeth: Count
     module: units.Length
@@ -143,6 +144,13 @@ class DrawnWormDriveTable(Table):
             raise ValueError(
                 "diameter_factor is missing (q, reference diameter of the worm over module); or give "
                 "worm.reference_diameter or profile_shift"
+            )
+        if self.centre_distance is None and (
+            self.profile_shift is None or self._given_factor is None
+        ):
+            raise ValueError(
+                "centre_distance is missing (a); or give profile_shift, of which it follows with "
+                "diameter_factor or worm.reference_diameter"
             )
         return self
 
@@ -205,6 +213,7 @@ class DrawnWormDriveTable(Table):
                 *("pressure_angle", "profile_shift", "face_width", "backlash"),
             )
         }
+        numbers["centre_distance"] = self._distance
         for part in ("worm", "wheel", "hob"):
             table = dict(getattr(self, part))
             table.pop("deviations", None)
@@ -213,11 +222,24 @@ class DrawnWormDriveTable(Table):
 
     def _diameter_factor(self) -> float:
         """q as it is given, or as it follows from the reference diameter or the profile shift."""
+        if self._given_factor is not None:
+            return self._given_factor
+        return 2 * (self.centre_distance / self.module - self.profile_shift) - self.teeth
+
+    @property
+    def _given_factor(self) -> float | None:
+        """q where it is given, or the reference diameter."""
         if self.diameter_factor is not None:
             return self.diameter_factor
-        if self.worm.reference_diameter is not None:
-            return self.worm.reference_diameter / self.module
-        return 2 * (self.centre_distance / self.module - self.profile_shift) - self.teeth
+        diameter = self.worm.reference_diameter
+        return None if diameter is None else diameter / self.module
+
+    @property
+    def _distance(self) -> float:
+        """a as it is given, or as it follows from the profile shift, m ((q + z2) / 2 + x) [m]."""
+        if self.centre_distance is not None:
+            return self.centre_distance
+        return self.module * ((self._given_factor + self.teeth) / 2 + self.profile_shift)
 
 
 class DrawnWormCase(WormDriveCase):

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from itertools import pairwise
-from math import inf, pi
+from math import degrees, inf, pi
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -127,7 +127,40 @@ class ShaftTable(Table):
         return WormShaft(**dict(self))
 
 
-class ZiWormTable(Table):
+QUALITY = ("quality", "quality_grade", "accuracy_grade", "tolerance_grade")
+"""Names of a grade of accuracy, such as those of DIN 3974, by which nothing is computed."""
+
+RIGHT_ANGLE = pi / 2
+
+
+class WormDriveTable(Table):
+    """What `[drive]` of worm drives has in common; a right shaft angle may be given, others are refused."""
+
+    shaft_angle: units.Angle | None = None
+
+    @model_validator(mode="before")
+    @classmethod
+    def _no_grade(cls, given: Any) -> Any:
+        for key in QUALITY:
+            if isinstance(given, dict) and key in given:
+                raise ValueError(
+                    f"{key}: nothing is computed by a grade of accuracy; give its deviations as "
+                    "worm.deviations and wheel.deviations, its errors of assembly in [drive.assembly]; "
+                    "pyworm check prints the errors of assembly that are allowed"
+                )
+        return given
+
+    @model_validator(mode="after")
+    def _right_angle(self) -> Self:
+        if self.shaft_angle is not None and abs(self.shaft_angle - RIGHT_ANGLE) > 1e-9:
+            raise ValueError(
+                f"shaft_angle is {degrees(self.shaft_angle):.6g} deg; axes at 90 deg are computed; an "
+                "error of that angle goes into assembly.shaft_angle"
+            )
+        return self
+
+
+class ZiWormTable(WormDriveTable):
     """`[drive]`, kind = "zi-worm"."""
 
     kind: Literal["zi-worm"]
@@ -316,7 +349,14 @@ class WormDriveCase(RatedCase):
             worn=True,
         )
         worm, wheel_body = (
-            body.model_copy(update={"roughness": now, "roughness_ra": None, "finish": None})
+            body.model_copy(
+                update={
+                    "roughness": now,
+                    "roughness_ra": None,
+                    "roughness_rz": None,
+                    "finish": None,
+                }
+            )
             for body, now in zip((self.bodies.worm, self.bodies.wheel), roughness, strict=True)
         )
         return {

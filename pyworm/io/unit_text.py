@@ -30,7 +30,33 @@ _ROTATIONS = ("1/min", "/min", "min-1", "min^-1", "min**-1", "r/min", "rev/min",
 _CELSIUS = ("degC", "°C", "C", "℃", "deg C", "° C")
 _FAHRENHEIT = ("degF", "°F", "F", "℉", "deg F", "° F")
 
+_POUND_INCHES = (
+    "in-lb",
+    "in lb",
+    "lb in",
+    "lb-in",
+    "in-lbs",
+    "in lbs",
+    "in-lbf",
+    "lbf-in",
+    "in.lb",
+    "lb.in",
+)
+_POUND_FEET = (
+    "ft-lb",
+    "ft lb",
+    "lb ft",
+    "lb-ft",
+    "ft-lbs",
+    "ft lbs",
+    "ft-lbf",
+    "lbf-ft",
+    "ft.lb",
+    "lb.ft",
+)
+
 MEANT = {
+    "N m": dict.fromkeys(_POUND_INCHES, "lbf in") | dict.fromkeys(_POUND_FEET, "lbf ft"),
     "rad/s": dict.fromkeys(_ROTATIONS, "rpm"),
     "K": dict.fromkeys(_CELSIUS, "degC") | dict.fromkeys(_FAHRENHEIT, "degF"),
     "delta_degC": dict.fromkeys(_CELSIUS, "delta_degC") | dict.fromkeys(_FAHRENHEIT, "delta_degF"),
@@ -38,7 +64,7 @@ MEANT = {
     "J/(kg K)": dict.fromkeys(("J/kgK", "J/kg K", "J/kg/K"), "J/(kg K)"),
 }
 """Unit that is wanted -> how people write it, and what they mean: elsewhere C is no temperature, mK is a
-thousandth of a kelvin."""
+thousandth of a kelvin, and lb a mass; of torques it is the force."""
 
 DIVISORS_ONLY = ("degC", "degF")
 """Temperature scales with an offset; below a fraction bar they are differences."""

@@ -62,6 +62,8 @@ def _check_numbers(gears: "ZiWormGears") -> None:
     }
     signed = {"hob.swivel", "hob.axial_shift"}
     signed |= {key for key in entries if key.startswith("assembly.")}
+    if entries.get("wheel.backlash") == 0:
+        signed.add("wheel.backlash")
     check_values(entries | {"centre_distance": gears.centre_distance}, frozenset(signed))
     for key in ("worm.threads", "wheel.teeth"):
         if entries[key] != int(entries[key]):

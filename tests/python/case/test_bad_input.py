@@ -156,7 +156,10 @@ def test_wrong_values_in_a_line_contact(refuse, old, new, sentence):
 @pytest.mark.parametrize(
     ("keys", "sentence"),
     [
-        ('roughness = "1 um"\nroughness_ra = "1 um"', "either roughness (Rq) or roughness_ra (Ra)"),
+        (
+            'roughness = "1 um"\nroughness_ra = "1 um"',
+            "either roughness (Rq), roughness_ra (Ra) or roughness_rz (Rz)",
+        ),
         (
             "roughness_slope = 0.01",
             "roughness_slope needs roughness (Rq) or roughness_ra (Ra) beside",

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from zi_drives import coarse_springs
 
+from pyworm.case.bodies import BodyTable
 from pyworm.case.case import case_again, case_of
 from pyworm.case.worm import DrawnWormDriveTable
 from pyworm.cli.main import main
@@ -185,6 +186,29 @@ def test_check_prints_the_pressure_angle_as_given_and_the_normal_one(tmp_path, c
     assert 0.1 < 20 - drive["normal_pressure_angle_deg"] < 0.5
 
 
+def test_a_centre_distance_follows_from_the_profile_shift():
+    """m ((q + z2)/2 + x), and a right shaft angle may be given."""
+    case = drawn(
+        ('centre_distance = "100 mm"', "profile_shift = -0.5"), in_drive('shaft_angle = "90 deg"')
+    )
+    assert case.drive.centre_distance == pytest.approx(0.1, rel=1e-12)
+    assert case.drive.profile_shift == pytest.approx(-0.5)
+
+
+def test_a_concave_worm_that_loses_its_contact_point_is_computed_at_the_edge():
+    """Cut by a hob 0.76 mm larger it has none from 20 um of centre distance on."""
+    case = drawn(
+        *(('"ZI"', '"ZC"'), ("teeth = 41", "teeth = 39"), ("factor = 10", "factor = 9.5")),
+        *(("1.6 mm", "0.76 mm"), in_table("assembly", 'centre_distance = "20 um"')),
+    )
+    assert case.drive.edge_contact.boundary == "worm tip"
+    assert any("touch at an edge" in one for one in case.warnings)
+
+
+def test_teeth_may_have_no_backlash():
+    assert drawn(in_drive('backlash = "0 mm"')).drive.wheel.backlash == 0
+
+
 def test_the_standards_take_the_reference_diameter_of_the_drawing():
     rated = """
 [worm_rating]
@@ -222,12 +246,15 @@ REFUSED = [
     ([('"20 deg"', '"60 deg"')], "drive.pressure_angle is 60 deg", "10 to 30 deg"),
     ([('"20 deg"', '"-20 deg"')], 'drive.pressure_angle = "-20 deg"', "zero or more"),
     ([('"20 deg"', "20")], "drive.pressure_angle = 20", "with its unit"),
+    # shaft angle and grade
+    ([in_drive('shaft_angle = "85 deg"')], "drive: shaft_angle is 85 deg", "axes at 90 deg"),
+    ([in_drive("quality = 7")], "drive: quality: nothing is computed by a grade", "[drive.assembly]"),
     # centre distance
     ([('"100 mm"', '"200 mm"')], "drive.centre_distance is 200 mm", "is it twice the distance?"),
     ([('"100 mm"', '"50 mm"')], "drive.centre_distance is 50 mm", "make 102 mm"),
     ([('"100 mm"', "100")], "drive.centre_distance = 100", "with its unit"),
     ([('"100 mm"', '"100,5 mm"')], 'drive.centre_distance = "100,5 mm"', 'write "100.5 mm"'),
-    ([('centre_distance = "100 mm"\n', "")], "drive.centre_distance is missing", ""),
+    ([('centre_distance = "100 mm"\n', "")], "drive: centre_distance is missing (a)", "give profile_shift"),
     ([in_drive("profile_shift = 0.5")], "drive.profile_shift is 0.5", "give -0.5"),
     ([in_drive("profile_shift = -0.48")], "drive.profile_shift is -0.48", "give -0.5"),
     # module and diameter factor
@@ -285,11 +312,8 @@ REFUSED = [
     ([in_table("assembly", 'centre_distance = "100.1 mm"')],
      "drive.centre_distance with assembly.centre_distance, a difference of 100.1 mm,", "108.00 mm"),
     ([in_table("assembly", 'axial_shift = "5 mm"')],
-     "drive.assembly: with the worm 0 mm farther from the wheel, 5 mm along", "smaller errors"),
+     "drive at phase 0.5: assembly: with the worm 0 mm farther from the wheel, 5 mm along", "the teeth jam"),
     ([in_table("assembly", 'shaft_angle = "90 deg"')], "drive.assembly: with the worm", "90 deg tilted"),
-    ([('"ZI"', '"ZC"'), ("teeth = 41", "teeth = 39"), ("factor = 10", "factor = 9.5"), ("1.6 mm", "0.76 mm"),
-      in_table("assembly", 'centre_distance = "20 um"')],
-     "drive.assembly: with the worm 0.02 mm farther from the wheel", "a larger hob.oversize"),
     # words of drawings
     ([("threads = 2", "z1 = 2")], "drive.z1: no such key", "give threads instead"),
     ([("teeth = 41", "ratio = 20.5")], "drive.ratio: no such key", "give threads and teeth instead"),
@@ -396,3 +420,9 @@ def test_a_large_profile_shift_gives_a_warning():
     assert said.startswith(
         "drive.centre_distance is 107 mm, which asks for a profile shift of 1.25"
     )
+
+
+def test_a_roughness_may_be_a_mean_peak_to_valley_height():
+    """Ra = Rz/6, and Rq = sqrt(pi/2) Ra of heights spread normally."""
+    body = BodyTable(material="CuSn12", roughness_rz="3 um").body(unit().drive.oil)
+    assert body.roughness == pytest.approx(np.sqrt(np.pi / 2) * 0.5e-6, rel=1e-3)

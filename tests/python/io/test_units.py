@@ -236,3 +236,11 @@ def test_units_that_are_not_known_are_refused(text):
 def test_temperatures_are_converted_with_their_zeros():
     assert converted(100.0, "degC", "degF") == pytest.approx(212.0, rel=1e-14)
     assert converted(333.15, "K", "degC") == pytest.approx(60.0, rel=1e-14)
+
+
+@pytest.mark.parametrize("unit", ["in-lb", "lb in", "in-lbs", "lbf in", "in-lbf", "in·lbf"])
+def test_pound_inches_of_torques_are_forces(unit):
+    """A pound-force is 4.4482216 N; elsewhere lb stays a mass."""
+    assert parse(f"300 {unit}", TORQUE) == pytest.approx(300 * 4.4482216152605 * 0.0254)
+    feet = unit.replace("in", "ft")
+    assert parse(f"25 {feet}", TORQUE) == pytest.approx(25 * 4.4482216152605 * 0.3048)
