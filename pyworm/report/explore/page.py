@@ -10,6 +10,7 @@ from pyworm.report.explore.flank import flank
 from pyworm.report.explore.quantities import FIELDS, FLANK, shown, used
 from pyworm.report.explore.scenes import reduced, scenes
 from pyworm.report.explore.space import space
+from pyworm.report.policy import policy
 from pyworm.result.headline import headline, of_all
 from pyworm.result.result import Result
 
@@ -48,16 +49,17 @@ def explore(result: Result) -> str:
     # a browser looks for ends of scripts and for comments in whatever a script holds
     data = json.dumps(finite(content(result)), separators=(",", ":")).replace("<", "\\u003c")
     script = "\n".join((_HERE / name).read_text(encoding="utf-8") for name in SCRIPTS)
+    style = (_HERE / "page.css").read_text(encoding="utf-8")
     words = " ".join(filter(None, (of_all(result.solutions).sentence, headline(result.solutions))))
     body = (_HERE / "body.html").read_text(encoding="utf-8")
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
+{policy(style, script)}
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{escape(title)}</title>
-<style>
-{(_HERE / "page.css").read_text(encoding="utf-8")}</style>
+<style>{style}</style>
 </head>
 <body>
 <header>
@@ -67,9 +69,7 @@ def explore(result: Result) -> str:
 </header>
 {body}
 <script type="application/json" id="data">{data}</script>
-<script>
-{script}
-</script>
+<script>{script}</script>
 </body>
 </html>
 """

@@ -19,6 +19,7 @@ from pyworm.report.page.content import (
     Words,
 )
 from pyworm.report.page.symbols import typeset
+from pyworm.report.policy import policy
 
 _STYLE = Path(__file__).with_name("page.css")
 
@@ -111,14 +112,15 @@ def _judged(cell: str) -> str:
 
 def _page(title: str, content: str) -> str:
     """A page with its style."""
+    style = _STYLE.read_text(encoding="utf-8")
     return f"""<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
+{policy(style)}
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>{escape(title)}</title>
-<style>
-{_STYLE.read_text(encoding="utf-8")}</style>
+<style>{style}</style>
 </head>
 <body>
 {content}
