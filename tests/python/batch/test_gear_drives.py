@@ -160,8 +160,8 @@ import json, sys
 if sys.argv[1] == "check":
     print(json.dumps({"expected_seconds": 3.0, "expected_seconds_of_search": 1.0}))
 else:
-    scenes = [{"name": "p1", "converged": True, "stop_reason": ""},
-              {"name": "p2", "converged": False, "stop_reason": "it stopped"}]
+    scenes = [{"name": "p1", "converged": True, "accurate": True, "stop_reason": ""},
+              {"name": "p2", "converged": False, "accurate": False, "stop_reason": "it stopped"}]
     print(json.dumps({"scenes": scenes, "failed": {"p3": "no film"}}))
     print("pyworm: lost", file=sys.stderr)
     sys.exit(3)

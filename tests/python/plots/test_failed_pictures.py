@@ -139,7 +139,7 @@ def test_a_scene_that_did_not_converge_still_gives_its_exit_code(tmp_path, monke
     def unconverged(scene, plan, *how):
         from pyworm.solver.solve import solve
 
-        solved["one"] = replace(solve(scene, plan), converged=False)
+        solved["one"] = replace(solve(scene, plan), converged=False, stop_reason="lost")
         return solved["one"]
 
     monkeypatch.setattr("pyworm.batch.task.solve", unconverged)
@@ -148,7 +148,8 @@ def test_a_scene_that_did_not_converge_still_gives_its_exit_code(tmp_path, monke
     assert main([*RUN, "--out", str(tmp_path)]) == NOT_CONVERGED
     said = capsys.readouterr().err
     assert "_gap.png, scene_000_pressure.png, scene_000_film.png and" in said
-    assert said.count("\n") == 1
+    assert said.count("\n") == 2
+    assert "(lost)" in said
 
 
 def test_a_disk_that_is_full_costs_no_figure(tmp_path, capsys, monkeypatch):

@@ -235,7 +235,7 @@ def test_a_film_that_the_largest_grid_does_not_settle_is_marked():
     scene = circular(1000, 10)
     plan = replace(pyworm.plan(scene, accuracy=0.001), largest_grid=20_000)
     solution = pyworm.solve(scene, plan)
-    assert not solution.converged
+    assert not solution.accurate
     assert "largest grid allowed" in solution.stop_reason
 
 
