@@ -1,0 +1,188 @@
+"""What the solver does where a step, a past or its own cache fails."""
+
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from plan_scenes import STEEL, mineral, point
+
+import pyworm
+from pyworm.kernel.core import NO_DESCENT, NO_MEMORY, NOT_FINITE, KernelError
+from pyworm.planning.effects.geometry import as_line
+from pyworm.planning.prediction import predicted
+from pyworm.scene.life import Life, Past
+from pyworm.solver.cost import calibration as calibration_module
+from pyworm.solver.cost.calibration import calibration
+from pyworm.solver.cost.expected_motion import course_if_any, motion
+from pyworm.solver.estimate import Estimate
+from pyworm.solver.newton import newton_step
+from pyworm.solver.transient import lifts, transient
+from pyworm.solver.transient import march as march_module
+from pyworm.solver.transient.course import course_of
+from pyworm.solver.transient.march import LostError
+from pyworm.solver.transient.transient import Rates
+
+
+def ball(speed=1.0):
+    """A ball that rolls at a speed [m/s]."""
+    motion = speed, 0.0
+    return point("ball", (0.02, 0.02), 50.0, (motion, motion), (STEEL, STEEL), mineral(0.09, 2e-8))
+
+
+def in_life(at, transits=5.0, present=None):
+    """The contact of the end of a life, or of another time of it [transits]."""
+    transit = predicted(ball()).transit
+    life = Life(transits * transit, at)
+    return replace(ball(), past=Past(life, (transits if present is None else present) * transit))
+
+
+def unloaded(seconds):
+    raise ValueError("no load")
+
+
+def lost(*given):
+    raise LostError("no film")
+
+
+def planned(scene):
+    return pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",))
+
+
+@pytest.fixture
+def accelerated():
+    return in_life(lambda seconds: ball(1 + 100 * seconds))
+
+
+def test_a_contact_without_a_life_under_load_has_no_time_steps(accelerated):
+    plan = planned(accelerated)
+    empty = in_life(unloaded)
+    assert course_if_any(empty, plan) is None
+    assert motion(empty, plan) is None
+    # a course whose contact carries no load at present
+    over = replace(accelerated, past=Past(accelerated.past.life, 2 * accelerated.past.seconds))
+    course = course_of(accelerated.past.life, plan)
+    assert motion(over, plan, course) is None
+
+
+def test_a_contact_at_rest_is_no_knot_of_a_course():
+    def starting(seconds):
+        line = as_line(ball())
+        return replace(line, velocities=(0.0, 0.0)) if seconds < 1e-3 else line
+
+    life = Life(5e-3, starting)
+    scene = replace(starting(5e-3), past=Past(life, 5e-3))
+    course = course_of(life, pyworm.plan(scene, 0.2, "isothermal,squeeze", ("film",)))
+    assert course.begin == 0.0 and course.end == pytest.approx(5e-3)
+
+
+def test_no_lift_is_known_of_films_that_are_not_found(accelerated, monkeypatch):
+    course = course_of(accelerated.past.life, planned(accelerated))
+    seconds = accelerated.past.seconds
+    monkeypatch.setattr(lifts, "march", lost)
+    monkeypatch.setattr(lifts, "steady_level", lost)
+    assert lifts.moving_lifts(course, 0.0, [seconds]) == {}
+    assert lifts.steady_lift(course, seconds) is None
+
+
+def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are(
+    accelerated, monkeypatch
+):
+    monkeypatch.setattr(transient, "march", lost)
+    rates = Rates(("coarse",))
+    assert transient.finer(accelerated, planned(accelerated), rates) == replace(rates, finest=True)
+
+
+@pytest.mark.parametrize("status, raised", [(NO_DESCENT, False), (NO_MEMORY, True)])
+def test_a_newton_step_that_does_not_descend_is_none_and_other_failures_are_raised(status, raised):
+    def step(forcing):
+        raise KernelError(status)
+
+    film = SimpleNamespace(balance=SimpleNamespace(residual=1e-3, warming=0.0), step=step)
+    level = SimpleNamespace(film=film, forcing=0.1)
+    if raised:
+        with pytest.raises(KernelError):
+            newton_step(level)
+    else:
+        assert newton_step(level) is None
+
+
+def test_an_estimate_is_no_number_beside_what_is_none():
+    with pytest.raises(TypeError):
+        Estimate(1.0, 0.1) + None
+
+
+def test_where_nothing_can_be_kept_the_speed_is_measured_each_time(tmp_path, monkeypatch):
+    occupied = tmp_path / "cache"
+    occupied.write_text("no directory")
+    measured = []
+
+    def calibrate():
+        measured.append(calibration_module.Calibration({}, {}, {}, {}))
+        return measured[-1]
+
+    monkeypatch.setenv("XDG_CACHE_HOME", str(occupied))
+    monkeypatch.setattr(calibration_module, "calibrate", calibrate)
+    assert calibration() is measured[0] and calibration() is measured[1]
+
+
+def test_a_processor_without_a_file_of_its_name_has_that_of_the_platform(monkeypatch):
+    def unreadable(path, *how, **named):
+        raise OSError
+
+    monkeypatch.setattr(calibration_module.platform, "processor", lambda: "of the platform")
+    monkeypatch.setattr(Path, "read_text", unreadable)
+    assert calibration_module._processor() == "of the platform"
+
+
+@pytest.mark.parametrize("error", [ValueError("at rest"), KernelError(NOT_FINITE)])
+def test_a_film_that_the_kernel_gives_up_is_lost_at_its_time(error):
+    with (
+        pytest.raises(LostError, match=r"0\.125 s after the first touch"),
+        march_module._told(0.125),
+    ):
+        raise error
+    with pytest.raises(KernelError), march_module._told(0.125):
+        raise KernelError(7)  # an interrupt is no film that is lost
+
+
+def test_films_before_one_that_is_lost_are_kept_with_the_reason(accelerated, monkeypatch):
+    course = course_of(accelerated.past.life, planned(accelerated))
+    reached, tried = march_module._onward, []
+
+    def onward(*how):
+        tried.append(how[1].seconds)
+        return reached(*how) if len(tried) < 5 else lost()
+
+    monkeypatch.setattr(march_module, "_onward", onward)
+    found = march_module.march(course, 0, 0.0, [accelerated.past.seconds])
+    assert found.lost == "no film" and found.rates == {}
+    assert 1 < len(found.moments) < 9
+
+
+def test_a_step_that_is_lost_is_halved(accelerated, monkeypatch):
+    course = course_of(accelerated.past.life, planned(accelerated))
+    reached, tried = march_module._onward, []
+
+    def onward(*how):
+        tried.append(how[1].seconds)
+        return lost() if len(tried) == 2 else reached(*how)
+
+    monkeypatch.setattr(march_module, "_onward", onward)
+    found = march_module.march(course, 0, 0.0, [accelerated.past.seconds])
+    assert found.lost is None and accelerated.past.seconds in found.rates
+    assert tried[2] == pytest.approx((tried[0] + tried[1]) / 2)
+
+
+def test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_kept(
+    accelerated, monkeypatch
+):
+    life = replace(accelerated.past.life, touched=accelerated.past.seconds / 2)
+    course = course_of(life, planned(accelerated))
+    first = march_module.March({}, {}, (SimpleNamespace(seconds=0.0),), 1, "lost")
+
+    def through(course, steps, wanted):
+        return first if steps[0].seconds < life.touched else lost()
+
+    monkeypatch.setattr(march_module, "_through", through)
+    assert march_module.march(course, 0, 0.0, [accelerated.past.seconds]) is first

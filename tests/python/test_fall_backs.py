@@ -1,0 +1,175 @@
+"""Every fall-back of the solver, of plans and of batch work is made happen by a test."""
+
+import ast
+import os
+import subprocess
+import sys
+from collections import defaultdict
+from pathlib import Path
+
+import pytest
+from handlers import REACHED, all_handlers
+
+TESTS = Path(__file__).parent
+
+MADE_BY = {
+    "batch/case_run.py _collected OSError":
+        "solver/test_memory.py::test_first_grids_beyond_memory_are_refused",
+    "batch/case_run.py _solved_before FileNotFoundError":
+        "batch/test_faults.py::test_a_truncated_result_is_refused",
+    "batch/case_run.py _solved_before ValueError":
+        "batch/test_faults.py::test_a_run_over_a_damaged_result_solves_again",
+    "batch/case_run.py run OSError":
+        "batch/test_solved_scenes.py::test_the_only_scene_is_kept_where_its_result_cannot_be_written",
+    "batch/cluster.py _watch Exception":
+        "batch/test_cluster.py::test_a_scheduler_lost_on_the_way_is_one_sentence_and_what_was_solved_is_kept",
+    "batch/cluster.py cluster (OSError, ValueError)":
+        "batch/test_cluster.py::test_a_missing_scheduler_is_reported",
+    "batch/cluster.py cluster CancelledError":
+        "batch/test_cluster.py::test_a_scheduler_lost_on_the_way_is_one_sentence_and_what_was_solved_is_kept",
+    "batch/cluster.py cluster ImportError":
+        "batch/test_batch_fall_backs.py::test_without_dask_a_scheduler_is_refused_with_what_to_install",
+    "batch/films_in_motion.py LifePart._solve_into LostError":
+        "batch/test_films_in_motion.py::test_finer_solves_are_not_begun_where_the_first_finds_no_film",
+    "batch/films_in_motion.py LifePart.solve_into Exception":
+        "batch/test_batch_fall_backs.py::test_a_life_that_breaks_costs_its_own_tasks_alone",
+    "batch/films_in_motion.py _has_flaw (OSError, DamagedError)":
+        "batch/test_batch_fall_backs.py::test_a_file_that_is_not_there_has_no_flaw",
+    "batch/films_in_motion.py drop_rates suppress OSError":
+        "batch/test_batch_fall_backs.py::test_a_file_that_cannot_be_removed_costs_nothing",
+    "batch/films_in_motion.py in_motion ValueError":
+        "batch/test_batch.py::test_a_failing_scene_is_reported_and_costs_no_other",
+    "batch/films_in_motion.py rates_for (OSError, DamagedError)":
+        "batch/test_study.py::test_progress_rises_to_one",
+    "batch/films_in_motion.py tasks_by_part ValueError":
+        "batch/test_batch_fall_backs.py::test_a_life_without_load_has_no_parts",
+    "batch/lifts_in_motion.py lifts_of suppress Exception":
+        "batch/test_lifts_in_motion.py::test_a_part_that_breaks_costs_its_own_lifts_alone",
+    "batch/origin.py _git (OSError, subprocess.TimeoutExpired)":
+        "batch/test_provenance.py::test_without_git_there_is_no_commit",
+    "batch/scene_task.py require_sendable Exception":
+        "batch/test_batch_fall_backs.py::test_a_scene_that_no_process_would_find_is_refused",
+    "batch/solve_tasks.py solve_and_keep Exception":
+        "batch/test_batch.py::test_a_failing_scene_is_reported_and_costs_no_other",
+    "batch/solve_tasks.py solve_and_keep KernelError":
+        "solver/test_memory.py::test_first_grids_beyond_memory_are_refused",
+    "batch/solved_scenes.py Store._stored ValueError":
+        "batch/test_solved_scenes.py::test_a_damaged_scene_is_solved_again",
+    "batch/solved_scenes.py Store.drop suppress OSError":
+        "batch/test_faults.py::test_a_truncated_result_is_refused",
+    "batch/solved_scenes.py Store.holds OSError":
+        "batch/test_study.py::test_progress_rises_to_one",
+    "batch/solved_scenes.py Store.secure suppress OSError":
+        "batch/test_batch_fall_backs.py::test_what_cannot_be_secured_on_a_full_disk_does_not_hide_the_first_error",
+    "batch/solved_scenes.py Store.solved suppress OSError":
+        "batch/test_study.py::test_progress_rises_to_one",
+    "batch/solved_scenes.py Store.summary (ValueError, LookupError, TypeError, RecursionError)":
+        "batch/test_batch.py::test_stored_scalars_are_unchanged",
+    "batch/study.py _study ValueError":
+        "batch/test_batch_fall_backs.py::test_a_contact_that_cannot_be_planned_is_refused_with_what_varies",
+    "batch/sweep.py _tasks ValueError":
+        "batch/test_sweep.py::test_a_bad_sweep_is_refused_in_one_sentence",
+    "batch/sweep.py load_sweep CaseError":
+        "batch/test_sweep.py::test_a_bad_sweep_is_refused_in_one_sentence",
+    "batch/wear_march.py march UnsolvedError":
+        "batch/test_wear_march.py::test_a_rate_that_is_not_known_is_no_step",
+    "batch/wear_run.py WearRun._restored DamagedError":
+        "batch/test_wear_run.py::test_a_damaged_state_is_not_gone_on_with",
+    "batch/wear_run.py WearRun._restored FileNotFoundError":
+        "batch/test_wear_run.py::test_wear_is_drawn",
+    "batch/wear_run.py WearRun._solved ValueError":
+        "batch/test_batch_fall_backs.py::test_worn_flanks_that_cannot_be_solved_are_told_with_the_contacts_that_are_not",
+    "batch/workers.py _Worker.call (EOFError, OSError)":
+        "batch/test_batch.py::test_a_process_that_died_is_replaced",
+    "batch/workers.py _serve (EOFError, OSError)":
+        "batch/test_batch_fall_backs.py::test_a_process_that_serves_sends_errors_and_ends_with_its_connection",
+    "batch/workers.py _serve Exception":
+        "batch/test_batch_fall_backs.py::test_a_process_that_serves_sends_errors_and_ends_with_its_connection",
+    "batch/workers.py _serve OSError":
+        "batch/test_batch_fall_backs.py::test_a_process_that_serves_sends_errors_and_ends_with_its_connection",
+    "planning/by_formula.py films_by_formula ValueError":
+        "planning/test_planning_fall_backs.py::test_the_film_of_a_contact_point_at_rest_follows_from_no_formula",
+    "planning/effects/selection.py _understood ValueError":
+        "batch/test_sweep.py::test_a_bad_sweep_is_refused_in_one_sentence",
+    "planning/plan.py plan_of ArithmeticError":
+        "planning/test_planning_fall_backs.py::test_numbers_beyond_all_arithmetic_are_refused_in_one_sentence",
+    "planning/prediction.py Prediction.before ValueError":
+        "planning/test_planning_fall_backs.py::test_a_contact_that_carried_no_load_before_has_no_prediction_of_then",
+    "solver/cost/calibration.py _processor OSError":
+        "solver/test_solver_fall_backs.py::test_a_processor_without_a_file_of_its_name_has_that_of_the_platform",
+    "solver/cost/calibration.py calibration (OSError, ValueError, KeyError, TypeError)":
+        "solver/test_solver_fall_backs.py::test_where_nothing_can_be_kept_the_speed_is_measured_each_time",
+    "solver/cost/calibration.py calibration OSError":
+        "solver/test_solver_fall_backs.py::test_where_nothing_can_be_kept_the_speed_is_measured_each_time",
+    "solver/cost/expected_motion.py course_if_any ValueError":
+        "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
+    "solver/cost/expected_motion.py motion ValueError":
+        "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
+    "solver/estimate.py Estimate._with TypeError":
+        "solver/test_solver_fall_backs.py::test_an_estimate_is_no_number_beside_what_is_none",
+    "solver/grid_sequence.py GridSequence._compare_windows KernelError":
+        "solver/test_memory.py::test_a_wider_window_beyond_memory_ends_the_grid_sequence",
+    "solver/grid_sequence.py GridSequence._refine KernelError":
+        "solver/test_memory.py::test_a_finer_grid_beyond_memory_ends_the_grid_sequence",
+    "solver/newton.py newton_step KernelError":
+        "solver/test_solver_fall_backs.py::test_a_newton_step_that_does_not_descend_is_none_and_other_failures_are_raised",
+    "solver/transient/course.py _at ValueError":
+        "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
+    "solver/transient/course.py _predicted ValueError":
+        "solver/test_solver_fall_backs.py::test_a_contact_at_rest_is_no_knot_of_a_course",
+    "solver/transient/lifts.py moving_lifts LostError":
+        "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
+    "solver/transient/lifts.py steady_lift LostError":
+        "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
+    "solver/transient/march.py _begun LostError":
+        "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
+    "solver/transient/march.py _reached LostError":
+        "solver/test_solver_fall_backs.py::test_a_step_that_is_lost_is_halved",
+    "solver/transient/march.py _through LostError":
+        "solver/test_solver_fall_backs.py::test_films_before_one_that_is_lost_are_kept_with_the_reason",
+    "solver/transient/march.py _told KernelError":
+        "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
+    "solver/transient/march.py _told ValueError":
+        "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
+    "solver/transient/march.py march LostError":
+        "solver/test_coming_together.py::test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one",
+    "solver/transient/march.py march LostError 2":
+        "solver/test_solver_fall_backs.py::test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_kept",
+    "solver/transient/transient.py finer LostError":
+        "solver/test_solver_fall_backs.py::test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are",
+    "solver/transient/transient.py rates_at_present (LostError, ValueError)":
+        "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
+}  # fmt: skip
+"""Each `except` and `suppress` by file, function and exceptions -> a test that reaches it."""
+
+ELSEWHERE = ("batch/cluster.py cluster CancelledError", "batch/cluster.py _watch Exception")
+"""Those that are reached in processes that their tests start, where nobody looks."""
+
+
+def test_each_fall_back_names_a_test_that_makes_it_happen():
+    assert sorted(MADE_BY) == sorted(all_handlers())
+    for node in set(MADE_BY.values()):
+        file, name = node.split("::")
+        defined = ast.parse((TESTS / file).read_text()).body
+        assert name in {of.name for of in defined if isinstance(of, ast.FunctionDef)}, node
+
+
+def _by_test_file() -> dict[str, dict[str, str]]:
+    files = defaultdict(dict)
+    for name, node in MADE_BY.items():
+        if name not in ELSEWHERE:
+            files[node.split("::")[0]][name] = node
+    return dict(files)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("file", sorted(_by_test_file()))
+def test_the_named_tests_reach_their_fall_backs(file, tmp_path):
+    wanted, told = _by_test_file()[file], tmp_path / "reached.txt"
+    nodes = [str(TESTS / node) for node in sorted(set(wanted.values()))]
+    run = [sys.executable, "-m", "pytest", "-q", "-m", "", "-p", "handlers", *nodes]
+    paths = os.pathsep.join((str(TESTS.parent / "support"), os.environ.get("PYTHONPATH", "")))
+    environment = os.environ | {REACHED: str(told), "PYTHONPATH": paths}
+    subprocess.run(run, cwd=TESTS.parents[1], env=environment, check=True, capture_output=True)
+    reached = {line.split("\t")[0] for line in told.read_text().splitlines()}
+    assert set(wanted) <= reached
