@@ -79,7 +79,7 @@ def test_a_finer_grid_beyond_memory_ends_the_grid_sequence(monkeypatch):
     assert solution.figures.film_min.value > 0
     reached = solution.fields.sizes
     finer = f"{2 * reached['x'] - 1} x {2 * reached['y'] - 1} nodes take "
-    assert solution.stop_reason.startswith(finer)
+    assert f": {finer}" in solution.stop_reason
     fits = [int(word) for word in solution.stop_reason.rpartition(" has ")[2].split(" x ")]
     assert memory.needed(fits[0] * fits[1], plan.model) <= enough
     assert fits[0] > reached["x"] and fits[1] > reached["y"]
