@@ -102,7 +102,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
-    """What a run found, under `--json`; `stop_reason` where a contact has no converged solution."""
+    """What a run found, under `--json`; `stop_reason` where a contact lacks the accuracy asked for."""
     from pyworm.ratings.heating import heating_of
     from pyworm.ratings.standard_loss import standard_loss
     from pyworm.result.mesh_cycle import drive_cycle
