@@ -1,14 +1,15 @@
 """Whether error bars hold: random scenes at 2 %, all figures against finer grids in a wider window.
 
-Scenes are those of `tests/hard/draws.py`, COUNT isothermal and as many thermal ones of each seed. The truth
-is Richardson's limit over grids down to a quarter of the solution's spacing, half of it with heat (as far as
-MOST_NODES allows), in a window of twice the reach, with more levels across the film, corrected for the end of
-that window: by the power with which a film's error falls, and of temperatures by windows of four and eight
-times the reach on a coarse grid and by how their changes fall. It may be off by the limit's own uncertainty
+Scenes are those of `tests/hard/draws.py`, COUNT of each kind and seed: isothermal and thermal points, thermal
+lines, and both between bodies 10 K colder to 40 K warmer than the oil supplied. The truth is Richardson's
+limit over grids down to a quarter of the solution's spacing, half of it with heat (as far as MOST_NODES
+allows), in a window of twice the reach, with more levels across the film, corrected for the end of that
+window: by the power with which a film's error falls, and of temperatures by windows of four and eight times
+the reach on a coarse grid and by how their changes fall. It may be off by the limit's own uncertainty
 (`pyworm.precision.limits`) and half of what no window shows; a bar is judged where that is below half of it.
 From the repository's root:
 
-    python benchmarks/accuracy/error_bars.py [COUNT [SEED ...]]
+    python benchmarks/accuracy/error_bars.py [--kinds KIND,...] [COUNT [SEED ...]]
 
 Truths, by far the most of the work, are kept in results/truths.csv, which serves later runs whose bars are
 told in another way; what was found in results/error_bars.csv. The next run goes on from there.
@@ -16,6 +17,7 @@ told in another way; what was found in results/error_bars.csv. The next run goes
 
 import csv
 import sys
+from argparse import ArgumentParser
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import count, product
@@ -29,6 +31,7 @@ import pyworm
 from pyworm.batch.task import Task
 from pyworm.case.case import case_of
 from pyworm.planning.grid import Grid, nest
+from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.precision.extrapolation import limit
@@ -38,16 +41,22 @@ from pyworm.solver.grid_sequence import SOLVERS
 from pyworm.solver.newton import ALGEBRA_FRACTION, settle
 
 sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
-from draws import DRAWS, Drawn
+from draws import JUDGED_DRAWS, Drawn
 
 ACCURACY = 0.02
 EXACT = 0.1
 """Accuracy of the truth's levels and algebra over that of the solution."""
 
-EFFECTS = {"isothermal": "isothermal", "thermal": "all"}
-MOST_NODES = {"isothermal": 3_000_000, "thermal": 1_000_000}
-FINER = {"isothermal": 0.3, "thermal": 0.6}
+EFFECTS = dict.fromkeys(JUDGED_DRAWS, "all") | {"isothermal": "isothermal"}
+MOST_NODES = dict.fromkeys(("thermal-line", "warm-line"), 20_000) | {
+    "isothermal": 3_000_000,
+    **dict.fromkeys(("thermal", "warm"), 1_000_000),
+}
+FINER = dict.fromkeys(JUDGED_DRAWS, 0.6) | {"isothermal": 0.3}
 """Spacing of the truth's last grid over the solution's."""
+
+MOST_LEVELS = 13
+"""Levels across a heated film of the truth."""
 
 LEFT = 2**-1.5
 """Share of a film's error by its window that is left when the reach is doubled (`docs/theory/film.md`)."""
@@ -95,9 +104,14 @@ def refined(
         level, _ = solver.refined(level)
 
 
-def farther(plan: Plan) -> Iterator[tuple[Grid, ...]]:
+def farther(plan: Plan) -> Iterator[tuple[Grid | LineGrid, ...]]:
     """The plan's grids to windows of about four and eight times the reach, in which gaps rise as squares."""
     for growth in (2**0.5, 2.0):
+        if isinstance(plan.grids[-1], LineGrid):
+            wide = plan.wider_grids[-1]  # oil enters at its first node
+            first = round(growth * wide.first)
+            yield (LineGrid(wide.dx, first, wide.nodes + wide.first - first),)
+            continue
         inner, outer = (
             tuple(growth * side for side in plan.wider_grids[place].box) for place in (-1, 0)
         )
@@ -153,6 +167,8 @@ def truth_of(task: Task, solution: pyworm.Solution, kind: str) -> Truth:
     exact = pyworm.plan(task.scene, EXACT * ACCURACY, EFFECTS[kind])
     # temperatures of films that hardly warm are settled too
     exact = replace(exact, aim=replace(exact.aim, warmth=0.0))
+    if exact.model.heated:
+        exact = replace(exact, model=replace(exact.model, levels=MOST_LEVELS))
     x = solution.fields.x.values
     return truth(exact.simplified(task.scene), exact, float(x[1] - x[0]), kind)
 
@@ -167,18 +183,17 @@ def judged(scene: str, kind: str, drawn: Drawn, truths: dict[str, Truth]) -> Ite
     real = truths[scene]
     for name in FIGURES:
         bar = getattr(solution.figures, name)
-        zero = solution.inlet_temperature if name.startswith("temperature") else 0.0
         # friction without sliding has no size
-        if bar is None or bar.value == zero:
+        if bar is None or bar.value == bar.datum:
             continue
-        size = abs(bar.value - zero)
+        size = abs(bar.value - bar.datum)
         value, unsure = real.get(name, (nan, nan))
         yield {
             "scene": scene,
             "figure": name,
             "converged": solution.converged,
             "bar": bar.error,
-            "error": abs(bar.value - zero - value) / size,
+            "error": abs(bar.value - bar.datum - value) / size,
             "unsure": unsure / size,
             "reason": bar.reason or "",
         }
@@ -233,6 +248,11 @@ def judgeable(row: dict) -> bool:
     return bool(row["reason"]) or row["unsure"] <= KNOWN * row["bar"] < inf
 
 
+def of_kind(rows: list[dict], kind: str) -> list[dict]:
+    """Rows of scenes of one kind."""
+    return [row for row in rows if row["scene"].startswith(f"{kind}:")]
+
+
 def by_figure(rows: list[dict]) -> list[list[str]]:
     """A row for each figure: how many bars of converged solutions hold, and errors over bars."""
     table = [["figure", "bars", "judged", "hold", "of these no bar", "median error/bar", "largest"]]
@@ -285,16 +305,23 @@ def by_scene(rows: list[dict]) -> list[list[str]]:
 
 
 def main() -> None:
-    number, *seeds = (int(word) for word in sys.argv[1:] or ("15", "1", "2"))
+    parser = ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("count", type=int, nargs="?", default=15)
+    parser.add_argument("seeds", type=int, nargs="*", default=[1, 2])
+    parser.add_argument("--kinds", default=",".join(EFFECTS))
+    asked = parser.parse_args()
+    kinds = asked.kinds.split(",")
     rows, truths = saved(), saved_truths()
-    for seed, place, kind in product(seeds, range(number), EFFECTS):
+    for seed, place, kind in product(asked.seeds, range(asked.count), kinds):
         scene = f"{kind}:{place} of {seed}"
         if any(row["scene"] == scene for row in rows):
             continue
-        rows += judged(scene, kind, DRAWS[kind](place, seed), truths)
+        rows += judged(scene, kind, JUDGED_DRAWS[kind](place, seed), truths)
         save(rows)
         print(*by_scene([row for row in rows if row["scene"] == scene])[1], sep="  ", flush=True)
-    print(markdown(by_figure(rows)), markdown(by_scene(rows)), sep="\n\n")
+    for kind in kinds:
+        print(f"**{kind}**", markdown(by_figure(of_kind(rows, kind))), sep="\n\n", end="\n\n")
+    print(markdown(by_scene(rows)))
 
 
 if __name__ == "__main__":

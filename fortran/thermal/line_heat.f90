@@ -15,7 +15,7 @@ module pyworm_line_heat
   use pyworm_strip_of_points, only: shear_strip, new_shear_strip
   use pyworm_status, only: status_ok, status_bad_argument, status_no_memory
   use pyworm_thermal_properties, only: oil_heat_law
-  use pyworm_thermal_step, only: film_heat, thermal_contact, new_film_heat, set_walls
+  use pyworm_thermal_step, only: film_heat, thermal_contact, new_film_heat, enclose_film
   implicit none(type, external)
   private
 
@@ -68,7 +68,6 @@ contains
     real(wp), intent(in) :: u1(:), bulk(2)
     class(heated_body), allocatable, intent(inout) :: body_1, body_2
     integer, intent(out) :: stat
-    real(wp) :: change
     integer :: n, levels, i, err
 
     n = film%grid%n
@@ -91,7 +90,7 @@ contains
     do i = 0, ubound(self%shear, 1)
       if (stat == status_ok) call new_shear_strip(most_columns, levels, self%shear(i), stat)
     end do
-    if (stat == status_ok) call set_walls(film, self, 0.0_wp, change)
+    if (stat == status_ok) call enclose_film(film, self)
   end subroutine new_line_heat
 
   !> Adds heat to a line contact whose film is already sheared; arguments as of `new_line_heat`.

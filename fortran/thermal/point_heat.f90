@@ -13,7 +13,7 @@ module pyworm_point_heat
   use pyworm_status, only: status_ok, status_bad_argument
   use pyworm_sweep_order, only: sweep_frame, new_sweep_frame, from_sweep
   use pyworm_thermal_properties, only: oil_heat_law
-  use pyworm_thermal_step, only: film_heat, thermal_contact, new_film_heat, set_walls
+  use pyworm_thermal_step, only: film_heat, thermal_contact, new_film_heat, enclose_film
   implicit none(type, external)
   private
 
@@ -54,7 +54,6 @@ contains
     class(heated_body), allocatable, intent(inout) :: body_1, body_2
     integer, intent(out) :: stat
     type(sweep_frame) :: with_oil, across_it
-    real(wp) :: change
 
     self%judged_pressure = judged_pressure
     self%wall_tolerance = wall_tolerance
@@ -67,7 +66,7 @@ contains
     call new_swept_columns(self%main, film, with_oil, .false., u1, v1, stat)
     if (stat == status_ok) call new_swept_columns(self%aside, film, across_it, .true., u1, v1, stat)
     if (stat == status_ok) call new_column_work(self%threads, film, stat)
-    if (stat == status_ok) call set_walls(film, self, 0.0_wp, change)
+    if (stat == status_ok) call enclose_film(film, self)
   end subroutine new_point_heat
 
   !> Gives a point contact whose film is already sheared its heat; for the arguments see `new_point_heat`.

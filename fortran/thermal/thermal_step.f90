@@ -21,7 +21,7 @@ module pyworm_thermal_step
   implicit none(type, external)
   private
 
-  public :: film_heat, thermal_contact, new_film_heat, set_walls, heated_step, heat_sweep, start_temperature
+  public :: film_heat, thermal_contact, new_film_heat, enclose_film, heated_step, heat_sweep, start_temperature
 
   !> Least relaxation factor of a sweep's change.
   real(wp), parameter :: least_fraction = 0.125_wp
@@ -101,7 +101,7 @@ module pyworm_thermal_step
 
 contains
 
-  !> Makes the base of the heat of a sheared film; `set_walls` then sets its temperature.
+  !> Makes the base of the heat of a sheared film; `enclose_film` then sets its temperature.
   !>
   !> The bodies move into the walls, `bulk` being their temperature far below the surface, above the inlet's [K];
   !> `most_iterations` bounds the Krylov iterations of one balance of the walls.
@@ -126,6 +126,16 @@ contains
     self%before = 0
     self%wanted = 0
   end subroutine new_film_heat
+
+  !> Gives a film without heat the temperature of its walls before the contact, and that of oil that was with them for long.
+  subroutine enclose_film(film, heat)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(in) :: heat
+    real(wp) :: change
+
+    call set_walls(film, heat, 0.0_wp, change)
+    call admit_oil(film, heat)
+  end subroutine enclose_film
 
   !> Makes one Newton step of the film from (p, h0), at which it was last evaluated, one sweep of heat at the new film,
   !> and evaluates the film's balance there.
@@ -292,6 +302,7 @@ contains
       end do
     end associate
     call set_walls(film, heat, 0.0_wp, change)
+    call admit_oil(film, heat)
   end subroutine judge_temperature
 
   !> Starts from a temperature above the inlet's [K]: what sweeps before changed says nothing of those to come.
@@ -313,10 +324,30 @@ contains
     film%shear%nodes%rise(:, :, :) = rise
     heat%walls%wall(:, :, 1) = rise(:, :, 1)
     heat%walls%wall(:, :, 2) = rise(:, :, size(rise, 3))
+    call admit_oil(film, heat)
   end subroutine set_temperature
 
-  !> Sets the film's walls to those of the balance; the levels between change as by conduction alone. On the outline the
-  !> film has the inlet's temperature. `change` is the largest of a wall [K] where the pressure exceeds `least` [Pa].
+  !> Sets the temperature on the outline, with which oil enters: it comes in layers that were with the walls for long, and
+  !> are as warm as these before the contact; between the walls it changes as by conduction.
+  subroutine admit_oil(film, heat)
+    class(film_contact), intent(inout) :: film
+    class(film_heat), intent(in) :: heat
+    real(wp) :: entering
+    integer :: k, nx
+
+    nx = size(film%gap, 1)
+    associate (rise => film%shear%nodes%rise, levels => film%shear%nodes%levels, body => heat%walls%body)
+      do k = 2, levels%count - 1
+        entering = (0.5_wp - levels%z(k))*body(1)%bulk + (0.5_wp + levels%z(k))*body(2)%bulk
+        rise([1, nx], :, k) = entering
+        rise(:, :first_row(film) - 1, k) = entering
+        rise(:, last_row(film) + 1:, k) = entering
+      end do
+    end associate
+  end subroutine admit_oil
+
+  !> Sets the film's walls to those of the balance; the levels between change as by conduction alone, but for those on the
+  !> outline (`admit_oil`). `change` is the largest of a wall [K] where the pressure exceeds `least` [Pa].
   subroutine set_walls(film, heat, least, change)
     class(film_contact), intent(inout) :: film
     class(film_heat), intent(in) :: heat

@@ -116,7 +116,7 @@ def _tables(named: NamedOil, temperature: float) -> dict[str, dict[str, Any]]:
     viscosity = {"eta0": oil.viscosity.eta0, "alpha": float(named.alpha(temperature))}
     flow = {key: getattr(oil.flow, key) for key in ("stress", "limit", "limit_pressure")}
     heat = asdict(oil.thermal) | {"beta": float(named.viscosity_slope(temperature))}
-    del heat["viscosity_exponent"]
+    del heat["viscosity_exponent"], heat["supply_temperature"]
     return {
         "viscosity": {"law": "roelands", **_written(viscosity)},
         "density": {"law": "general", **_written(asdict(oil.density))},

@@ -13,7 +13,8 @@ from pyworm.io.given import kind_of, number, take
 class OilHeat:
     """Thermal laws of an oil, those of the Appendix of Sharif et al. (2001).
 
-    T0 is the inlet temperature, rho0 and eta0 are density and viscosity there at ambient pressure. Viscosity
+    T0 is the inlet temperature, at which oil enters a contact, rho0 and eta0 are density and viscosity there
+    at ambient pressure. Viscosity
     falls by Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138 K)/(T0 - 138 K))^-s0 - 1]}
     (equation 20), or by Barus' law with eta0 exp(alpha p - beta (T - T0)).
 
@@ -34,6 +35,9 @@ class OilHeat:
     expansivity, expansivity_decay : float
         eps0 [1/K] and lambda [1/Pa] of the expansivity eps = eps0 exp(-lambda p), by which the density is
         rho(p) [1 - eps (T - T0)].
+    supply_temperature : float or None
+        Temperature of the oil before it met bodies of another one, which it has taken since [K]; None where
+        it is the inlet's.
     """
 
     inlet_temperature: float
@@ -49,6 +53,7 @@ class OilHeat:
     heat_capacity_b2: float = 0.0
     heat_capacity_k1: float = 0.0
     heat_capacity_k2: float = 0.0
+    supply_temperature: float | None = None
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "inlet_temperature": units.Temperature,

@@ -42,6 +42,6 @@ class Aim:
         return max(errors[name] * self._weight(name, figures[name]) for name in self.figures)
 
     def _weight(self, name: str, value: float) -> float:
-        if name not in HEAT_FIGURES or value >= self.warmth:
+        if name not in HEAT_FIGURES or abs(value) >= self.warmth:
             return 1.0
-        return max(value, 0.0) / self.warmth
+        return abs(value) / self.warmth

@@ -138,10 +138,7 @@ def _draw(
     good = [one for one in life.solutions if one.converged]
     estimates = [getattr(one.figures, name) for one in good]
     heat = name.startswith("temperature")
-    sizes = [
-        of.value - one.inlet_temperature if heat else of.value
-        for of, one in zip(estimates, good, strict=True)
-    ]
+    sizes = [one.rise(of) if heat else of.value for of, one in zip(estimates, good, strict=True)]
     axes.errorbar(
         [life.seconds[-1] / MILLI_SECOND if one.phase is None else one.phase for one in good],
         [of.value * scale + offset for of in estimates],

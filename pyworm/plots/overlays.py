@@ -168,7 +168,6 @@ def draw_largest_temperatures(
     bodies : tuple of str
         What the bodies are called.
     """
-    inlet = np.array([solution.inlet_temperature for solution in solutions])
     for name, label, colour in (
         ("temperature_max_body_1", bodies[0], "tab:blue"),
         ("temperature_max_body_2", bodies[1], "tab:orange"),
@@ -177,7 +176,9 @@ def draw_largest_temperatures(
         estimates = [getattr(solution.figures, name) for solution in solutions]
         hottest = with_gaps(solutions, [estimate.value for estimate in estimates])
         style = {"fmt": "o-", "color": colour, "capsize": 3, "label": label}
-        draw_estimates(axes, places, hottest - ZERO_CELSIUS, hottest - inlet, estimates, **style)
+        rises = np.array([one.rise(of) for one, of in zip(solutions, estimates, strict=True)])
+        draw_estimates(axes, places, hottest - ZERO_CELSIUS, rises, estimates, **style)
+    inlet = np.array([solution.inlet_temperature for solution in solutions])
     axes.plot(places, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
     mark_gaps(axes, places, solutions)
     low, high = axes.get_ylim()

@@ -215,11 +215,7 @@ def _extreme(
     one = pick(solutions, key=lambda solution: getattr(solution.figures, name).value)
     estimate: Estimate = getattr(one.figures, name)
     heat = name.startswith("temperature")
-    size = (
-        estimate.value - present(one.inlet_temperature, "inlet_temperature")
-        if heat
-        else estimate.value
-    )
+    size = one.rise(estimate) if heat else estimate.value
     at = None if place is None else flank_place(one, *place(one))
     model = None if estimate.model is None else estimate.model * abs(size)
     return Extreme(

@@ -16,6 +16,7 @@ from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds, require_oil
 from pyworm.materials.rough_surfaces import rough_pair
 from pyworm.scene.life import Past
+from pyworm.scene.oil_arrival import arriving
 
 if TYPE_CHECKING:
     from pyworm.materials.roughness_assumptions import RoughSurfaces
@@ -50,7 +51,8 @@ class Contact(Shown, ABC):
     bodies : tuple of Body
         Body 1 and body 2; where the oil has heat, as warm as it is at the inlet unless they say otherwise.
     oil : Oil
-        The oil at its inlet temperature.
+        The oil at its inlet temperature: the mean of the bodies' where it has heat, whatever it was before it
+        met them (`pyworm.scene.oil_arrival`).
     phase : float or None
         Place in the mesh cycle, 0 to 1; None outside a drive.
     slide_roll_ratio : float or None
@@ -128,6 +130,7 @@ class Contact(Shown, ABC):
             inlet = self.oil.heat.inlet_temperature
             bodies = tuple(body.warm_at(inlet) for body in self.bodies)
             object.__setattr__(self, "bodies", bodies)
+            object.__setattr__(self, "oil", arriving(self.oil, bodies))
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the contact in words."""
@@ -178,6 +181,14 @@ class Contact(Shown, ABC):
     def reduced_modulus(self) -> float:
         """Reduced modulus E' of the two bodies [Pa]."""
         return reduced_modulus(*self.bodies)
+
+    @property
+    def coldest(self) -> float:
+        """Bulk temperature of the colder body above the inlet's [K]: zero or less; 0 where none is known."""
+        if self.oil.heat is None:
+            return 0.0
+        coldest = min(body.bulk_temperature for body in self.bodies)
+        return coldest - self.oil.heat.inlet_temperature
 
     @property
     def composite_roughness(self) -> float | None:

@@ -5,7 +5,7 @@ reads figures and fields from the last one. `pyworm.solver.grid_sequence` decide
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from math import hypot, log2, sqrt
 from typing import Any, ClassVar, Generic, TypeVar
@@ -13,6 +13,8 @@ from typing import Any, ClassVar, Generic, TypeVar
 from pyworm.io.present import present
 from pyworm.kernel import DryContact
 from pyworm.kernel.film import SLIP_STEP
+from pyworm.kernel.interpolation import at_levels
+from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.planning.discretisation import PLANS
 from pyworm.planning.expected_work import Kind
@@ -25,6 +27,7 @@ from pyworm.scene.point import Scene
 from pyworm.scene.scales import LineScales, Scales
 from pyworm.scene.waves import moving_waves
 from pyworm.solver import figures as figures_of_grid
+from pyworm.solver.arrival_uncertainty import arrival_uncertainty
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
@@ -116,7 +119,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         self._rough = scene.rough_pair if plan.model.rough else None
         self._curves = None if self._rough is None else self._rough.curves()
         self.origins = (
-            dict.fromkeys(HEAT_FIGURES, scene.oil.thermal.inlet_temperature)
+            dict.fromkeys(HEAT_FIGURES, scene.oil.thermal.inlet_temperature + scene.coldest)
             if self._model.heated
             else {}
         )
@@ -173,8 +176,13 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """The level of half the spacing in the same window, started from the dry contact."""
 
     @abstractmethod
-    def _warm(self, level: LevelT, rise: Array | None) -> None:
-        """Add heat to a sheared film, from a rise over the inlet temperature [K]; it must be restarted."""
+    def _warm(
+        self, level: LevelT, rise: Array | None, bodies: tuple[Body, Body] | None = None
+    ) -> None:
+        """Add heat to a sheared film between its own bodies or others; it must be restarted.
+
+        It begins with a rise over the inlet temperature [K].
+        """
 
     @abstractmethod
     def _mass_error(self, level: LevelT) -> float:
@@ -371,9 +379,11 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         if self._curves is not None:
             level.film.roughen(self._curves, self._scene.boundary_friction)
 
-    def _heat(self, level: LevelT, rise: Array | None) -> None:
+    def _heat(
+        self, level: LevelT, rise: Array | None, bodies: tuple[Body, Body] | None = None
+    ) -> None:
         """Add heat from an initial rise, with what surfaces remember and oil stores of films before."""
-        self._warm(level, rise)
+        self._warm(level, None if rise is None else at_levels(rise, level.film.levels), bodies)
         term = level.transient_term
         if term is None:
             return
@@ -434,13 +444,18 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         return film, abs(fine - coarse) / (3 * film), density
 
     def uncertainties(self, level: LevelT) -> dict[str, float]:
-        """Relative model uncertainty of the figures of a converged film: by its oil, and by roughness."""
-        scene = self._scene
-        by_oil = oil_uncertainty(scene)
-        if self._rough is None:
-            return by_oil
-        rough = self._roughness_uncertainty(level)
-        return {name: hypot(value, by_oil.get(name, 0.0)) for name, value in rough.items()}
+        """Relative model uncertainty of the figures of a converged film; empty where nothing is assumed.
+
+        It is that by its oil's constants, by averaged roughness, and by the temperature of oil that arrives
+        between warmer or colder bodies.
+        """
+        of_models = [oil_uncertainty(self._scene)]
+        if self._rough is not None:
+            of_models.append(self._roughness_uncertainty(level))
+        if self._model.heated and self._scene.oil.thermal.supply_temperature is not None:
+            of_models.append(arrival_uncertainty(level, self._warm_between(level)))
+        names = {name: None for of in of_models for name in of}
+        return {name: hypot(*(of.get(name, 0.0) for of in of_models)) for name in names}
 
     def _roughness_uncertainty(self, level: LevelT) -> dict[str, float]:
         scene, half_width = self._scene, predicted(self._scene).half_width
@@ -448,6 +463,15 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         return roughness_uncertainty(
             level, present(self._rough, "roughness"), scene.boundary_friction, waves
         )
+
+    def _warm_between(self, level: LevelT) -> Callable[[tuple[Body, Body], InitialGuess], None]:
+        """Heats a level between other bodies, from a guess."""
+
+        def warm(bodies: tuple[Body, Body], guess: InitialGuess) -> None:
+            self._heat(level, guess.rise, bodies)
+            level.film.start(guess.pressure, guess.rigid_film, guess.oil)
+
+        return warm
 
     def _dry(self, level: LevelT) -> DryContact | None:
         """The dry contact on the grid of a level; None where it is Hertz's in closed form."""

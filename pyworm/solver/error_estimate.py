@@ -40,7 +40,7 @@ class Reading:
         Resolution of the figures that are largest values of fields, by name.
     further : dict
         Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), temperatures above
-        the inlet's [K].
+        the colder body's bulk temperature [K].
     """
 
     film_min: float

@@ -36,11 +36,13 @@ class Estimate:
         The figure on the finest grid in its window, to which the fields belong; None where it is not known
         apart.
     datum : float
-        What the error is relative to the distance from: of temperatures the inlet's [K], else zero.
+        What the error is relative to the distance from: of temperatures that of the colder body before the
+        contact [K], else zero.
     model : float or None
-        Relative uncertainty by the assumptions of averaged roughness (`roughness_uncertainty`) and, of
-        films, by a pressure-viscosity coefficient that was not measured (`oil_uncertainty`), no part of
-        `error`; None where there is neither.
+        Relative uncertainty by the assumptions of averaged roughness (`roughness_uncertainty`), by the
+        temperature of the oil that arrives between bodies of another one than its supply's
+        (`arrival_uncertainty`) and, of films, by a pressure-viscosity coefficient that was not measured
+        (`oil_uncertainty`), no part of `error`; None where there is none of these.
     """
 
     value: float

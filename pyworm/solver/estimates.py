@@ -52,7 +52,7 @@ def estimates(
     approximations : mapping
         Relative error of each figure by the levels across the film and by the integration in time.
     uncertainties : mapping
-        Relative model uncertainty of figures: by roughness where it is simulated, and by the oil's constants.
+        Relative uncertainty of each figure by the assumptions of its model; empty where there are none.
     """
     limits = grid_limits(readings or [settled.reading], solver.convergence)
     grid = {name: of.error for name, of in limits.items()}

@@ -6,6 +6,7 @@ estimate the errors; stop, or halve the spacing.
 
 from collections.abc import Mapping
 from dataclasses import asdict
+from math import inf
 from typing import Any, cast
 
 from pyworm.io.progress import Progress
@@ -22,6 +23,7 @@ from pyworm.solver.error_estimate import Reading
 from pyworm.solver.estimates import estimates
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
+from pyworm.solver.levels_across import UNJUDGED, enough_levels, is_hot
 from pyworm.solver.memory import NoMemoryError, shortage
 from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, settle
 from pyworm.solver.prospect import refusal
@@ -83,6 +85,8 @@ class GridSequence:
         self._readings: list[Reading] = []
         self._window: dict[str, WindowLimit] = {}
         self._uncertainties: dict[str, float] = {}
+        self._levels_errors: dict[str, float] | None = None
+        self._unjudged = False
         self._steps: list[NewtonStep] = []
         self._unsettled = self._refinements = 0
 
@@ -145,6 +149,9 @@ class GridSequence:
             plan, self._readings, self._solver.convergence.orders, self._level.grid.finer()
         )
         if film_is_sound(self._level, self._settled, plan):
+            if self._levels_errors is None:
+                self._add_levels()
+                plan = self._plan
             if not self._uncertainties:
                 self._uncertainties = self._solver.uncertainties(self._level)
             if reason is None and plan.wider_grids and not self._window:
@@ -152,6 +159,27 @@ class GridSequence:
         return reason or stop_reason(
             self._level, self._settled, self._estimates(), self._unsettled, plan
         )
+
+    def _add_levels(self) -> None:
+        """Give the film more levels across it if it is so hot that the planned ones may not do.
+
+        Where no film with more levels is found the next grids are tried, before which no error is known.
+        """
+        figures = self._settled.reading.figures
+        if not (self._plan.model.heated and is_hot(self._scene, figures)):
+            self._levels_errors = {}
+            return
+        found = enough_levels(self._plan, self._level, self._settled, self._transient)
+        if found is None:
+            self._unjudged = self._refinements < MOST_RETRIES
+            if not self._unjudged:
+                self._levels_errors = dict.fromkeys(figures, UNJUDGED)
+            return
+        self._unjudged = False
+        self._plan, self._solver, self._level = found.plan, found.solver, found.level
+        self._steps += found.settled.steps
+        self._settled, self._readings = found.settled, [found.settled.reading]
+        self._levels_errors = found.errors
 
     def _refine(self) -> str | None:
         """Halve the spacing and settle the film; returns the reason if that is not possible, or None."""
@@ -296,8 +324,12 @@ class GridSequence:
     def _approximations(self) -> dict[str, float]:
         """Relative error of each figure by the levels across the film and by the integration in time."""
         past = {} if self._transient is None else self._transient.errors
-        figures = self._settled.reading.figures
-        return {name: self._plan.model.level_error + past.get(name, 0.0) for name in figures}
+        known = self._levels_errors or {}
+        planned = inf if self._unjudged else self._plan.model.level_error
+        return {
+            name: known.get(name, planned) + past.get(name, 0.0)
+            for name in self._settled.reading.figures
+        }
 
     def _tell(self, what: str, fraction: float) -> None:
         self._progress(f"{self._scene.name}: {what}", fraction)

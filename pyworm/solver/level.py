@@ -153,24 +153,30 @@ class Level(ABC):
             pressure_max,
             at,
             {},
-            self._sheared(self.contact()) | self._temperatures(),
+            self._sheared(self.share_of_contact()) | self._temperatures(),
         )
 
     def rubbed(self, nodes: Array) -> dict[str, float]:
         """Friction and loss, as far as they are known, of those nodes of the contact that are among some."""
-        found = self._sheared(self.contact() & nodes)
+        found = self._sheared(self.share_of_contact() * nodes)
         return {name: found[name] for name in RUBBED if name in found}
 
-    def _sheared(self, within: Array) -> dict[str, float]:
-        """Figures of the shear of the film and of its asperities at some nodes."""
-        return self._rough_figures(self._shear_figures(within), within)
+    def _sheared(self, shares: Array) -> dict[str, float]:
+        """Figures of the shear of the film and of its asperities over shares of the nodes' cells."""
+        return self._rough_figures(self._shear_figures(shares), shares)
 
     def peaks(self, reading: Reading) -> dict[str, Peak]:
         """Resolution, on the grid, of the largest values that were read in the film's present state."""
-        fields = {"pressure_max": (self.film.pressure, self.covered)} | self._temperature_fields()
+        pressure, heat = (
+            {"pressure_max": (self.film.pressure, self.covered)},
+            self._temperature_fields(),
+        )
         return {
-            name: figures.peak(field, counted, reading.figures[name])
-            for name, (field, counted) in fields.items()
+            name: figures.peak(field - start, counted, reading.figures[name])
+            for name, (field, counted, start) in (
+                *((name, (*of, 0.0)) for name, of in pressure.items()),
+                *((name, (*of, self.scene.coldest)) for name, of in heat.items()),
+            )
         }
 
     def borne(self) -> Array:
@@ -191,6 +197,21 @@ class Level(ABC):
     def contact(self) -> Array:
         """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
         return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+
+    def share_of_contact(self) -> Array:
+        """Share of each node's cell that belongs to the contact [-], where pressure is linear about the node.
+
+        Sums over whole cells would jump by one at an edge as the pressure there changes a little.
+        """
+        pressure = self.film.pressure
+        above = pressure - CONTACT_PRESSURE * pressure.max()
+        slopes = np.gradient(pressure)
+        across = np.abs(slopes) if pressure.ndim == 1 else np.abs(slopes).sum(axis=0)
+        half = across / 2
+        crossed = self.covered & (np.abs(above) < half)
+        shares = np.where(self.covered & (above > 0), 1.0, 0.0)
+        shares[crossed] = 0.5 + above[crossed] / across[crossed]
+        return shares
 
     def carried(self) -> float:
         """Load that the film carries: the scene's, or where surfaces are held apart the pressure's."""
@@ -231,19 +252,19 @@ class Level(ABC):
             (slopes,) if pressure.ndim == 1 else slopes,
         )
 
-    def _shear_figures(self, within: Array) -> dict[str, float]:
+    def _shear_figures(self, shares: Array) -> dict[str, float]:
         shear = self._shear()
         if shear is None:
             return {}
         return {
-            "friction_coefficient": self._friction(shear.stress, within),
-            "power_loss": float(shear.friction[within].sum()) * self.grid.cell,
-            "shear_rate_max": float(shear.rate[within].max(initial=0.0)),
+            "friction_coefficient": self._friction(shear.stress, shares),
+            "power_loss": float((shares * shear.friction).sum()) * self.grid.cell,
+            "shear_rate_max": float(shear.rate[self.contact() & (shares > 0)].max(initial=0.0)),
         }
 
-    def _friction(self, stress: Sequence[Array], within: Array) -> float:
+    def _friction(self, stress: Sequence[Array], shares: Array) -> float:
         """Friction coefficient of stresses [Pa] on body 1, along the sliding at the contact point."""
-        force = [float(component[within].sum()) * self.grid.cell for component in stress]
+        force = [float((shares * component).sum()) * self.grid.cell for component in stress]
         # without any sliding friction has no direction, and no size
         origin = [np.array(0.0) for _ in force]
         sliding = [float(component) for component in self.scene.sliding_at(*origin)]
@@ -251,8 +272,11 @@ class Level(ABC):
         friction = -float(np.dot(force, sliding)) / speed if speed > 0 else 0.0
         return friction / max(self.carried(), LEAST_LOAD)
 
-    def _rough_figures(self, shear: dict[str, float], within: Array) -> dict[str, float]:
-        """Figures of asperities, and those of the film's `shear` with what asperities add at some nodes."""
+    def _rough_figures(self, shear: dict[str, float], shares: Array) -> dict[str, float]:
+        """Figures of asperities, and those of the film's `shear` with what asperities add to them.
+
+        They are over shares of the nodes' cells.
+        """
         if not self.film.rough:
             return shear
         borne = float(self.film.asperities().pressure.sum()) * self.grid.cell
@@ -260,11 +284,11 @@ class Level(ABC):
         if not shear:
             return share
         stress, heat = self.rubbing()
-        boundary = self._friction(stress, within)
+        boundary = self._friction(stress, shares)
         whole = {
             "friction_boundary": boundary,
             "friction_coefficient": shear["friction_coefficient"] + boundary,
-            "power_loss": shear["power_loss"] + float(heat[within].sum()) * self.grid.cell,
+            "power_loss": shear["power_loss"] + float((shares * heat).sum()) * self.grid.cell,
         }
         return shear | share | whole
 
@@ -277,7 +301,10 @@ class Level(ABC):
         return tuple(-stress * of / np.maximum(speed, STILL) for of in sliding), stress * speed
 
     def _temperature_fields(self) -> dict[str, tuple[Array, Array | bool]]:
-        """Temperatures above the inlet's [K] whose largest values are figures, and where they count."""
+        """Temperatures above the inlet's [K] whose largest values are figures, and where they count.
+
+        Those figures themselves are above the colder body's, which none is below.
+        """
         if not self.film.heated:
             return {}
         rise = self.film.rise()
@@ -287,11 +314,12 @@ class Level(ABC):
         )
 
     def _temperatures(self) -> dict[str, float]:
-        """Largest temperatures above the inlet's [K]."""
+        """Largest temperatures above that of the colder body [K]."""
         if not self.film.heated:
             return {}
         *surfaces, (highest, contact) = self._temperature_fields().values()
         largest = [figures.maximum(field, counted) for field, counted in surfaces]
         positions = kernel.level_positions(self.film.levels)
         across = figures.maximum_across(self.film.rise(), positions, np.asarray(contact), highest)
-        return dict(zip(HEAT_FIGURES, (*largest, across), strict=True))
+        coldest = self.scene.coldest
+        return dict(zip(HEAT_FIGURES, (of - coldest for of in (*largest, across)), strict=True))

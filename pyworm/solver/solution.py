@@ -418,13 +418,17 @@ class Solution(Shown):
             "layer_left_m": supply.layer_left,
         }
 
+    def rise(self, temperature: Estimate) -> float:
+        """Rise of a temperature, to which its errors are relative, above the colder body's [K].
+
+        Where that is not stored with it, above the inlet's.
+        """
+        return abs(temperature.value - (temperature.datum or self.inlet_temperature or 0.0))
+
     def _model_errors_of_temperatures(self, largest: dict[str, Estimate]) -> dict[str, dict]:
         """Uncertainty of temperatures by the model of roughness [K]; none where it was not simulated."""
-        inlet = present(self.inlet_temperature, "inlet_temperature")
         errors = {
-            place: of.model * abs(of.value - inlet)
-            for place, of in largest.items()
-            if of.model is not None
+            place: of.model * self.rise(of) for place, of in largest.items() if of.model is not None
         }
         return {"temperature_max_model_error_K": errors} if errors else {}
 
@@ -438,15 +442,14 @@ class Solution(Shown):
             "body_2": present(figures.temperature_max_body_2, "temperature_max_body_2"),
             "film": figures.temperature_max_film,
         }
-        inlet = present(self.inlet_temperature, "inlet_temperature")
         return {
-            "inlet_temperature_C": inlet - ZERO_CELSIUS,
+            "inlet_temperature_C": present(self.inlet_temperature, "inlet_temperature")
+            - ZERO_CELSIUS,
             "temperature_max_C": {
                 place: estimate.value - ZERO_CELSIUS for place, estimate in largest.items()
             },
             "temperature_max_error_K": {
-                place: estimate.error * abs(estimate.value - inlet)
-                for place, estimate in largest.items()
+                place: estimate.error * self.rise(estimate) for place, estimate in largest.items()
             },
             **self._model_errors_of_temperatures(largest),
             "heat_balance": figures.heat_balance,

@@ -8,7 +8,7 @@ nothing but the seed, its kind and its number.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import cos, exp, log, pi, sin
+from math import cos, exp, hypot, log, pi, sin
 from pathlib import Path
 from typing import Any
 
@@ -177,6 +177,57 @@ def rough(number: int, seed: int = SEED) -> Drawn:
     return drawn
 
 
+COLDEST, WARMEST = -10.0, 40.0
+"""Bulk temperatures of bodies above that of the oil supplied [K]."""
+
+
+def _warmed(drawn: Drawn, random: np.random.Generator) -> Drawn:
+    """A thermal scene whose bodies have temperatures of their own."""
+    inlet = 60.0
+    for body in drawn.tables["bodies"].values():
+        body["bulk_temperature"] = f"{inlet + random.uniform(COLDEST, WARMEST):.6g} degC"
+    return drawn
+
+
+def warm(number: int, seed: int = SEED) -> Drawn:
+    """A thermal scene between bodies warmer or colder than the oil supplied."""
+    random = np.random.default_rng([seed, 4, number])
+    title = f"Scene {number} of seed {seed} between warm bodies"
+    return _warmed(_hot(random, HOT_RANGES, title), random)
+
+
+def thermal_line(number: int, seed: int = SEED) -> Drawn:
+    """A line contact of the pressure, speeds and oil of a thermal scene."""
+    random = np.random.default_rng([seed, 5, number])
+    return _as_line(_hot(random, HOT_RANGES, f"Thermal line {number} of seed {seed}"))
+
+
+def warm_line(number: int, seed: int = SEED) -> Drawn:
+    """Such a line contact between bodies warmer or colder than the oil supplied."""
+    random = np.random.default_rng([seed, 6, number])
+    title = f"Line {number} of seed {seed} between warm bodies"
+    return _warmed(_as_line(_hot(random, HOT_RANGES, title)), random)
+
+
+def _as_line(drawn: Drawn) -> Drawn:
+    """A line contact with the velocities, the largest pressure and the radius along x of a point contact."""
+    scene = case_of(drawn.tables, drawn.tables["title"], Path()).scene()
+    radius, modulus = scene.radii[0], scene.reduced_modulus
+    load = 2 * pi * radius * drawn.traits["hertz_pressure"] ** 2 / modulus
+    speeds = (hypot(*(float(part) for part in of(0.0, 0.0))) for of in scene.motions)
+    line = {
+        "contact": {
+            "kind": "line-contact",
+            "radius": f"{radius:.9g} m",
+            "load": f"{load:.9g} N/m",
+        },
+        "motion": {
+            f"velocity_{number}": f"{speed:.9g} m/s" for number, speed in enumerate(speeds, 1)
+        },
+    }
+    return Drawn(drawn.tables | line, drawn.traits)
+
+
 SUPPLY = Range(0.05, 10.0)
 """Oil supplied to a starved scene, over the flooded film that is expected."""
 
@@ -262,6 +313,15 @@ DRAWS: dict[str, Callable[[int], Drawn]] = {
     "starved": starved,
 }
 """Kind of random scene -> what draws it by its number."""
+
+JUDGED_DRAWS: dict[str, Callable[[int], Drawn]] = {
+    "isothermal": isothermal,
+    "thermal": thermal,
+    "warm": warm,
+    "thermal-line": thermal_line,
+    "warm-line": warm_line,
+}
+"""Kinds whose error bars are judged (`benchmarks/accuracy/error_bars.py`)."""
 
 
 def _contact(

@@ -104,7 +104,7 @@ def glance_rows(
         )
     if all(of.figures.temperature_max_film is not None for of in solutions):
         hot = max(solutions, key=lambda of: of.figures.temperature_max_film.value)
-        value = temperature(hot.figures.temperature_max_film, hot.inlet_temperature)
+        value = temperature(hot.figures.temperature_max_film, hot)
         rows.append(("Largest temperature of the film", value, place_of(hot)))
     loss = mesh_loss(case.drive, result)
     if loss is not None:
@@ -191,10 +191,9 @@ def estimate(figure: Estimate, scale: float, unit: str) -> str:
     return with_bars(value, figure.error, figure.model, reason=figure.reason)
 
 
-def temperature(figure: Estimate, inlet: float) -> str:
-    """A temperature with its error bar in kelvin."""
-    rise = abs(figure.value - inlet)
-    value = f"{figure.value - ZERO_CELSIUS:.1f} °C"
+def temperature(figure: Estimate, solution: Solution) -> str:
+    """A temperature of a solution with its error bar in kelvin."""
+    value, rise = f"{figure.value - ZERO_CELSIUS:.1f} °C", solution.rise(figure)
     return with_bars(value, figure.error, figure.model, rise, " K", figure.reason)
 
 
@@ -291,7 +290,7 @@ def heat_section(case: Case, result: Result) -> Section | None:
         ]
         if heated:
             cells += [
-                temperature(of, solution.inlet_temperature)
+                temperature(of, solution)
                 for of in (
                     figures.temperature_max_body_1,
                     figures.temperature_max_body_2,

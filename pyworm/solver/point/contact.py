@@ -6,6 +6,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pyworm.kernel import DryContact
+from pyworm.materials.body import Body
 from pyworm.planning.expected_work import Kind
 from pyworm.planning.grid import Grid
 from pyworm.planning.plan import Plan
@@ -174,11 +175,13 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
     def _dry_guesses(self, level: PointLevel) -> list[InitialGuess]:
         return [self._lifted(dry_guess(self._scene, self._size, level), self._size.film)]
 
-    def _warm(self, level: PointLevel, rise: Array | None) -> None:
+    def _warm(
+        self, level: PointLevel, rise: Array | None, bodies: tuple[Body, Body] | None = None
+    ) -> None:
         hertz = self._size.hertz
         level.film.heat(
             self._scene.oil,
-            self._scene.bodies,
+            bodies or self._scene.bodies,
             self._scene.velocities_at(*level.grid.mesh()),
             (hertz.semi_axis_x, hertz.semi_axis_y),
             rise,

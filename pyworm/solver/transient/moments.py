@@ -60,7 +60,7 @@ class Moment:
     entrainment : tuple of float
         Mean velocity of the surfaces at the contact point along each direction [m/s].
     figures : dict
-        Figures on the moving grid, temperatures above the inlet's [K].
+        Figures on the moving grid, temperatures above the colder body's bulk temperature [K].
     frame : Frame or None
         Its fields; kept at the instants of the coarsest transient solve.
     """
@@ -166,7 +166,7 @@ def curves(
     least: float,
     at: float,
     present: Mapping[str, float],
-    inlet: float | None,
+    coldest: float | None,
 ) -> PlainDataset:
     """Figures over time with their error bars, and frames of pressure and film.
 
@@ -188,8 +188,8 @@ def curves(
         Time of the present film [s], beyond which the curves of the last scene of a life go on.
     present : Mapping
         Figures of that film, on the first grid of the figures.
-    inlet : float or None
-        Temperature of the oil at the inlet [K]; None where heat was not simulated.
+    coldest : float or None
+        Bulk temperature of the colder body [K]; None where heat was not simulated.
     """
     moments = [one for one in solves[-1] if one.seconds > since]
     variables: dict[str, Any] = {
@@ -207,7 +207,7 @@ def curves(
         error = np.abs(values) * np.maximum(
             max(least, off), share * _changes(solves, moments, name)
         )
-        base = inlet if name in HEAT_FIGURES else 0.0
+        base = coldest if name in HEAT_FIGURES else 0.0
         variables[f"life_{name}"] = ("instant",), base + values
         variables[f"life_{name}_error"] = ("instant",), error
     seconds = np.array([one.seconds for one in moments])

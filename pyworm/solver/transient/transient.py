@@ -362,12 +362,15 @@ def _life(
         return None
     since = min(rates.since, nextafter(rates.moments[-1][-1].seconds, -inf))
     kind = plan.work.kind
-    inlet = scene.oil.thermal.inlet_temperature if plan.model.heated else None
+    heat = scene.oil.heat
+    coldest = None
+    if plan.model.heated and heat is not None:
+        coldest = heat.inlet_temperature + scene.coldest
     shared = readings[: len(rates.moments) + 1]
     share, least = _share(kind, turned), _least(shared, kind, turned)
     present = readings[-1].figures
     at = present_in_life(scene).seconds
-    return curves(rates.moments, since, kind, share, least, at, present, inlet)
+    return curves(rates.moments, since, kind, share, least, at, present, coldest)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, float]:
