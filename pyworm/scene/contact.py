@@ -16,7 +16,7 @@ from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds, require_oil
 from pyworm.materials.rough_surfaces import rough_pair
 from pyworm.scene.life import Past
-from pyworm.scene.oil_arrival import arriving
+from pyworm.scene.oil_arrival import arriving, bulk_temperature
 
 if TYPE_CHECKING:
     from pyworm.materials.roughness_assumptions import RoughSurfaces
@@ -187,7 +187,7 @@ class Contact(Shown, ABC):
         """Bulk temperature of the colder body above the inlet's [K]: zero or less; 0 where none is known."""
         if self.oil.heat is None:
             return 0.0
-        coldest = min(body.bulk_temperature for body in self.bodies)
+        coldest = min(bulk_temperature(body) for body in self.bodies)
         return coldest - self.oil.heat.inlet_temperature
 
     @property

@@ -17,8 +17,14 @@ from collections.abc import Sequence
 from dataclasses import replace
 from math import erf, sqrt
 
+from pyworm.io.present import present
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
+
+
+def bulk_temperature(body: Body) -> float:
+    """Bulk temperature of a body where heat is simulated [K]; ValueError of one without."""
+    return present(body.bulk_temperature, "bulk_temperature")
 
 
 def arriving(oil: Oil, bodies: Sequence[Body]) -> Oil:
@@ -31,13 +37,12 @@ def arriving(oil: Oil, bodies: Sequence[Body]) -> Oil:
     bodies : sequence of Body
         Both bodies, with their bulk temperatures.
     """
-    supply = oil.heat.inlet_temperature
-    warmer = sum(body.bulk_temperature for body in bodies) / 2 - supply
+    supply, known = oil.thermal.inlet_temperature, oil.thermal.supply_temperature
+    warmer = sum(bulk_temperature(body) for body in bodies) / 2 - supply
     if warmer == 0:
         return oil
     warmed = oil.warmed(warmer)
-    known = oil.heat.supply_temperature
-    heat = replace(warmed.heat, supply_temperature=supply if known is None else known)
+    heat = replace(warmed.thermal, supply_temperature=supply if known is None else known)
     return replace(warmed, heat=heat)
 
 
@@ -59,13 +64,13 @@ def nearer_to_supply(oil: Oil, body: Body, speed: float, film: float, distance: 
     distance : float
         Way from where they met [m].
     """
-    heat = oil.heat
+    heat = oil.thermal
     if heat.supply_temperature is None:
         return 0.0
     capacity = oil.density.rho0 * heat.specific_heat
     own = sqrt(heat.conductivity * capacity)
-    its = sqrt(body.conductivity * body.density * body.specific_heat)
+    its = sqrt(body.thermal_inertia)
     touching = own / (own + its)
     spread = 2 * sqrt(heat.conductivity / capacity * distance / speed)
     share = touching + (1 - touching) * erf(film / 2 / spread)
-    return share * (heat.supply_temperature - body.bulk_temperature)
+    return share * (heat.supply_temperature - bulk_temperature(body))

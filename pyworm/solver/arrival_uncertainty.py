@@ -11,7 +11,7 @@ from math import hypot, inf
 import numpy as np
 
 from pyworm.materials.body import Body
-from pyworm.scene.oil_arrival import nearer_to_supply
+from pyworm.scene.oil_arrival import bulk_temperature, nearer_to_supply
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.newton import lead
 
@@ -35,7 +35,7 @@ def other_bodies(level: Level) -> tuple[Body, Body]:
     first, second = (
         replace(
             body,
-            bulk_temperature=body.bulk_temperature
+            bulk_temperature=bulk_temperature(body)
             + nearer_to_supply(scene.oil, body, max(speed, SLOWEST * max(speeds)), film, distance),
         )
         for body, speed in zip(scene.bodies, speeds, strict=True)
