@@ -442,9 +442,9 @@ class Solution(Shown):
             "body_2": present(figures.temperature_max_body_2, "temperature_max_body_2"),
             "film": figures.temperature_max_film,
         }
+        inlet = present(self.inlet_temperature, "inlet_temperature")
         return {
-            "inlet_temperature_C": present(self.inlet_temperature, "inlet_temperature")
-            - ZERO_CELSIUS,
+            "inlet_temperature_C": inlet - ZERO_CELSIUS,
             "temperature_max_C": {
                 place: estimate.value - ZERO_CELSIUS for place, estimate in largest.items()
             },
