@@ -80,7 +80,8 @@ def enough_levels(
     found, scene = None, level.scene
     while plan.model.levels < MOST:
         plan = replace(plan, model=replace(plan.model, levels=plan.model.levels + MORE))
-        solver = SOLVERS[type(scene)](scene, plan, transient and transient.rate)
+        rate = None if transient is None else transient.rate
+        solver = SOLVERS[type(scene)](scene, plan, rate)
         level = solver.with_rate(level)
         before, wanted = settled.reading, ALGEBRA_FRACTION * plan.accuracy * SHARE
         settled = settle(level, plan.tolerance, plan.aim, wanted)
