@@ -140,7 +140,7 @@ def scene_rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
     for place, words in zip(("body_1", "body_2", "film"), (*bodies, "film"), strict=True):
         of = getattr(figures, f"temperature_max_{place}")
         if of is not None:
-            warm = temperature(of, solution.inlet_temperature)
+            warm = temperature(of, solution)
             rows.append([f"Hottest point, {words}", warm])
     wide = "" if solution.accurate else ", less accurate than asked for"
     accuracy = accuracy_words(solution.accuracy, solution.accuracy_of)
