@@ -147,7 +147,7 @@ def taken_by_name(bodies: Any) -> dict[str, str]:
         material, finish = (
             body.get(key) if isinstance(body, dict) else None for key in ("material", "finish")
         )
-        if solids.is_named(material):
+        if isinstance(material, str) and solids.is_named(material):
             of = solids.source(solids.named_material(material))
             taken[f"bodies.{name}.material"] = f"for constants that are not given; {of}"
         if finish in solids.finishes():

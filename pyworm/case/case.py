@@ -141,7 +141,7 @@ class Case(Shown):
     def _idle_phases(self) -> tuple[float, ...]:
         """Listed phases at which neighbouring contacts carry all of the load."""
         phases = self._listed_places.get("phase", ())
-        return tuple(phase for phase in phases if self.drive.idle(phase))
+        return tuple(phase for phase in phases if present(self.drive, "drive").idle(phase))
 
     @property
     def slide_roll_ratios(self) -> tuple[float, ...]:

@@ -27,12 +27,15 @@ def with_deviations(data: dict[str, Any], directory: Path) -> dict[str, Any]:
         A file cannot be read, or holds no deviations over a grid.
     """
     drive = data.get("drive")
+    if not isinstance(drive, dict):
+        return data
+    read: dict[str, Any] = {}
     for part, places in PLACES.items():
-        table = drive.get(part) if isinstance(drive, dict) else None
+        table = drive.get(part)
         if isinstance(table, dict) and "deviations" in table:
             held = _held(part, places, table["deviations"], directory)
-            drive = drive | {part: table | {"deviations": held}}
-    return data if drive is data.get("drive") else data | {"drive": drive}
+            read[part] = table | {"deviations": held}
+    return data | {"drive": drive | read} if read else data
 
 
 def _held(part: str, places: str, file: Any, directory: Path) -> dict[str, Any]:

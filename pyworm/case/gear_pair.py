@@ -105,14 +105,15 @@ class GearPairCase(RatedCase):
             load_factor=operation.load_factor,
             load_sharing=table.load_sharing,
             contact=table.contact,
-            tip_relief=tuple(
-                LinearRelief(gear.tip_relief, gear.tip_relief_length)
-                for gear in (table.pinion, table.gear)
-            ),
+            tip_relief=(_relief(table.pinion), _relief(table.gear)),
             lead_crowning=table.lead_crowning,
-            surfaces=surfaces and Surfaces(**dict(surfaces)),
+            surfaces=None if surfaces is None else Surfaces(**dict(surfaces)),
             lubrication=self.brought_by,
         )
+
+
+def _relief(table: GearTable) -> LinearRelief:
+    return LinearRelief(table.tip_relief, table.tip_relief_length)
 
 
 def _gear(table: GearTable) -> Gear:

@@ -80,7 +80,7 @@ def new_worm_text(answers: Mapping[str, str], title: str, taken: Sequence[str] =
 def _drive_rows(answers: Mapping[str, str]) -> list[str]:
     """Rows of `[drive]`, each with its comment."""
     profile = answers.get("profile", "ZI")
-    what = dict[str, str](PROFILES).get(profile, "form of the flanks")
+    what = {str(name): words for name, words in PROFILES.items()}.get(profile, "form of the flanks")
     rows = ['kind = "worm"', f"profile = {json.dumps(profile)} # {what}"]
     for key in (*ASKED, *OPTIONAL):
         if key in answers and key not in (*_AFTER, "hob_oversize", "profile"):

@@ -30,11 +30,11 @@ def check_one_oil(oil: OilTable | None, others: Mapping[str, str]) -> None:
     named = {key: name for key, name in known.items() if name is not None}
     if oil is not None and oil.temperature is not None:
         named = {"oil.name": oil.name, **named}
-    first, *rest = named or [None]
-    for key in rest:
-        if named[key] != named[first]:
+    first = next(iter(named), "")
+    for key, name in named.items():
+        if name != named[first]:
             raise ValueError(
-                f'{key} = "{named[key]}", but {first} = "{named[first]}": one sump holds one oil, name the '
+                f'{key} = "{name}", but {first} = "{named[first]}": one sump holds one oil, name the '
                 "same in both"
             )
     if oil is not None and oil.temperature is None:
@@ -54,13 +54,14 @@ def _check_thickness(oil: OilTable, named: Mapping[str, str]) -> None:
     if oil.heat is None:
         return
     kelvin = oil.heat.inlet_temperature
+    stated = oil.oil().viscosity.eta0
     for key, name in named.items():
         if name.endswith(".toml"):
             continue  # an oil of the user's own, which is read where it is rated
         expected = float(named_oil(name).viscosity(kelvin))
-        ratio = exp(abs(log(oil.viscosity.eta0 / expected)))
+        ratio = exp(abs(log(stated / expected)))
         if ratio > ONE_GRADE:
             raise ValueError(
                 f'{key} = "{name}" has {expected:.3g} Pa s at {kelvin - ZERO_CELSIUS:.0f} degC, but '
-                f"oil.viscosity.eta0 is {oil.viscosity.eta0:.3g} Pa s: one sump holds one oil"
+                f"oil.viscosity is {stated:.3g} Pa s: one sump holds one oil"
             )

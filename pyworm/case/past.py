@@ -100,14 +100,15 @@ class _WrittenLife:
             raise ValueError("the contact carries no load")
         return replace(moving, separation=float(np.interp(seconds, self.times, self.separation)))
 
-    def _travelled(self, seconds: float) -> tuple[tuple[float, ...], ...]:
+    def _travelled(self, seconds: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
         """How far the surfaces are from their place at present, along each direction [m]."""
         knots = np.array([seconds, *(time for time in self.times if time > seconds)])
         speeds = np.ones(knots.size)
         if self.speed is not None:
             speeds = np.interp(knots, self.times, self.speed)
         left = float(np.trapezoid(speeds, knots))
-        return tuple(tuple(-left * of for of in way) for way in velocities(self.present))
+        body_1, body_2 = velocities(self.present)
+        return tuple(-left * of for of in body_1), tuple(-left * of for of in body_2)
 
 
 def _moving(scene: AnyContact, factor: float) -> AnyContact:

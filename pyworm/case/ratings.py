@@ -147,24 +147,26 @@ class WormRatingTable(Table):
     rim_over_module: _Rim = 2.0
     bearings: Bearings | None = None
 
-    def completed(self, **others: Any) -> "WormRatingTable":
+    def completed(self, **others: Any) -> "CompletedRating":
         """The table with other statements, and then usual values, for keys that it does not give."""
-        usual = {
-            "lubrication": "bath",
-            "ambient_temperature": USUAL_AMBIENT,
-            "immersion_factor": 1.0,
-            "bearings": "adjusted",
-        }
-        stated = usual | {key: value for key, value in others.items() if value is not None}
-        return self.model_copy(
-            update={key: value for key, value in stated.items() if getattr(self, key) is None}
-        )
+        given = {key: value for key, value in self if value is not None}
+        stated = {key: value for key, value in others.items() if value is not None}
+        return CompletedRating.model_construct(**stated | given)
 
     @model_validator(mode="after")
     def _one_life(self) -> Self:
         if self.spectrum and self.life is not None:
             raise ValueError("give either life or spectrum, whose durations make it up")
         return self
+
+
+class CompletedRating(WormRatingTable):
+    """`[worm_rating]` with usual values for what every rating needs."""
+
+    lubrication: Lubrication = "bath"
+    ambient_temperature: units.Temperature = USUAL_AMBIENT
+    immersion_factor: PositiveNumber = 1.0
+    bearings: Bearings = "adjusted"
 
 
 class GearRatingTable(DamageLimits):

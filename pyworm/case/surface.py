@@ -107,7 +107,7 @@ class SurfaceTable(Table):
 
     @property
     def _path(self) -> Path:
-        return self._directory / present(self.file, "file")
+        return present(self._directory, "directory") / present(self.file, "file")
 
     def waves(self) -> SeparatedWaves:
         """Roughness and longer waves of the surface.

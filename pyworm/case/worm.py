@@ -3,7 +3,7 @@
 from dataclasses import replace
 from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import AfterValidator, model_validator
+from pydantic import BeforeValidator, model_validator
 
 from pyworm.case import drawing_words
 from pyworm.case.table import Count, Number, PositiveNumber, Table
@@ -26,8 +26,9 @@ from pyworm.drives.zi_worm.drawing_checks import (
 )
 from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.hob_setting import with_swivel
-from pyworm.formulas.worm_profiles import PROFILES
+from pyworm.formulas.worm_profiles import PROFILES, Profile
 from pyworm.io import units
+from pyworm.io.present import present
 
 KNOWN = ", ".join(f'"{profile}"' for profile in PROFILES)
 
@@ -37,18 +38,21 @@ LIFE = (1.0, 0.75, 0.5, 0.25)
 GLOBOID = ("globoid", "double-enveloping", "hindley")
 
 
-def _computed(profile: str) -> str:
+def _computed(profile: object) -> Profile:
+    if not isinstance(profile, str):
+        raise ValueError(f"must be one of {KNOWN}")
     if profile.lower() in GLOBOID:
         raise ValueError(
             f"globoid worms are not computed; there are cylindrical worms of the profiles {KNOWN} and roller "
             'enveloping ones, kind = "roller-worm"'
         )
-    if profile not in PROFILES:
-        meant = profile.upper()
-        meant = drawing_words.PROFILES.get(meant, meant)
-        known = f'; did you mean "{meant}"?' if meant in PROFILES else ""
-        raise ValueError(f"must be one of {KNOWN}{known}")
-    return profile
+    for known in PROFILES:
+        if profile == known:
+            return known
+    meant = profile.upper()
+    meant = drawing_words.PROFILES.get(meant, meant)
+    hint = f'; did you mean "{meant}"?' if meant in PROFILES else ""
+    raise ValueError(f"must be one of {KNOWN}{hint}")
 
 
 class _Drawn(Table):
@@ -119,7 +123,7 @@ class DrawnWormDriveTable(WormDriveTable):
     also_called = drawing_words.OF_DRIVE
 
     kind: Literal["worm"]
-    profile: Annotated[str, AfterValidator(_computed)]
+    profile: Annotated[Profile, BeforeValidator(_computed)]
     centre_distance: units.Length | None = None
     threads: Count
     teeth: Count
@@ -200,8 +204,8 @@ class DrawnWormDriveTable(WormDriveTable):
         if drawing.hob_swivel is None:
             drawing, swivel = with_swivel(drawing)
             taken = *taken, swivel
-        worm = replace(drawing.worm, **deviations_of(self.worm))
-        wheel = replace(drawing.wheel, **deviations_of(self.wheel))
+        worm = replace(drawing.worm, deviations=deviations_of(self.worm))
+        wheel = replace(drawing.wheel, deviations=deviations_of(self.wheel))
         return Design(worm, wheel, drawing.hob, drawing.centre_distance, self.hand, taken)
 
     def _numbers(self) -> dict[str, Any]:
@@ -224,7 +228,11 @@ class DrawnWormDriveTable(WormDriveTable):
         """q as it is given, or as it follows from the reference diameter or the profile shift."""
         if self._given_factor is not None:
             return self._given_factor
-        return 2 * (self.centre_distance / self.module - self.profile_shift) - self.teeth
+        return 2 * (self._distance / self.module - self._shift) - self.teeth
+
+    @property
+    def _shift(self) -> float:
+        return present(self.profile_shift, "drive.profile_shift")
 
     @property
     def _given_factor(self) -> float | None:
@@ -239,7 +247,8 @@ class DrawnWormDriveTable(WormDriveTable):
         """a as it is given, or as it follows from the profile shift, m ((q + z2) / 2 + x) [m]."""
         if self.centre_distance is not None:
             return self.centre_distance
-        return self.module * ((self._given_factor + self.teeth) / 2 + self.profile_shift)
+        factor = present(self._given_factor, "drive.diameter_factor")
+        return self.module * ((factor + self.teeth) / 2 + self._shift)
 
 
 class DrawnWormCase(WormDriveCase):

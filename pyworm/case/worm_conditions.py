@@ -3,11 +3,12 @@
 from dataclasses import replace
 from pathlib import Path
 
-from pyworm.case.ratings import WormRatingTable
+from pyworm.case.ratings import CompletedRating
 from pyworm.drives.duty import WormDuty
+from pyworm.formulas.ranges import one_of
 from pyworm.formulas.unit_factors import DEGREES_40, RPM
 from pyworm.formulas.unknown import Unknown, attempt, known
-from pyworm.formulas.worm_curves import OIL_KINDS
+from pyworm.formulas.worm_curves import OIL_KINDS, OilKind
 from pyworm.formulas.worm_losses import sump_temperature
 from pyworm.formulas.worm_rating import WormConditions, WormRating
 from pyworm.formulas.worm_wheel_material import WheelMaterial, wheel_material
@@ -18,7 +19,7 @@ MEAN_TO_RMS = 0.8
 """Ra over Rq where heights are spread normally, sqrt(2/pi); the standards' friction takes Ra."""
 
 
-def standard_oil(table: WormRatingTable, directory: Path) -> NamedOil | Unknown:
+def standard_oil(table: CompletedRating, directory: Path) -> NamedOil | Unknown:
     """The oil of a rating, if the standards have constants for it; CaseError for an unknown name."""
     if table.oil is None:
         return Unknown("worm_rating.oil is missing, a name whose base stock the standards know")
@@ -30,7 +31,11 @@ def standard_oil(table: WormRatingTable, directory: Path) -> NamedOil | Unknown:
     )
 
 
-def material_of(table: WormRatingTable) -> WheelMaterial | Unknown:
+def _kind(oil: NamedOil) -> OilKind:
+    return one_of("oil", oil.stock.name, OIL_KINDS)
+
+
+def material_of(table: CompletedRating) -> WheelMaterial | Unknown:
     """The wheel's material by the standard."""
     if table.wheel_material is None:
         return Unknown("worm_rating.wheel_material is missing")
@@ -38,7 +43,7 @@ def material_of(table: WormRatingTable) -> WheelMaterial | Unknown:
 
 
 def sump_by_standard(
-    table: WormRatingTable,
+    table: CompletedRating,
     duty: WormDuty,
     oil: NamedOil | Unknown,
     torque: float,
@@ -51,7 +56,7 @@ def sump_by_standard(
         duty.gear,
         speed,
         torque,
-        found.stock.name,
+        _kind(found),
         float(found.kinematic_viscosity(DEGREES_40)),
         table.ambient_temperature,
         fan,
@@ -59,7 +64,7 @@ def sump_by_standard(
 
 
 def conditions(
-    table: WormRatingTable,
+    table: CompletedRating,
     duty: WormDuty,
     oil: NamedOil | Unknown,
     torque: float,
@@ -73,7 +78,7 @@ def conditions(
 
     Parameters
     ----------
-    table : WormRatingTable
+    table : CompletedRating
         The rating, completed.
     duty : WormDuty
         The worm gear.
@@ -87,7 +92,7 @@ def conditions(
     own = (torque, speed) == (duty.torque, duty.worm_speed)
     rough = duty.roughness[0]
     cold = WormConditions(
-        oil=oil if isinstance(oil, Unknown) else oil.stock.name,
+        oil=attempt(lambda: _kind(known(oil))),
         viscosity=Unknown("the wheel's bulk temperature is not known"),
         worm_speed=speed,
         torque=torque * table.application_factor,
@@ -120,7 +125,7 @@ def conditions(
 
 
 def _sump(
-    table: WormRatingTable,
+    table: CompletedRating,
     duty: WormDuty,
     oil: NamedOil | Unknown,
     torque: float,
@@ -128,12 +133,13 @@ def _sump(
 ) -> float | Unknown:
     """Temperature of the oil in the sump [K]: of the drive, given, by its cooling, or the standard's."""
     own = (torque, cold.worm_speed) == (duty.torque, duty.worm_speed)
-    if duty.conductance is not None and not own:
+    conductance = duty.conductance
+    if conductance is not None and not own:
         rated = WormRating(duty.gear, cold)
         return attempt(
             lambda: (
                 table.ambient_temperature
-                + (rated.nearest_loss.driven_by(duty.driver) + rated.other_power) / duty.conductance
+                + (rated.nearest_loss.driven_by(duty.driver) + rated.other_power) / conductance
             )
         )
     if duty.oil_temperature is not None:

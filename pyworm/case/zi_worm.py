@@ -17,7 +17,7 @@ from pyworm.case.one_wheel import (
     check_rated_material,
     check_rated_temperature,
 )
-from pyworm.case.ratings import RatedCase, WormRatingTable
+from pyworm.case.ratings import CompletedRating, RatedCase, WormRatingTable
 from pyworm.case.table import Count, Phase, Table, Text
 from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.drives.besides_teeth import BesidesTeeth
@@ -37,6 +37,8 @@ from pyworm.formulas.worm_curves import Lubrication
 from pyworm.formulas.worm_losses import other_losses
 from pyworm.formulas.worm_rating import NOT_GIVEN, WormRating
 from pyworm.io import units
+from pyworm.io.present import present
+from pyworm.materials.body import Body
 
 Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
 
@@ -175,8 +177,8 @@ class ZiWormTable(WormDriveTable):
     def design(self) -> Design:
         """Worm, wheel and hob as the table has them."""
         return Design(
-            worm=Worm(**_relieved(self.worm) | deviations_of(self.worm)),
-            wheel=Wheel(**_relieved(self.wheel) | deviations_of(self.wheel)),
+            worm=Worm(**_relieved(self.worm) | {"deviations": deviations_of(self.worm)}),
+            wheel=Wheel(**_relieved(self.wheel) | {"deviations": deviations_of(self.wheel)}),
             hob=Hob(**dict(self.hob)),
             centre_distance=self.centre_distance,
         )
@@ -364,7 +366,7 @@ class WormDriveCase(RatedCase):
             "bodies": {"worm": worm, "wheel": wheel_body},
         }
 
-    def rating_as_run(self) -> WormRatingTable:
+    def rating_as_run(self) -> CompletedRating:
         """`[worm_rating]` completed by what the other tables state, also where the file has none."""
         cooling, table = self.cooling, self.worm_rating or WormRatingTable()
         cooled = {} if cooling is None else dict(cooling)
@@ -392,10 +394,11 @@ class WormDriveCase(RatedCase):
 
     def cooling_of(self, drive: ZiWormDrive) -> Cooling:
         """Cooling of the drive; losses besides the teeth are the worm standard's unless they are given."""
-        table, load = self.cooling, drive.load
+        table = present(self.cooling, "cooling")
         if table.other_loss is not None:
             other = BesidesTeeth(given=table.other_loss)
         else:
+            load = drive.transmission
             torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
             lost = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
             other = BesidesTeeth(lost, table.bearings)
@@ -446,7 +449,7 @@ class WormDriveCase(RatedCase):
         excess = found - drive.oil.heat.inlet_temperature
         return replace(
             drive,
-            bodies=tuple(replace(body, bulk_temperature=found) for body in drive.bodies),
+            bodies=(_as_warm(drive.bodies[0], found), _as_warm(drive.bodies[1], found)),
             warmth=(
                 f"Worm and wheel are {excess:.3g} K warmer than the oil, by the heat balance of the "
                 "worm-gear standard with its loss between the teeth (from a public transcription)."
@@ -467,9 +470,9 @@ class WormDriveCase(RatedCase):
 
     def _warm(self, drive: ZiWormDrive) -> ZiWormDrive:
         """The drive with oil and bodies as warm as its losses make them."""
-        loss = self.cooling.tooth_loss
+        loss = present(self.cooling, "cooling").tooth_loss
         if loss is None:
-            loss = _first_loss(drive.load, drive.speed, drive.ratio)
+            loss = _first_loss(drive.transmission, drive.speed, drive.ratio)
         rim = drive.wheel.face_width * 2 * drive.wheel_reference_radius
         warm = drive_temperatures(self.cooling_of(drive), rim, drive.speed, loss)
         return replace(drive, oil=warm.oil(drive.oil), bodies=warm.bodies(drive.bodies))
@@ -481,9 +484,13 @@ class ZiWormCase(WormDriveCase):
     drive: ZiWormTable
 
 
-def deviations_of(part: Any) -> dict[str, FlankDeviations | None]:
+def _as_warm(body: Body, temperature: float) -> Body:
+    return replace(body, bulk_temperature=temperature)
+
+
+def deviations_of(part: Any) -> FlankDeviations | None:
     """The deviations of the flanks of worm or wheel, as its design table has them."""
-    return {"deviations": part.deviations and part.deviations.deviations()}
+    return None if part.deviations is None else part.deviations.deviations()
 
 
 def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:

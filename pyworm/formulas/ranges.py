@@ -4,11 +4,14 @@ Most values outside a range are right numbers in wrong units, so the sentence al
 """
 
 from collections.abc import Iterable, Sequence
+from typing import TypeVar
 
 import numpy as np
 
 ROUNDING = 1e-12
 """What a bound that was given in another unit may have lost by its conversion, over the bound."""
+
+Choice = TypeVar("Choice", bound=str)
 
 Values = float | np.ndarray
 """A number or an array of numbers."""
@@ -93,14 +96,16 @@ def positive(name: str, value: Values | Sequence[float], unit: str) -> None:
         )
 
 
-def one_of(name: str, value: str, choices: Iterable[str]) -> None:
-    """Refuse a word that is not among the choices.
+def one_of(name: str, value: str, choices: Iterable[Choice]) -> Choice:
+    """The choice that a word is.
 
     Raises
     ------
     ValueError
-        Any other word.
+        A word that is not among the choices.
     """
-    if value not in choices:
-        listed = ", ".join(f'"{choice}"' for choice in choices)
-        raise ValueError(f'{name} = "{value}": must be one of {listed}')
+    for choice in choices:
+        if choice == value:
+            return choice
+    listed = ", ".join(f'"{choice}"' for choice in choices)
+    raise ValueError(f'{name} = "{value}": must be one of {listed}')

@@ -15,13 +15,13 @@ from typing import Any, ClassVar, Self
 import numpy as np
 import scipy
 
-from pyworm.formulas.ranges import positive, scalar
+from pyworm.formulas.ranges import Values, positive, scalar
 from pyworm.io import units
 from pyworm.io.given import Given, in_si
 
 Array = np.ndarray
 
-Law = Callable[[Array, Array], Array]
+Law = Callable[[Array, Array], Values]
 """Pressures [Pa], temperatures [K] -> values."""
 
 PRESSURE_CELLS, WARMTH_CELLS = 192, 32

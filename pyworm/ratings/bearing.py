@@ -13,6 +13,7 @@ from pyworm.formulas.bearing_life import (
 )
 from pyworm.formulas.ranges import apart
 from pyworm.formulas.unknown import Unknown, attempt, known, or_none
+from pyworm.io.present import present
 from pyworm.materials.oil_file import oil_called
 from pyworm.ratings.rating import RatedFigure, Rating, without_value
 
@@ -42,7 +43,8 @@ def bearing_viscosity(table: BearingTable, directory: Path) -> float | Unknown:
     if table.oil is None:
         return Unknown("viscosity is missing, or oil with temperature")
     oil = oil_called(table.oil, directory)
-    return attempt(lambda: float(oil.kinematic_viscosity(table.temperature)))
+    warm = present(table.temperature, "temperature")
+    return attempt(lambda: float(oil.kinematic_viscosity(warm)))
 
 
 def bearing_life(table: BearingTable, directory: Path) -> BearingRating:

@@ -1,8 +1,12 @@
 """Films of one contact by every formula, and their reduction by heating of the inlet."""
 
+from collections.abc import Callable
+from functools import partial
+
 from pyworm.formulas import film, thermal_reduction
 from pyworm.formulas.film import Film, LineGroups, PointGroups
 from pyworm.formulas.film_ranges import FORMULA_RANGES
+from pyworm.io.present import present
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.ratings.rating import RatedFigure, Rating
 from pyworm.scene.index import Place
@@ -31,6 +35,13 @@ MOST_SLIDING = 2.0
 """Slide-roll ratio up to which the formulas for heating of the inlet hold."""
 
 
+def _formulas(groups: PointGroups | LineGroups) -> dict[str, tuple[str, Callable[[], Film]]]:
+    """Formulas for a contact by name, each with its label and what computes the film."""
+    if isinstance(groups, LineGroups):
+        return {key: (label, partial(of, groups)) for key, (label, of) in _LINE.items()}
+    return {key: (label, partial(of, groups)) for key, (label, of) in _POINT.items()}
+
+
 def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Rating:
     """Every film formula at a contact, side by side with the simulated film.
 
@@ -42,13 +53,13 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         The same contact solved.
     """
     prediction = predicted(scene)
-    formulas = _LINE if isinstance(scene, LineScene) else _POINT
+    formulas = _formulas(prediction.groups)
     objections = {
         label: FORMULA_RANGES[key].objection(prediction.groups, prediction.regime)
         for key, (label, _) in formulas.items()
     }
     films = {
-        key: (label, formula(prediction.groups))
+        key: (label, formula())
         for key, (label, formula) in formulas.items()
         if not objections[label]
     }
@@ -109,7 +120,7 @@ def _heated(prediction: Prediction) -> str:
         prediction.oil.viscosity.eta0,
         prediction.inlet_beta,
         prediction.speed,
-        prediction.oil.heat.conductivity,
+        present(prediction.oil.heat, "oil.heat").conductivity,
     )
     sliding = prediction.sliding / prediction.speed
     ratio = min(sliding, MOST_SLIDING)

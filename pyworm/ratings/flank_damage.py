@@ -16,10 +16,11 @@ from pyworm.formulas.micropitting import (
 )
 from pyworm.formulas.scuffing import scuffing_safety, scuffing_temperature_of_stage
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.present import present
 from pyworm.materials.oil import Oil
 from pyworm.ratings.rating import Safety, Value
 from pyworm.scene.index import Place
-from pyworm.solver.solution import Solution
+from pyworm.solver.solution import Estimate, Solution
 
 CLAUSES = {
     "S_B": "ISO/TR 13989-1, eq. 100",
@@ -91,7 +92,7 @@ class Spot:
 
 def gear_oil(oil: Oil, base: str) -> GearOil:
     """The oil of contacts, by its own laws, for ISO/TS 6336-22; it has heat."""
-    inlet = oil.heat.inlet_temperature
+    inlet = present(oil.heat, "oil.heat").inlet_temperature
 
     def law(name: str) -> Callable[[np.ndarray], np.ndarray]:
         def of(temperature: np.ndarray) -> np.ndarray:
@@ -126,9 +127,10 @@ def film_limit(table: DamageLimits, oil: Oil, base: str | None) -> Limit:
             None,
             "micropitting_load_stage of the oil (FVA 54/7) and permissible_specific_film are missing",
         )
-    for missing, what in ((base, "base of the oil"), (oil.heat, "[oil.heat]")):
-        if missing is None:
-            return Limit(None, f"{what} is missing")
+    if base is None:
+        return Limit(None, "base of the oil is missing")
+    if oil.heat is None:
+        return Limit(None, "[oil.heat] is missing")
     stage, warm = table.micropitting_load_stage, table.micropitting_test_temperature
     tested = film_at_load_stage(stage, gear_oil(oil, base), warm)
     factor = table.micropitting_material_factor
@@ -141,13 +143,21 @@ def simulated_spots(solutions: tuple[Solution, ...]) -> tuple[Spot, ...]:
     return tuple(_spot(solution) for solution in solutions)
 
 
+def hotter_flank(solution: Solution) -> Estimate | None:
+    """Largest temperature of both flanks [K]; None where heat was not simulated."""
+    first = solution.figures.temperature_max_body_1
+    second = solution.figures.temperature_max_body_2
+    if first is None or second is None:
+        return None
+    return max(first, second, key=lambda of: of.value)
+
+
 def _spot(solution: Solution) -> Spot:
     figures, film = solution.figures, solution.figures.film_min
     hottest: float | None = None
     warm: tuple[float, float | None] = (0.0, None)
-    sides = figures.temperature_max_body_1, figures.temperature_max_body_2
-    if None not in sides:
-        estimate = max(sides, key=lambda of: of.value)
+    estimate = hotter_flank(solution)
+    if estimate is not None:
         hottest, warm = estimate.value, (estimate.error, estimate.model)
     rubbing, touching = figures.friction_coefficient, figures.asperity_load_fraction
     return Spot(
@@ -187,10 +197,10 @@ def scuffing(
         Error bars of the rise over the oil, numerical and of the model.
     """
     named = _named("S_B", "scuffing", bars, required, "temperature")
-    missing = limit.why
-    if not missing and (contact is None or oil_temperature is None):
+    if limit.value is None or limit.why:
+        return Safety(**named, why=f"{limit.why}.")
+    if contact is None or oil_temperature is None:
         missing = "heat was not simulated" if bars else "[surfaces] or [oil.heat] is missing"
-    if missing:
         return Safety(**named, why=f"{missing}.")
     if contact <= oil_temperature:
         return Safety(**named, why="the contact is no hotter than its oil.")
@@ -234,13 +244,12 @@ def micropitting(
         As of `scuffing`, the bars those of the film.
     """
     named = _named("S_lambda", "micropitting", bars, required, "film")
-    missing = limit.why
-    if not missing and roughness is None:
-        missing = "the roughness of both flanks is missing"
-    if not missing and film is None:
-        missing = "[oil.heat] or base of the oil is missing"
-    if missing:
-        return Safety(**named, why=f"{missing}.")
+    if limit.value is None or limit.why:
+        return Safety(**named, why=f"{limit.why}.")
+    if roughness is None:
+        return Safety(**named, why="the roughness of both flanks is missing.")
+    if film is None:
+        return Safety(**named, why="[oil.heat] or base of the oil is missing.")
     specific = film / roughness
     inputs: dict[str, Value] = {
         "lambda_GF": specific,

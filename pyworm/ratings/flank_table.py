@@ -110,7 +110,7 @@ def _rows(
     scuffing, permissible = limits[0].value, limits[1].value
 
     def celsius(spot: Spot) -> _Barred:
-        if spot.temperature is None:
+        if spot.temperature is None or oil is None:
             return None, None
         rise, (error, model) = spot.temperature - oil, spot.bars[0]
         return spot.temperature - ZERO_CELSIUS, (
@@ -119,7 +119,7 @@ def _rows(
         )
 
     def safety(spot: Spot) -> _Barred:
-        if spot.temperature is None or scuffing is None or spot.temperature <= oil:
+        if spot.temperature is None or scuffing is None or oil is None or spot.temperature <= oil:
             return None, None
         return _barred((scuffing - oil) / (spot.temperature - oil), spot.bars[0])
 
@@ -164,13 +164,13 @@ def _closed_rows(
 
     def blok(spot: Spot) -> _Barred:
         flash = closed.at("flash_over_friction", spot.phase)
-        if flash is None or spot.friction is None:
+        if flash is None or spot.friction is None or closed.bulk is None:
             return None, None
         return closed.bulk + flash * spot.friction - ZERO_CELSIUS, None
 
     def safety(spot: Spot) -> _Barred:
         kelvin = closed.at("temperature", spot.phase)
-        if kelvin is None or scuffing is None or kelvin <= oil:
+        if kelvin is None or scuffing is None or oil is None or kelvin <= oil:
             return None, None
         return (scuffing - oil) / (kelvin - oil), None
 

@@ -13,8 +13,9 @@ from pyworm.formulas import gear_oil, scuffing
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
+from pyworm.io.present import present
 from pyworm.materials.base_stock import Base
-from pyworm.ratings.flank_damage import BASIS, LEAST_SHARE, Spot, simulated_spots
+from pyworm.ratings.flank_damage import BASIS, LEAST_SHARE, Spot, hotter_flank, simulated_spots
 from pyworm.ratings.gear_damage import GearDamage, mean_scuffing_temperature
 from pyworm.ratings.mesh_loss import mesh_loss, with_missing
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
@@ -159,7 +160,7 @@ def _closed_forms(duty: GearPairDuty, table: GearRatingTable) -> dict[str, float
             "loss_W": duty.power * duty.loss_factor * duty.friction,
             "efficiency": 1 - duty.loss_factor * duty.friction,
         }
-    if line.contact_temperature is not None:
+    if line.contact_temperature is not None and line.flash_temperature is not None:
         hot = int(np.argmax(line.contact_temperature))
         hottest = float(line.contact_temperature[hot])
         closed |= {
@@ -233,15 +234,14 @@ def _simulated(drive: Drive, duty: GearPairDuty, result: Result) -> dict[str, fl
 
 
 def _surface(solution: Solution) -> float:
-    figures = solution.figures
-    return max(figures.temperature_max_body_1.value, figures.temperature_max_body_2.value)
+    return present(hotter_flank(solution), "temperature_max_body").value
 
 
 def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
     """Viscosity by speed, oil flow and jets."""
     speed = duty.pitch_line_velocity
     wanted = gear_oil.pitch_line_viscosity(speed)
-    figures = [
+    figures: list[tuple[str, str, float, float, str]] = [
         ("viscosity_40_m2_s", "Viscosity at 40 °C by speed", wanted, 1e6, "mm²/s"),
         ("nearest_grade", "  nearest ISO VG", gear_oil.nearest_grade(wanted), 1.0, ""),
     ]
@@ -252,7 +252,12 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
     words = [f"Oil is brought by {gear_oil.application_method(speed)}."]
     if table.flow is not None:
         flow = gear_oil.oil_flow(duty.power, table.flow)
-        jets = gear_oil.oil_jets(flow, table.feed_pressure, duty.oil.density.rho0, table.jets)
+        jets = gear_oil.oil_jets(
+            flow,
+            present(table.feed_pressure, "gear_rating.feed_pressure"),
+            duty.oil.density.rho0,
+            present(table.jets, "gear_rating.jets"),
+        )
         figures += [
             ("jets", f"Jets, {table.flow} flow", jets.number, 1.0, ""),
             ("jet_diameter_m", "  diameter", jets.diameter, 1e3, "mm"),
@@ -264,6 +269,8 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
         title="Gear oil: viscosity and flow",
         source=gear_oil.SOURCE,
         columns=("computed",),
-        figures=tuple(RatedFigure(key, label, (of,), *how) for key, label, of, *how in figures),
+        figures=tuple(
+            RatedFigure(key, label, (of,), scale, unit) for key, label, of, scale, unit in figures
+        ),
         words=tuple(words),
     )

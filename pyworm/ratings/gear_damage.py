@@ -1,5 +1,6 @@
 """Scuffing and micropitting of a pair of gears by ISO/TS 6336-20 and -22, closed forms and simulated."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -32,6 +33,16 @@ def mean_scuffing_temperature(duty: GearPairDuty, table: GearRatingTable) -> flo
     if duty.scuffing_temperature is not None or table.viscosity_40 is None:
         return duty.scuffing_temperature
     return float(scuffing_temperature(table.viscosity_40, table.anti_scuff))
+
+
+def _worst(
+    values: np.ndarray | None, phases: np.ndarray, find: Callable[[np.ndarray], np.intp]
+) -> tuple[float | None, str]:
+    """The worst of values along the line of action, and its phase in words; None, "" without values."""
+    if values is None:
+        return None, ""
+    place = find(values)
+    return float(values[place]), f"phase {phases[place]:.3g}"
 
 
 @dataclass(frozen=True)
@@ -78,7 +89,10 @@ class GearDamage:
     def _films(self) -> MicropittingFilms | None:
         """Films of the standard along the line of action; None where data are missing."""
         duty, line = self.duty, self.duty.line_of_action
-        if None in (self.base, duty.effusivities, duty.bulk_temperature, self.roughness):
+        base, roughness, bulk = self.base, self.roughness, duty.bulk_temperature
+        if base is None or duty.effusivities is None or bulk is None or roughness is None:
+            return None
+        if self.oil_temperature is None:
             return None
         flanks = Flanks(
             line.radius,
@@ -87,10 +101,10 @@ class GearDamage:
             line.gear_velocity,
             duty.reduced_modulus,
             duty.effusivities,
-            self.roughness,
+            roughness,
         )
-        oil = gear_oil(duty.oil, self.base)
-        return micropitting_films(flanks, oil, self.oil_temperature, duty.bulk_temperature)
+        oil = gear_oil(duty.oil, base)
+        return micropitting_films(flanks, oil, self.oil_temperature, bulk)
 
     def safeties(self, result: Result | None) -> tuple[Safety, ...]:
         """S_B and S_lambda at the worst place, by the standards and, with a result, simulated.
@@ -101,22 +115,22 @@ class GearDamage:
             Solved contacts that converged.
         """
         line, films = self.duty.line_of_action, self._films
-        hot = None if line.contact_temperature is None else int(np.argmax(line.contact_temperature))
-        thin = None if films is None else int(np.argmin(films.film))
+        hottest, hot = _worst(line.contact_temperature, line.phase, np.argmax)
+        thinnest, thin = _worst(None if films is None else films.film, line.phase, np.argmin)
         made = (
             scuffing(
-                None if hot is None else float(line.contact_temperature[hot]),
+                hottest,
                 self.oil_temperature,
                 self.limits[0],
                 self.table.required_scuffing,
-                "" if hot is None else f"phase {line.phase[hot]:.3g}",
+                hot,
             ),
             micropitting(
-                None if thin is None else float(films.film[thin]),
+                thinnest,
                 self.roughness,
                 self.limits[1],
                 self.table.required_micropitting,
-                "" if thin is None else f"phase {line.phase[thin]:.3g}",
+                thin,
             ),
         )
         if result is None:

@@ -5,6 +5,7 @@ from typing import Any
 
 from pyworm.case.case import Case
 from pyworm.drives.besides_teeth import BesidesTeeth
+from pyworm.io.present import present
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.result.mesh_cycle import DriveCycle
 
@@ -38,7 +39,7 @@ def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> Heat
     standard : StandardLoss or NoStandard
         What a standard has for its teeth.
     """
-    smooth = cycle.loss.power
+    smooth = present(cycle.loss, "loss").power
     simulated = f"{smooth:.4g} W simulated{' as if smooth' if cycle.left_out.as_if_smooth else ''}"
     if isinstance(standard, NoStandard):
         return HeatingLoss(
@@ -52,8 +53,9 @@ def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> Heat
 
 def tooth_loss_of(case: Case) -> float:
     """Loss between the teeth assumed in a case's thermal balance [W]."""
-    cooling = case.tables.cooling_of(case.drive)
-    sump = case.drive.oil.heat.inlet_temperature
+    drive = present(case.drive, "drive")
+    cooling = case.tables.cooling_of(drive)
+    sump = present(drive.oil.heat, "oil.heat").inlet_temperature
     return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other.power
 
 

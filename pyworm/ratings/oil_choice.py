@@ -11,6 +11,7 @@ from pyworm.formulas import gear_oil, scuffing, wear_distress
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.formulas.lubrication import BOUNDARY
 from pyworm.formulas.unit_factors import SQUARE_MILLIMETRE, ZERO_CELSIUS
+from pyworm.io.present import present
 from pyworm.materials.library import ISO_GRADES, named_oil, oil_from_index
 from pyworm.ratings.oil_grades import (
     THICKEST,
@@ -243,22 +244,27 @@ def _table(rows: tuple[GradeRow, ...], chosen: GradeRow) -> tuple[str, ...]:
 
 
 def _bearing_step(duty: OilDuty, chosen: GradeRow) -> Step:
-    wanted = reference_viscosity(duty.bearing_speed, duty.bearing_diameter) / SQUARE_MILLIMETRE
-    good = chosen.kappa >= 1
+    speed, diameter, kappa = (
+        present(duty.bearing_speed, "bearing_speed"),
+        present(duty.bearing_diameter, "bearing_diameter"),
+        present(chosen.kappa, "kappa"),
+    )
+    wanted = reference_viscosity(speed, diameter) / SQUARE_MILLIMETRE
+    good = kappa >= 1
     return Step(
         "Bearings",
         f"The bearing wants {wanted:.1f} mm2/s; with VG {chosen.grade} at "
-        f"{_celsius(chosen.sump_temperature)} kappa = {chosen.kappa:.2f}, "
+        f"{_celsius(chosen.sump_temperature)} kappa = {kappa:.2f}, "
         + ("which is enough." if good else "below 1: it loses life to thin oil."),
         "ISO 281:2007",
     )
 
 
 def _scuffing_step(duty: OilDuty, chosen: GradeRow) -> Step:
-    contact = duty.contact_temperature
+    contact = present(duty.contact_temperature, "contact_temperature")
     texts = []
     for anti_scuff, words in ((False, "without"), (True, "with")):
-        limit = scuffing.scuffing_temperature(chosen.grade * SQUARE_MILLIMETRE, anti_scuff)
+        limit = float(scuffing.scuffing_temperature(chosen.grade * SQUARE_MILLIMETRE, anti_scuff))
         probability = float(scuffing.scuffing_probability(contact, limit))
         texts.append(
             f"{_celsius(limit)} {words} anti-scuff additives (probability {_percent(probability)}, "

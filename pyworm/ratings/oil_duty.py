@@ -5,6 +5,7 @@ from pyworm.drives.duty import GearPairDuty, WormDuty
 from pyworm.formulas import gear_oil
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.io.input_error import CaseError
+from pyworm.io.present import present
 from pyworm.ratings.oil_choice import OilChoice, choose_oil
 from pyworm.ratings.oil_grades import OilDuty, line_film, worm_film
 from pyworm.ratings.rated_case import Asked
@@ -78,7 +79,9 @@ def _bearing(bearings: dict[str, BearingTable]) -> dict[str, float]:
     """The bearing that needs the highest viscosity."""
     if not bearings:
         return {}
-    thirsty = max(
-        bearings.values(), key=lambda one: reference_viscosity(one.speed, one.mean_diameter)
-    )
-    return {"bearing_speed": thirsty.speed, "bearing_diameter": thirsty.mean_diameter}
+    runs = [
+        (of.speed, present(of.mean_diameter, f"bearings.{name}.mean_diameter"))
+        for name, of in bearings.items()
+    ]
+    speed, diameter = max(runs, key=lambda run: reference_viscosity(*run))
+    return {"bearing_speed": speed, "bearing_diameter": diameter}

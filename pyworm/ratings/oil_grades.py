@@ -75,7 +75,7 @@ def line_film(
         groups = films.line_groups(
             radius, load_per_length, reduced_modulus, speed, viscosity, alpha
         )
-        return float(films.dowson_higginson(groups).minimum)
+        return films.dowson_higginson(groups).minimum_number
 
     return FilmLaw(
         film,

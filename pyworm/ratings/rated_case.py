@@ -4,21 +4,27 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
+from typing import Protocol, runtime_checkable
 
 from pyworm.case.case import Case, case_of, checked
+from pyworm.case.case_file import PublishedValue
 from pyworm.case.kinds import rated
+from pyworm.case.oil import OilTable
 from pyworm.case.ratings import (
     RATING_TABLES,
     BearingTable,
+    CompletedRating,
+    GearRatingTable,
     RatedCase,
     RatingCase,
-    WormRatingTable,
+    WormGearTable,
 )
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty, GearPairDuty, WormDuty
 from pyworm.formulas.unknown import Unknown, attempt, or_none
 from pyworm.io.input_error import CaseError
+from pyworm.io.present import present
 from pyworm.io.toml import read_toml
 from pyworm.planning.prediction import predicted
 from pyworm.ratings.bearing import rate_bearing_table
@@ -35,6 +41,23 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.left_out import LeftOut, judged
 from pyworm.solver.solution import Solution
+
+
+@runtime_checkable
+class WormRated(Protocol):
+    """Tables of a case that standards rate as a worm gear."""
+
+    def rating_as_run(self) -> CompletedRating:
+        """`[worm_rating]`, completed by what the drive states."""
+
+
+@runtime_checkable
+class GearRated(Protocol):
+    """Tables of a case that standards rate as a pair of gears."""
+
+    gear_rating: GearRatingTable
+    oil: OilTable
+    published: dict[str, PublishedValue]
 
 
 @dataclass(frozen=True)
@@ -69,15 +92,26 @@ class Asked:
         """What the standards rate it as, the type of its `duty`; None where they know no such drive."""
         if self.drive is not None:
             return self.drive.rated_as
-        return None if self.tables.worm_gear is None else WormDuty
+        return None if self._worm_gear is None else WormDuty
 
     @cached_property
     def duty(self) -> Duty | None:
         """Its gears as the standards see them; ValueError where these do not know such gears."""
-        if self.drive is not None:
+        if self.drive is not None and isinstance(self.tables, RatedCase):
             return self.tables.duty(self.drive)
-        table = self.tables.worm_gear
+        table = self._worm_gear
         return None if table is None else worm_duty_of_table(table)
+
+    @property
+    def worm_duty(self) -> WormDuty:
+        """Its worm gear as the standards see it; ValueError where it has none."""
+        if not isinstance(self.duty, WormDuty):
+            raise ValueError("the case has no worm gear that standards know")
+        return self.duty
+
+    @property
+    def _worm_gear(self) -> WormGearTable | None:
+        return self.tables.worm_gear if isinstance(self.tables, RatingCase) else None
 
     @property
     def rating_is_asked(self) -> bool:
@@ -85,12 +119,15 @@ class Asked:
         return self.worm_rating is not None or bool(self.tables.bearings)
 
     @property
-    def worm_rating(self) -> WormRatingTable | None:
+    def worm_rating(self) -> CompletedRating | None:
         """`[worm_rating]`, completed by what the drive states; None where the case has none."""
         table = getattr(self.tables, "worm_rating", None)
         if table is None:
             return None
-        return table.completed() if self.drive is None else self.tables.rating_as_run()
+        if isinstance(self.tables, WormRated):
+            return self.tables.rating_as_run()
+        completed: CompletedRating = table.completed()
+        return completed
 
 
 def _sound(result: Result | None) -> Result | None:
@@ -101,10 +138,11 @@ def _sound(result: Result | None) -> Result | None:
 
 def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, Solution | None]:
     """The contact with the thinnest film: of those solved, else of those listed, by closed form."""
+    drive = present(asked.drive, "drive")
     if result is not None:
         solution = min(result.solutions, key=lambda of: of.figures.film_min.value)
-        return asked.drive.scene(**Place.of(solution).given), solution
-    scenes = [asked.drive.scene(**place.given) for place in asked.places]
+        return drive.scene(**Place.of(solution).given), solution
+    scenes = [drive.scene(**place.given) for place in asked.places]
     return min(scenes, key=lambda scene: predicted(scene).film_central), None
 
 
@@ -124,7 +162,7 @@ def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
         return LeftOut()
 
     def lubricated() -> LeftOut:
-        duty = asked.duty
+        duty = asked.worm_duty
         film = standard_rating(table, duty, asked.directory).film  # a mean over the contact lines
         found = judged((), 0.0, (film, film), duty.composite_roughness)
         return replace(found, by_formula=True)
@@ -192,12 +230,14 @@ def _attempts(
     if table is not None:
         yield (
             "Worm gear",
-            _attempt(lambda: (rate_worm_table(table, asked.duty, asked.directory, drive, result),)),
+            _attempt(
+                lambda: (rate_worm_table(table, asked.worm_duty, asked.directory, drive, result),)
+            ),
         )
         if drive is not None and result is not None:
-            yield "Contacts", _attempt(lambda: (worm_flanks(asked.duty, drive.oil, result),))
-    if asked.rated_as is GearPairDuty:
-        yield "Gears", _attempt(partial(_gear_pair, asked, result))
+            yield "Contacts", _attempt(lambda: (worm_flanks(asked.worm_duty, drive.oil, result),))
+    if drive is not None and asked.rated_as is GearPairDuty:
+        yield "Gears", _attempt(partial(_gear_pair, asked, drive, result))
     if drive is not None:
         yield "Films by formula", _attempt(lambda: (rate_films(*_thinnest(asked, result)),))
     for name, bearing in tables.bearings.items():
@@ -217,10 +257,12 @@ def _attempt(rate: Callable[[], tuple[Rating, ...]]) -> tuple[Rating, ...] | Unk
         return Unknown(str(error))
 
 
-def _gear_pair(asked: Asked, result: Result | None) -> tuple[Rating, ...]:
-    tables = asked.tables
+def _gear_pair(asked: Asked, drive: Drive, result: Result | None) -> tuple[Rating, ...]:
+    tables, duty = asked.tables, asked.duty
+    if not (isinstance(duty, GearPairDuty) and isinstance(tables, GearRated)):
+        raise ValueError("the case has no pair of gears that standards know")
     table, base = tables.gear_rating, tables.gear_rating.base or tables.oil.base
-    return tuple(rate_gear_pair(asked.drive, asked.duty, table, base, tables.published, result))
+    return tuple(rate_gear_pair(drive, duty, table, base, tables.published, result))
 
 
 def _bearing(name: str, table: BearingTable, directory: Path) -> tuple[Rating, ...]:
@@ -250,7 +292,7 @@ def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
     left = [sentence for rating in made for sentence in rating.not_rated]
     failed = [(name, of) for name, of in _attempts(asked, None) if isinstance(of, Unknown)]
     left += [f"{name}: {of.why.rstrip('.')}." for name, of in failed]
-    if asked.rated_as is WormDuty and asked.tables.worm_rating is None:
+    if asked.rated_as is WormDuty and asked.worm_rating is None:
         left += ["Worm gear: the case has no [worm_rating].", *NEVER_RATED]
     if asked.rated_as is GearPairDuty:
         left.append("Pitting and tooth root strength: no formulas of them are known here.")

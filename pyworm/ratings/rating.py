@@ -153,7 +153,8 @@ class Safety:
         if self.value is None:
             return self.why
         return ", ".join(
-            f"{key} {of if isinstance(of, str) else short(of)}" for key, of in self.inputs.items()
+            f"{key} {of if of is None or isinstance(of, str) else short(of)}"
+            for key, of in self.inputs.items()
         )
 
     def summary(self) -> dict[str, Any]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pyworm.case.ratings import WormGearTable, WormRatingTable
+from pyworm.case.ratings import CompletedRating, WormGearTable
 from pyworm.case.worm_conditions import MEAN_TO_RMS, standard_oil
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
@@ -17,6 +17,8 @@ from pyworm.formulas.wear_distress import regime, specific_film
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_rating import WormRating
 from pyworm.io.input_error import CaseError
+from pyworm.io.present import present
+from pyworm.ratings.flank_damage import hotter_flank
 from pyworm.ratings.mesh_loss import mesh_loss, with_missing
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating, without_value
 from pyworm.ratings.worm_basis import BASIS, outside_scope
@@ -56,13 +58,13 @@ def _duty(table: WormGearTable) -> WormDuty:
     )
 
 
-def standard_rating(table: WormRatingTable, duty: WormDuty, directory: Path) -> WormRating:
+def standard_rating(table: CompletedRating, duty: WormDuty, directory: Path) -> WormRating:
     """The worm gear by the standards under its largest torque; arguments and errors as of `rated_loads`."""
     return hardest(rated_loads(table, duty, directory)).rated
 
 
 def rate_worm_table(
-    table: WormRatingTable,
+    table: CompletedRating,
     duty: WormDuty,
     directory: Path,
     drive: Drive | None = None,
@@ -72,7 +74,7 @@ def rate_worm_table(
 
     Parameters
     ----------
-    table : WormRatingTable
+    table : CompletedRating
         Rating tables of the case.
     duty : WormDuty
         Its worm gear.
@@ -101,14 +103,14 @@ def rate_worm_table(
             *(f"{of.symbol}, {of.label}: {of.why}" for of in made if of.value is None),
             *NEVER_RATED,
         ),
-        left_out=of_all(result.solutions) if simulated else LeftOut(),
+        left_out=of_all(result.solutions) if simulated and result is not None else LeftOut(),
         basis=(*BASIS, *outside_scope(duty, loads)),
         differs=differences(table, duty, loads, directory),
     )
 
 
 def _words(
-    table: WormRatingTable,
+    table: CompletedRating,
     duty: WormDuty,
     loads: tuple[RatedLoad, ...],
     directory: Path,
@@ -143,10 +145,10 @@ def _words(
 
 
 def _rough_words(
-    table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
+    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
 ) -> str:
     together = duty.composite_roughness
-    worm, wheel = (height * 1e6 for height in duty.roughness)
+    worm, wheel = (present(height, "roughness") * 1e6 for height in duty.roughness)
     return (
         f"Roughness Rq {worm:.3g} µm of the worm and {wheel:.3g} µm of the wheel, "
         f"{together * 1e6:.3g} µm together; Ra of the worm taken as {MEAN_TO_RMS:g} Rq."
@@ -154,7 +156,7 @@ def _rough_words(
 
 
 def _oil_words(
-    table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
+    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
 ) -> str:
     under, rated = hardest(loads).conditions, hardest(loads).rated
     material = under.material
@@ -346,11 +348,9 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
             "locking": lost.friction / duty.gear.tan_lead,
             "loss_W": lost.loss,
         }
-    if all(of.temperature_max_body_1 is not None for of in figures):
-        hottest = max(
-            max(of.temperature_max_body_1.value, of.temperature_max_body_2.value) for of in figures
-        )
-        values["surface_temperature_max_C"] = hottest - ZERO_CELSIUS
+    hot = [of.value for one in solutions if (of := hotter_flank(one)) is not None]
+    if len(hot) == len(solutions):
+        values["surface_temperature_max_C"] = max(hot) - ZERO_CELSIUS
     return values
 
 

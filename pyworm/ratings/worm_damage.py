@@ -33,12 +33,12 @@ def worm_flanks(duty: WormDuty, oil: Oil, result: Result) -> Rating:
     result : Result
         Solved contacts that converged.
     """
-    known = None not in duty.roughness
+    heights = [of for of in duty.roughness if of is not None]
     return flank_table(
         simulated_spots(result.solutions),
         (Limit(None), Limit(None)),
         None if oil.heat is None else oil.heat.inlet_temperature,
-        MEAN_TO_RMS * float(np.mean(duty.roughness)) if known else None,
+        MEAN_TO_RMS * float(np.mean(heights)) if len(heights) == len(duty.roughness) else None,
         of_all(result.solutions),
         words=(NO_RATING,),
         title="Temperatures and specific films at each solved contact",

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from pyworm.case.ratings import WormRatingTable
+from pyworm.case.ratings import CompletedRating
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.unknown import Unknown, attempt
@@ -17,7 +17,7 @@ TOO_COLD = 10.0
 
 
 def differences(
-    table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
+    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
 ) -> tuple[str, ...]:
     """What simulation and rating of a drive do not share; nothing of a worm gear that is only rated.
 
@@ -27,7 +27,7 @@ def differences(
     return (*_material(table, duty), *_bulk(duty, own[0]), *_sump(table, duty, own[0], directory))
 
 
-def _material(table: WormRatingTable, duty: WormDuty) -> tuple[str, ...]:
+def _material(table: CompletedRating, duty: WormDuty) -> tuple[str, ...]:
     """Another casting than that of the contacts, whose constants are the same."""
     if duty.wheel_material in (table.wheel_material, None):
         return ()
@@ -51,7 +51,7 @@ def _bulk(duty: WormDuty, load: RatedLoad) -> tuple[str, ...]:
 
 
 def _sump(
-    table: WormRatingTable, duty: WormDuty, load: RatedLoad, directory: Path
+    table: CompletedRating, duty: WormDuty, load: RatedLoad, directory: Path
 ) -> tuple[str, ...]:
     """A temperature of the oil that is given and colder than any balance has it, or one not shared."""
     sump = load.sump

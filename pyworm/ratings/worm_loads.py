@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from pyworm.case.ratings import WormRatingTable
+from pyworm.case.ratings import CompletedRating
 from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.unknown import Unknown
@@ -41,12 +41,12 @@ class RatedLoad:
         return self.conditions.sump_temperature
 
 
-def rated_loads(table: WormRatingTable, duty: WormDuty, directory: Path) -> tuple[RatedLoad, ...]:
+def rated_loads(table: CompletedRating, duty: WormDuty, directory: Path) -> tuple[RatedLoad, ...]:
     """The worm gear under each load of its spectrum, else under that of the drive in the life that is given.
 
     Parameters
     ----------
-    table : WormRatingTable
+    table : CompletedRating
         The rating, completed.
     duty : WormDuty
         The worm gear.

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from pyworm.case.ratings import WormRatingTable
+from pyworm.case.ratings import CompletedRating
 from pyworm.case.worm_conditions import material_of, standard_oil, sump_by_standard
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
@@ -42,20 +42,20 @@ _MOST_LASTING = 1.6
 class _Rated:
     """What all safeties are made of."""
 
-    table: WormRatingTable
+    table: CompletedRating
     duty: WormDuty
     loads: tuple[RatedLoad, ...]
     directory: Path
 
 
 def safeties(
-    table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
+    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
 ) -> tuple[Safety, ...]:
     """S_W, S_H, S_delta, S_F and S_T of a worm gear, each by itself or with the reason why there is none.
 
     Parameters
     ----------
-    table : WormRatingTable
+    table : CompletedRating
         The case's `[worm_rating]`, completed.
     duty : WormDuty
         The worm gear.
@@ -87,7 +87,7 @@ def _unrated(symbol: str, why: str) -> Safety:
     return _safety(symbol, why=f"{why.rstrip('.')}.")
 
 
-def _missing(table: WormRatingTable, *keys: str) -> str:
+def _missing(table: CompletedRating, *keys: str) -> str:
     """What of a table is not given, in a clause; empty where nothing is missing."""
     gone = [
         key
@@ -147,9 +147,10 @@ def _miner(loads: tuple[RatedLoad, ...]) -> float:
     """S_H over several loads [-]; hours and safeties of each are of its own share of the life."""
     damage, bound = 0.0, float("inf")
     for load in loads:
-        lasting = min((25000 / load.hours) ** (1 / _PITTING_POWER), _MOST_LASTING)
+        hours = known(load.hours)
+        lasting = min((25000 / hours) ** (1 / _PITTING_POWER), _MOST_LASTING)
         endured = load.rated.pitting_safety / lasting  # over 25000 h
-        damage += load.hours / 25000 * endured**-_PITTING_POWER
+        damage += hours / 25000 * endured**-_PITTING_POWER
         bound = min(bound, endured * _MOST_LASTING)
     return min(damage ** (-1 / _PITTING_POWER), bound)
 
@@ -214,7 +215,7 @@ def _temperature(of: _Rated) -> Safety:
 
 
 def standard_sump(
-    table: WormRatingTable, duty: WormDuty, load: RatedLoad, directory: Path, fan: bool
+    table: CompletedRating, duty: WormDuty, load: RatedLoad, directory: Path, fan: bool
 ) -> float:
     """The standard's temperature of the sump under a load [K]; ValueError outside its range."""
     oil, torque = standard_oil(table, directory), load.torque / table.application_factor

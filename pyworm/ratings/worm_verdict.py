@@ -3,7 +3,7 @@
 from math import atan, degrees
 from pathlib import Path
 
-from pyworm.case.ratings import WormRatingTable
+from pyworm.case.ratings import CompletedRating
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.ranges import apart
 from pyworm.formulas.unit_factors import RPM
@@ -28,7 +28,7 @@ NO_BRAKE = (
 
 
 def locking(
-    table: WormRatingTable, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
+    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
 ) -> str:
     """Whether the wheel can drive the gearbox, running and from rest; ValueError where that is not known.
 
@@ -37,9 +37,14 @@ def locking(
     """
     at_rest = max(loads, key=lambda of: of.rated.static_gearbox_efficiency_back)
     locks_at_rest = at_rest.rated.static_gearbox_efficiency_back <= 0
-    back = [attempt(lambda of=of: of.rated.gearbox_efficiency_back) for of in loads]
-    running = None if any(isinstance(of, Unknown) for of in back) else max(back) <= 0
+    back = [_efficiency_back(of) for of in loads]
+    sure = [of for of in back if not isinstance(of, Unknown)]
+    running = max(sure) <= 0 if len(sure) == len(back) else None
     return f"{_verdict(running, locks_at_rest)}. {_why(loads, back)} {NO_BRAKE}"
+
+
+def _efficiency_back(of: RatedLoad) -> float | Unknown:
+    return attempt(lambda: of.rated.gearbox_efficiency_back)
 
 
 def _verdict(running: bool | None, at_rest: bool) -> str:
@@ -122,11 +127,7 @@ def _cannot_run(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> tuple[str, ...]
     """That a wheel is to drive which cannot."""
     if duty.driver == "worm":
         return ()
-    held = [
-        load
-        for load in loads
-        if (or_none(attempt(lambda of=load: of.rated.gearbox_efficiency_back)) or 1.0) <= 0
-    ]
+    held = [load for load in loads if (or_none(_efficiency_back(load)) or 1.0) <= 0]
     return tuple(
         f"The wheel is to drive (operation.driver) and cannot: at {load.torque:.4g} N m and "
         f"{load.worm_speed * RPM:.4g} rpm the gearbox loses {load.rated.loss:.4g} W, more than the "

@@ -72,10 +72,11 @@ def _known(scene: Contact) -> list[tuple[LongWaves, float, int]]:
     ]
 
 
-def velocities(scene: Contact) -> tuple[tuple[float, ...], ...]:
+def velocities(scene: Contact) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """Velocities of both surfaces at the contact point, along each direction [m/s]."""
     origin = [np.zeros(()) for _ in range(1 if isinstance(scene, LineScene) else 2)]
-    return tuple(tuple(float(of) for of in one) for one in scene.velocities_at(*origin))
+    body_1, body_2 = scene.velocities_at(*origin)
+    return tuple(map(float, body_1)), tuple(map(float, body_2))
 
 
 def _whole(scene: Contact, number: int) -> bool:

@@ -9,6 +9,7 @@ fillets and tip relief have none, nor has the grinding disc of ZK and ZC: values
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from math import atan, cos, degrees, pi, sin, sqrt, tan
+from typing import Any
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
 from pyworm.drives.zi_worm.tooth import ParabolicRelief
@@ -373,7 +374,7 @@ def completed(
     tuple of Drawing and tuple of str
         The drawing, and a sentence that begins with the key for each value taken.
     """
-    known = {name: value for name, value in given.items() if value is not None}
+    known: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
     assumed = []
     usual = _USUAL | _USUAL_OF.get(profile, {})
     for name, (rule, words) in usual.items():

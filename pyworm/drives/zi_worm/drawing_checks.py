@@ -8,6 +8,7 @@ from math import degrees, pi, radians
 
 from pyworm.drives.zi_worm.drawing import Drawing, key_of
 from pyworm.formulas.worm_profiles import Profile
+from pyworm.io.present import present
 
 MOST_DISC = 1.0
 """Largest diameter of a grinding disc [m]."""
@@ -70,7 +71,10 @@ def check_given(given: Mapping[str, float | None]) -> None:
     ValueError
         If one is wrong.
     """
-    threads, teeth = given["threads"], given["teeth"]
+    threads, teeth, module, factor = (
+        present(given[key], f"drive.{key}")
+        for key in ("threads", "teeth", "module", "diameter_factor")
+    )
     if threads >= teeth or threads > MOST_THREADS:
         swapped = teeth <= MOST_THREADS and threads > teeth
         right = f"swapped? threads = {teeth}, teeth = {threads}" if swapped else "such as 2"
@@ -85,9 +89,8 @@ def check_given(given: Mapping[str, float | None]) -> None:
             f"pressure_angle is {degrees(angle):.4g} deg; worms have {degrees(low):g} to "
             f'{degrees(high):g} deg, as a rule "20 deg"'
         )
-    factor = given["diameter_factor"]
     if not 4 <= factor <= 40:
-        meant = factor * given["module"]
+        meant = factor * module
         raise ValueError(
             f"diameter_factor is {factor:.4g}; worms have 4 to 40, reference diameter over module: here the "
             f"worm's reference diameter would be {_mm(meant)}"
@@ -339,9 +342,10 @@ def _check_hob(of: Drawing) -> None:
             f"{_mm(of.reference_diameter)}, at most {_mm(largest)}"
         )
     usual = of.centre_distance + of.hob_oversize / 2
-    if abs((of.hob_centre_distance or usual) - usual) > of.module / 2:
+    distance = of.hob_centre_distance or usual
+    if abs(distance - usual) > of.module / 2:
         raise ValueError(
-            f"hob.centre_distance is {_mm(of.hob_centre_distance)}; it is the distance of the hob's "
+            f"hob.centre_distance is {_mm(distance)}; it is the distance of the hob's "
             f"axis from the wheel's, within half a module of {_mm(usual)}, centre_distance and half of "
             "hob.oversize"
         )

@@ -242,6 +242,13 @@ class ZiWormDrive(ZiWormGears, Drive):
         return float(abs(np.cross(contact.point, contact.normal)[1]))
 
     @property
+    def transmission(self) -> Transmission:
+        """The torque that the teeth in mesh share; ValueError where the load of one tooth is given."""
+        if not isinstance(self.load, Transmission):
+            raise ValueError("the load of one tooth is given, which no teeth share")
+        return self.load
+
+    @property
     def wheel_torque(self) -> float:
         """Torque of the wheel [N m]; for a given tooth load the mean over the mesh cycle without friction."""
         if not isinstance(self.load, Transmission):

@@ -29,10 +29,12 @@ def drive_table(drive: Drive) -> Table | None:
 
 def described_row(key: str, value: float | str) -> tuple[str, str]:
     """Label and value of a figure, in its unit by the ending of its key."""
+    if isinstance(value, str):
+        return _label(key), value
     for ending, factor, unit in _UNITS:
         if key.endswith(ending):
             return _label(key.removesuffix(ending)), f"{value * factor:.5g} {unit}"
-    return _label(key), value if isinstance(value, str) else f"{value:.5g}"
+    return _label(key), f"{value:.5g}"
 
 
 def _label(name: str) -> str:

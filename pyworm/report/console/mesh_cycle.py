@@ -8,6 +8,7 @@ from pyworm.drives.kinds import module_of
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.present import present
 from pyworm.ratings.heating import Heating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
@@ -57,6 +58,7 @@ def cycle_table(cycle: DriveCycle) -> Table:
             table.add_row(label, f"{cycle.bulk[name] - ZERO_CELSIUS:.1f} °C")
     if cycle.lambda_min is not None:
         extreme("Least lambda", cycle.lambda_min, 1.0, "")
+    if cycle.lambda_central is not None:
         extreme("  of the central film", cycle.lambda_central, 1.0, "")
     if cycle.lifted is not None:
         fraction, phase = cycle.lifted
@@ -82,7 +84,7 @@ def loss_table(
     heating : Heating or None
         The loss that warms it; None where temperatures are given.
     """
-    loss, left_out = cycle.loss, cycle.left_out
+    loss, left_out = present(cycle.loss, "loss"), cycle.left_out
     table = Table("Figure", title=left_out.titled("Loss of all teeth"), title_justify="left")
     table.add_column(
         AS_IF_SMOOTH.capitalize() if left_out.as_if_smooth else "Value", justify="right"
@@ -98,7 +100,7 @@ def loss_table(
     bar, rough = f"± {loss.efficiency_error * 100:.2g}", ""
     missing = f"; {cycle.missing}" if cycle.missing else ""
     friction = f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"
-    if loss.model_error is not None:
+    if loss.model_error is not None and loss.efficiency_model_error is not None:
         rough = f" ± {_two(loss.model_error)} (model)"
         bar += f" ± {loss.efficiency_model_error * 100:.2g} (model)"
         friction += f" ± {loss.model_error / loss.power * 100:.2g} % (model)"

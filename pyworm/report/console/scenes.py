@@ -111,8 +111,14 @@ _FIGURES = (
 _RUBBING = {"friction_coefficient", "power_loss_W", "power_loss_per_length_W_m"}
 """Keys of figures that roughness adds to where it carries load."""
 
-SLENDER = {"box": SIMPLE_HEAD, "padding": (0, 1, 0, 0)}
-"""The look of tables with a row a scene, whose columns must share a terminal's width."""
+
+def _slender(heading: str | None, title: str) -> Table:
+    """A table with a row a scene, whose columns must share a terminal's width."""
+    headings = () if heading is None else (heading,)
+    return Table(
+        *headings, title=title, title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0)
+    )
+
 
 HOT_PLACES = "body_1", "body_2", "film"
 """Keys of largest temperatures in summaries."""
@@ -144,7 +150,7 @@ def figures_table(
     bodies : tuple of str
         What the bodies are called.
     """
-    figures = scene_summary(scene) | summary
+    figures = {**scene_summary(scene), **summary}
     left_out = LeftOut.read(summary)
     table = Table("Figure", title=left_out.titled(_title(scene)), title_justify="left")
     table.add_column("Value", justify="right")
@@ -155,7 +161,7 @@ def figures_table(
         table.add_column("Published", justify="right")
 
     def add(label: str, value: str, name: str | None, model: str = "") -> None:
-        printed = published[name].text if name in published else ""
+        printed = published[name].text if name is not None and name in published else ""
         table.add_row(label, value, *([model] if mixed else []), *([printed] if published else []))
 
     for label, key, scale, unit, error_key, name in _FIGURES:
@@ -163,10 +169,10 @@ def figures_table(
             continue
         if key in _RUBBING:
             label = left_out.headed(label)
-        if not summary["converged"] and not isfinite(figures.get(error_key, 0.0)):
+        if not summary["converged"] and not isfinite(_figure(figures, error_key) or 0.0):
             add(label, "not converged", name)
             continue
-        error, model = figures.get(error_key), figures.get(_of_model(error_key))
+        error, model = (_figure(figures, name_of) for name_of in (error_key, _of_model(error_key)))
         add(label, _value(figures[key] * scale, unit, error), name, _bar(model, 100.0, "%"))
         if error_key is not None and f"{error_key}_reason" in figures:
             table.add_row(_reason_label(figures[error_key]), figures[f"{error_key}_reason"])
@@ -224,7 +230,7 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
     """
     places, labels = _places(scenes)
     title = _at_worst(summaries).titled("All scenes")
-    table = Table(title=title, title_justify="left", **SLENDER)
+    table = _slender(None, title)
     table.add_column(places, no_wrap=True)
     solved = [values for values in summaries if values["converged"]]
     rough = bool(solved) and all("specific_film" in values for values in solved)
@@ -265,7 +271,7 @@ def heat_table(
     heading, labels = _places(scenes)
     left_out = _at_worst(summaries)
     title = left_out.titled(left_out.headed("Friction and heat of all scenes"))
-    table = Table(heading, title=title, title_justify="left", **SLENDER)
+    table = _slender(heading, title)
     mixed = any("friction_coefficient_model_error" in values for values in summaries)
     headings = ["Friction", "± %", *(["model\n± %"] if mixed else []), "Loss"]
     if heated:
@@ -430,6 +436,11 @@ def _bar(error: float | None, scale: float, unit: str) -> str:
     return "" if error is None else f"± {error * scale:.2g} {unit}"
 
 
+def _figure(figures: Mapping[str, Any], key: str | None) -> float | None:
+    """A figure by its key; None without a key or a figure."""
+    return None if key is None else figures.get(key)
+
+
 def _of_model(error_key: str | None) -> str | None:
     """Key of the model uncertainty beside that of a numerical error bar."""
     return error_key and error_key.replace("_error", "_model_error")
@@ -437,7 +448,7 @@ def _of_model(error_key: str | None) -> str | None:
 
 def _quantity(label: str, value: float | Sequence[float], scale: float, unit: str) -> tuple:
     """Label and value of a row; vectors are labelled with their directions."""
-    values = value if isinstance(value, list) else [value]
+    values = value if isinstance(value, Sequence) else [value]
     text = ", ".join(f"{part * scale:.4g}" for part in values)
     return f"{label} along x, y" if len(values) > 1 else label, f"{text} {unit}"
 

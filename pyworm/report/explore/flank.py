@@ -26,11 +26,13 @@ def flank(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | Non
         As of `scenes`.
     """
     cycle = result.mesh_cycle
-    field = None if cycle is None or "rim_face" not in cycle else flank_map(result)
+    if cycle is None or "rim_face" not in cycle:
+        return None
+    field = flank_map(result)
     if field is None:
         return None
     point = cycle["point"]
-    radius = np.hypot(point.sel(axis="x"), point.sel(axis="z")).values
+    radius = np.hypot(point.sel(axis="x").values, point.sel(axis="z").values)
     return {
         "face": _ends(field["face"].values),
         "radius": _ends(field["radius"].values),

@@ -49,7 +49,7 @@ def space(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | Non
 
 def _shape(shape: Shape, grids: "Sequence[xr.Dataset]") -> dict[str, Any]:
     surface, pressures, stride = shape.surface, [], 1
-    if shape.face is not None:
+    if shape.face is not None and shape.radius is not None:
         surface, face, radius = (_finer(of) for of in (surface, shape.face, shape.radius))
         stride = FINER  # where there is no pressure to be seen
         pressures = [packed(pressure_on(grid, face, radius) * MEGA) for grid in grids]

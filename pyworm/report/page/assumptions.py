@@ -62,7 +62,7 @@ def _of_contacts(case: Case) -> list[str]:
     return [ONE_CONTACT, *(() if known else ("An inlet full of oil: oil.supply is not given.",))]
 
 
-def assumptions_section(case: Case, result: Result) -> Section:
+def assumptions_of(case: Case, result: Result) -> Items:
     """Assumptions: values that the source does not give, and those of the models."""
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
     on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
@@ -83,7 +83,8 @@ def assumptions_section(case: Case, result: Result) -> Section:
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
     if inlet:
         found = getattr(case.tables, "cooling", None) is not None
-        solids = case.drive.bodies if found else [body for _, body in case.tables.bodies]
+        drive = case.drive if found else None
+        solids = [body for _, body in case.tables.bodies] if drive is None else drive.bodies
         bodies = {
             name: body.bulk_temperature or min(inlet)
             for (name, _), body in zip(case.tables.bodies, solids, strict=True)
@@ -93,7 +94,12 @@ def assumptions_section(case: Case, result: Result) -> Section:
         items.append(
             f"Oil enters at {min(inlet) - ZERO_CELSIUS:.4g} °C; bulk temperatures {how}: {warm}."
         )
-    return Section("What was assumed", (Items(tuple(items)),))
+    return Items(tuple(items))
+
+
+def assumptions_section(case: Case, result: Result) -> Section:
+    """The assumptions under their heading."""
+    return Section("What was assumed", (assumptions_of(case, result),))
 
 
 PROVENANCE = (

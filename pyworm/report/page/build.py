@@ -81,7 +81,9 @@ def build_report(
         _warnings(case, result, differ, standard, made),
         tuple(s for s in sections if s is not None),
         cover,
-        cover and overleaf_of(case, result, made, standard, (*signed_pictures(result), *wear)),
+        None
+        if cover is None
+        else overleaf_of(case, result, made, standard, (*signed_pictures(result), *wear)),
     )
 
 

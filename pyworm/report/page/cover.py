@@ -10,7 +10,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.ratings.rating import Rating, Safety
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.report.console.drive import described_row
-from pyworm.report.page.assumptions import assumptions_section
+from pyworm.report.page.assumptions import assumptions_of
 from pyworm.report.page.content import Cover, Items, Overleaf, Picture, Table, Verdict, Words
 from pyworm.report.page.figures import glance_rows, life_rows
 from pyworm.report.page.symbols import made_of, named
@@ -132,7 +132,7 @@ def overleaf_of(
     """
     sound = result.sound
     rows = glance_rows(case, sound, standard) if sound.solutions else ()
-    (assumed,) = assumptions_section(case, result).blocks
+    assumed = assumptions_of(case, result)
     decisive = tuple(of for of in assumed.items if not of.startswith(USUAL))
     more = len(assumed.items) - len(decisive)
     if more:

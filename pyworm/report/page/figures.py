@@ -10,6 +10,7 @@ from pyworm.case.contact import GapCase
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.format import bars, with_bars
+from pyworm.io.present import present
 from pyworm.io.quantity_text import shown_like
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import Rating
@@ -102,10 +103,11 @@ def glance_rows(
                 "",
             )
         )
-    if all(of.figures.temperature_max_film is not None for of in solutions):
-        hot = max(solutions, key=lambda of: of.figures.temperature_max_film.value)
-        value = temperature(hot.figures.temperature_max_film, hot)
-        rows.append(("Largest temperature of the film", value, place_of(hot)))
+    heats = [of.figures.temperature_max_film for of in solutions]
+    warm = [(heat, of) for heat, of in zip(heats, solutions, strict=True) if heat is not None]
+    if len(warm) == len(solutions):
+        heat, hot = max(warm, key=lambda of: of[0].value)
+        rows.append(("Largest temperature of the film", temperature(heat, hot), place_of(hot)))
     loss = mesh_loss(case.drive, result)
     if loss is not None:
         rows += _loss_rows(loss, of_all(solutions), standard)
@@ -285,12 +287,12 @@ def heat_section(case: Case, result: Result) -> Section | None:
         scale, unit = (1.0, "W") if solution.kind == "point" else (1e-3, "kW/m")
         cells = [
             place_of(solution),
-            estimate(figures.friction_coefficient, 1.0, ""),
-            estimate(figures.power_loss, scale, unit),
+            estimate(present(figures.friction_coefficient, "friction_coefficient"), 1.0, ""),
+            estimate(present(figures.power_loss, "power_loss"), scale, unit),
         ]
         if heated:
             cells += [
-                temperature(of, solution)
+                temperature(present(of, "temperature_max"), solution)
                 for of in (
                     figures.temperature_max_body_1,
                     figures.temperature_max_body_2,

@@ -1,6 +1,6 @@
 """Pictures of a result for its report, as PNG in memory."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from functools import partial
 from io import BytesIO
 
@@ -44,11 +44,15 @@ def signed_pictures(result: Result) -> tuple[Picture | Words, ...]:
 
 def _of_cycle(result: Result, signed: bool) -> list[Picture | Words]:
     left_out = of_all(result.solutions)
-    drawn = (
+    return _those_drawn(
         _drawn(_captioned(picture.caption, left_out), partial(picture.draw, result))
         for picture in cycle_pictures(result).values()
         if picture.signed is signed
     )
+
+
+def _those_drawn(drawn: Iterable[Picture | Words | None]) -> list[Picture | Words]:
+    """Pictures without those of which there is nothing to draw."""
     return [picture for picture in drawn if picture is not None]
 
 
@@ -68,7 +72,7 @@ def cycle_section(result: Result, signed: bool) -> Section | None:
         pictures += _of_cycle(result, signed=True)
     if traction_curve(result):
         caption = _captioned("Traction curve", left_out)
-        pictures.append(_drawn(caption, partial(draw_traction, result)))
+        pictures += _those_drawn([_drawn(caption, partial(draw_traction, result))])
     return Section("The whole cycle", tuple(pictures)) if pictures else None
 
 
@@ -83,7 +87,7 @@ def contact_section(result: Result) -> Section:
         pictures += [
             _picture(result, solution, name) for name in names if has_picture(solution, name)
         ]
-    return Section("Contacts", tuple(pictures))
+    return Section("Contacts", tuple(_those_drawn(pictures)))
 
 
 def _picture(result: Result, solution: Solution, name: str) -> Picture | Words | None:

@@ -18,7 +18,7 @@ from pyworm.materials.viscosity_density import Barus, Roelands
 from pyworm.report.page.content import Block, Section, Table, Words
 from pyworm.report.page.figures import composite_roughness
 from pyworm.result.result import Result
-from pyworm.scene.contact import Contact
+from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales, Scales, line_scales, scales
@@ -129,10 +129,10 @@ def sensitivity(case: Case, result: Result) -> Sensitivity:
 class _Solved:
     """Solved contacts with their least films [m]."""
 
-    contacts: tuple[Contact, ...]
+    contacts: tuple[AnyContact, ...]
     films: tuple[float, ...]
 
-    def changed(self, label: str, contacts: Sequence[Contact], note: str = "") -> Variation:
+    def changed(self, label: str, contacts: Sequence[AnyContact], note: str = "") -> Variation:
         """What other contacts make of these films."""
         ratios = [_film_change(old, new) for old, new in zip(self.contacts, contacts, strict=True)]
         films = [film * ratio for film, ratio in zip(self.films, ratios, strict=True)]
@@ -179,23 +179,23 @@ def _of_oil(solved: _Solved) -> Iterator[Variation]:
         yield with_oil(f"oil {WARMER:g} K warmer", lambda oil: oil.warmed(WARMER))
 
 
-def _sizes(scene: Contact) -> Scales | LineScales:
+def _sizes(scene: AnyContact) -> Scales | LineScales:
     return line_scales(scene) if isinstance(scene, LineScene) else scales(scene)
 
 
-def _film_change(before: Contact, after: Contact) -> float:
+def _film_change(before: AnyContact, after: AnyContact) -> float:
     """Film of a contact over that of another, both by one formula.
 
     The least film by the atlas where that has both contacts, else Nijenbanning, Venner and Moes' central one:
     beyond its box the atlas is nearer to films, but not to their changes (docs/reference/atlas.md).
     """
     old, new = _sizes(before), _sizes(after)
-    if isinstance(old, LineScales):
+    if isinstance(old, LineScales) or isinstance(new, LineScales):
         return new.film / old.film
     if before.oil.supply is not None or (old.inside_atlas and new.inside_atlas):
         return new.least * new.film / (old.least * old.film)
-    changed, known = (nijenbanning_venner_moes(of.groups).central for of in (new, old))
-    return float(changed / known)
+    changed, known = (nijenbanning_venner_moes(of.groups).central_number for of in (new, old))
+    return changed / known
 
 
 def thickened(oil: Oil, ratio: float) -> Oil:

@@ -44,7 +44,7 @@ def made_of(safety: Safety) -> str:
 
 
 def _input(key: str, value: Value) -> str:
-    if isinstance(value, str):
+    if value is None or isinstance(value, str):
         return f"{_words(key)}: {value}"
     for ending, unit in _UNITS.items():
         if key.endswith(ending):

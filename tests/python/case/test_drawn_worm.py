@@ -284,6 +284,7 @@ REFUSED = [
     # hand and profile
     ([('"right"', '"links"')], 'drive.hand = "links"', '"right" or "left"'),
     ([('"ZI"', '"globoid"')], 'drive.profile = "globoid"', "roller-worm"),
+    ([('"ZI"', '3')], "drive.profile", 'must be one of "ZA", "ZN"'),
     ([('"ZI"', '"XX"')], 'drive.profile = "XX"', 'must be one of "ZA", "ZN", "ZI", "ZK", "ZC"'),
     ([in_table("worm", 'disc_diameter = "500 mm"')], "drive.worm.disc_diameter belongs to", '"ZK" and "ZC"'),
     ([('"ZI"', '"ZK"'), in_table("worm", 'arc_radius = "24 mm"')], "drive.worm.arc_radius belongs", '"ZC"'),

@@ -10,11 +10,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.text import Text
 
+from pyworm.io.input_error import CaseError
 from pyworm.materials.base_stock import BASES
 from pyworm.materials.library import ISO_GRADES, named_oil, oil_from_index
 from pyworm.plots.oil import draw_pressure_viscosity, draw_viscosity
 from pyworm.ratings.oil_choice import choose_oil, page
-from pyworm.ratings.oil_duty import oil_duty
+from pyworm.ratings.oil_duty import oil_choice, oil_duty
 from pyworm.ratings.rated_case import load_asked
 
 C = 273.15
@@ -154,6 +155,14 @@ def test_bearings_are_rated_with_the_chosen_oil():
     choice = choose_oil(replace(ZI_WORM, bearing_diameter=0.085))
     assert row_of(choice, 460).kappa == pytest.approx(213.6 / 12.6, rel=0.01)
     assert "which is enough" in next(s for s in choice.steps if s.title == "Bearings").text
+
+
+def test_a_bearing_whose_size_is_not_given_chooses_no_oil(tmp_path):
+    """Its basic life needs no mean diameter; the viscosity that it wants does."""
+    text = (CASES / "oil_zi.toml").read_text().replace('mean_diameter = "70 mm"\n', "")
+    (tmp_path / "oil.toml").write_text(text)
+    with pytest.raises(CaseError, match=r"bearings\.worm_shaft\.mean_diameter is missing"):
+        oil_choice(load_asked(tmp_path / "oil.toml"))
 
 
 @pytest.mark.parametrize(

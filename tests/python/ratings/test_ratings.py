@@ -298,7 +298,31 @@ def test_an_oil_thicker_than_the_one_named_is_refused(refuse):
     text = (CASES / "zi_sharif_2001.toml").read_text().replace('"PAG VG 460"', '"PAG VG 220"')
     error = refuse(text)
     assert 'worm_rating.oil = "PAG VG 220" has 0.103 Pa s at 60 degC' in error
-    assert "oil.viscosity.eta0 is 0.227 Pa s" in error
+    assert "oil.viscosity is 0.227 Pa s" in error
+
+
+MEASURED = """law = "tabulated"
+pressure = ["0 Pa", "100 MPa", "200 MPa", "400 MPa"]
+temperature = ["40 degC", "60 degC", "80 degC"]
+viscosity_at = [
+    ["0.5 Pa s", "0.227 Pa s", "0.12 Pa s"], ["2 Pa s", "0.9 Pa s", "0.4 Pa s"],
+    ["7 Pa s", "3 Pa s", "1.2 Pa s"], ["60 Pa s", "20 Pa s", "7 Pa s"],
+]
+"""
+MEASURED_OIL = (
+    ('law = "roelands"\neta0 = "0.227 Pa s"\nz = 0.227\n', MEASURED),
+    ('pole_coefficient = "5.1 1/GPa" # equation 20\n', ""),
+    ("s0 = 0.782\n", ""),
+)
+
+
+def test_an_oil_given_by_measurements_is_held_against_the_one_named(refuse, tmp_path):
+    """Its table has no eta0, of which the comparison was made."""
+    text = changed((CASES / "zi_sharif_2001.toml").read_text(), *MEASURED_OIL)
+    (tmp_path / "same.toml").write_text(text)
+    pyworm.load(tmp_path / "same.toml")
+    error = refuse(text.replace('"PAG VG 460"', '"PAG VG 220"'))
+    assert "has 0.103 Pa s at 60 degC, but oil.viscosity is 0.227 Pa s" in error
 
 
 def test_a_bearing_in_grease_has_an_oil_of_its_own(tmp_path, capsys):
