@@ -6,7 +6,7 @@ What solving, writing and drawing a contact use of xarray.Dataset, by its names:
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -98,6 +98,10 @@ class PlainDataset:
         variables = {name: (of.dims, of.values, of.attrs) for name, of in self.variables.items()}
         coords = {name: variables.pop(name) for name in self.coords}
         return xr.Dataset(variables, coords=coords, attrs=dict(self.attrs))
+
+
+AnyDataset: TypeAlias = "PlainDataset | xr.Dataset"
+"""Either kind; a name alone, so that xarray is not loaded for it."""
 
 
 def merged(first: "PlainDataset | xr.Dataset", second: PlainDataset) -> "PlainDataset | xr.Dataset":

@@ -13,7 +13,7 @@ Array = np.ndarray
 
 def draw_estimates(
     axes: Axes,
-    places: Sequence[float],
+    places: Sequence[float] | Array,
     values: Array,
     sizes: Array,
     estimates: Sequence[Estimate],

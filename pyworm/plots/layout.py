@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
-from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import AnyDataset
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
@@ -93,7 +93,7 @@ class Window:
         return (size, size / ratio) if ratio >= 1 else (max(size * ratio, SHORTEST_SIDE), size)
 
 
-def whole_window(fields: "xr.Dataset") -> Window:
+def whole_window(fields: AnyDataset) -> Window:
     """The grid and, where given, the outline of the tooth, with a narrow margin."""
     x, y = fields["x"].values, fields["y"].values
     if "tooth_outline_x" in fields:
@@ -109,7 +109,7 @@ def whole_window(fields: "xr.Dataset") -> Window:
     )
 
 
-def contact_window(fields: "xr.Dataset") -> Window:
+def contact_window(fields: AnyDataset) -> Window:
     """The dry contact with margins that show its inlet and outlet, within the grid."""
     x, y = fields["x"].values, fields["y"].values
     loaded = fields["dry_pressure"].transpose("y", "x").values > 0
@@ -138,7 +138,7 @@ def _window(x: np.ndarray, y: np.ndarray) -> Window:
     )
 
 
-def in_window(fields: "xr.Dataset", window: Window) -> "xr.Dataset":
+def in_window(fields: AnyDataset, window: Window) -> AnyDataset:
     """The part of the fields inside the window, with one more grid line on each side."""
     return fields.isel(
         x=_slice(fields["x"].values * MILLI, window.left, window.right),
@@ -198,15 +198,22 @@ def colour_bar(
     axes: Axes, mappable: ScalarMappable, label: str, ticks: np.ndarray | None = None
 ) -> None:
     """A colour bar beside a panel, as tall as it."""
-    figure = axes.get_figure()
     width, _ = panel_size(axes)
     bar_axes = axes.inset_axes((1 + 0.1 / width, 0, 0.18 / width, 1))
-    figure.colorbar(mappable, cax=bar_axes, label=label, ticks=ticks)
+    figure_of(axes).colorbar(mappable, cax=bar_axes, label=label, ticks=ticks)
+
+
+def figure_of(axes: Axes) -> Figure:
+    """The figure that a panel belongs to."""
+    figure = axes.get_figure()
+    if not isinstance(figure, Figure):
+        raise TypeError("a panel of this program lies in a figure of its own")
+    return figure
 
 
 def panel_size(axes: Axes) -> tuple[float, float]:
     """Width and height of a panel [inch]."""
-    figure, place = axes.get_figure(), axes.get_position()
+    figure, place = figure_of(axes), axes.get_position()
     return place.width * figure.get_figwidth(), place.height * figure.get_figheight()
 
 
@@ -282,7 +289,9 @@ def with_gaps(solutions: Sequence[Solution], values: Sequence[float]) -> np.ndar
     return np.where([one.converged for one in solutions], values, np.nan)
 
 
-def mark_gaps(axes: Axes, places: Sequence[float], solutions: Sequence[Solution]) -> None:
+def mark_gaps(
+    axes: Axes, places: Sequence[float] | np.ndarray, solutions: Sequence[Solution]
+) -> None:
     """Dotted lines where solutions did not converge, named in the legend."""
     gaps = [place for place, one in zip(places, solutions, strict=True) if not one.converged]
     label: str | None = f"not converged: {', '.join(f'{place:g}' for place in gaps)}"
@@ -301,6 +310,8 @@ def write(figure: Figure, path: str | Path) -> Path:
     """Write a picture to a file; returns that."""
     path = Path(path)
     # little compressed, a PNG takes less time and some more room
-    options = {"pil_kwargs": {"compress_level": 1}} if path.suffix == ".png" else {}
+    options: dict[str, Any] = {}
+    if path.suffix == ".png":
+        options = {"pil_kwargs": {"compress_level": 1}}
     figure.savefig(path, dpi=DOTS_PER_INCH, **options)
     return path

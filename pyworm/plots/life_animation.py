@@ -8,6 +8,7 @@ from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
+from pyworm.io.present import present
 from pyworm.plots.layout import MEGA, MICRO, MILLI, joined, placed_panels
 from pyworm.result.headline import of_all
 from pyworm.result.life import ContactLife, Fields
@@ -90,7 +91,7 @@ class Points:
     ) -> QuadMesh:
         return panel.pcolormesh(
             frame.x * MILLI,
-            frame.y * MILLI,
+            present(frame.y, "y") * MILLI,
             np.clip(values, 0, top).T,
             cmap=colours,
             vmin=0,
@@ -106,7 +107,7 @@ class Points:
             for old in list(panel.collections):
                 old.remove()
             self._drawn(panel, frame, values, colours, top)
-            x, y = frame.x * MILLI, frame.y * MILLI
+            x, y = frame.x * MILLI, present(frame.y, "y") * MILLI
             outline = SHOWN * self._pressure
             if fields[0].max() > outline:
                 panel.contour(x, y, fields[0].T, levels=[outline], colors="white", linewidths=0.8)

@@ -129,7 +129,7 @@ def _walther_axes(axes: Axes) -> None:
 
 def _temperature_axis(axes: Axes) -> None:
     axes.set_xlim(COLDEST, HOTTEST)
-    axes.xaxis.set_major_locator(FixedLocator(np.arange(COLDEST, HOTTEST + 1, 20)))
+    axes.xaxis.set_major_locator(FixedLocator(np.arange(COLDEST, HOTTEST + 1, 20).tolist()))
     axes.yaxis.set_minor_formatter(NullFormatter())
     axes.set_xlabel("temperature / °C")
     axes.grid(True, color="0.9")

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import AnyDataset
 from pyworm.plots.between_nodes import between_nodes
 from pyworm.plots.contact.outline import signed_square
 from pyworm.plots.error_bars import draw_estimates
@@ -14,7 +14,7 @@ from pyworm.plots.layout import MILLI, mark_gaps, panel_size, with_gaps
 from pyworm.solver.solution import Solution
 
 
-def draw_dry_outline(axes: Axes, fields: "xr.Dataset", colour: str) -> None:
+def draw_dry_outline(axes: Axes, fields: AnyDataset, colour: str) -> None:
     """The boundary of the dry contact."""
     pressure = fields["dry_pressure"].transpose("y", "x").values
     if pressure.max() > 0:
@@ -22,7 +22,7 @@ def draw_dry_outline(axes: Axes, fields: "xr.Dataset", colour: str) -> None:
         axes.contour(x, y, signed_square(pressure), levels=[0], colors=colour, linewidths=1.2)
 
 
-def draw_tooth(axes: Axes, fields: "xr.Dataset") -> None:
+def draw_tooth(axes: Axes, fields: AnyDataset) -> None:
     """Where a surface is missing, hatched, and the outline and contact path where given."""
     covered = fields["covered"].transpose("y", "x").values
     if covered.min() < 0.5:
@@ -42,16 +42,15 @@ def draw_tooth(axes: Axes, fields: "xr.Dataset") -> None:
         _name_sides(axes, fields)
 
 
-def _name_sides(axes: Axes, fields: "xr.Dataset") -> None:
+def _name_sides(axes: Axes, fields: AnyDataset) -> None:
     """Names of the sides of a wheel's tooth; at the panel's edges where it shows a part of the tooth."""
     outline = [fields[f"tooth_outline_{axis}"].values * MILLI for axis in "xy"]
     side = (outline[0].size - 1) / len(TOOTH_SIDES)
-    middles = {}
+    middles: dict[str, tuple[float, float]] = {}
     for number, name in enumerate(TOOTH_SIDES):
         at = round((number + 0.5) * side)
-        middles[name] = [
-            float(along[at] + INWARDS * (along.mean() - along[at])) for along in outline
-        ]
+        x, y = (float(along[at] + INWARDS * (along.mean() - along[at])) for along in outline)
+        middles[name] = x, y
     limits = axes.get_xlim(), axes.get_ylim()
     if all(
         low < at < high
@@ -99,7 +98,7 @@ STANDSTILL = 1e-3
 """Fraction of the largest value below which a vector has no arrow."""
 
 
-def draw_arrows(axes: Axes, fields: "xr.Dataset", u: np.ndarray, v: np.ndarray) -> None:
+def draw_arrows(axes: Axes, fields: AnyDataset, u: np.ndarray, v: np.ndarray) -> None:
     """Arrows of one length in the direction of a vector field, none where it is nearly zero.
 
     Parameters
@@ -139,7 +138,7 @@ def draw_arrows(axes: Axes, fields: "xr.Dataset", u: np.ndarray, v: np.ndarray) 
     )
 
 
-def _at(fields: "xr.Dataset", part: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+def _at(fields: AnyDataset, part: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """A field (y, x) at places x and y [mm] between the nodes."""
     for axis, (name, places) in enumerate((("y", y), ("x", x))):
         part = between_nodes(fields[name].values * MILLI, part, places, axis)

@@ -1,7 +1,9 @@
 """The work-precision picture: errors of a contact's figures against processor time."""
 
 from textwrap import fill
+from typing import Any
 
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -30,9 +32,9 @@ COLOURS = {
 
 FORMULA_MARKERS = "^v<>D"
 
-PARAMETER_STYLES = (("0.35", "--"), ("tab:purple", "--"), ("tab:cyan", "--"))
+PARAMETER_COLOURS = "0.35", "tab:purple", "tab:cyan"
 
-HOLLOW = {"markersize": 4.5, "fillstyle": "none", "linewidth": 0.8, "zorder": 5}
+HOLLOW: dict[str, Any] = {"markersize": 4.5, "fillstyle": "none", "linewidth": 0.8, "zorder": 5}
 """Style of figures extrapolated from two grids."""
 
 FLOOR = 1e-6
@@ -85,7 +87,7 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
     reference = study.references[name]
     panel.set_xscale("log")
     panel.set_yscale("log")
-    handles = []
+    handles: list[Artist] = []
     for curve in study.curves:
         drawn = [
             (point.seconds, max(error, FLOOR))
@@ -98,9 +100,9 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
             marker = _formula_marker(study, curve)
             panel.plot(*zip(*drawn, strict=True), marker, color="black", fillstyle="none", zorder=4)
         elif curve.kind == "parameter":
-            colour, style = _parameter_style(study, curve)
+            colour = _parameter_colour(study, curve)
             panel.plot(
-                *zip(*drawn, strict=True), style, marker=".", color=colour, linewidth=1, zorder=3
+                *zip(*drawn, strict=True), "--", marker=".", color=colour, linewidth=1, zorder=3
             )
         else:
             handles.append(_draw_model(panel, study, curve, name, drawn))
@@ -132,14 +134,14 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
     if limits:
         panel.plot(*zip(*limits, strict=True), "o-.", color=colour, **HOLLOW)
     label = curve.name
-    if name in curve.limits:
+    left = study.model_error(curve, name)
+    if left is not None:
         grid = [
-            (point.seconds, max(study.grid_error(curve, point, name), FLOOR))
+            (point.seconds, max(error, FLOOR))
             for point in curve.points
-            if point.settled
+            if point.settled and (error := study.grid_error(curve, point, name)) is not None
         ]
         panel.plot(*zip(*grid, strict=True), ":", color=colour, linewidth=1.2, zorder=2)
-        left = study.model_error(curve, name)
         last = drawn[-1][0]
         panel.plot([last, 6 * last], [max(left, FLOOR)] * 2, color=colour, linewidth=0.8)
         order = curve.limits[name].order
@@ -153,9 +155,9 @@ def _formula_marker(study: Study, curve: Curve) -> str:
     return FORMULA_MARKERS[formulas.index(curve.name)]
 
 
-def _parameter_style(study: Study, curve: Curve) -> tuple[str, str]:
+def _parameter_colour(study: Study, curve: Curve) -> str:
     parameters = [one.name for one in study.curves if one.kind == "parameter"]
-    return PARAMETER_STYLES[parameters.index(curve.name)]
+    return PARAMETER_COLOURS[parameters.index(curve.name)]
 
 
 def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> None:
@@ -175,10 +177,10 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
     ]
     for curve in study.curves:
         if curve.kind == "parameter":
-            colour, style = _parameter_style(study, curve)
+            colour = _parameter_colour(study, curve)
             label = f"{curve.name}: {curve.points[0].label} to {curve.points[-1].label}"
             handles.append(
-                Line2D([], [], linestyle=style, marker=".", color=colour, linewidth=1, label=label)
+                Line2D([], [], linestyle="--", marker=".", color=colour, linewidth=1, label=label)
             )
     handles.append(
         Line2D(

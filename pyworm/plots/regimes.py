@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
-from matplotlib.ticker import NullLocator
+from matplotlib.ticker import FuncFormatter, NullLocator
 from scipy.ndimage import distance_transform_edt
 
 from pyworm.formulas.film import LineGroups, radii_at_angle
@@ -148,7 +148,7 @@ def draw_chart(axes: Axes, middle: Regime, moes_m: np.ndarray, moes_l: np.ndarra
     for axis in (axes.xaxis, axes.yaxis):
         # minor ticks, and powers set as formulas, take long to draw
         axis.set_minor_locator(NullLocator())
-        axis.set_major_formatter(power_of_ten)
+        axis.set_major_formatter(FuncFormatter(power_of_ten))
     axes.set_xlabel("load parameter M (Moes)")
     axes.set_ylabel("lubricant parameter L (Moes)")
     band = Patch(facecolor="0.5", alpha=0.3, label="border within its uncertainty")

@@ -170,12 +170,14 @@ def _draw_lines(
     """One panel for each figure, one line for each value of the second axis."""
     picture = new_figure(8, 2.8 * len(figures) + 0.8, _heading(result))
     panels = picture.subplots(len(figures), sharex=True, squeeze=False)[:, 0]
-    members = [None] if family is None else list(family.distinct)
+    members = [(None, "")]
+    if family is not None:
+        members = [(family.values == of, _name(family, of)) for of in family.distinct]
     # as an ordered family; the palest yellow end would not show on white
     colours = COLOURS(np.linspace(0, 0.85, len(members)))
     for panel, figure in zip(panels, figures, strict=True):
-        for member, colour in zip(members, colours, strict=True):
-            chosen = np.ones(along.values.size, bool) if member is None else family.values == member
+        for (member, name), colour in zip(members, colours, strict=True):
+            chosen = np.ones(along.values.size, bool) if member is None else member
             chosen = np.flatnonzero(chosen)[np.argsort(along.values[chosen])]
             finite_error = np.where(np.isfinite(figure.errors), figure.errors, 0.0)
             panel.errorbar(
@@ -186,7 +188,7 @@ def _draw_lines(
                 color=colour,
                 capsize=3,
                 markersize=4,
-                label=None if member is None else _name(family, member),
+                label=name or None,
             )
         _cross_out(panel, along.values, converged)
         _scale(panel, along, figure)
@@ -263,10 +265,16 @@ def _draw_clouds(
 def _cross_out(panel: Axes, x: np.ndarray, converged: np.ndarray) -> None:
     """A cross on the lower edge of the panel where a scene did not converge, which has no value."""
     if not converged.all():
-        cross = {"color": "black", "markersize": 10, "label": "not converged", "clip_on": False}
         places = x[~converged]
         panel.plot(
-            places, np.zeros(places.size), "x", transform=panel.get_xaxis_transform(), **cross
+            places,
+            np.zeros(places.size),
+            "x",
+            transform=panel.get_xaxis_transform(),
+            color="black",
+            markersize=10,
+            label="not converged",
+            clip_on=False,
         )
 
 

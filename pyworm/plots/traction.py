@@ -4,6 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyworm.io.present import present
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import mark_gaps, placed_panels, result_heading, with_gaps
 from pyworm.plots.overlays import draw_largest_temperatures
@@ -23,12 +24,16 @@ def draw_traction(result: Result) -> Figure:
     axes = panels[:, 0]
     _draw_friction(axes[0], swept)
     if heated:
-        ratios = [solution.slide_roll_ratio for solution in heated]
+        ratios = [_slide_roll_ratio(solution) for solution in heated]
         draw_largest_temperatures(axes[1], ratios, heated, result.body_names)
     for panel in axes:
         panel.grid(True, color="0.9")
     axes[-1].set_xlabel("slide-roll ratio")
     return figure
+
+
+def _slide_roll_ratio(solution: Solution) -> float:
+    return present(solution.slide_roll_ratio, f"slide-roll ratio of {solution.name}")
 
 
 def traction_curve(result: Result) -> list[Solution]:
@@ -43,8 +48,8 @@ def traction_curve(result: Result) -> list[Solution]:
 
 def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
     """The friction coefficient takes the sign of the sliding."""
-    ratios = np.array([solution.slide_roll_ratio for solution in swept])
-    estimates = [solution.figures.friction_coefficient for solution in swept]
+    ratios = [_slide_roll_ratio(solution) for solution in swept]
+    estimates = [present(of.figures.friction_coefficient, "friction") for of in swept]
     friction = with_gaps(swept, [estimate.value for estimate in estimates])
     signed = np.sign(ratios) * friction
     style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}

@@ -28,6 +28,7 @@ from pyworm.io.bounded_number import read_json
 from pyworm.io.input_error import CaseError
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, same_data
+from pyworm.io.present import present
 from pyworm.io.reason import reason_of
 from pyworm.io.shown import Shown
 from pyworm.result.netcdf import as_netcdf
@@ -90,6 +91,11 @@ class Result(Shown):
 
     def __hash__(self) -> int:
         return hash((self.case_name, self.solutions))
+
+    @property
+    def cycle_data(self) -> "xr.Dataset":
+        """The mesh cycle of a drive; ValueError of a result without one."""
+        return present(self.mesh_cycle, "the result's mesh cycle")
 
     @property
     def converged(self) -> bool:

@@ -14,9 +14,9 @@ def draw_across_film(
     case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES
 ) -> Figure:
     """Temperature, and the velocity along each direction, from the first body below to the second above."""
-    profile = solution.profile
+    profile = solution.dataset("profile")
     axes_here = [axis for axis in "xy" if f"profile_{axis}" in profile]
-    place = {axis: float(profile[f"profile_{axis}"]) for axis in axes_here}
+    place = {axis: float(profile[f"profile_{axis}"].values) for axis in axes_here}
     film = float(solution.fields["film"].interp(place, assume_sorted=True))
     height = (profile["level_position"].values + 0.5) * film * MICRO
     at = ", ".join(f"{axis} = {along * MILLI:.3g} mm" for axis, along in place.items())
@@ -25,7 +25,7 @@ def draw_across_film(
     figure, panels = placed_panels((9, 4.6), heading(case_name, solution), room, **spaced)
     warm_axes, fast_axes = panels
     warm_axes.plot(
-        profile["profile_temperature"] - ZERO_CELSIUS,
+        profile["profile_temperature"].values - ZERO_CELSIUS,
         height,
         "o-",
         color="tab:red",
@@ -39,7 +39,7 @@ def draw_across_film(
     warm_axes.set_ylabel(f"height above {bodies[0]} / µm")
     for axis in axes_here:
         fast_axes.plot(
-            profile[f"profile_velocity_{axis}"],
+            profile[f"profile_velocity_{axis}"].values,
             height,
             "o-",
             color=VELOCITY_COLOURS[axis],

@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import AnyDataset
 from pyworm.plots.between_nodes import between_nodes
 from pyworm.plots.layout import (
     MICRO,
@@ -34,7 +34,7 @@ PIXELS_PER_INCH = 150
 
 def draw_film(case_name: str, solution: Solution) -> Figure:
     """Film contours with the place of the minimum, and a synthetic interferogram."""
-    whole = solution.held("fields")
+    whole = solution.dataset("fields")
     window = contact_window(whole)
     fields = in_window(whole, window)
     figures = solution.figures
@@ -79,7 +79,7 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
     return figure
 
 
-def interferogram(fields: "xr.Dataset", window: Window) -> np.ndarray:
+def interferogram(fields: AnyDataset, window: Window) -> np.ndarray:
     """Intensity (row, column, colour), 0 to 1, of a camera image of the window.
 
     The reflections of two surfaces a film h apart differ in phase by 4 pi n h / wavelength, with
@@ -106,7 +106,7 @@ def _pixel_average(phase_step: np.ndarray) -> np.ndarray:
 def thickest_shown(solution: Solution) -> float:
     """Upper end of film scales [m]; the thickest film of all if the central one is not positive."""
     central = solution.figures.film_central.value
-    return CLIP * central if central > 0 else float(solution.held("fields")["film"].values.max())
+    return CLIP * central if central > 0 else float(solution.dataset("fields")["film"].values.max())
 
 
 def _micrometres(film: float) -> str:

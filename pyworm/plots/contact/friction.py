@@ -6,7 +6,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator
 
-from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import AnyDataset
+from pyworm.io.present import present
 from pyworm.plots.layout import (
     MEGA,
     MILLI,
@@ -27,19 +28,20 @@ BANDS = 12
 
 def draw_friction(case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES) -> Figure:
     """Shear stress, its direction on the first body and where it reaches the limit, and friction power."""
-    whole = solution.held("fields")
+    whole = solution.dataset("fields")
     window = contact_window(whole)
     fields = in_window(whole, window)
     figures = solution.figures
+    friction = present(figures.friction_coefficient, "friction_coefficient")
+    loss = present(figures.power_loss, "power_loss")
     stresses = [fields[f"shear_stress_{axis}"].transpose("y", "x").values for axis in "xy"]
     stress = np.hypot(*stresses) * MEGA
     power = fields["friction_power"].transpose("y", "x").values * MEGA
     smooth = f" {AS_IF_SMOOTH}" if solution.left_out.as_if_smooth else ""
     titles = [
         f"shear stress in the middle (arrows: on {bodies[0]}): at most {stress.max():.3g} MPa, "
-        f"friction coefficient {figures.friction_coefficient.value:.3g}{smooth}",
-        f"friction power: at most {power.max():.3g} W/mm², "
-        f"in all {_power(figures.power_loss.value)}{smooth}",
+        f"friction coefficient {friction.value:.3g}{smooth}",
+        f"friction power: at most {power.max():.3g} W/mm², in all {_power(loss.value)}{smooth}",
     ]
     figure, (stress_axes, power_axes) = panels(window, titles, heading(case_name, solution))
     _draw_map(stress_axes, fields, stress, "viridis", "shear stress / MPa")
@@ -49,19 +51,17 @@ def draw_friction(case_name: str, solution: Solution, bodies: tuple[str, str] = 
     return figure
 
 
-def _draw_map(
-    axes: Axes, fields: "xr.Dataset", values: np.ndarray, colours: str, label: str
-) -> None:
+def _draw_map(axes: Axes, fields: AnyDataset, values: np.ndarray, colours: str, label: str) -> None:
     x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
     top = values.max()
-    levels = MaxNLocator(BANDS).tick_values(0, top if top > 0 else 1)
+    levels = np.asarray(MaxNLocator(BANDS).tick_values(0, top if top > 0 else 1))
     bands = axes.contourf(x, y, values, levels=levels, cmap=colours)
     draw_tooth(axes, fields)
     draw_dry_outline(axes, fields, "tab:cyan")
     colour_bar(axes, bands, label, levels)
 
 
-def _draw_slip(axes: Axes, fields: "xr.Dataset") -> None:
+def _draw_slip(axes: Axes, fields: AnyDataset) -> None:
     """Hatches where the limiting stress is reached at a surface."""
     slip = fields["slip"].transpose("y", "x").values
     if slip.max() == 0:

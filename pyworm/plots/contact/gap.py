@@ -2,12 +2,13 @@
 
 import numpy as np
 from matplotlib import colormaps
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
-from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import AnyDataset
 from pyworm.plots.layout import MICRO, MILLI, heading, panels, whole_window
 from pyworm.plots.overlays import draw_contact_point, draw_dry_outline, draw_tooth
 from pyworm.solver.solution import Solution
@@ -24,7 +25,7 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
     fields = solution.fields
     figure, (axes,) = panels(whole_window(fields), [""], heading(case_name, solution))
     gap, x, y = _widest_gap(fields)
-    legend = []
+    legend: list[Artist] = []
     if np.nanmax(gap) > 0:  # else there is nothing to draw contours of
         legend.append(_draw_contours(axes, gap, x, y))
     draw_tooth(axes, fields)
@@ -32,7 +33,7 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
     legend.append(Line2D([], [], color="tab:red", linewidth=1.2, label="dry contact"))
     if "tooth_outline_x" in fields:
         solved = Rectangle(
-            (fields["x"][0] * MILLI, fields["y"][0] * MILLI),
+            (fields["x"].values[0] * MILLI, fields["y"].values[0] * MILLI),
             np.ptp(fields["x"].values) * MILLI,
             np.ptp(fields["y"].values) * MILLI,
             fill=False,
@@ -78,9 +79,9 @@ def _draw_contours(axes: Axes, gap: np.ndarray, x: np.ndarray, y: np.ndarray) ->
     return Line2D([], [], color=colour, linewidth=1.0, label="undeformed gap / µm")
 
 
-def _widest_gap(fields: "xr.Dataset") -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _widest_gap(fields: AnyDataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Gap [um] over the whole tooth where it is known there, else over the grid, with x and y [mm]."""
-    known = "tooth_gap" in fields and bool(np.isfinite(fields["tooth_gap"]).any())
+    known = "tooth_gap" in fields and bool(np.isfinite(fields["tooth_gap"].values).any())
     prefix = "tooth_" if known else ""
     names = f"{prefix}y", f"{prefix}x"
     gap = fields[f"{prefix}gap"].transpose(*names).values * MICRO

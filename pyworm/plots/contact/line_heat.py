@@ -3,6 +3,7 @@
 from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.present import present
 from pyworm.plots.contact.line_profiles import shown
 from pyworm.plots.layout import MEGA, MILLI, heading, placed_panels
 from pyworm.scene.contact import BODIES
@@ -25,7 +26,10 @@ def draw_line_temperature(
     ):
         axes.plot(fields["x"] * MILLI, fields[name] - ZERO_CELSIUS, color=colour, label=label)
     axes.axhline(
-        solution.inlet_temperature - ZERO_CELSIUS, color="0.4", linestyle="--", label="inlet"
+        present(solution.inlet_temperature, "inlet_temperature") - ZERO_CELSIUS,
+        color="0.4",
+        linestyle="--",
+        label="inlet",
     )
     axes.set_ylabel("temperature / °C")
     axes.set_xlabel("x / mm")
@@ -47,7 +51,8 @@ def draw_line_friction(case_name: str, solution: Solution) -> Figure:
     axes.set_xlabel("x / mm")
     axes.set_xlim(*shown(fields))
     title = solution.left_out.headed("friction coefficient")
-    title = f"{title}: {solution.figures.friction_coefficient.value:.3g}"
+    friction = present(solution.figures.friction_coefficient, "friction_coefficient").value
+    title = f"{title}: {friction:.3g}"
     axes.set_title(title, fontsize="medium", y=1)
     power_axes = axes.twinx()
     power_axes.plot(place, fields["friction_power"] * MEGA, color=POWER_COLOUR)

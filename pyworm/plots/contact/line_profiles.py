@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pyworm.formulas.hertz import HertzLine, hertz_line
-from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import AnyDataset
 from pyworm.plots.contact.film import thickest_shown
 from pyworm.plots.contact.profiles import draw_profile
 from pyworm.plots.layout import MICRO, MILLI, heading, placed_panels
@@ -30,13 +30,13 @@ def draw_line_profiles(case_name: str, solution: Solution) -> Figure:
     return figure
 
 
-def hertz_of(fields: "xr.Dataset") -> HertzLine:
+def hertz_of(fields: AnyDataset) -> HertzLine:
     """The Hertz contact of the line contact that the fields belong to."""
     scene = fields.attrs
     return hertz_line(scene["radius_m"], scene["load_per_length_N_m"], scene["reduced_modulus_Pa"])
 
 
-def shown(fields: "xr.Dataset") -> tuple[float, float]:
+def shown(fields: AnyDataset) -> tuple[float, float]:
     """Ends of pictures [mm]: the dry contact and all but the faintest pressure, within the grid."""
     x, pressure = fields["x"].values, fields["pressure"].values
     half_width = hertz_of(fields).half_width

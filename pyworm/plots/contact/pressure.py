@@ -24,18 +24,18 @@ def draw_pressure(case_name: str, solution: Solution) -> Figure:
             "oil and asperities": fields["pressure"],
             "asperities": fields["asperity_pressure"],
         }
-    maps = {title: field.transpose("y", "x").values * MEGA for title, field in maps.items()}
-    titles = [f"{title}: at most {values.max():.4g} MPa" for title, values in maps.items()]
+    shown = {title: field.transpose("y", "x").values * MEGA for title, field in maps.items()}
+    titles = [f"{title}: at most {values.max():.4g} MPa" for title, values in shown.items()]
     figure, axes = panels(window, titles, heading(case_name, solution))
-    top = max(values.max() for values in maps.values())
-    levels: np.ndarray = np.asarray(MaxNLocator(10).tick_values(0, top if top > 0 else 1))
+    top = max(float(values.max()) for values in shown.values())
+    levels = np.asarray(MaxNLocator(10).tick_values(0, top if top > 0 else 1), float)
     # Nearly no pressure is left white, so that the reach of the pressure can be seen.
     lowest = levels[1] / 10
     bounds = np.append(lowest, levels[1:])
     colours = ListedColormap(colormaps["inferno"](np.linspace(0.15, 1, levels.size - 1)))
     scale = ScalarMappable(BoundaryNorm(bounds, colours.N), colours)
-    for panel, values in zip(axes, maps.values(), strict=True):
-        x, y = fields["x"] * MILLI, fields["y"] * MILLI
+    for panel, values in zip(axes, shown.values(), strict=True):
+        x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
         # Squared, a dry pressure is linear at its boundary, where contours of it would be stepped.
         squares, levels_squared = signed_square(values), bounds**2
         panel.contourf(x, y, squares, levels=levels_squared, colors=colours.colors)

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.hertz import HertzContact, hertz
-from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import AnyDataset
 from pyworm.plots.contact.film import thickest_shown
 from pyworm.plots.layout import MEGA, MICRO, MILLI, contact_window, heading, placed_panels
 from pyworm.solver.solution import Solution
@@ -36,7 +36,7 @@ def draw_profiles(case_name: str, solution: Solution) -> Figure:
 
 
 def draw_profile(
-    axes: Axes, line: "xr.Dataset", along: str, hertz_pressure: Callable, top: float
+    axes: Axes, line: AnyDataset, along: str, hertz_pressure: Callable, top: float
 ) -> list:
     """Pressure and film on one line through the contact; returns what its legend names.
 
@@ -56,13 +56,13 @@ def draw_profile(
     place = line[along].values
     fine = np.linspace(place[0], place[-1], 2001)
     pressure = axes.plot(
-        place * MILLI, line["pressure"] * MEGA, color=PRESSURE_COLOUR, label="film pressure"
+        place * MILLI, line["pressure"].values * MEGA, color=PRESSURE_COLOUR, label="film pressure"
     )
     dry = []
     if "dry_pressure" in line:
         dry = axes.plot(
             place * MILLI,
-            line["dry_pressure"] * MEGA,
+            line["dry_pressure"].values * MEGA,
             color="0.4",
             linewidth=1.0,
             label="dry pressure",
@@ -77,7 +77,7 @@ def draw_profile(
     )
     axes.set_ylim(bottom=0)
     axes.set_ylabel("pressure / MPa", color=PRESSURE_COLOUR)
-    if line["covered"].min() < 0.5:
+    if line["covered"].values.min() < 0.5:
         axes.fill_between(
             place * MILLI,
             0,
@@ -89,13 +89,15 @@ def draw_profile(
             edgecolor="0.6",
         )
     film_axes = axes.twinx()
-    film = film_axes.plot(place * MILLI, line["film"] * MICRO, color=FILM_COLOUR, label="film")
+    film = film_axes.plot(
+        place * MILLI, line["film"].values * MICRO, color=FILM_COLOUR, label="film"
+    )
     film_axes.set_ylim(0, top)
     film_axes.set_ylabel("film / µm", color=FILM_COLOUR)
     return [*pressure, *dry, *dashed, *film]
 
 
-def _hertz_of(fields: "xr.Dataset") -> HertzContact:
+def _hertz_of(fields: AnyDataset) -> HertzContact:
     """The Hertz contact of the scene that the fields belong to."""
     scene = fields.attrs
     return hertz(

@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib.figure import Figure
 
+from pyworm.io.present import present
 from pyworm.plots.layout import (
     MICRO,
     MILLI,
@@ -20,11 +21,11 @@ THICKEST = 2.5
 
 def draw_supply(case_name: str, solution: Solution) -> Figure:
     """Fraction of the gap that oil fills, and the thickness of the oil, in the whole window."""
-    fields = solution.held("fields")
+    fields = solution.dataset("fields")
     figures = solution.figures
     titles = [
         "oil over gap: 1 where the gap is full",
-        f"oil in the gap: {figures.supply.supply_ratio:.2g} of the flooded film supplied",
+        f"oil in the gap: {present(figures.supply, 'supply').supply_ratio:.2g} of the flooded film supplied",
     ]
     figure, axes = panels(whole_window(fields), titles, heading(case_name, solution))
     x, y = (fields[axis].values * MILLI for axis in "xy")

@@ -32,7 +32,7 @@ def draw_temperature(
     case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES
 ) -> Figure:
     """Both surfaces, with the direction in which each moves, and the middle of the film, on one scale."""
-    whole = solution.held("fields")
+    whole = solution.dataset("fields")
     window = contact_window(whole)
     fields = in_window(whole, window)
     parts = ("body_1", "body_2", "middle")
@@ -47,6 +47,7 @@ def draw_temperature(
             (f"surface of {bodies[1]}", figures.temperature_max_body_2, " (arrows: its motion)"),
             ("film", figures.temperature_max_film, " (map: its middle)"),
         )
+        if estimate is not None
     ]
     figure, axes = panels(window, titles, heading(case_name, solution))
     coldest = min(values.min() for values in maps)
@@ -88,7 +89,7 @@ def _draw_map(
 
 def _mark_hottest(axes: Axes, solution: Solution) -> None:
     """A circle where the profile across the film is taken."""
-    profile = solution.held("profile")
+    profile = solution.dataset("profile")
     place = [float(profile[f"profile_{axis}"].values) * MILLI for axis in "xy"]
     axes.plot(
         *place,

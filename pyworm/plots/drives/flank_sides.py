@@ -16,8 +16,8 @@ def name_sides(axes: Axes, leaving_right: bool, root: float) -> None:
         Height of the word for the root, a fraction of the panel.
     """
     right, left = ("leaving side", "entering side")[:: 1 if leaving_right else -1]
-    at = {"transform": axes.transAxes}
-    axes.text(0.5, 0.985, "tip", ha="center", va="top", **at)
-    axes.text(0.5, root, "root", ha="center", va="bottom", **at)
-    axes.text(0.985, 0.5, right, rotation=90, ha="right", va="center", **at)
-    axes.text(0.015, 0.5, left, rotation=90, ha="left", va="center", **at)
+    at = axes.transAxes
+    axes.text(0.5, 0.985, "tip", ha="center", va="top", transform=at)
+    axes.text(0.5, root, "root", ha="center", va="bottom", transform=at)
+    axes.text(0.985, 0.5, right, rotation=90, ha="right", va="center", transform=at)
+    axes.text(0.015, 0.5, left, rotation=90, ha="left", va="center", transform=at)

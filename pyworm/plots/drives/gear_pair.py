@@ -1,17 +1,21 @@
 """The line of action of a pair of gears, over the roll angle of the pinion."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from functools import partial
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from numpy.typing import ArrayLike
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.bounded_number import read_json
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.present import present
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
+from pyworm.ratings.flank_damage import hotter_flank
 from pyworm.result.headline import of_all
 from pyworm.result.mesh_cycle import phase_of
 from pyworm.result.result import Result
@@ -35,7 +39,7 @@ STEEP_SLIDING = 5.0
 
 def draw_film_and_temperature(result: Result) -> Figure:
     """Film and contact temperature by closed forms, with what was simulated, along the line of action."""
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     solved = _solved(result)
     hot = "closed_form_contact_temperature" in cycle or any(map(_heated, solved))
     figure = new_figure(8, 3.7 * (1 + hot) + 1.0, _heading(result))
@@ -48,7 +52,7 @@ def draw_film_and_temperature(result: Result) -> Figure:
 
 def draw_line_of_action(result: Result) -> Figure:
     """Load, pressure, velocities and specific sliding along the line of action."""
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     roll = _roll(cycle)
     figure = new_figure(8, 10.0, _heading(result))
     panels = figure.subplots(4, sharex=True)
@@ -100,9 +104,17 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution]) -> N
         film, specific = (cycle[f"closed_form_{name}"] for name in ("film_min", "specific_film"))
         roughness = float((film / specific)[0]) * MICRO
         right = axes.secondary_yaxis(
-            "right", functions=(lambda film: film / roughness, lambda ratio: ratio * roughness)
+            "right", functions=(partial(_over, roughness), partial(_times, roughness))
         )
         right.set_ylabel("specific film (film / roughness)")
+
+
+def _over(scale: float, values: ArrayLike) -> np.ndarray:
+    return np.asarray(values) / scale
+
+
+def _times(scale: float, values: ArrayLike) -> np.ndarray:
+    return np.asarray(values) * scale
 
 
 def _draw_simulated(
@@ -130,17 +142,15 @@ def _draw_temperature(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution
         if heated:
             flash = cycle["closed_form_flash_temperature"]
             bulk = float((cycle["closed_form_contact_temperature"] - flash)[0]) - ZERO_CELSIUS
-            ratios = np.array([one.figures.friction_coefficient.value for one in heated]) / friction
-            rise = np.interp([one.phase for one in heated], cycle["phase"], flash)
+            found = [present(of.figures.friction_coefficient, "friction").value for of in heated]
+            ratios = np.array(found) / friction
+            rise = np.interp([phase_of(one) for one in heated], cycle["phase"], flash)
             axes.plot(
                 rolls, bulk + ratios * rise, "s", color="tab:red", fillstyle="none", markersize=9,
                 label=of_all(heated).headed("Blok, simulated friction"),
             )  # fmt: skip
     if heated:
-        hottest = [
-            max(one.figures.temperature_max_body_1.value, one.figures.temperature_max_body_2.value)
-            for one in heated
-        ]
+        hottest = [present(hotter_flank(one), "temperature").value for one in heated]
         axes.plot(
             rolls, np.array(hottest) - ZERO_CELSIUS, "o", color="black", label="simulated surface"
         )
@@ -160,10 +170,11 @@ def _legend(axes: Axes, columns: int) -> None:
     axes.legend(frameon=False, ncols=columns, loc="upper left")
 
 
-def _finished(figure: Figure, panels: Sequence[Axes], cycle: "xr.Dataset") -> Figure:
+def _finished(figure: Figure, panels: Iterable[Axes], cycle: "xr.Dataset") -> Figure:
     """Marks of the line of action on every panel, named above the first one."""
     marks = read_json(cycle.attrs["marks"])
-    places = {name: _at(cycle, phase) for name, phase in marks.items()}
+    panels = list(panels)
+    places = {name: float(_at(cycle, phase)) for name, phase in marks.items()}
     for panel in panels:
         panel.grid(True, color="0.92")
         for place in places.values():
@@ -174,7 +185,7 @@ def _finished(figure: Figure, panels: Sequence[Axes], cycle: "xr.Dataset") -> Fi
     for name, place in sorted(places.items(), key=lambda mark: mark[1]):
         near = place - before < NEAR * (places["EAP"] - places["SAP"])
         names.append(f"{name}\n" if near and not names[-1].endswith("\n") else name)
-        before = float(place)
+        before = place
     top = panels[0].secondary_xaxis("top")
     top.set_xticks(sorted(places.values()), names)
     top.tick_params(length=0, labelsize="small")
@@ -183,7 +194,7 @@ def _finished(figure: Figure, panels: Sequence[Axes], cycle: "xr.Dataset") -> Fi
 
 
 def _heading(result: Result) -> str:
-    return result_heading(result, DIRECTIONS[result.mesh_cycle.attrs["driver"]])
+    return result_heading(result, DIRECTIONS[result.cycle_data.attrs["driver"]])
 
 
 def _solved(result: Result) -> list[Solution]:
@@ -206,7 +217,7 @@ def _at(cycle: "xr.Dataset", phase: float | Sequence[float]) -> np.ndarray:
 
 
 def _rolls(cycle: "xr.Dataset", solved: Sequence[Solution]) -> np.ndarray:
-    return _at(cycle, [solution.phase for solution in solved])
+    return _at(cycle, [phase_of(solution) for solution in solved])
 
 
 CYCLE_PICTURES = {

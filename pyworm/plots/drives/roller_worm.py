@@ -12,13 +12,14 @@ from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_d
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import MICRO, MILLI, mark_gaps, placed_panels, result_heading, with_gaps
+from pyworm.result.mesh_cycle import phase_of
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
 
 
 def draw_roller_cycle(result: Result) -> Figure:
     """Film, load, velocities and specific film over the wheel angle of a roller."""
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     words = result_heading(result, "path of a roller through both sections")
     spaced = {"nrows": 4, "sharex": True, "gridspec_kw": {"hspace": 0.08}}
     figure, axes = placed_panels((9, 11), words, (0.8, 0.85, 0.5, 0.1), **spaced)
@@ -52,7 +53,7 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...])
         axes.plot(angle, middle["printed_film_min"] * MICRO, color=colour, lw=1.2, ls=":")
         solved = [one for one in solutions if one.section == section]
         if solved:
-            at = [float(np.interp(one.phase, way["phase"], angle)) for one in solved]
+            at = [float(np.interp(phase_of(one), way["phase"], angle)) for one in solved]
             film = with_gaps(solved, [one.figures.film_min.value for one in solved]) * MICRO
             errors = {"fmt": "k.", "ms": 5, "capsize": 2, "lw": 0.8}
             estimates = [one.figures.film_min for one in solved]
@@ -162,7 +163,7 @@ PARAMETERS = (
 
 def draw_roller_sensitivity(result: Result) -> Figure:
     """Least film at entry and exit of both sections over roller radius, throat and tilt."""
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     words = f"{result.case_name}  ·  sensitivity of the film"
     spaced = {"ncols": 3, "sharey": True, "gridspec_kw": {"wspace": 0.05}}
     figure, panels = placed_panels((11, 4.2), words, (0.8, 0.1, 0.55, 0.1), **spaced)

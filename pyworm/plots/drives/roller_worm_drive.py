@@ -16,7 +16,7 @@ SECTION_COLOURS = {"right": "tab:orange", "left": "tab:blue"}
 
 def draw_roller_drive(result: Result) -> Figure:
     """The drive from the front and from above; rollers in mesh are dark, contact lines red."""
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     figure = new_figure(11, 5.6, f"{result.case_name}  ·  rollers, worm flanks and contact lines")
     views = ((24, -100, "the drive"), (90, -90, "along the wheel's axis"))
     for number, (elevation, azimuth, title) in enumerate(views):

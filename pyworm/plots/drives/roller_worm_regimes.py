@@ -14,7 +14,7 @@ from pyworm.result.result import Result
 
 def draw_roller_regimes(result: Result) -> Figure:
     """The chart with the path of the middle of the contact line; beside it the films by the four formulas."""
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     words = f"{result.case_name}  ·  regimes of lubrication"
     spaced = {"ncols": 2, "gridspec_kw": {"wspace": 0.17}}
     figure, (chart, films) = placed_panels((11, 5.2), words, (0.8, 0.1, 0.6, 0.1), **spaced)

@@ -1,11 +1,15 @@
 """The mesh cycle of a drive over phase."""
 
+from collections.abc import Callable
+from functools import partial
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.present import present
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.zi_worm_flank import draw_flank
 from pyworm.plots.drives.zi_worm_pattern import draw_pattern
@@ -35,28 +39,31 @@ DIRECTIONS = {"x": "to the wheel", "y": "along the wheel's axis", "z": "along th
 
 def draw_cycle(result: Result) -> Figure:
     """Transmission error, radii, contact point, load; what was solved: films, friction, temperatures."""
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     solved = sorted(
         (solution for solution in result.solutions if solution.phase is not None),
         key=phase_of,
     )
     sheared = [one for one in solved if one.figures.friction_coefficient is not None]
     heated = [one for one in solved if one.figures.temperature_max_film is not None]
-    drawn = [
-        (_draw_transmission_error, cycle, True),
-        (_draw_radii, cycle, True),
-        (_draw_contact_point, cycle, True),
-        (_draw_tooth_load, cycle, "tooth_load" in cycle),
-        (_draw_solutions, solved, bool(solved)),
-        (_draw_friction, (sheared, _beside(result, sheared)), bool(sheared)),
-        (_draw_temperatures, heated, bool(heated)),
+    drawn: list[Callable[[Axes], None]] = [
+        partial(_draw_transmission_error, cycle=cycle),
+        partial(_draw_radii, cycle=cycle),
+        partial(_draw_contact_point, cycle=cycle),
     ]
-    drawn = [(draw, what) for draw, what, known in drawn if known]
+    if "tooth_load" in cycle:
+        drawn.append(partial(_draw_tooth_load, cycle=cycle))
+    if solved:
+        drawn.append(partial(_draw_solutions, solved=solved))
+    if sheared:
+        drawn.append(partial(_draw_friction, sheared=sheared, standard=_beside(result, sheared)))
+    if heated:
+        drawn.append(partial(_draw_temperatures, heated=heated))
     size, room = (8, 2.3 * len(drawn) + 0.6), (1.0, 1.0, 0.5, 0.1)
     spaced = {"nrows": len(drawn), "sharex": True, "gridspec_kw": {"hspace": 0.07}}
     figure, axes = placed_panels(size, result_heading(result, "mesh cycle"), room, **spaced)
-    for panel, (draw, what) in zip(axes, drawn, strict=True):
-        draw(panel, what)
+    for panel, draw in zip(axes, drawn, strict=True):
+        draw(panel)
     for panel in axes:
         panel.grid(True, color="0.9")
     axes[-1].set_xlabel("phase of the mesh cycle, 0 where the teeth meet, 1 where they part")
@@ -111,12 +118,12 @@ def _draw_tooth_load(axes: Axes, cycle: "xr.Dataset") -> None:
 
 
 def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
-    draw_largest_temperatures(axes, [one.phase for one in heated], heated, ("worm", "wheel"))
+    draw_largest_temperatures(axes, [phase_of(one) for one in heated], heated, ("worm", "wheel"))
 
 
 def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     """Films with their error bars, and the largest pressure on its own scale."""
-    phase = np.array([solution.phase for solution in solved])
+    phase = np.array([phase_of(solution) for solution in solved])
     for name, label, colour in (
         ("film_central", "central film", "tab:blue"),
         ("film_min", "least film", "tab:green"),
@@ -142,11 +149,10 @@ def _beside(result: Result, sheared: list[Solution]) -> StandardLoss | None:
     return standard if isinstance(standard, StandardLoss) else None
 
 
-def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]) -> None:
+def _draw_friction(axes: Axes, sheared: list[Solution], standard: StandardLoss | None) -> None:
     """Friction coefficient with its error bars, and power loss on its own scale; a standard's friction."""
-    sheared, standard = shown
-    phase = np.array([solution.phase for solution in sheared])
-    estimates = [solution.figures.friction_coefficient for solution in sheared]
+    phase = np.array([phase_of(solution) for solution in sheared])
+    estimates = [present(of.figures.friction_coefficient, "friction") for of in sheared]
     friction = with_gaps(sheared, [estimate.value for estimate in estimates])
     style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}
     draw_estimates(axes, phase, friction, friction, estimates, **style)
@@ -164,7 +170,8 @@ def _draw_friction(axes: Axes, shown: tuple[list[Solution], StandardLoss | None]
         color="tab:purple",
     )
     power_axes = axes.twinx()
-    power = with_gaps(sheared, [solution.figures.power_loss.value for solution in sheared])
+    losses = [present(of.figures.power_loss, "power_loss").value for of in sheared]
+    power = with_gaps(sheared, losses)
     power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
     scale_from_zero(power_axes, power, 1.3)
     power_axes.set_ylabel(

@@ -56,7 +56,7 @@ def draw_flank(result: Result) -> Figure | None:
             ("radius", "face"),
             np.where(work > SEEN * work.max(), work, np.nan),
         )
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     shown = [panel for panel in _PANELS if panel[0] in field]
     rows = (len(shown) + 1) // 2
     gaps = ", ".join(f"{one.phase:g}" for one in result.unsound)
@@ -98,14 +98,14 @@ def _draw_tooth(axes: Axes, cycle: "xr.Dataset") -> None:
     axes.plot(cycle["rim_face"] * MILLI, cycle["rim_radius"] * MILLI, color="0.25", lw=1.5)
     point = cycle["point"]
     face = point.sel(axis="y").values * MILLI
-    radius = np.hypot(point.sel(axis="x"), point.sel(axis="z")).values * MILLI
+    radius = np.hypot(point.sel(axis="x").values, point.sel(axis="z").values) * MILLI
     axes.plot(face, radius, color="0.5", lw=1.0)
     for mark in MARKS:
-        at = [float(np.interp(mark, cycle["phase"], values)) for values in (face, radius)]
-        axes.plot(*at, "o", color="white", mec="black", ms=4)
+        along, across = (float(np.interp(mark, cycle["phase"], of)) for of in (face, radius))
+        axes.plot(along, across, "o", color="white", mec="black", ms=4)
         axes.annotate(
             f"{mark:g}" if mark else "phase 0",
-            at,
+            (along, across),
             xytext=(5, 4),
             textcoords="offset points",
             fontsize=7,

@@ -25,7 +25,7 @@ ROWS = (
 
 def draw_pattern(result: Result) -> Figure | None:
     """Both flanks without load and under it, lines of equal separation beyond; None without a pattern."""
-    cycle = result.mesh_cycle
+    cycle = result.cycle_data
     if "marking_separation" not in cycle:
         return None
     thickness = cycle.attrs["marking_thickness"] * MICRO
