@@ -177,10 +177,11 @@ def _definitions(node: ast.stmt) -> Iterator[tuple[str, ast.stmt]]:
 
 
 class TableNumbers:
-    """Numbers of a TOML file, with or without a unit behind them; checks look at the tables."""
+    """Numbers of a TOML file, or of some of its tables, with or without a unit; checks look at the tables."""
 
-    def __init__(self, path: Path) -> None:
-        self._tables = tomllib.loads(path.read_text())
+    def __init__(self, path: Path, only: tuple[str, ...] = ()) -> None:
+        tables = tomllib.loads(path.read_text())
+        self._tables = {name: of for name, of in tables.items() if not only or name in only}
         self._paths = list(_numbers_of(self._tables))
         self.numbers = [
             Number(str(keys[0]), " ".join(str(key) for key in keys[1 : 2 + (len(keys) > 3)]), value)

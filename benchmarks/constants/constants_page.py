@@ -13,6 +13,7 @@ from pathlib import Path
 
 import bearing_checks
 import oil_rule_checks
+import plastic_checks
 import tooth_damage_checks
 import worm_curve_checks
 import worm_gear_checks
@@ -27,6 +28,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     *bearing_checks.CHAPTERS,
     *tooth_damage_checks.CHAPTERS,
     *oil_rule_checks.CHAPTERS,
+    *plastic_checks.CHAPTERS,
 )
 
 PAGE = Path(__file__).parents[2] / "docs/reference/constants.md"

@@ -11,6 +11,7 @@ from pyworm.io import units
 from pyworm.materials import solids
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
+from pyworm.materials.softening import check_points
 from pyworm.materials.topography import Topography
 
 
@@ -39,12 +40,15 @@ class BodyTable(Table):
     by `roughness_rz` the mean peak-to-valley height Rz, six times Ra as ISO 6336-2 has it.
     The lay is the angle of its ridges from the surface's own motion. With `asperity_sharpness` the contact is
     that of Greenwood and Tripp's asperities. A `material` by name gives all constants
-    that are not given beside it, a `finish` the usual roughness of flanks so made.
+    that are not given beside it, a `finish` the usual roughness of flanks so made. Where the modulus is given
+    by temperature, `youngs_modulus` is the first of it, and contacts have that at the bulk temperature.
     """
 
     material: Annotated[str, AfterValidator(solids.named_material)] | None = None
     finish: Annotated[str, AfterValidator(_finish)] | None = None
-    youngs_modulus: units.Modulus
+    modulus_by_temperature: tuple[tuple[units.Temperature, units.Modulus], ...] = ()
+    youngs_modulus: units.Modulus  # after the other, which is at fault where it is missing
+    temperature_limit: units.Temperature | None = None
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
     density: units.MassDensity | None = None
     conductivity: units.Conductivity | None = None
@@ -75,9 +79,13 @@ class BodyTable(Table):
         """The table with what its material and its finish give; a stored one has it already."""
         if info.context == units.SI or not isinstance(given, dict):
             return given
+        if {"youngs_modulus", "modulus_by_temperature"} <= given.keys():
+            raise ValueError("give either youngs_modulus or modulus_by_temperature, one of the two")
         whole, finish = dict(given), given.get("finish")
         if solids.is_named(given.get("material")):
-            whole = solids.constants(solids.named_material(given["material"])) | whole
+            whole = _constants_beside(given) | whole
+        if "youngs_modulus" not in whole:
+            whole |= _room_modulus(whole.get("modulus_by_temperature"))
         if finish is not None and given.keys() & {*_ROUGHNESSES, "surface"}:
             raise ValueError(
                 "give either finish or roughness (roughness_ra, roughness_rz, surface), one of them"
@@ -85,6 +93,11 @@ class BodyTable(Table):
         if finish in solids.finishes():
             whole["roughness_ra"] = solids.usual_roughness(finish)
         return whole
+
+    @model_validator(mode="after")
+    def _softens(self) -> Self:
+        check_points("modulus_by_temperature", self.modulus_by_temperature)
+        return self
 
     @model_validator(mode="after")
     def _roughness_complete(self) -> Self:
@@ -125,6 +138,22 @@ class BodyTable(Table):
         if oil.heat is not None and self.bulk_temperature is None:
             constants["bulk_temperature"] = oil.heat.inlet_temperature
         return Body(**constants)
+
+
+def _constants_beside(given: dict[str, Any]) -> dict[str, Any]:
+    """Constants of a table's named material; a modulus given beside it takes the place of all of its own."""
+    constants = solids.constants(solids.named_material(given["material"]))
+    if given.keys() & {"youngs_modulus", "modulus_by_temperature"}:
+        del constants["youngs_modulus"]
+        constants.pop("modulus_by_temperature", None)
+    return constants
+
+
+def _room_modulus(by_temperature: Any) -> dict[str, Any]:
+    """The first modulus of those by temperature as they are written; nothing where none is."""
+    if isinstance(by_temperature, list) and by_temperature and isinstance(by_temperature[0], list):
+        return {"youngs_modulus": by_temperature[0][-1]}
+    return {}
 
 
 def _of_surface(surface: Topography) -> dict[str, Any]:

@@ -26,7 +26,7 @@ from pyworm.io.stage import stage
 from pyworm.io.toml import read_toml
 from pyworm.scene.index import PLACE_NAMES, Place, crossed
 from pyworm.scene.line import LineScene
-from pyworm.scene.plausibility import doubts, require_possible
+from pyworm.scene.plausibility import beyond_limits, doubts, require_possible
 from pyworm.scene.point import Scene
 
 NO_PHYSICS = {
@@ -229,6 +229,12 @@ class Case(Shown):
             *(f"drive.{warning}" for warning in self.drive.warnings),
             *(() if brought is None else brought.warnings),
         )
+
+    @property
+    def beyond_limits(self) -> tuple[str, ...]:
+        """Bodies that are hotter than their material bears, a sentence each."""
+        bodies = self.scene().bodies if self.drive is None else self.drive.bodies
+        return beyond_limits(self.body_names, bodies)
 
     def scene(
         self,

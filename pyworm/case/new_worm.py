@@ -1,7 +1,9 @@
 """Text of a new case file about a worm drive, from the numbers of its drawing."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
 
 from pyworm.formulas.worm_profiles import PROFILES
 
@@ -17,8 +19,10 @@ ASKED = {
     "wheel_material": ("material of the wheel", "CuSn12Ni2-C-GZ"),
     "oil": ("oil", "PAG VG 220"),
     "oil_temperature": ("temperature of the oil", "80 C"),
+    "life": ("life that it is designed for, in hours of running", "25000 h"),
+    "application_factor": ("application factor K_A on the torque, 1 of a uniform load", "1.25"),
 }
-"""Number of the drawing that has to be known -> what it is called, and an example."""
+"""Number of the drawing or of the duty that has to be known -> what it is called, and an example."""
 
 OPTIONAL = {
     "profile": ("form of the flanks, one of " + ", ".join(PROFILES), "ZI"),
@@ -26,10 +30,12 @@ OPTIONAL = {
     "face_width": ("face width of the wheel", "30 mm"),
     "hand": ("hand of the threads", "right"),
     "hob_oversize": ("reference diameter of the hob beyond the worm's", "1.6 mm"),
+    "starts_per_hour": ("starts of the drive in an hour, which wear the wheel", "2"),
+    "ambient_temperature": ("temperature of the surroundings", "20 C"),
 }
 """Number that may be left out, likewise."""
 
-PLAIN = ("threads", "teeth", "diameter_factor")
+PLAIN = ("threads", "teeth", "diameter_factor", "application_factor", "starts_per_hour")
 """Those that are numbers without unit."""
 
 _COMMENTS = {
@@ -44,7 +50,38 @@ _COMMENTS = {
 }
 
 
-def new_worm_text(answers: Mapping[str, str], title: str, taken: Sequence[str] = ()) -> str:
+PHASES = (0.1, 0.3, 0.5, 0.7, 0.9)
+"""Phases to be solved where a tooth pair carries load all along: middles of five equal parts of the mesh."""
+
+LIGHT = 0.1
+"""Load of a tooth pair over its largest one below which no phase is proposed: there tips and roots barely
+touch, and a film says nothing about the drive."""
+
+_SOUGHT = 41
+"""Phases at which the load is looked at."""
+
+
+def loaded_phases(load: Callable[[float], float]) -> tuple[float, ...]:
+    """Phases to be solved of a mesh cycle: middles of equal parts of where tooth pairs carry load.
+
+    Parameters
+    ----------
+    load : callable
+        Load of the tooth pair at a phase (`Drive.normal_load`).
+    """
+    phases = np.linspace(0, 1, _SOUGHT)
+    loads = np.array([load(phase) for phase in phases])
+    carrying = phases[loads > LIGHT * loads.max()]
+    first, last = float(carrying[0]), float(carrying[-1])
+    return tuple(round(first + (last - first) * part, 3) for part in PHASES)
+
+
+def new_worm_text(
+    answers: Mapping[str, str],
+    title: str,
+    taken: Sequence[str] = (),
+    phases: Sequence[float] = PHASES,
+) -> str:
     """The case file of a worm drive.
 
     Parameters
@@ -55,6 +92,8 @@ def new_worm_text(answers: Mapping[str, str], title: str, taken: Sequence[str] =
         Title of the case.
     taken : sequence of str
         Usual values of the drive for what is not given (`ZiWormDrive.taken`), to stand as comments.
+    phases : sequence of float
+        Phases to be solved.
     """
     rows = {"": _drive_rows(answers), "worm": [], "wheel": [], "hob": []}
     if "hob_oversize" in answers:
@@ -73,6 +112,8 @@ def new_worm_text(answers: Mapping[str, str], title: str, taken: Sequence[str] =
     return _TEXT.format(
         title=json.dumps(title, ensure_ascii=False),
         drive=drive,
+        rating="\n".join(_rating_rows(answers)),
+        phases=", ".join(f"{phase:g}" for phase in phases),
         **{key: _toml(key, answers[key]) for key in _AFTER},
     )
 
@@ -83,10 +124,20 @@ def _drive_rows(answers: Mapping[str, str]) -> list[str]:
     what = {str(name): words for name, words in PROFILES.items()}.get(profile, "form of the flanks")
     rows = ['kind = "worm"', f"profile = {json.dumps(profile)} # {what}"]
     for key in (*ASKED, *OPTIONAL):
-        if key in answers and key not in (*_AFTER, "hob_oversize", "profile"):
+        if key in answers and key not in (*_AFTER, *_RATED, "hob_oversize", "profile"):
             comment = f" # {_COMMENTS[key]}" if key in _COMMENTS else ""
             rows.append(f"{key} = {_toml(key, answers[key])}{comment}")
     return rows
+
+
+def _rating_rows(answers: Mapping[str, str]) -> list[str]:
+    """Rows of `[worm_rating]`; what is left out stands as a comment with its usual value."""
+    return [
+        f"{key} = {_toml(key, answers[key])} # {words}"
+        if key in answers
+        else f"# {key} = {_toml(key, usual)} # if not given; {words}"
+        for key, (usual, words) in _RATED.items()
+    ]
 
 
 def _toml(key: str, answer: str) -> str:
@@ -102,6 +153,14 @@ _AFTER = (
 )
 """Numbers outside of `[drive]`."""
 
+_RATED = {
+    "life": ("25000 h", "hours of running"),
+    "application_factor": ("1", "K_A on the torque"),
+    "starts_per_hour": ("0", "they wear the wheel"),
+    "ambient_temperature": ("20 C", "of the surroundings"),
+}
+"""Numbers of `[worm_rating]` -> usual values, and their comments."""
+
 _TEXT = """\
 title = {title}
 source = "Drawing of the drive"
@@ -112,12 +171,13 @@ accuracy = "5 %" # largest numerical error of films and pressures
 
 {drive}
 
-# phases: places in the mesh of a pair of teeth at which its film is solved, from 0, where it meets, to 1.
+# phases: places in the mesh of a pair of teeth at which its film is solved, from 0, where it meets, to 1;
+# spread over those at which it carries load.
 
 [operation]
 worm_speed = {worm_speed}
 wheel_torque = {wheel_torque}
-phases = [0.1, 0.3, 0.5, 0.7, 0.9]
+phases = [{phases}]
 
 # Constants of materials come by name; any of them may stand beside it. finish: the usual roughness of flanks
 # so made; roughness_ra = "0.4 um" in its place gives a measured one.
@@ -133,4 +193,10 @@ finish = "run-in"
 [oil]
 name = {oil}
 temperature = {oil_temperature} # where it enters the contact
+
+# pyworm rate: the safeties of ISO/TS 14521 and DIN 3996. Materials, oil, temperature and roughness are those
+# above. [drive.shaft] gives the bearings of the worm, on which the deflection of its shaft depends.
+
+[worm_rating]
+{rating}
 """

@@ -7,7 +7,7 @@ from pyworm.case.cooling import CoolingTable
 from pyworm.case.oil import OilTable
 from pyworm.case.ratings import WormRatingTable
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.materials.body import named_body
+from pyworm.materials.body import Body, named_body
 from pyworm.materials.solids import alloy
 
 ONE_MODULUS = 1.5
@@ -30,13 +30,20 @@ def check_rated_material(rating: WormRatingTable, wheel: BodyTable) -> None:
             f'worm_rating.wheel_material = "{rated}", but bodies.wheel.material = "{body}": one wheel is of '
             "one material; leave the first out, and change the second to compare materials"
         )
-    modulus = named_body(rated).youngs_modulus
+    softest, stiffest = _moduli(named_body(rated))
+    modulus = min(max(wheel.youngs_modulus, softest), stiffest)
     if exp(abs(log(wheel.youngs_modulus / modulus))) > ONE_MODULUS:
         raise ValueError(
             f'worm_rating.wheel_material = "{rated}" has {modulus / 1e9:.4g} GPa, but '
             f"bodies.wheel.youngs_modulus is {wheel.youngs_modulus / 1e9:.4g} GPa: one wheel is of one "
             "material"
         )
+
+
+def _moduli(body: Body) -> tuple[float, float]:
+    """Smallest and largest Young's modulus of a solid, hot and cold [Pa]."""
+    moduli = [modulus for _, modulus in body.modulus_by_temperature] or [body.youngs_modulus]
+    return min(moduli), max(moduli)
 
 
 def check_rated_temperature(rating: WormRatingTable, oil: OilTable, cooled: bool) -> None:

@@ -32,13 +32,18 @@ from pyworm.drives.zi_worm.duty import geometry_of, operating_point
 from pyworm.drives.zi_worm.load_sharing import Shaft, Transmission
 from pyworm.drives.zi_worm.temperatures import Cooling, drive_temperatures
 from pyworm.drives.zi_worm.worm_shaft import WormShaft
-from pyworm.formulas.unknown import Unknown, attempt
+from pyworm.formulas.unknown import Unknown, attempt, known
 from pyworm.formulas.worm_curves import Lubrication
 from pyworm.formulas.worm_losses import other_losses
 from pyworm.formulas.worm_rating import NOT_GIVEN, WormRating
 from pyworm.io import units
 from pyworm.io.present import present
-from pyworm.materials.body import Body
+from pyworm.materials.body import Body, named_body
+from pyworm.materials.oil import Oil
+
+AS_IF_BRONZE = (
+    "; with the friction of tin bronze, an estimate, since that of the wheel is not known"
+)
 
 Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
 
@@ -423,7 +428,7 @@ class WormDriveCase(RatedCase):
             centre_distance=design.centre_distance,
             speed=speed,
             load=operation.load or _transmission(self, speed, ratio),
-            bodies=design.seen(self.bodies.pair(oil)),
+            bodies=design.seen(self._pair(oil)),
             oil=oil,
             assembly=Assembly(**dict(self.drive.assembly)),
             driver=operation.driver,
@@ -434,6 +439,14 @@ class WormDriveCase(RatedCase):
         )
         return self._balanced(drive) if self.cooling is None else self._warm(drive)
 
+    def _pair(self, oil: Oil) -> tuple[Body, Body]:
+        """Worm and wheel, the wheel with the temperature limit of the material it is rated as, if of none."""
+        worm, wheel = self.bodies.pair(oil)
+        rated = None if self.worm_rating is None else self.worm_rating.wheel_material
+        if rated is None or wheel.temperature_limit is not None:
+            return worm, wheel
+        return worm, replace(wheel, temperature_limit=named_body(rated).temperature_limit)
+
     def _balanced(self, drive: ZiWormDrive) -> ZiWormDrive:
         """The drive with bulk temperatures by the standard's balance of its loss, where none is given.
 
@@ -443,21 +456,23 @@ class WormDriveCase(RatedCase):
         stated = [body.bulk_temperature for _, body in self.bodies]
         if drive.oil.heat is None or stated != [None, None]:
             return drive
-        found = attempt(lambda: self._wheel_by_standard(drive))
+        rated = attempt(lambda: self._by_standard(drive))
+        found = attempt(lambda: known(rated).bulk_temperature)
         if isinstance(found, Unknown):
             return replace(drive, warmth=f"Worm and wheel are as warm as the oil: {found.why}.")
         excess = found - drive.oil.heat.inlet_temperature
+        stand_in = "" if known(rated).under.friction_is_known else AS_IF_BRONZE
         return replace(
             drive,
             bodies=(_as_warm(drive.bodies[0], found), _as_warm(drive.bodies[1], found)),
             warmth=(
                 f"Worm and wheel are {excess:.3g} K warmer than the oil, by the heat balance of the "
-                "worm-gear standard with its loss between the teeth (from a public transcription)."
+                f"worm-gear standard with its loss between the teeth (from a public transcription{stand_in})."
             ),
         )
 
-    def _wheel_by_standard(self, drive: ZiWormDrive) -> float:
-        """Bulk temperature of the wheel by the standard [K]; ValueError where it has none."""
+    def _by_standard(self, drive: ZiWormDrive) -> WormRating:
+        """The drive by the standard, whatever it is rated for; ValueError of the load of one tooth."""
         load = drive.load
         if not isinstance(load, Transmission):
             raise ValueError("the load of one tooth is given, which is no balance of a drive")
@@ -466,7 +481,7 @@ class WormDriveCase(RatedCase):
         bare = self.model_copy(update={"worm_rating": None}).rating_as_run()
         oil = standard_oil(bare, Path())
         under = conditions(bare, point, oil, torque, drive.speed, NOT_GIVEN)
-        return WormRating(point.gear, under).bulk_temperature
+        return WormRating(point.gear, under)
 
     def _warm(self, drive: ZiWormDrive) -> ZiWormDrive:
         """The drive with oil and bodies as warm as its losses make them."""

@@ -2,13 +2,16 @@
 
 import argparse
 from dataclasses import asdict
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from pyworm.case.case import load
+from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_accuracy_and_effects, add_case
 from pyworm.cli.shared import CONVERGED, planned_tasks, warn_of_unusual
 from pyworm.io.json import print_json
 from pyworm.io.stage import stage
+
+if TYPE_CHECKING:
+    from pyworm.io.console import Console
 
 
 def add_check(commands: argparse._SubParsersAction) -> None:
@@ -25,10 +28,8 @@ def _check(options: argparse.Namespace) -> int:
     warn_of_unusual(case)
 
     from pyworm.batch.expected_run import expected_run
-    from pyworm.case.workshop_units import assumptions
     from pyworm.io.console import Console
     from pyworm.io.format import duration
-    from pyworm.report.console.drive import drive_table
     from pyworm.report.console.scenes import effects_table, plan_table
     from pyworm.scene.summary import scene_summary
     from pyworm.solver import left_out
@@ -57,19 +58,15 @@ def _check(options: argparse.Namespace) -> int:
             }
         content["expected_seconds"] = of_run.once
         content["expected_seconds_of_search"] = of_run.search
-        print_json(content | {"warnings": case.warnings})
+        print_json(content | {"warnings": case.warnings, "beyond_limits": case.beyond_limits})
     else:
         console = Console()
         console.print(f"{case.title}\n{case.source}\n")
+        for sentence in case.beyond_limits:
+            console.print(f"{sentence}\n")
         if sentence := left_out.worst(without).sentence:
             console.print(f"{sentence} (Films by closed forms.)\n")
-        if case.drive is not None and (table := drive_table(case.drive)) is not None:
-            console.print(table)
-            for sentence in case.drive.all_assumptions:
-                console.print(f"- {sentence}")
-            for key, reason in assumptions(case.tables).items():
-                console.print(f"- {key}: {reason}.")
-            console.print()
+        _print_drive(console, case)
         for task, of in zip(tasks, expected, strict=True):
             console.print(plan_table(task.scene, task.plan, of))
             console.print(effects_table(task.plan.effects, "Effects"))
@@ -79,3 +76,18 @@ def _check(options: argparse.Namespace) -> int:
             found = " and ".join(key for keys in case.left_open.values() for key in keys)
             console.print(f"Search for {found} before that: {duration(of_run.search)}")
     return CONVERGED
+
+
+def _print_drive(console: "Console", case: Case) -> None:
+    """The drive as it was computed, with its assumptions; nothing of a contact without one."""
+    from pyworm.case.workshop_units import assumptions
+    from pyworm.report.console.drive import drive_table
+
+    if case.drive is None or (table := drive_table(case.drive)) is None:
+        return
+    console.print(table)
+    for sentence in case.drive.all_assumptions:
+        console.print(f"- {sentence}")
+    for key, reason in assumptions(case.tables).items():
+        console.print(f"- {key}: {reason}.")
+    console.print()

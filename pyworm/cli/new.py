@@ -6,9 +6,10 @@ import tomllib
 from pathlib import Path
 
 from pyworm.case.case import case_of
-from pyworm.case.new_worm import ASKED, OPTIONAL, new_worm_text
+from pyworm.case.new_worm import ASKED, OPTIONAL, loaded_phases, new_worm_text
 from pyworm.cli.shared import CONVERGED, warn_of_unusual
 from pyworm.io.input_error import CaseError
+from pyworm.io.present import present
 from pyworm.io.terminal import put, say
 
 
@@ -41,8 +42,10 @@ def _new(options: argparse.Namespace) -> int:
         answers[key] = _asked(key, what, example) if given is None else given
     title = options.title or _title(answers)
     case = case_of(tomllib.loads(new_worm_text(answers, title)), path.stem, path.parent)
+    drive = present(case.drive, "drive")
+    phases = loaded_phases(drive.normal_load)
     try:
-        path.write_text(new_worm_text(answers, title, getattr(case.drive, "taken", ())))
+        path.write_text(new_worm_text(answers, title, getattr(drive, "taken", ()), phases))
     except OSError as error:
         raise CaseError(f"{path}: cannot be written ({error})") from None
     warn_of_unusual(case)

@@ -77,6 +77,7 @@ def _rate(options: argparse.Namespace) -> int:
                 "ratings": [rating.summary() for rating in made],
                 "not_rated": not_rated(asked, tuple(made)),
                 "warnings": asked.warnings,
+                "beyond_limits": asked.beyond_limits,
                 "not_converged": unconverged(result),
                 "assumed": asked.tables.assumed,
             }
@@ -97,7 +98,8 @@ def _show(
 
     console = Console()
     console.print(f"{asked.tables.title}\n{asked.tables.source}\n")
-    for line in filter(None, (lacking.sentence, headline(result.solutions if result else ()))):
+    films = lacking.sentence, headline(result.solutions if result else ())
+    for line in (*asked.beyond_limits, *filter(None, films)):
         console.print(f"{line}\n")
     for sentence in unconverged(result):
         console.print(sentence)

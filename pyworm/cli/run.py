@@ -114,6 +114,7 @@ def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
         "scenes": [solution.summary() for solution in result.solutions],
         "failed": result.provenance["failed"],
         "warnings": result.provenance["warnings"],
+        "beyond_limits": tasks[0].case.beyond_limits,
         **({} if result.shortfall is None else {"stop_reason": result.shortfall}),
         **({} if cycle is None else {"cycle": cycle.summary()}),
         **({} if case.drive is None else {"standard_loss": standard.summary()}),
@@ -201,7 +202,7 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     cycle, standard = drive_cycle(result), standard_loss(case)
     console = Console()
     console.print(f"{case.title}\n{case.source}\n")
-    for line in opening(result.solutions, standard.words):
+    for line in opening(result.solutions, standard.words, tasks[0].case.beyond_limits):
         console.print(f"{line}\n")
     scenes = [task.scene for task in tasks if task.scene.name not in failed]
     for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):

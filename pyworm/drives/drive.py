@@ -13,6 +13,7 @@ from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.shape import Space
 from pyworm.drives.shim import Shim
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.materials.body import Body
@@ -119,8 +120,14 @@ class Drive(ABC):
 
     @property
     def all_assumptions(self) -> tuple[str, ...]:
-        """Its assumptions, and that of the oil which its contacts get."""
-        return (*self.assumptions, self._oil_words)
+        """Its assumptions, those of softening bodies, and that of the oil which its contacts get."""
+        return (*self.assumptions, *self._softened, self._oil_words)
+
+    @property
+    def _softened(self) -> tuple[str, ...]:
+        """Moduli of bodies that soften, at their bulk temperatures."""
+        pairs = zip(self.body_names, self.bodies, strict=True)
+        return tuple(sentence for name, body in pairs if (sentence := _softened(name, body)))
 
     @property
     def _oil_words(self) -> str:
@@ -201,3 +208,15 @@ class Drive(ABC):
             If the methods do not apply to it, or data are missing.
         """
         return None
+
+
+def _softened(name: str, body: Body) -> str:
+    """The modulus of a body that softens, in a sentence; empty of one that does not."""
+    if not body.modulus_by_temperature or body.bulk_temperature is None:
+        return ""
+    temperature, modulus = body.modulus_by_temperature[0]
+    return (
+        f"The {name.replace('_', ' ')} has a Young's modulus of {body.youngs_modulus * 1e-9:.3g} GPa at its "
+        f"bulk temperature of {body.bulk_temperature - ZERO_CELSIUS:.0f} °C ({modulus * 1e-9:.3g} GPa at "
+        f"{temperature - ZERO_CELSIUS:.0f} °C)."
+    )

@@ -44,6 +44,9 @@ class WormDuty:
         Bulk temperature of the wheel in the drive's contacts [K].
     contact_ratio : float or None
         Pairs of teeth in mesh on average [-]; None of a gear without its flanks.
+    wheel_limit, wheel_modulus : float or None
+        Temperature that the wheel's material bears in continuous use [K], and its Young's modulus at the bulk
+        temperature of the drive's contacts [Pa]; None of a material without such a limit.
     conductance, other_loss : float or None
         Heat that the housing gives off for each kelvin of its oil [W/K], and losses besides the teeth [W],
         where they are given.
@@ -62,6 +65,8 @@ class WormDuty:
     wheel_material: str | None = None
     simulated_wheel_temperature: float | None = None
     contact_ratio: float | None = None
+    wheel_limit: float | None = None
+    wheel_modulus: float | None = None
     conductance: float | None = None
     other_loss: float | None = None
 

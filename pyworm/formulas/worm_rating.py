@@ -1,6 +1,6 @@
 """Rating of a worm gear by the worm-gear standard under one load, each figure by itself."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import pi
 from typing import Literal
@@ -114,6 +114,11 @@ class WormConditions:
     def family(self) -> Family:
         """Group of the wheel's material; tin bronze without one."""
         return "tin bronze" if isinstance(self.material, Unknown) else known(self.material.family)
+
+    @property
+    def friction_is_known(self) -> bool:
+        """Whether the wheel's material is given, and the standard knows how it rubs."""
+        return not (isinstance(self.material, Unknown) or isinstance(self.material.family, Unknown))
 
     @property
     def rubbing(self) -> float:
@@ -256,6 +261,17 @@ class WormRating:
         slowest, fastest = SLIDING_RANGE
         return self._lost_at(min(max(self.sliding_speed, slowest), fastest))
 
+    @property
+    def as_if_bronze(self) -> "WormRating":
+        """The gear with the friction of tin bronze where that of its wheel's material is not known.
+
+        For what depends on friction a little: the wheel's temperature and the deflection of the shaft.
+        """
+        under = self.under
+        if under.friction_is_known:
+            return self
+        return WormRating(self.gear, replace(under, material=NOT_GIVEN))
+
     @cached_property
     def static_friction(self) -> float:
         """Coefficient of tooth friction at rest [-]; no less than that of creeping teeth."""
@@ -329,12 +345,12 @@ class WormRating:
 
     @cached_property
     def bulk_temperature(self) -> float:
-        """Bulk temperature of the wheel [K]."""
+        """Bulk temperature of the wheel [K]; by `as_if_bronze` where friction is not known."""
         gear, under = self.gear, self.under
         if under.wheel_temperature is not None:
             return under.wheel_temperature
         sump = known(under.sump_temperature)
-        loss = self.nearest_loss.driven_by(under.driver)
+        loss = self.as_if_bronze.nearest_loss.driven_by(under.driver)
         if under.lubrication == "injection":
             thick = known(under.supplied_viscosity)
             return injected_bulk_temperature(sump, loss, under.worm_speed, gear, thick)
@@ -393,6 +409,6 @@ class WormRating:
         Friction adds to the force along the wheel's circumference where the worm drives, and takes from it
         where the wheel does.
         """
-        friction = self.nearest_loss.friction
+        friction = self.as_if_bronze.nearest_loss.friction
         against = friction if self.under.driver == "worm" else -friction
         return shaft_deflection(self.gear, self.under.torque, against)

@@ -74,7 +74,13 @@ def minimum_film(
     within("dynamic viscosity", viscosity, 1e-4, 10, "Pa s")
     within("worm speed", worm_speed * RPM, 0.1, 1e5, "rpm")
     within("centre distance", centre_distance, 0.025, 2, "m")
-    within("reduced modulus", reduced_modulus, 1e10, 1e12, "Pa")
+    try:
+        within("reduced modulus", reduced_modulus, 1e10, 1e12, "Pa")
+    except ValueError as error:
+        raise ValueError(
+            f"{str(error).rstrip('.')}; films of softer wheels than bronze and iron are not covered by the "
+            "worm-gear standard (ISO/TS 14521, DIN 3996)"
+        ) from None
     positive("wheel torque", torque, "N m")
     micrometres = (
         21
@@ -94,7 +100,8 @@ def mean_pressure(
 ) -> float:
     """Mean contact stress sigma_Hm [Pa], (4/pi) sqrt(p_m* T2 E_red/a^3).
 
-    Checked by dimension: a pressure, growing with the square root of the load as of any line contact.
+    Checked by dimension: a pressure, growing with the square root of the load and of the modulus as of any
+    line contact, so that it is that of soft wheels, too, as long as their teeth do not bend.
 
     Parameters
     ----------
@@ -109,7 +116,7 @@ def mean_pressure(
     """
     within("p_m*", pressure_parameter, 0.1, 10, "")
     positive("wheel torque", torque, "N m")
-    within("reduced modulus", reduced_modulus, 1e10, 1e12, "Pa")
+    within("reduced modulus", reduced_modulus, 1e8, 1e12, "Pa")
     within("centre distance", centre_distance, 0.025, 2, "m")
     return 4 / pi * sqrt(pressure_parameter * torque * reduced_modulus / centre_distance**3)
 

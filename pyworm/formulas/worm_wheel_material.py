@@ -83,5 +83,8 @@ def wheel_material(name: str) -> WheelMaterial:
         cast = WHEEL_MATERIALS[_OTHER_CASTINGS[name]]
         return WheelMaterial(name, cast.family, cast.friction_factor, lacking, lacking, lacking)
     listed = ", ".join(WHEEL_MATERIALS)
-    lacking = Unknown(f"{name} is none of the worm-gear standard's wheel materials ({listed})")
+    lacking = Unknown(
+        f"{name} is not covered by the worm-gear standard (ISO/TS 14521, DIN 3996), whose wheels are of "
+        f"{listed}"
+    )
     return WheelMaterial(name, lacking, lacking, lacking, lacking, lacking)

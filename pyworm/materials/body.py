@@ -10,6 +10,7 @@ from pyworm.io.given import in_si, take, text
 from pyworm.io.present import present
 from pyworm.materials import solids
 from pyworm.materials.long_waves import LongWaves
+from pyworm.materials.softening import Points, modulus_at, points
 from pyworm.materials.topography import Topography
 
 RUN_IN_SLOPE = 0.008
@@ -29,7 +30,7 @@ class Body:
     Attributes
     ----------
     youngs_modulus : float
-        Young's modulus [Pa].
+        Young's modulus [Pa]; with `modulus_by_temperature` and a bulk temperature that of the latter.
     poisson_ratio : float
         Poisson's ratio [-].
     density, conductivity, specific_heat : float or None
@@ -59,6 +60,10 @@ class Body:
         Heights of the surface, in place of averages by the figures above; None where they are not known.
     long_waves : LongWaves or None
         Its waves longer than those of the roughness; None where they are not known.
+    modulus_by_temperature : tuple of tuple of float
+        Temperatures [K] and Young's moduli there [Pa] of a solid that softens; empty of one that does not.
+    temperature_limit : float or None
+        Temperature that it bears in continuous use [K]; None where it is not known.
 
     Raises
     ------
@@ -82,6 +87,8 @@ class Body:
     boundary_friction_factor: float = 1.0
     topography: Topography | None = None
     long_waves: LongWaves | None = None
+    modulus_by_temperature: Points = ()
+    temperature_limit: float | None = None
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "youngs_modulus": units.Modulus,
@@ -92,11 +99,13 @@ class Body:
         "roughness": units.Roughness,
         "lay": units.Tilt,
         "hardness": units.Hardness,
+        "temperature_limit": units.Temperature,
     }
 
     def __post_init__(self) -> None:
         """Read quantities with units; refuse impossible constants of a solid."""
         take(self)
+        self._soften()
         positive("youngs_modulus", self.youngs_modulus, "Pa")
         if not -1 < scalar("poisson_ratio", self.poisson_ratio) <= 0.5:
             raise ValueError(
@@ -105,6 +114,13 @@ class Body:
         for name, unit in _POSITIVE.items():
             if getattr(self, name) is not None:
                 positive(name, getattr(self, name), unit)
+
+    def _soften(self) -> None:
+        """Read the modulus over temperature, and take its value at the bulk temperature."""
+        given = points("modulus_by_temperature", self.modulus_by_temperature)
+        object.__setattr__(self, "modulus_by_temperature", given)
+        if given and self.bulk_temperature is not None:
+            object.__setattr__(self, "youngs_modulus", modulus_at(given, self.bulk_temperature))
 
     @property
     def heat_capacity(self) -> float:
@@ -129,6 +145,7 @@ _POSITIVE = {
     "conductivity": "W/(m K)",
     "specific_heat": "J/(kg K)",
     "bulk_temperature": "K",
+    "temperature_limit": "K",
     "roughness": "m",
     "roughness_slope": "",
     "roughness_aspect": "",

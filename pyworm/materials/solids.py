@@ -1,11 +1,11 @@
-"""Materials by name: elastic and thermal constants of gear steels, bronzes and irons, and usual roughness."""
+"""Materials by name: constants of gear steels, bronzes, irons and plastics, and usual roughness."""
 
 from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any, Self
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import BaseModel, ConfigDict, Field, model_validator
 
 from pyworm.io import units
 from pyworm.io.toml import read_toml
@@ -14,12 +14,17 @@ _TABLE = Path(__file__).with_name("solids.toml")
 
 
 class SolidTable(BaseModel):
-    """One material of the table, as written there, each constant with its unit."""
+    """One material of the table, as written there, each constant with its unit.
+
+    Plastics have a modulus over temperature in place of one, and a temperature that they bear for long.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     aliases: tuple[str, ...]
-    youngs_modulus: units.Modulus
+    youngs_modulus: units.Modulus | None = None
+    modulus_by_temperature: tuple[tuple[units.Temperature, units.Modulus], ...] = ()
+    temperature_limit: units.Temperature | None = None
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
     density: units.MassDensity
     conductivity: units.Conductivity
@@ -27,6 +32,12 @@ class SolidTable(BaseModel):
     hardness: units.Hardness
     boundary_friction_factor: Annotated[float, Field(strict=True, ge=0.2, le=5)] = 1.0
     source: str
+
+    @model_validator(mode="after")
+    def _one_modulus(self) -> Self:
+        if (self.youngs_modulus is None) == (not self.modulus_by_temperature):
+            raise ValueError("give either youngs_modulus or modulus_by_temperature, one of the two")
+        return self
 
 
 @cache
@@ -85,16 +96,25 @@ def _plain(name: str) -> str:
     return name.lower().replace(" ", "").replace("-c-", "-")
 
 
-def constants(name: str) -> dict[str, str | float]:
-    """Constants of a material of the table as a case file writes them.
+def constants(name: str) -> dict[str, Any]:
+    """Constants of a material of the table as a case file writes them, its modulus that at room temperature.
 
     Parameters
     ----------
     name : str
         As of `named_material`.
     """
-    table = _tables()[name]
-    return {key: value for key, value in table.items() if key not in ("aliases", "source")}
+    table = {
+        key: value for key, value in _tables()[name].items() if key not in ("aliases", "source")
+    }
+    if "modulus_by_temperature" in table:
+        table["youngs_modulus"] = table["modulus_by_temperature"][0][1]
+    return table
+
+
+def is_plastic(name: str) -> bool:
+    """Whether a material of the table softens with temperature."""
+    return "modulus_by_temperature" in _tables()[name]
 
 
 def source(name: str) -> str:

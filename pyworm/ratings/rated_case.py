@@ -38,6 +38,7 @@ from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
+from pyworm.scene.plausibility import beyond_limits
 from pyworm.scene.point import Scene
 from pyworm.solver.left_out import LeftOut, judged
 from pyworm.solver.solution import Solution
@@ -112,6 +113,13 @@ class Asked:
     @property
     def _worm_gear(self) -> WormGearTable | None:
         return self.tables.worm_gear if isinstance(self.tables, RatingCase) else None
+
+    @property
+    def beyond_limits(self) -> tuple[str, ...]:
+        """Bodies of its drive that are hotter than their material bears, a sentence each."""
+        if self.drive is None:
+            return ()
+        return beyond_limits(self.drive.body_names, self.drive.bodies)
 
     @property
     def rating_is_asked(self) -> bool:

@@ -34,7 +34,7 @@ from pyworm.solver.left_out import LeftOut
 def worm_duty_of_table(table: WormGearTable) -> WormDuty:
     """The worm gear of `[worm_gear]`; CaseError if it is none."""
     try:
-        within("reduced modulus", table.reduced_modulus, 1e10, 1e12, "Pa")
+        within("reduced modulus", table.reduced_modulus, 1e8, 1e12, "Pa")
         return _duty(table)
     except ValueError as error:
         raise CaseError(f"worm_gear: {error}") from error
@@ -226,6 +226,7 @@ def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
             1.0,
             "°C",
         ),
+        *_material_rows(duty),
         ("surface_temperature_max_C", "Largest flank temperature", lambda: None, 1.0, "°C"),
         ("wear_depth_m", "Wear in its life", worn, 1e6, "µm"),
         ("wear_limit_m", "Wear allowed", lambda: worn() and gear.wear_limit, 1e6, "µm"),
@@ -237,6 +238,23 @@ def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
             "µm",
         ),
         *_gearbox_rows(rated),
+    ]
+
+
+def _material_rows(duty: WormDuty) -> list[tuple]:
+    """Rows about a wheel that softens; none of one whose material has no temperature limit."""
+    if duty.wheel_limit is None or duty.wheel_modulus is None:
+        return []
+    limit, modulus = duty.wheel_limit, duty.wheel_modulus
+    return [
+        (
+            "wheel_temperature_limit_C",
+            "Temperature limit of the wheel's material",
+            lambda: limit - ZERO_CELSIUS,
+            1.0,
+            "°C",
+        ),
+        ("wheel_modulus_Pa", "Young's modulus of the wheel", lambda: modulus, 1e-9, "GPa"),
     ]
 
 

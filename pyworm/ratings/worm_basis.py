@@ -24,6 +24,7 @@ CLAUSES = {
     "S_delta": "clause 10",
     "S_F": "clause 11",
     "S_T": "clause 12",
+    "S_M": "no clause, the material's limit",
 }
 """Symbol of a safety -> its clause, from memory."""
 

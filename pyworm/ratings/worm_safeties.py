@@ -20,8 +20,9 @@ from pyworm.ratings.rating import Safety
 from pyworm.ratings.worm_basis import CLAUSES
 from pyworm.ratings.worm_loads import RatedLoad, hardest
 
-REQUIRED = {"S_W": 1.1, "S_H": 1.0, "S_delta": 1.0, "S_F": 1.1, "S_T": 1.1}
-"""Least safeties (a public transcription of DIN 3996, the worksheet on worm gears of MITCalc)."""
+REQUIRED = {"S_W": 1.1, "S_H": 1.0, "S_delta": 1.0, "S_F": 1.1, "S_T": 1.1, "S_M": 1.0}
+"""Least safeties (a public transcription of DIN 3996, the worksheet on worm gears of MITCalc); S_M is none of
+the standard's."""
 
 _LABELS = {
     "S_W": "wear of the wheel's flanks",
@@ -29,7 +30,13 @@ _LABELS = {
     "S_delta": "deflection of the worm's shaft",
     "S_F": "shear at the roots of the wheel's teeth",
     "S_T": "temperature of the oil",
+    "S_M": "temperature of the wheel's material",
 }
+
+AS_IF_BRONZE = (
+    "The friction of the wheel's material is not known: that of tin bronze is taken, which changes the "
+    "result little."
+)
 
 _PITTING_POWER = 6
 """Hours of pitting fall with this power of the stress: Z_h = (25000 h/Lh)^(1/6)."""
@@ -53,6 +60,8 @@ def safeties(
 ) -> tuple[Safety, ...]:
     """S_W, S_H, S_delta, S_F and S_T of a worm gear, each by itself or with the reason why there is none.
 
+    A wheel whose material has a temperature limit has S_M besides.
+
     Parameters
     ----------
     table : CompletedRating
@@ -70,6 +79,9 @@ def safeties(
         lacking = _missing(table, *_NEEDED.get(symbol, ()))
         found = Unknown(lacking) if lacking else attempt(partial(rate, of))
         made.append(_unrated(symbol, found.why) if isinstance(found, Unknown) else found)
+    if duty.wheel_limit is not None:
+        found = attempt(partial(_material, of))
+        made.append(_unrated("S_M", found.why) if isinstance(found, Unknown) else found)
     return tuple(made)
 
 
@@ -167,6 +179,7 @@ def _deflection(of: _Rated) -> Safety:
         doubts = (
             "Bearings assumed half the wheel's tip diameter to each side of the line of centres, the shaft "
             "1.1 times as thick as a root 1.25 modules deep; [drive.shaft] gives the real ones.",
+            *(() if worst.conditions.friction_is_known else (AS_IF_BRONZE,)),
         )
     inputs = {"delta_lim_um": limit * 1e6, "delta_m_um": bent * 1e6, "bearings": where}
     return _safety("S_delta", value=limit / bent, inputs=inputs, doubts=doubts)
@@ -212,6 +225,27 @@ def _temperature(of: _Rated) -> Safety:
     inputs |= _sumps(of, hot, doubts)
     value = temperature_safety(sump, limit)
     return _safety("S_T", value=value, inputs=inputs, doubts=tuple(doubts))
+
+
+def _material(of: _Rated) -> Safety:
+    """The limit of the wheel's material over its bulk temperature under the hottest load, both in degC."""
+    limit = known(
+        Unknown("it has no limit") if of.duty.wheel_limit is None else of.duty.wheel_limit
+    )
+    hot = max(of.loads, key=lambda load: load.rated.bulk_temperature)
+    bulk = hot.rated.bulk_temperature
+    inputs = {"theta_lim_C": limit - ZERO_CELSIUS, "theta_M_C": bulk - ZERO_CELSIUS}
+    if of.duty.wheel_modulus is not None:
+        inputs["E_wheel_MPa"] = of.duty.wheel_modulus * 1e-6
+    doubts = ["Limit by ageing in air: stiffness and strength fall long before."]
+    if not hot.conditions.friction_is_known:
+        doubts.append(
+            "The wheel's temperature is by the standard's balance with the friction of tin bronze."
+        )
+    if bulk <= ZERO_CELSIUS:
+        raise ValueError("the wheel is not warmer than 0 °C")
+    value = inputs["theta_lim_C"] / inputs["theta_M_C"]
+    return _safety("S_M", value=value, inputs=inputs, doubts=tuple(doubts))
 
 
 def standard_sump(

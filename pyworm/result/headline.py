@@ -33,7 +33,9 @@ def less_accurate(solutions: Sequence[Solution]) -> str:
     return "Less accurate than asked for: " + ", ".join(of.name for of in wide) + "."
 
 
-def opening(solutions: Sequence[Solution], rough_teeth: str) -> list[str]:
+def opening(
+    solutions: Sequence[Solution], rough_teeth: str, beyond_limits: Sequence[str] = ()
+) -> list[str]:
     """Sentences shown before any figure of solved contacts.
 
     Parameters
@@ -42,9 +44,12 @@ def opening(solutions: Sequence[Solution], rough_teeth: str) -> list[str]:
         The contacts.
     rough_teeth : str
         Sentence on their friction by a standard, shown where roughness carries load.
+    beyond_limits : sequence of str, optional
+        Bodies that are hotter than their material bears (`Case.beyond_limits`).
     """
     at_worst = of_all(solutions)
     lines = [
+        *beyond_limits,
         at_worst.sentence,
         headline(solutions),
         less_accurate(solutions),

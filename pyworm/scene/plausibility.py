@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from pyworm.formulas.film import radii_at_angle
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.input_error import CaseError
+from pyworm.materials.body import Body
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -181,6 +183,32 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
             True,
             f"a film of {film * 1e9:.2g} nm is expected{where}; below 1 nm, a few molecules, oil is no fluid",
         )
+
+
+def beyond_limits(names: Iterable[str], bodies: Iterable[Body]) -> tuple[str, ...]:
+    """A sentence for each body that is hotter in bulk than its material bears in continuous use.
+
+    Parameters
+    ----------
+    names : iterable of str
+        What the bodies are called.
+    bodies : iterable of Body
+        The bodies.
+    """
+    pairs = zip(names, bodies, strict=True)
+    return tuple(
+        sentence for name, body in pairs if (sentence := _beyond_limit(name, body)) is not None
+    )
+
+
+def _beyond_limit(name: str, body: Body) -> str | None:
+    bulk, limit = body.bulk_temperature, body.temperature_limit
+    if bulk is None or limit is None or bulk <= limit:
+        return None
+    return (
+        f"The {name} has a bulk temperature of {bulk - ZERO_CELSIUS:.0f} °C, above the "
+        f"{limit - ZERO_CELSIUS:.0f} °C that its material bears in continuous use."
+    )
 
 
 _DISPROPORTION = "they make no contact, load, speed and viscosity do not fit each other"

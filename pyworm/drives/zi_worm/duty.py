@@ -41,6 +41,8 @@ def operating_point(drive: "ZiWormDrive", torque: float) -> WormDuty:
         driver=drive.driver,
         oil_temperature=None if drive.oil.heat is None else drive.oil.heat.inlet_temperature,
         simulated_wheel_temperature=wheel.bulk_temperature,
+        wheel_limit=wheel.temperature_limit,
+        wheel_modulus=None if wheel.temperature_limit is None else wheel.youngs_modulus,
     )
 
 

@@ -97,7 +97,7 @@ def _warnings(
     """What a reader must know before all else."""
     heating = heating_of(case, drive_cycle(result), standard)
     warnings: tuple[str, ...] = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
-    warnings += tuple(opening(result.solutions, standard.words))
+    warnings += tuple(opening(result.solutions, standard.words, case.beyond_limits))
     if heating is not None:
         warnings += (heating.words,)
     warnings += tuple(

@@ -9,7 +9,9 @@ from refusals import refusal
 from zi_drives import coarse_patterns, coarse_springs
 
 import pyworm
+from pyworm.case.new_worm import LIGHT, PHASES, loaded_phases
 from pyworm.cli.main import main
+from pyworm.ratings.rated_case import load_asked, ratings
 
 UNIT = {
     "--centre-distance": "100 mm",
@@ -23,6 +25,8 @@ UNIT = {
     "--wheel-material": "CuSn12Ni2-C-GZ",
     "--oil": "PAG VG 460",
     "--oil-temperature": "60 C",
+    "--life": "25000 h",
+    "--application-factor": "1.25",
 }
 
 
@@ -53,6 +57,38 @@ def test_options_make_a_case(tmp_path, capsys):
     assert case.drive.described()["hob_oversize_m"] == pytest.approx(1.6e-3)
     assert case.drive.speed == pytest.approx(157.0796, rel=1e-6)
     assert case.tables.operation.wheel_torque == 300
+
+
+def test_the_written_file_is_rated_for_its_life_with_all_five_safeties(tmp_path):
+    path = tmp_path / "unit.toml"
+    assert main(words(path, starts_per_hour="2")) == 0
+    asked = load_asked(path)
+    table = asked.worm_rating
+    assert (table.life, table.application_factor) == pytest.approx((25000 * 3600, 1.25))
+    assert table.starts_per_hour == 2
+    made = {of.symbol: of for of in ratings(asked)[0].safeties}
+    assert tuple(made) == ("S_W", "S_H", "S_delta", "S_F", "S_T")
+    assert all(of.value > 0 for of in made.values())
+    shorter = tmp_path / "shorter.toml"
+    main(words(shorter, life="2500 h"))
+    longer_lasting = {of.symbol: of for of in ratings(load_asked(shorter))[0].safeties}
+    # wear is proportional to the hours; without starts it is less
+    assert longer_lasting["S_W"].value > 10 * made["S_W"].value
+    assert longer_lasting["S_F"].value >= made["S_F"].value
+
+
+def test_phases_are_proposed_where_tooth_pairs_carry_load(tmp_path):
+    assert loaded_phases(lambda phase: 1.0) == PHASES
+    late = loaded_phases(lambda phase: 0.0 if phase < 0.4 else 1.0)
+    assert late == pytest.approx([0.46, 0.58, 0.7, 0.82, 0.94])
+    edges = loaded_phases(lambda phase: 1.0 if 0.2 <= phase <= 0.8 else 0.9 * LIGHT)
+    assert 0.2 < min(edges) and max(edges) < 0.8
+    path = tmp_path / "unit.toml"
+    main(words(path))
+    case = pyworm.load(path)
+    loads = [case.drive.normal_load(phase) for phase in case.tables.operation.phases]
+    assert len(loads) == 5 and min(loads) > LIGHT * max(loads)
+    assert case.warnings == ()
 
 
 def test_a_profile_may_be_asked_for(tmp_path, capsys):
@@ -101,6 +137,9 @@ def test_what_is_taken_as_usual_stands_there_as_a_comment_and_means_what_it_says
         ({"module": "4"}, 'drive.module = "4": must be a length with its unit'),
         ({"wheel_torque": "300 N"}, 'operation.wheel_torque = "300 N": must be a torque'),
         ({"oil": "PAG 460"}, 'oil.name = "PAG 460"'),
+        ({"life": "25000"}, 'worm_rating.life = "25000": must be a duration with its unit'),
+        ({"application_factor": "-1"}, "worm_rating.application_factor"),
+        ({"life": None}, "--life is missing (life that it is designed for"),
         ({"wheel_material": "bronze"}, 'bodies.wheel.material = "bronze": must be one of 16MnCr5'),
         ({"module": None}, '--module is missing (axial module, such as "4 mm")'),
     ],

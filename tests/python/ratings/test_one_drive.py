@@ -82,8 +82,11 @@ def test_a_material_without_strengths_is_said_line_by_line(material):
     made = values(rating)
     assert made["S_T"] and made["S_W"] is made["S_H"] is made["S_F"] is None
     assert any(of.startswith("S_H") and "worm-gear standard" in of for of in left)
-    # friction is known of the alloy, not of brass and steel
-    assert (made["S_delta"] is None) == (material != "CuSn12-GC")
+    # friction is known of the alloy; with brass and steel the shaft bends as with tin bronze, which is said
+    of_shaft = next(of for of in rating.safeties if of.symbol == "S_delta")
+    assert made["S_delta"] > 0
+    assert any("tin bronze" in of for of in of_shaft.doubts) == (material != "CuSn12-GC")
+    assert ("friction" in rating.summary()["standard"]) == (material == "CuSn12-GC")
 
 
 # ------------------------------------------------------------------- one oil, one sump, one balance
@@ -178,9 +181,21 @@ def test_temperatures_that_are_given_stay():
 
 
 def test_without_a_loss_by_the_standard_bodies_are_as_warm_as_the_oil_and_it_is_said():
-    brass = case(('"CuSn12Ni2-C-GZ"', '"CuZn25Al5Mn4Fe3"'))
-    assert [of.bulk_temperature for of in brass.drive.bodies] == pytest.approx([343.15] * 2)
-    assert any("as warm as the oil: CuZn25" in of for of in brass.drive.assumptions)
+    ester = case(('"PAG VG 220"', '"ester VG 320"'))
+    assert [of.bulk_temperature for of in ester.drive.bodies] == pytest.approx([343.15] * 2)
+    assert any("as warm as the oil: worm_rating.oil" in of for of in ester.drive.assumptions)
+
+
+def test_a_wheel_of_unknown_friction_is_warmed_by_that_of_tin_bronze_and_it_is_said():
+    bronze, brass = case(), case(('"CuSn12Ni2-C-GZ"', '"CuZn25Al5Mn4Fe3"'))
+    warmer = [of.drive.bodies[1].bulk_temperature - 343.15 for of in (bronze, brass)]
+    # the factor of friction of CuSn12Ni2 is 0.95, that of tin bronze 1
+    assert warmer[0] / warmer[1] == pytest.approx(0.95, rel=5e-3)
+    says = [
+        "friction of tin bronze, an estimate" in " ".join(of.drive.assumptions)
+        for of in (bronze, brass)
+    ]
+    assert says == [False, True]
 
 
 def test_an_oil_far_colder_than_the_standard_has_it_is_in_the_headline():

@@ -1,0 +1,120 @@
+"""Worm wheels of plastics: stiffness at their temperature, limits, and a rating line by line."""
+
+import tomllib
+from pathlib import Path
+
+import pytest
+from refusals import changed
+from zi_drives import coarse_patterns, coarse_springs
+
+from pyworm.case.case import case_again, case_of
+from pyworm.io.input_error import CaseError
+from pyworm.ratings.rated_case import asked_of, not_rated, ratings
+from pyworm.result.headline import opening
+from pyworm.scene.scales import scales
+
+DRIVE = (Path(__file__).parents[2] / "data" / "worm_rated.toml").read_text()
+BRONZE = 'material = "CuSn12Ni2-C-GZ"'
+LIGHT = ('wheel_torque = "300 N m"', 'wheel_torque = "60 N m"')
+
+
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch):
+    """Fewer places, phases and loads for patterns and load sharing."""
+    coarse_patterns(monkeypatch)
+    coarse_springs(monkeypatch)
+
+
+def case(wheel, *changes):
+    text = changed(DRIVE, (BRONZE, wheel), LIGHT, *changes)
+    return case_of(tomllib.loads(text), "plastic", Path())
+
+
+def hot(temperature):
+    return ('temperature = "70 degC"', f'temperature = "{temperature} degC"')
+
+
+def worm(case):
+    asked = asked_of(case)
+    made = ratings(asked)
+    return made[0], not_rated(asked, made)
+
+
+def test_a_plastic_wheel_is_as_stiff_as_at_its_own_temperature():
+    """Bulk temperatures are those of the balance, and the modulus that at these."""
+    cold, warm = (case('material = "POM"', hot(t)).drive for t in (40, 80))
+    for drive in (cold, warm):
+        wheel = drive.bodies[1]
+        assert wheel.bulk_temperature > drive.oil.heat.inlet_temperature
+        assert any("Young's modulus" in sentence for sentence in drive.all_assumptions)
+        assert any("friction of tin bronze, an estimate" in of for of in drive.all_assumptions)
+    assert warm.bodies[1].youngs_modulus < 0.65 * cold.bodies[1].youngs_modulus
+    pressures = [scales(drive.scene(0.5)).hertz.pressure_max for drive in (cold, warm)]
+    assert pressures[1] < pressures[0]
+
+
+def test_a_wheel_above_its_limit_is_in_the_headline():
+    """Of check, run, rate and report; and in a line of the rating."""
+    too_hot = case('material = "PA66"', hot(110))
+    (sentence,) = too_hot.beyond_limits
+    assert "wheel" in sentence and "above the 99 °C" in sentence
+    assert sentence in opening((), "", too_hot.beyond_limits)
+    assert asked_of(too_hot).beyond_limits == (sentence,)
+    rating, _ = worm(too_hot)
+    assert any(of.startswith("S_M = ") for of in rating.failed)
+    assert case('material = "PEEK"', hot(110)).beyond_limits == ()
+
+
+def test_a_plastic_wheel_is_rated_line_by_line():
+    rating, left = worm(case('material = "PEEK"', hot(90)))
+    made = {of.symbol: of for of in rating.safeties}
+    for symbol in ("S_W", "S_H", "S_F"):
+        assert made[symbol].value is None and "not covered" in made[symbol].why
+    for symbol in ("S_delta", "S_T", "S_M"):
+        assert made[symbol].value > 0
+    figures = rating.summary()["standard"]
+    assert {"mean_pressure_Pa", "bulk_temperature_C", "wheel_modulus_Pa"} <= figures.keys()
+    assert not {"film_m", "friction", "efficiency", "wear_depth_m"} & figures.keys()
+    assert made["S_M"].value == pytest.approx(250 / figures["bulk_temperature_C"])
+    assert any("ISO/TS 14521, DIN 3996" in of for of in left)
+
+
+def test_the_rated_material_gives_the_limit_of_constants_without_a_name():
+    constants = 'youngs_modulus = "3.6 GPa"\npoisson_ratio = 0.38\ndensity = "1400 kg/m^3"\n'
+    constants += 'conductivity = "0.3 W/(m K)"\nspecific_heat = "1500 J/(kg K)"'
+    named = ('life = "25000 h"', 'life = "25000 h"\nwheel_material = "PEEK"')
+    wheel = case(constants, named).drive.bodies[1]
+    assert wheel.temperature_limit == pytest.approx(523.15)
+    assert wheel.youngs_modulus == 3.6e9  # as given, whatever its temperature
+    with pytest.raises(CaseError, match="one wheel is of one material"):
+        case(constants.replace("3.6 GPa", "9 GPa"), named)
+
+
+def test_a_modulus_by_temperature_may_be_given_and_is_stored():
+    by_hand = 'poisson_ratio = 0.38\nmodulus_by_temperature = [["20 degC", "4 GPa"], ["120 degC", "2 GPa"]]'
+    given = case(f'material = "PEEK"\n{by_hand}'.replace("poisson_ratio = 0.38\n", ""))
+    again = case_again(given.resolved)
+    moduli = [of.drive.bodies[1].youngs_modulus for of in (given, again)]
+    assert moduli[0] == moduli[1] and 2e9 < moduli[0] < 4e9
+    # a modulus beside the name takes the place of the material's curve
+    assert case('material = "PEEK"\nyoungs_modulus = "3 GPa"').drive.bodies[1].youngs_modulus == 3e9
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        (
+            'youngs_modulus = "4 GPa"\nmodulus_by_temperature = [["20 degC", "4 GPa"]]',
+            "give either",
+        ),
+        ('modulus_by_temperature = [["20 degC", "1 GPa"], ["9 degC", "1 GPa"]]', "must rise"),
+        ('modulus_by_temperature = [["20 degC", "1 GPa"], ["90 degC", "2 GPa"]]', "must not rise"),
+        ('modulus_by_temperature = [["20 degC", "1 N"]]', "modulus of elasticity"),
+        ('modulus_by_temperature = "4 GPa"', "must be a list"),
+        ('temperature_limit = "90 K/s"', "must be a temperature"),
+    ],
+)
+def test_wrong_moduli_are_refused(line, says):
+    with pytest.raises(CaseError) as refused:
+        case(f'material = "PEEK"\n{line}')
+    assert says in str(refused.value) and "bodies.wheel" in str(refused.value)
