@@ -14,6 +14,7 @@ from pyworm.drives.roller_worm.motion import FREE_OF_FRICTION, Pin, Spinning
 from pyworm.drives.roller_worm.profile import Crown, RollerProfile, Shape
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.io import units
+from pyworm.io.present import present
 
 SectionName = Literal["right", "left"]
 
@@ -126,7 +127,9 @@ class RollerOperationTable(Table):
         """Torque of the worm [N m]; of the wheel's without friction, by rollers over threads."""
         if self.wheel_torque is not None:
             return self.wheel_torque / ratio
-        return self.worm_torque or self.power / self.worm_speed
+        if self.worm_torque is not None:
+            return self.worm_torque
+        return present(self.power, "operation.power") / self.worm_speed
 
 
 class RollerWormCase(RatedCase):

@@ -533,9 +533,10 @@ def _transmission(tables: WormDriveCase, worm_speed: float, ratio: float) -> Tra
     if operation.power is not None:
         shaft = operation.driver
         torque = operation.power / (worm_speed if shaft == "worm" else worm_speed * ratio)
+    elif operation.worm_torque is not None:
+        shaft, torque = "worm", operation.worm_torque
     else:
-        shaft = "wheel" if operation.worm_torque is None else "worm"
-        torque = operation.worm_torque or operation.wheel_torque
+        shaft, torque = "wheel", present(operation.wheel_torque, "operation.wheel_torque")
     return Transmission(
         torque=torque,
         shaft=shaft,

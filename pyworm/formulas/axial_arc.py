@@ -62,7 +62,7 @@ class AxialArc(ScrewGenerator):
         """Radii between which the flank is used [m]."""
         return self.lowest, self.highest
 
-    def curve(self, u: Array) -> tuple[Components, Components, Components]:
+    def curve(self, u: Array | float) -> tuple[Components, Components, Components]:
         """The arc and its derivatives by the radius."""
         below = self.top - np.asarray(u)
         height = np.sqrt(self.arc_radius**2 - below**2)

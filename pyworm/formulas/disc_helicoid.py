@@ -157,7 +157,7 @@ class DiscHelicoid(ScrewGenerator):
     def _half(self) -> float:
         return (self.end_radius - self.inner_radius) / 2
 
-    def curve(self, u: Array) -> tuple[Components, Components, Components]:
+    def curve(self, u: Array | float) -> tuple[Components, Components, Components]:
         """The axial profile over the radius, and its derivatives."""
         at = (u - self._middle) / self._half
         height, slope, bend = 0 * at, 0 * at, 0 * at

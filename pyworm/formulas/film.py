@@ -39,6 +39,13 @@ class Film:
         return float(self.central)
 
     @property
+    def minima(self) -> float | np.ndarray:
+        """Minimum films of one contact or of several [m], by a formula that gives them."""
+        if self.minimum is None:
+            raise ValueError("the formula gives no minimum film")
+        return self.minimum
+
+    @property
     def minimum_number(self) -> float:
         """Minimum film of one contact [m], by a formula that gives it."""
         if self.minimum is None:

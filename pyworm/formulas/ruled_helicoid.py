@@ -42,7 +42,7 @@ class RuledHelicoid(ScrewGenerator):
         """The half of the line that rises outwards [m]."""
         return 0.0, inf
 
-    def curve(self, u: Array) -> tuple[Components, Components, Components]:
+    def curve(self, u: Array | float) -> tuple[Components, Components, Components]:
         """The line and its derivatives."""
         return (self.offset, u, self.slope * u), (0.0, 1.0, self.slope), (0.0, 0.0, 0.0)
 

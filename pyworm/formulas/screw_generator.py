@@ -17,6 +17,9 @@ Array = np.ndarray
 Components = tuple[Array | float, Array | float, Array | float]
 """Components of vectors along x, y and z as separate arrays, cheaper at many places than one array."""
 
+Vector = Components | Array | list[Array]
+"""Vectors by their components, in whatever holds the three of them."""
+
 
 class ScrewGenerator(ABC):
     """A curve and the screw that moves it.
@@ -40,14 +43,14 @@ class ScrewGenerator(ABC):
         """Parameters u of the curve between which the flank exists [m]."""
 
     @abstractmethod
-    def curve(self, u: Array) -> tuple[Components, Components, Components]:
+    def curve(self, u: Array | float) -> tuple[Components, Components, Components]:
         """The curve [m] and its first [-] and second [1/m] derivatives by its parameter [m]."""
 
     @abstractmethod
     def at_radius(self, radius: Array | float) -> Array:
         """Parameter of the curve at a distance from the axis [m]."""
 
-    def axial_profile(self, radius: Array) -> Array:
+    def axial_profile(self, radius: Array | float) -> Array:
         """Height [m] of the section with a plane through the axis, over the radius [m]."""
         x, y, z = self.curve(self.at_radius(np.asarray(radius)))[0]
         return z - self.screw * np.arctan2(y, x)

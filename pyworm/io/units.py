@@ -4,14 +4,34 @@ Inside, every number is a plain float in SI: angles in radians, speeds of rotati
 in kelvin.
 """
 
-from typing import Annotated, Any, TypedDict
+from dataclasses import asdict, dataclass
+from typing import Annotated, TypedDict
 
-from pydantic import PlainValidator, ValidationInfo
+from pydantic import GetCoreSchemaHandler, PlainValidator, ValidationInfo
+from pydantic_core import CoreSchema
 
 from pyworm.io.quantity import SHARE, Kind, Range, Sign, parse
 
 SI = "SI"
 """Context of validation in which values are plain numbers in SI, as a checked case leaves them."""
+
+
+@dataclass(frozen=True)
+class Quantity(Kind):
+    """A kind of quantity as pydantic reads its values: texts with units, or SI numbers in a checked case."""
+
+    def read(self, value: object, info: ValidationInfo) -> float:
+        """The value in SI; ValueError of what is no such quantity."""
+        if info.context != SI:
+            return parse(value, self)  # which refuses what is no text
+        if not isinstance(value, float | int):
+            raise ValueError(f"must be {self.noun} as a number in SI")
+        return value
+
+    def __get_pydantic_core_schema__(
+        self, source: type, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        return PlainValidator(self.read).__get_pydantic_core_schema__(source, handler)
 
 
 def quantity(
@@ -21,20 +41,9 @@ def quantity(
     sign: Sign = "positive",
     possible: Range | None = None,
     usual: Range | None = None,
-) -> Any:
-    """Make the pydantic type of a dimensional key; arguments as of `Kind`."""
-    return _quantity(Kind(noun, unit, example, sign, possible, usual))
-
-
-def _quantity(kind: Kind) -> Any:
-    def read(value: object, info: ValidationInfo) -> float:
-        if info.context != SI:
-            return parse(value, kind)  # which refuses what is no text
-        if not isinstance(value, float | int):
-            raise ValueError(f"must be {kind.noun} as a number in SI")
-        return value
-
-    return Annotated[float, PlainValidator(read), kind]
+) -> Quantity:
+    """What a dimensional key measures, as metadata of its type; arguments as of `Kind`."""
+    return Quantity(noun, unit, example, sign, possible, usual)
 
 
 class _Sizes(TypedDict, total=False):
@@ -47,241 +56,339 @@ class _Sizes(TypedDict, total=False):
 # Of machines and their parts, from watches to mills.
 _BUILT: _Sizes = {"possible": ("10 um", "20 m"), "usual": ("0.1 mm", "5 m")}
 _SET: _Sizes = {"possible": ("1e-24 m", "20 m"), "usual": ("", "1 m")}
-Length = quantity("a length", "m", "305 mm", **_BUILT)
-LengthOrZero = quantity("a length", "m", "20 mm", sign="not negative", **_BUILT)
-Offset = quantity("a length", "m", "-0.5 mm", "any", **_SET)
-FaceWidth = quantity(
-    "a face width", "m", "60 mm", possible=("10 um", "5 m"), usual=("1 mm", "1.5 m")
-)
-Relief = quantity(
-    "a relief", "m", "20 um", "not negative", ("1 nm", "5 mm"), usual=("0.5 um", "0.3 mm")
-)
-Radius = quantity("a radius", "m", "10 mm", possible=("1 um", "100 km"), usual=("0.1 mm", "100 m"))
-Film = quantity("a film", "m", "1 um", possible=("0.1 nm", "10 mm"), usual=("1 nm", "1 mm"))
-FilmOrZero = quantity(
-    "a film", "m", "1 um", "not negative", ("0.1 nm", "10 mm"), usual=("1 nm", "1 mm")
-)
+Length = Annotated[float, quantity("a length", "m", "305 mm", **_BUILT)]
+LengthOrZero = Annotated[float, quantity("a length", "m", "20 mm", sign="not negative", **_BUILT)]
+Offset = Annotated[float, quantity("a length", "m", "-0.5 mm", "any", **_SET)]
+FaceWidth = Annotated[
+    float,
+    quantity("a face width", "m", "60 mm", possible=("10 um", "5 m"), usual=("1 mm", "1.5 m")),
+]
+Relief = Annotated[
+    float,
+    quantity(
+        "a relief", "m", "20 um", "not negative", ("1 nm", "5 mm"), usual=("0.5 um", "0.3 mm")
+    ),
+]
+Radius = Annotated[
+    float,
+    quantity("a radius", "m", "10 mm", possible=("1 um", "100 km"), usual=("0.1 mm", "100 m")),
+]
+Film = Annotated[
+    float, quantity("a film", "m", "1 um", possible=("0.1 nm", "10 mm"), usual=("1 nm", "1 mm"))
+]
+FilmOrZero = Annotated[
+    float,
+    quantity("a film", "m", "1 um", "not negative", ("0.1 nm", "10 mm"), usual=("1 nm", "1 mm")),
+]
 """Layer of oil, which may be missing at some places."""
 
-Separation = quantity(
-    "a separation", "m", "10 um", "not negative", ("0.1 nm", "10 mm"), usual=("10 nm", "1 mm")
-)
-Roughness = quantity(
-    "a root mean square height",
-    "m",
-    "0.4 um",
-    possible=("0.1 nm", "0.1 mm"),
-    usual=("1 nm", "5 um"),
-)
+Separation = Annotated[
+    float,
+    quantity(
+        "a separation", "m", "10 um", "not negative", ("0.1 nm", "10 mm"), usual=("10 nm", "1 mm")
+    ),
+]
+Roughness = Annotated[
+    float,
+    quantity(
+        "a root mean square height",
+        "m",
+        "0.4 um",
+        possible=("0.1 nm", "0.1 mm"),
+        usual=("1 nm", "5 um"),
+    ),
+]
 """Root mean square height Rq of a surface; 5 um is a hobbed or milled one."""
 
-Wave = quantity(
-    "a length along a surface",
-    "m",
-    "20 um",
-    possible=("1 nm", "100 mm"),
-    usual=("0.1 um", "10 mm"),
-)
+Wave = Annotated[
+    float,
+    quantity(
+        "a length along a surface",
+        "m",
+        "20 um",
+        possible=("1 nm", "100 mm"),
+        usual=("0.1 um", "10 mm"),
+    ),
+]
 """Length of a wave of roughness, distance of points, nesting index of a filter."""
 
 _TURN: _Sizes = {"possible": ("1e-24 deg", "360 deg")}
-Angle = quantity("an angle", "rad", "27.5 deg", **_TURN)
-AngleOrZero = quantity("an angle", "rad", "12 deg", sign="not negative", **_TURN)
-Tilt = quantity("an angle", "rad", "-0.4 deg", "any", **_TURN)
+Angle = Annotated[float, quantity("an angle", "rad", "27.5 deg", **_TURN)]
+AngleOrZero = Annotated[float, quantity("an angle", "rad", "12 deg", sign="not negative", **_TURN)]
+Tilt = Annotated[float, quantity("an angle", "rad", "-0.4 deg", "any", **_TURN)]
 
 _TWIST: _Sizes = {
     "possible": ("1e-9 N m", "1e9 N m"),
     "usual": ("1 N mm", "100 kN m"),
 }
-Torque = quantity("a torque", "N m", "30 N m", **_TWIST)
-TorqueOrZero = quantity("a torque", "N m", "30 N m", "not negative", **_TWIST)
-Stiffness = quantity(
-    "a stiffness",
-    "N/m",
-    "200 N/um",
-    possible=("1e-6 N/um", "1e9 N/um"),
-    usual=("0.1 N/um", "1e5 N/um"),
-)
-Force = quantity("a force", "N", "14 kN", possible=("1e-12 N", "1e12 N"), usual=("0.01 N", "10 MN"))
-ForcePerLength = quantity(
-    "a force per length",
-    "N/m",
-    "100 kN/m",
-    possible=("1e-3 N/m", "1e6 kN/m"),
-    usual=("10 N/m", "5000 kN/m"),
-)
+Torque = Annotated[float, quantity("a torque", "N m", "30 N m", **_TWIST)]
+TorqueOrZero = Annotated[float, quantity("a torque", "N m", "30 N m", "not negative", **_TWIST)]
+Stiffness = Annotated[
+    float,
+    quantity(
+        "a stiffness",
+        "N/m",
+        "200 N/um",
+        possible=("1e-6 N/um", "1e9 N/um"),
+        usual=("0.1 N/um", "1e5 N/um"),
+    ),
+]
+Force = Annotated[
+    float,
+    quantity("a force", "N", "14 kN", possible=("1e-12 N", "1e12 N"), usual=("0.01 N", "10 MN")),
+]
+ForcePerLength = Annotated[
+    float,
+    quantity(
+        "a force per length",
+        "N/m",
+        "100 kN/m",
+        possible=("1e-3 N/m", "1e6 kN/m"),
+        usual=("10 N/m", "5000 kN/m"),
+    ),
+]
 _DRIVEN: _Sizes = {"possible": ("1e-12 W", "1e12 W"), "usual": ("0.01 W", "100 MW")}
-Power = quantity("a power", "W", "250 kW", **_DRIVEN)
-PowerOrZero = quantity("a power", "W", "400 W", "not negative", **_DRIVEN)
+Power = Annotated[float, quantity("a power", "W", "250 kW", **_DRIVEN)]
+PowerOrZero = Annotated[float, quantity("a power", "W", "400 W", "not negative", **_DRIVEN)]
 
-Speed = quantity(
-    "a speed of rotation",
-    "rad/s",
-    "1500 rpm",
-    possible=("1e-9 rpm", "1e7 rpm"),
-    usual=("0.01 rpm", "1e5 rpm"),
-)
-Spin = quantity(
-    "a speed of rotation",
-    "rad/s",
-    "-20 rad/s",
-    "any",
-    ("1e-24 rad/s", "1e12 rad/s"),
-    ("", "1e4 rad/s"),
-)
-Velocity = quantity(
-    "a velocity", "m/s", "1.2 m/s", "any", ("1e-24 m/s", "3e8 m/s"), ("", "300 m/s")
-)
+Speed = Annotated[
+    float,
+    quantity(
+        "a speed of rotation",
+        "rad/s",
+        "1500 rpm",
+        possible=("1e-9 rpm", "1e7 rpm"),
+        usual=("0.01 rpm", "1e5 rpm"),
+    ),
+]
+Spin = Annotated[
+    float,
+    quantity(
+        "a speed of rotation",
+        "rad/s",
+        "-20 rad/s",
+        "any",
+        ("1e-24 rad/s", "1e12 rad/s"),
+        ("", "1e4 rad/s"),
+    ),
+]
+Velocity = Annotated[
+    float,
+    quantity("a velocity", "m/s", "1.2 m/s", "any", ("1e-24 m/s", "3e8 m/s"), ("", "300 m/s")),
+]
 
-OilFlow = quantity(
-    "a flow of oil",
-    "m^3/s",
-    "2 l/min",
-    possible=("1e-9 l/min", "1e6 l/min"),
-    usual=("0.01 l/min", "1000 l/min"),
-)
-Modulus = quantity(
-    "a modulus of elasticity",
-    "Pa",
-    "207 GPa",
-    possible=("0.1 MPa", "1500 GPa"),
-    usual=("0.5 GPa", "700 GPa"),
-)
+OilFlow = Annotated[
+    float,
+    quantity(
+        "a flow of oil",
+        "m^3/s",
+        "2 l/min",
+        possible=("1e-9 l/min", "1e6 l/min"),
+        usual=("0.01 l/min", "1000 l/min"),
+    ),
+]
+Modulus = Annotated[
+    float,
+    quantity(
+        "a modulus of elasticity",
+        "Pa",
+        "207 GPa",
+        possible=("0.1 MPa", "1500 GPa"),
+        usual=("0.5 GPa", "700 GPa"),
+    ),
+]
 """From rubber to diamond; as a rule from polymers to carbides."""
 
-Hardness = quantity(
-    "an indentation hardness",
-    "Pa",
-    "1.1 GPa",
-    possible=("1 MPa", "200 GPa"),
-    usual=("0.1 GPa", "20 GPa"),
-)
+Hardness = Annotated[
+    float,
+    quantity(
+        "an indentation hardness",
+        "Pa",
+        "1.1 GPa",
+        possible=("1 MPa", "200 GPa"),
+        usual=("0.1 GPa", "20 GPa"),
+    ),
+]
 """95 HB are 0.93 GPa: bronze about 1, hardened steel about 7."""
 
-Pressure = quantity(
-    "a pressure", "Pa", "196 MPa", possible=("1 Pa", "1000 GPa"), usual=("1 kPa", "10 GPa")
-)
-PressureCoordinate = quantity(
-    "a pressure", "Pa", "400 MPa", "not negative", ("1 Pa", "1000 GPa"), usual=("", "10 GPa")
-)
+Pressure = Annotated[
+    float,
+    quantity(
+        "a pressure", "Pa", "196 MPa", possible=("1 Pa", "1000 GPa"), usual=("1 kPa", "10 GPa")
+    ),
+]
+PressureCoordinate = Annotated[
+    float,
+    quantity(
+        "a pressure", "Pa", "400 MPa", "not negative", ("1 Pa", "1000 GPa"), usual=("", "10 GPa")
+    ),
+]
 """A pressure of a measurement, zero for ambient."""
 
 _SHEAR: _Sizes = {"possible": ("1 Pa", "1000 GPa"), "usual": ("0.01 MPa", "2 GPa")}
-Stress = quantity("a stress", "Pa", "3 MPa", **_SHEAR)
-StressOrZero = quantity("a stress", "Pa", "100 MPa", sign="not negative", **_SHEAR)
+Stress = Annotated[float, quantity("a stress", "Pa", "3 MPa", **_SHEAR)]
+StressOrZero = Annotated[
+    float, quantity("a stress", "Pa", "100 MPa", sign="not negative", **_SHEAR)
+]
 _ALPHA: _Sizes = {"possible": ("1e-6 1/GPa", "1000 1/GPa"), "usual": ("0.1 1/GPa", "60 1/GPa")}
-PressureViscosity = quantity("a pressure-viscosity coefficient", "1/Pa", "9.5 1/GPa", **_ALPHA)
-PressureViscosityOrZero = quantity(
-    "a pressure-viscosity coefficient", "1/Pa", "9.5 1/GPa", "not negative", **_ALPHA
-)
+PressureViscosity = Annotated[
+    float, quantity("a pressure-viscosity coefficient", "1/Pa", "9.5 1/GPa", **_ALPHA)
+]
+PressureViscosityOrZero = Annotated[
+    float,
+    quantity("a pressure-viscosity coefficient", "1/Pa", "9.5 1/GPa", "not negative", **_ALPHA),
+]
 _COMPRESSED: _Sizes = {"possible": ("1e-15 1/GPa", "1e6 1/GPa")}
-PressureCoefficient = quantity("a pressure coefficient", "1/Pa", "9.5 1/GPa", **_COMPRESSED)
-PressureCoefficientOrZero = quantity(
-    "a pressure coefficient", "1/Pa", "9.5 1/GPa", "not negative", **_COMPRESSED
-)
-PressureCoefficientAnySign = quantity(
-    "a pressure coefficient", "1/Pa", "3.3 1/GPa", "any", **_COMPRESSED
-)
-SquaredPressureCoefficient = quantity(
-    "a squared pressure coefficient",
-    "1/Pa^2",
-    "-2.3 1/GPa^2",
-    "any",
-    ("1e-12 1/GPa^2", "1e12 1/GPa^2"),
-)
+PressureCoefficient = Annotated[
+    float, quantity("a pressure coefficient", "1/Pa", "9.5 1/GPa", **_COMPRESSED)
+]
+PressureCoefficientOrZero = Annotated[
+    float, quantity("a pressure coefficient", "1/Pa", "9.5 1/GPa", "not negative", **_COMPRESSED)
+]
+PressureCoefficientAnySign = Annotated[
+    float, quantity("a pressure coefficient", "1/Pa", "3.3 1/GPa", "any", **_COMPRESSED)
+]
+SquaredPressureCoefficient = Annotated[
+    float,
+    quantity(
+        "a squared pressure coefficient",
+        "1/Pa^2",
+        "-2.3 1/GPa^2",
+        "any",
+        ("1e-12 1/GPa^2", "1e12 1/GPa^2"),
+    ),
+]
 
-Viscosity = quantity(
-    "a dynamic viscosity",
-    "Pa s",
-    "0.23 Pa s",
-    possible=("1e-6 Pa s", "1e6 Pa s"),
-    usual=("0.2 mPa s", "100 Pa s"),
-)
-KinematicViscosity = quantity(
-    "a kinematic viscosity",
-    "m^2/s",
-    "220 mm^2/s",
-    possible=("0.01 mm^2/s", "1e8 mm^2/s"),
-    usual=("0.5 mm^2/s", "1e4 mm^2/s"),
-)
-MassDensity = quantity(
-    "a density of a solid",
-    "kg/m^3",
-    "7850 kg/m^3",
-    possible=("100 kg/m^3", "25000 kg/m^3"),
-    usual=("800 kg/m^3", "20000 kg/m^3"),
-)
-OilDensity = quantity(
-    "a density of an oil",
-    "kg/m^3",
-    "870 kg/m^3",
-    possible=("100 kg/m^3", "5000 kg/m^3"),
-    usual=("600 kg/m^3", "2200 kg/m^3"),
-)
-Conductivity = quantity(
-    "a thermal conductivity",
-    "W/(m K)",
-    "47 W/(m K)",
-    possible=("1 mW/(m K)", "3000 W/(m K)"),
-    usual=("0.1 W/(m K)", "450 W/(m K)"),
-)
-OilConductivity = quantity(
-    "a thermal conductivity of an oil",
-    "W/(m K)",
-    "0.14 W/(m K)",
-    possible=("1 mW/(m K)", "100 W/(m K)"),
-    usual=("0.05 W/(m K)", "1 W/(m K)"),
-)
-SpecificHeat = quantity(
-    "a specific heat",
-    "J/(kg K)",
-    "477 J/(kg K)",
-    possible=("20 J/(kg K)", "20000 J/(kg K)"),
-    usual=("100 J/(kg K)", "5000 J/(kg K)"),
-)
+Viscosity = Annotated[
+    float,
+    quantity(
+        "a dynamic viscosity",
+        "Pa s",
+        "0.23 Pa s",
+        possible=("1e-6 Pa s", "1e6 Pa s"),
+        usual=("0.2 mPa s", "100 Pa s"),
+    ),
+]
+KinematicViscosity = Annotated[
+    float,
+    quantity(
+        "a kinematic viscosity",
+        "m^2/s",
+        "220 mm^2/s",
+        possible=("0.01 mm^2/s", "1e8 mm^2/s"),
+        usual=("0.5 mm^2/s", "1e4 mm^2/s"),
+    ),
+]
+MassDensity = Annotated[
+    float,
+    quantity(
+        "a density of a solid",
+        "kg/m^3",
+        "7850 kg/m^3",
+        possible=("100 kg/m^3", "25000 kg/m^3"),
+        usual=("800 kg/m^3", "20000 kg/m^3"),
+    ),
+]
+OilDensity = Annotated[
+    float,
+    quantity(
+        "a density of an oil",
+        "kg/m^3",
+        "870 kg/m^3",
+        possible=("100 kg/m^3", "5000 kg/m^3"),
+        usual=("600 kg/m^3", "2200 kg/m^3"),
+    ),
+]
+Conductivity = Annotated[
+    float,
+    quantity(
+        "a thermal conductivity",
+        "W/(m K)",
+        "47 W/(m K)",
+        possible=("1 mW/(m K)", "3000 W/(m K)"),
+        usual=("0.1 W/(m K)", "450 W/(m K)"),
+    ),
+]
+OilConductivity = Annotated[
+    float,
+    quantity(
+        "a thermal conductivity of an oil",
+        "W/(m K)",
+        "0.14 W/(m K)",
+        possible=("1 mW/(m K)", "100 W/(m K)"),
+        usual=("0.05 W/(m K)", "1 W/(m K)"),
+    ),
+]
+SpecificHeat = Annotated[
+    float,
+    quantity(
+        "a specific heat",
+        "J/(kg K)",
+        "477 J/(kg K)",
+        possible=("20 J/(kg K)", "20000 J/(kg K)"),
+        usual=("100 J/(kg K)", "5000 J/(kg K)"),
+    ),
+]
 
-Temperature = quantity(
-    "a temperature",
-    "K",
-    "60 degC",
-    possible=("-110 degC", "400 degC"),
-    usual=("-40 degC", "160 degC"),
-)
+Temperature = Annotated[
+    float,
+    quantity(
+        "a temperature",
+        "K",
+        "60 degC",
+        possible=("-110 degC", "400 degC"),
+        usual=("-40 degC", "160 degC"),
+    ),
+]
 """From the glass of thin oils to where the hottest ones decompose; as a rule where oils flow and last."""
 
-ScuffingTemperature = quantity(
-    "a scuffing temperature",
-    "K",
-    "250 degC",
-    possible=("0 degC", "1500 degC"),
-    usual=("80 degC", "700 degC"),
-)
+ScuffingTemperature = Annotated[
+    float,
+    quantity(
+        "a scuffing temperature",
+        "K",
+        "250 degC",
+        possible=("0 degC", "1500 degC"),
+        usual=("80 degC", "700 degC"),
+    ),
+]
 _APART: _Sizes = {"possible": ("1e-12 K", "1000 K"), "usual": ("0.01 K", "150 K")}
-TemperatureDifference = quantity(
-    "a temperature difference", "delta_degC", "15 K", "not negative", **_APART
-)
+TemperatureDifference = Annotated[
+    float, quantity("a temperature difference", "delta_degC", "15 K", "not negative", **_APART)
+]
 """15 degrees are 15 kelvin, however they are written."""
-TemperatureRise = quantity("a temperature difference", "delta_degC", "15 K", "any", **_APART)
+TemperatureRise = Annotated[
+    float, quantity("a temperature difference", "delta_degC", "15 K", "any", **_APART)
+]
 """A temperature above or below another one."""
-ThermalConductance = quantity(
-    "a thermal conductance",
-    "W/K",
-    "40 W/K",
-    possible=("1e-6 W/K", "1e9 W/K"),
-    usual=("0.1 W/K", "1e4 W/K"),
-)
+ThermalConductance = Annotated[
+    float,
+    quantity(
+        "a thermal conductance",
+        "W/K",
+        "40 W/K",
+        possible=("1e-6 W/K", "1e9 W/K"),
+        usual=("0.1 W/K", "1e4 W/K"),
+    ),
+]
 _BETA: _Sizes = {"possible": ("1e-12 1/K", "10 1/K")}
-TemperatureCoefficient = quantity("a temperature coefficient", "1/K", "0.05 1/K", **_BETA)
-TemperatureCoefficientOrZero = quantity(
-    "a temperature coefficient", "1/K", "7.1e-4 1/K", "not negative", **_BETA
-)
-TemperatureCoefficientAnySign = quantity(
-    "a temperature coefficient", "1/K", "3.4e-4 1/K", "any", **_BETA
-)
-Duration = quantity(
-    "a duration", "s", "25000 h", possible=("1e-6 s", "1e7 h"), usual=("1 h", "3e5 h")
-)
-Instant = quantity(
-    "a time", "s", "2 ms", "not negative", possible=("1e-12 s", "1 h"), usual=("1 us", "10 s")
-)
-Share = _quantity(SHARE)
+TemperatureCoefficient = Annotated[
+    float, quantity("a temperature coefficient", "1/K", "0.05 1/K", **_BETA)
+]
+TemperatureCoefficientOrZero = Annotated[
+    float, quantity("a temperature coefficient", "1/K", "7.1e-4 1/K", "not negative", **_BETA)
+]
+TemperatureCoefficientAnySign = Annotated[
+    float, quantity("a temperature coefficient", "1/K", "3.4e-4 1/K", "any", **_BETA)
+]
+Duration = Annotated[
+    float,
+    quantity("a duration", "s", "25000 h", possible=("1e-6 s", "1e7 h"), usual=("1 h", "3e5 h")),
+]
+Instant = Annotated[
+    float,
+    quantity(
+        "a time", "s", "2 ms", "not negative", possible=("1e-12 s", "1 h"), usual=("1 us", "10 s")
+    ),
+]
+Share = Annotated[float, Quantity(**asdict(SHARE))]

@@ -100,7 +100,7 @@ def base_stock(name: str) -> BaseStock:
 
 # -------------------------------------------------------------------------------------------- files
 
-_AgmaFactor: Any = units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")
+_AgmaFactor = Annotated[float, units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")]
 _Fraction = Annotated[float, Field(strict=True, gt=0, lt=1)]
 Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
 

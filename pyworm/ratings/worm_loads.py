@@ -59,6 +59,7 @@ def rated_loads(table: CompletedRating, duty: WormDuty, directory: Path) -> tupl
         There is no oil of this name.
     """
     oil = standard_oil(table, directory)
+    steps: list[tuple[float, float, float | Unknown]]
     if table.spectrum:
         steps = [(of.wheel_torque, of.worm_speed, of.duration / HOUR) for of in table.spectrum]
     else:

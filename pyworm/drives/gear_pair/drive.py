@@ -33,6 +33,7 @@ from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.shape import Space
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.present import present
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.index import Place
@@ -295,7 +296,10 @@ class GearPairDrive(Drive):
 
     def in_space(self, places: Sequence[Place]) -> Space:
         """Some teeth of both gears."""
-        return in_space(self.teeth, [float(self.contacts(of.phase).pinion_length) for of in places])
+        return in_space(
+            self.teeth,
+            [float(self.contacts(present(of.phase, "phase")).pinion_length) for of in places],
+        )
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss by the loss factor and the mean friction; None for fewer than two phases."""

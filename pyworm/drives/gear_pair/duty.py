@@ -3,8 +3,7 @@
 from typing import TYPE_CHECKING
 
 from pyworm.drives.duty import GearPairDuty, LineOfAction
-from pyworm.formulas.scuffing import effusivity
-from pyworm.materials.body import Body
+from pyworm.drives.gear_pair.film_formulas import contact_coefficient, mean_bulk_temperature
 
 if TYPE_CHECKING:
     from pyworm.drives.gear_pair.drive import GearPairDrive
@@ -15,7 +14,9 @@ def gear_pair_duty(drive: "GearPairDrive") -> GearPairDuty:
     contacts = drive.contacts(drive.cycle_phases())
     rated, surfaces = drive.rating(contacts), drive.surfaces
     pinion, gear = drive.bodies
-    rough, cold = (pinion.roughness, gear.roughness), drive.oil.heat is None
+    cold, rough = drive.oil.heat is None, None
+    if pinion.roughness is not None and gear.roughness is not None:
+        rough = pinion.roughness, gear.roughness
     return GearPairDuty(
         centre_distance=drive.teeth.centre_distance,
         power=drive.power,
@@ -34,13 +35,9 @@ def gear_pair_duty(drive: "GearPairDrive") -> GearPairDuty:
             flash_temperature=rated.flash_temperature,
             contact_temperature=rated.contact_temperature,
         ),
-        bulk_temperature=None if cold else (pinion.bulk_temperature + gear.bulk_temperature) / 2,
-        effusivities=None if cold else (_effusivity(pinion), _effusivity(gear)),
-        roughness=None if None in rough else rough,
+        bulk_temperature=None if cold else mean_bulk_temperature(drive.bodies),
+        effusivities=None if cold else (contact_coefficient(pinion), contact_coefficient(gear)),
+        roughness=rough,
         friction=None if surfaces is None else surfaces.friction_coefficient,
         scuffing_temperature=None if surfaces is None else surfaces.scuffing_temperature,
     )
-
-
-def _effusivity(body: Body) -> float:
-    return float(effusivity(body.conductivity, body.density, body.specific_heat))

@@ -12,6 +12,7 @@ import numpy as np
 from pyworm.formulas.film import dowson_higginson, dowson_toyoda, line_groups
 from pyworm.formulas.scuffing import effusivity, flash_temperature
 from pyworm.formulas.wear_distress import specific_film
+from pyworm.io.present import present
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil
 
@@ -66,6 +67,23 @@ class GearRating:
     scuffing_temperature: float | None = None
 
 
+def contact_coefficient(body: Body) -> float:
+    """Thermal contact coefficient of a body with heat [N/(m s^0.5 K)]."""
+    return float(
+        effusivity(
+            present(body.conductivity, "conductivity"),
+            present(body.density, "density"),
+            present(body.specific_heat, "specific_heat"),
+        )
+    )
+
+
+def mean_bulk_temperature(bodies: tuple[Body, Body]) -> float:
+    """Mean bulk temperature of two bodies with heat [K]."""
+    pinion, gear = (present(body.bulk_temperature, "bulk_temperature") for body in bodies)
+    return (pinion + gear) / 2
+
+
 def rate(
     contacts: Any, bodies: tuple[Body, Body], oil: Oil, surfaces: Surfaces | None
 ) -> GearRating:
@@ -92,7 +110,7 @@ def rate(
         oil.viscosity.eta0,
         oil.viscosity.alpha,
     )
-    least = dowson_higginson(groups).minimum
+    least = dowson_higginson(groups).minima
     rating = {
         "hertz_pressure": 2 * contacts.unit_load / (np.pi * half_width),
         "hertz_half_width": half_width,
@@ -106,9 +124,7 @@ def rate(
         return GearRating(**rating)
     rating["scuffing_temperature"] = surfaces.scuffing_temperature
     if oil.heat is not None:
-        effusivity_1, effusivity_2 = (
-            effusivity(body.conductivity, body.density, body.specific_heat) for body in bodies
-        )
+        effusivity_1, effusivity_2 = map(contact_coefficient, bodies)
         flash = flash_temperature(
             surfaces.friction_coefficient,
             contacts.unit_load,
@@ -118,6 +134,6 @@ def rate(
             effusivity_2,
             half_width,
         )
-        bulk = sum(body.bulk_temperature for body in bodies) / 2
+        bulk = mean_bulk_temperature(bodies)
         rating |= {"flash_temperature": flash, "contact_temperature": bulk + flash}
     return GearRating(**rating)

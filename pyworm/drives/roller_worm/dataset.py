@@ -108,7 +108,8 @@ _BY_REGIME = {
 def _contact_lines(drive: "RollerWormDrive") -> dict[str, tuple]:
     """Variables of a roller's contact line over both sections."""
     states = [
-        [drive.state(name, float(phase), STATIONS) for phase in PHASES] for name in drive.sections
+        [drive.state(name, float(phase), STATIONS.tolist()) for phase in PHASES]
+        for name in drive.sections
     ]
     tables: tuple[tuple[dict[str, Callable[[Any], Any]], tuple[str, ...]], ...] = (
         (_OF_A_LINE, ("section", "phase")),
@@ -184,7 +185,7 @@ def _sensitivity(drive: "RollerWormDrive") -> dict[str, tuple]:
             for place, section in enumerate(drive.sections):
                 for end, phase in enumerate((0.0, 1.0)):
                     films[number, step, place, end] = np.min(
-                        other.state(section, phase, STATIONS).films.minimum
+                        other.state(section, phase, STATIONS.tolist()).films.minimum
                     )
     values = np.array([[value for _, value in row] for row in varied])
     return {

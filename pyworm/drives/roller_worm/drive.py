@@ -20,7 +20,7 @@ from pyworm.drives.remembered import remembered
 from pyworm.drives.roller_worm.checks import check_drive
 from pyworm.drives.roller_worm.dataset import roller_cycle_data
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
-from pyworm.drives.roller_worm.envelope import Array, LineContact, RollerEnvelope
+from pyworm.drives.roller_worm.envelope import Array, Flank, LineContact, RollerEnvelope
 from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films
 from pyworm.drives.roller_worm.gap import ContactFrame, RollerGap, RollerMotion
 from pyworm.drives.roller_worm.load_sharing import Compliance, SharedLoad, share, slices
@@ -155,7 +155,7 @@ class RollerWormDrive(Drive):
         worm, rollers = self.worm, self.rollers
         middles = self.centre_distance - self.throat_radius
 
-        def section(name: str, flank: str, first: float, last: float) -> WormSection:
+        def section(name: str, flank: Flank, first: float, last: float) -> WormSection:
             envelope = RollerEnvelope(
                 profile=rollers.profile,
                 ratio=self.ratio,
@@ -313,7 +313,7 @@ class RollerWormDrive(Drive):
             part.envelope.worm_turn * self.wheel_speed,
             wheel + float(motion.roller_speed[0]) * axis,
         )
-        motions = tuple(
+        of_worm, of_roller = (
             RollerMotion(frame, u * frame.x_axis + v * frame.y_axis, turn)
             for (u, v), turn in zip((motion.worm[:, 0], motion.roller[:, 0]), turns, strict=True)
         )
@@ -324,7 +324,7 @@ class RollerWormDrive(Drive):
             name=f"{section}, phase {phase:.3g}",
             gap=RollerGap(frame),
             radii=(1 / float(contact.curvature), along),
-            motions=motions,
+            motions=(of_worm, of_roller),
             load=state.force,
             bodies=self.bodies,
             oil=self.oil_supplied,

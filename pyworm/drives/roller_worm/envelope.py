@@ -191,7 +191,7 @@ class RollerEnvelope:
         root = np.where(first_is_front == (self.flank == "idle"), *roots)
         return np.arctan2(np.sin(root), np.cos(root))
 
-    def point(self, place: Array, wheel_angle: Array) -> Array:
+    def point(self, place: Array | float, wheel_angle: Array | float) -> Array:
         """Points of the contact lines [m] in the drive frame, (3, ...)."""
         s, phi = np.broadcast_arrays(np.asarray(place, float), np.asarray(wheel_angle, float))
         going, side, axis, middle = self.axes(phi)

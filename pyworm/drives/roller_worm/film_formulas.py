@@ -13,6 +13,7 @@ from pyworm.formulas.regimes import REGIMES, line_measures, regime_number
 from pyworm.formulas.roller_enveloping import printed_films, printed_minimum, printed_parameters
 from pyworm.formulas.thermal_reduction import thermal_loading, wilson_sheu
 from pyworm.formulas.wear_distress import specific_film
+from pyworm.io.present import present
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil
 
@@ -77,21 +78,21 @@ def closed_films(
     number = regime_number(*line_measures(groups, reciprocal_alpha(viscosity, viscosity.alpha)))
     limits = line_films(g_v, g_e)
     unit = groups.radius * groups.speed / groups.load
-    minimum = dowson_higginson(groups).minimum
+    minimum = np.asarray(dowson_higginson(groups).minima)
     printed = printed_films(*contact, viscosity.alpha)
     printed_g_v, printed_g_e = printed_parameters(*contact, viscosity.alpha)
     heated = _heated_share(oil, motion)
     warm = np.where(np.isfinite(heated), heated, 1.0)
     return ClosedFilms(
-        g_v=g_v,
-        g_e=g_e,
-        printed_g_v=printed_g_v,
-        printed_g_e=printed_g_e,
+        g_v=np.asarray(g_v),
+        g_e=np.asarray(g_e),
+        printed_g_v=np.asarray(printed_g_v),
+        printed_g_e=np.asarray(printed_g_e),
         regime=np.where(np.isnan(load), np.nan, number),
         by_regime=np.stack([unit * limits[name] for name in REGIMES]),
         minimum=minimum,
-        central=moes_line(groups).central,
-        printed_minimum=printed_minimum(*contact, viscosity.alpha),
+        central=np.asarray(present(moes_line(groups).central, "central")),
+        printed_minimum=np.asarray(printed_minimum(*contact, viscosity.alpha)),
         printed=np.stack(
             [
                 printed.rigid_isoviscous,

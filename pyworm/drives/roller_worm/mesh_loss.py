@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
+from pyworm.io.present import present
 
 if TYPE_CHECKING:
     from pyworm.drives.roller_worm.drive import RollerWormDrive
@@ -55,7 +56,7 @@ def _of_a_roller(drive: "RollerWormDrive", contacts: Sequence[ContactLoss]) -> f
     """Power that a roller loses at a phase [W], from its whole contact or from stations of its line."""
     if contacts[0].station is None:
         return contacts[0].power
-    line = drive.state(contacts[0].section, contacts[0].phase, [0.5])
+    line = drive.state(present(contacts[0].section, "section"), contacts[0].phase, [0.5])
     along = sorted((one.station, one.power) for one in contacts)
     return line.length * _mean(*zip(*along, strict=True))
 

@@ -24,6 +24,7 @@ from pyworm.drives.roller_worm.envelope import (
     dot,
 )
 from pyworm.formulas.film import line_groups, moes_line
+from pyworm.io.present import present
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
@@ -75,7 +76,7 @@ class LineMotion:
 
 
 def line_motion(
-    envelope: RollerEnvelope, contact: LineContact, wheel_speed: float, roller_speed: Array
+    envelope: RollerEnvelope, contact: LineContact, wheel_speed: float, roller_speed: Array | float
 ) -> LineMotion:
     """Compute the motion at contacts.
 
@@ -266,14 +267,14 @@ def roller_speed(
     contact = LineContact(**{name: part[..., pressed] for name, part in vars(contact).items()})
     lengths, loads, rolling = lengths[pressed], loads[pressed], rolling[pressed]
     width, pressure, viscosity = traction.slices(loads, contact.curvature)
-    drag = pin.moment(np.sum(loads * lengths))
+    drag, flow = pin.moment(np.sum(loads * lengths)), present(traction.oil.flow, "oil.shear")
 
     def moment(speed: float) -> float:
         """Moment of the film on the roller [N m]."""
         motion = line_motion(envelope, contact, wheel_speed, speed)
         slide, total = motion.round_worm - motion.round_roller, np.hypot(*motion.sliding)
         film = traction.film(loads, contact.curvature, motion.entrainment)
-        stress = flow_stress(traction.oil.flow, viscosity, pressure, total / film)
+        stress = flow_stress(flow, viscosity, pressure, total / film)
         along = np.divide(slide, total, out=np.zeros_like(slide), where=total > 0)
         return float(np.sum(stress * along * width * contact.radius * lengths))
 

@@ -68,9 +68,9 @@ class WormSection:
         first, last = (self._along(self.middle, angle) for angle in (self.first, self.last))
         return float(first), float(last)
 
-    def wheel_angle(self, phase: Array) -> Array:
+    def wheel_angle(self, phase: Array | float) -> Array:
         """Wheel angle of a roller at a phase of the section [rad]."""
-        return self.first + phase * (self.last - self.first)
+        return np.asarray(self.first + phase * (self.last - self.first))
 
     def phase(self, wheel_angle: Array) -> Array:
         """Phase of a roller at a wheel angle [rad]."""
@@ -149,7 +149,7 @@ class WormSection:
                 "is then shorter than the rollers, a larger angle is needed"
             )
 
-    def _along(self, place: Array, wheel_angle: Array) -> Array:
+    def _along(self, place: Array | float, wheel_angle: Array | float) -> Array:
         """Place along the worm's axis of contacts [m]."""
         return self.envelope.point(place, wheel_angle)[0]
 

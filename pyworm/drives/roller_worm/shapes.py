@@ -8,6 +8,7 @@ import numpy as np
 
 from pyworm.drives.roller_worm.section import WormSection
 from pyworm.drives.shape import Shape, Space
+from pyworm.io.present import present
 from pyworm.scene.index import Place
 
 if TYPE_CHECKING:
@@ -40,10 +41,9 @@ def in_space(drive: "RollerWormDrive", places: Sequence[Place]) -> Space:
     places : sequence of Place
         Sections and phases for the turns.
     """
-    sections = [drive.sections[of.section] for of in places]
-    angles = [
-        float(section.wheel_angle(of.phase)) for section, of in zip(sections, places, strict=True)
-    ]
+    sections = [drive.sections[present(of.section, "section")] for of in places]
+    phases = [present(of.phase, "phase") for of in places]
+    angles = [float(of.wheel_angle(phase)) for of, phase in zip(sections, phases, strict=True)]
     flanks = (_flank(drive, of, np.array(angles)) for of in drive.sections.values())
     return Space(
         shapes=(*flanks, _rollers(drive, np.array(angles))),

@@ -10,6 +10,7 @@ from math import atan2, degrees, isfinite, pi
 from typing import TYPE_CHECKING
 
 from pyworm.drives.zi_worm.size_checks import check_sizes
+from pyworm.io.present import present
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.design import Hob, Worm
@@ -118,17 +119,19 @@ def _check_table(gears: "ZiWormGears") -> None:
 
 def _check_base(name: str, screw: "Worm | Hob") -> None:
     """Refuse a base lead angle of an involute helicoid that its lead and its base radius do not make."""
-    angle = atan2(screw.lead, 2 * pi * screw.base_radius)
-    if abs(angle - screw.base_lead_angle) > TABLE_ROUNDING:
-        halved = atan2(screw.lead, pi * screw.base_radius)
-        if abs(halved - screw.base_lead_angle) <= TABLE_ROUNDING:
+    radius = present(screw.base_radius, f"{name}.base_radius")
+    given = present(screw.base_lead_angle, f"{name}.base_lead_angle")
+    angle = atan2(screw.lead, 2 * pi * radius)
+    if abs(angle - given) > TABLE_ROUNDING:
+        halved = atan2(screw.lead, pi * radius)
+        if abs(halved - given) <= TABLE_ROUNDING:
             raise ValueError(
-                f"{name}.base_radius is {screw.base_radius * 1e3:.2f} mm: with half of it {name}.lead "
+                f"{name}.base_radius is {radius * 1e3:.2f} mm: with half of it {name}.lead "
                 f"gives {name}.base_lead_angle, {degrees(halved):.2f} deg; is it a diameter? a radius is "
                 "wanted"
             )
         raise ValueError(
-            f"{name}.base_lead_angle is {degrees(screw.base_lead_angle):.2f} deg, but {name}.lead and "
+            f"{name}.base_lead_angle is {degrees(given):.2f} deg, but {name}.lead and "
             f"{name}.base_radius give {degrees(angle):.2f} deg (tan = lead / 2 pi base_radius)"
         )
 

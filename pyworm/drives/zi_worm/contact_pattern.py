@@ -9,7 +9,7 @@ thickness is pressed off, or marked, where the separation is less (as shops judg
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -170,12 +170,15 @@ def contact_pattern(gears: "ZiWormGears", grid: FlankGrid) -> ContactPattern:
     return grid.pattern(least)
 
 
-PatternOf = Callable[["ZiWormGears", FlankGrid], ContactPattern]
+GearsT = TypeVar("GearsT", bound="ZiWormGears")
+"""Gears, or their drive."""
+
+PatternOf = Callable[[GearsT, FlankGrid], ContactPattern]
 """Gears and places of their wheel -> the pattern of the flank that the worm drives."""
 
 
 def both_flanks(
-    gears: "ZiWormGears", pattern_of: PatternOf, like: "ZiWormGears | None" = None
+    gears: GearsT, pattern_of: PatternOf[GearsT], like: GearsT | None = None
 ) -> tuple[ContactPattern, ContactPattern]:
     """The patterns of the flank that the worm drives and of the wheel's other one.
 

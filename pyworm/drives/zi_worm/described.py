@@ -11,7 +11,6 @@ from pyworm.drives.zi_worm.play import play
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
 from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
-from pyworm.io.present import present
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive
@@ -92,10 +91,10 @@ def _worm(drive: "ZiWormDrive") -> Described:
         "worm_thickness_m": worm_thickness(drive, radius),
         "worm_tip_thickness_m": worm_thickness(drive, worm.tip_radius),
     }
-    if worm.generator is None:
+    if worm.base_radius is not None:
         about |= {
             "base_lead_angle_deg": degrees(_lead_angle(worm.lead, worm.base_radius)),
-            "base_radius_m": present(worm.base_radius, "base_radius"),
+            "base_radius_m": worm.base_radius,
             "worm_base_diameter_m": 2 * worm.base_radius,
         }
     return about
@@ -145,7 +144,7 @@ def _hob(drive: "ZiWormDrive") -> Described:
         "normal_base_pitch_m": worm,
         "hob_base_pitch_difference_m": cut - worm,
     }
-    if hob.generator is None:
+    if hob.base_radius is not None and hob.base_lead_angle is not None:
         about |= {
             "hob_base_diameter_m": 2 * hob.base_radius,
             "hob_base_lead_angle_deg": degrees(hob.base_lead_angle),
@@ -155,7 +154,7 @@ def _hob(drive: "ZiWormDrive") -> Described:
 
 def _mesh(drive: "ZiWormDrive") -> Described:
     path = [drive.cycle.contact(phase) for phase in (0.0, 0.5, 1.0)]
-    faces, radii = np.transpose([drive.flank_place(of, 0.0, 0.0) for of in path])
+    faces, radii = np.transpose([drive.flank_place(of, np.zeros(()), np.zeros(())) for of in path])
     lead_angle = _lead_angle(drive.worm.lead, drive.reference_radius)
     return {
         "mesh_begins_at": drive.cycle.begin_boundary,

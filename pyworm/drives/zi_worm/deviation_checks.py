@@ -3,11 +3,10 @@
 Each refusal begins with the key that is wrong.
 """
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-
-from pyworm.drives.zi_worm.helicoid import Array
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.gears import ZiWormGears
@@ -33,9 +32,9 @@ def check_deviations(gears: "ZiWormGears") -> None:
     ValueError
         If some are such.
     """
-    for name, part in gears.deviating.items():
-        spread = part.deviations.spread
-        if part.deviations.worn:
+    for name, deviations in gears.deviating.items():
+        spread = deviations.spread
+        if deviations.worn:
             if spread > LARGEST_WORN * gears.module:
                 raise ValueError(f"{name} is worn by {_mm(spread)}, more than 0.3 of the module")
         elif spread > LARGEST * gears.module:
@@ -78,7 +77,7 @@ def _check_worm(gears: "ZiWormGears") -> None:
     _check_radii("worm", worm.deviations.radius, worm.tip_radius, gears.module)
 
 
-def _check_radii(name: str, radius: Array, tip: float, module: float) -> None:
+def _check_radii(name: str, radius: Sequence[float], tip: float, module: float) -> None:
     """Refuse radii that do not reach from the middle of the flank to its tip."""
     low = tip - module
     if radius[0] > low or radius[-1] < tip:

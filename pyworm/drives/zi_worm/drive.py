@@ -49,6 +49,7 @@ from pyworm.drives.zi_worm.wanted_pattern import set_up
 from pyworm.drives.zi_worm.worm_shaft import BentShaft, WormShaft, bent_shaft
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
+from pyworm.io.present import present
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.index import Place
@@ -171,8 +172,8 @@ class ZiWormDrive(ZiWormGears, Drive):
             "wheel": "driven flank of each tooth of the wheel; its other flank is as the hob cuts it",
         }
         return tuple(
-            f"The file's deviations differ by {part.deviations.spread * 1e6:.3g} µm over the {where[name]}."
-            for name, part in self.deviating.items()
+            f"The file's deviations differ by {deviations.spread * 1e6:.3g} µm over the {where[name]}."
+            for name, deviations in self.deviating.items()
         )
 
     @cached_property
@@ -193,8 +194,9 @@ class ZiWormDrive(ZiWormGears, Drive):
     def turned_parts(self) -> dict[str, Any]:
         """What half a turn about X changes, by its names."""
         parts = super().turned_parts()
-        offset = self.shaft is not None and self.shaft.bearing_offset
-        return parts | {"shaft": self.shaft.turned} if offset else parts
+        if self.shaft is None or not self.shaft.bearing_offset:
+            return parts
+        return parts | {"shaft": self.shaft.turned}
 
     @cached_property
     def driven_pattern(self) -> ContactPattern:
@@ -343,9 +345,10 @@ class ZiWormDrive(ZiWormGears, Drive):
     @cached_property
     def springs(self) -> ToothSprings:
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
-        whole = self.load.torque / float(self.arms(np.array([0.5])).of(self.load.shaft, 0.0)[0])
+        shared = self.transmission
+        whole = shared.torque / float(self.arms(np.array([0.5])).of(shared.shaft, 0.0)[0])
         modulus = reduced_modulus(*self.bodies)
-        return mesh_springs(MeshedTeeth.of(self), modulus, whole, self.load.stiffness)
+        return mesh_springs(MeshedTeeth.of(self), modulus, whole, shared.stiffness)
 
     def scene(self, phase: float) -> Scene:
         """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
@@ -454,7 +457,7 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
         """The same phases with each error of the assembly, one at a time."""
-        return worm_misalignment(self, contacts)
+        return worm_misalignment(self, [of for of in contacts if isinstance(of, Scene)])
 
     def duty(self) -> WormDuty:
         """The drive as input of ratings by standards of worm gears."""
@@ -462,10 +465,12 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def in_space(self, places: Sequence[Place]) -> Space:
         """The thread that drives and the flank of the wheel that it drives."""
-        return in_space(self, [of.phase for of in places])
+        return in_space(self, [present(of.phase, "phase") for of in places])
 
     def scene_data(self, scene: Scene | LineScene) -> PlainDataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
-        contact = self.contact(scene.phase)
+        if not isinstance(scene, Scene):
+            raise TypeError("the contacts of a worm drive are point contacts")
+        contact = self.contact(present(scene.phase, "phase"))
         places = partial(self.flank_place, contact), partial(self.thread_place, contact)
         return tooth_data(self.tooth_outline(contact), scene.gap, *places)

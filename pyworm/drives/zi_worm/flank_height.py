@@ -108,19 +108,23 @@ class FlankHeight:
         ]
         return height, np.array(slopes), np.array(bend)
 
+    @property
+    def _start(self) -> list[Array]:
+        return [np.asarray(of) for of in self.start]
+
     @cached_property
     def curvatures(self) -> Array:
         """Second derivatives of the height at the contact point, (2, 2) [1/m]."""
-        return self.expansion(list(self.start), 0.0, 0.0)[2]
+        return self.expansion(self._start, np.zeros(()), np.zeros(()))[2]
 
     @cached_property
     def _contact_determinant(self) -> float:
-        return float(self.surface.newton(list(self.start), self.origin, self.axes)[2])
+        return float(self.surface.newton(self._start, self.origin, self.axes)[2])
 
     @cached_property
     def _guess(self) -> Array:
         """Coefficients of the powers of x and y in q near the contact point, (q, 6)."""
-        start = list(self.start)
+        start = self._start
         rates = np.array(
             [self.surface.rates(start, self.origin, self.axes, axis) for axis in self.axes[:2]]
         )

@@ -13,6 +13,7 @@ from pyworm.drives.zi_worm.flank_surface import FlankSurface, dot
 from pyworm.drives.zi_worm.helicoid import Array, Components
 from pyworm.drives.zi_worm.swept_helicoid import SweptHelicoid
 from pyworm.drives.zi_worm.swept_wheel import Cut, SweptWheel
+from pyworm.formulas.screw_generator import Vector
 
 
 def within(bounds: tuple[float, float], u: Array) -> Array:
@@ -35,9 +36,7 @@ class WormPoints(FlankSurface):
     worm: SweptHelicoid
     angle: float
 
-    def newton(
-        self, q: list[Array], line: Components, axes: Array
-    ) -> tuple[Array, list[Array], Array]:
+    def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """Height where the step leads, step and the determinant of the ways in the tangent plane."""
         u, turn = q
         on = self.worm.expanded(u, turn, self.angle)
@@ -54,7 +53,7 @@ class WormPoints(FlankSurface):
         return on.normal, [on.normal_by_u, on.normal_by_turn]
 
     def rates(
-        self, q: list[Array], line: Components, axes: Array, direction: Components
+        self, q: list[Array], line: Vector, axes: Array, direction: Components
     ) -> list[Array]:
         """Change of q along a direction of the tangent plane."""
         u, turn = q
@@ -82,9 +81,7 @@ class WheelPoints(FlankSurface):
     flank: SweptWheel
     angle: float
 
-    def newton(
-        self, q: list[Array], line: Components, axes: Array
-    ) -> tuple[Array, list[Array], Array]:
+    def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """Height where the step leads, step and the determinant of the three equations."""
         cut, (ex, ey, ez) = self._cut(q, axes)
         rows = [[dot(way, axis) for way in cut.ways] for axis in (ex, ey)]
@@ -108,7 +105,7 @@ class WheelPoints(FlankSurface):
         return turned(cut.normal), [turned(swing) for swing in cut.swings]
 
     def rates(
-        self, q: list[Array], line: Components, axes: Array, direction: Components
+        self, q: list[Array], line: Vector, axes: Array, direction: Components
     ) -> list[Array]:
         """Change of q along a direction of the tangent plane."""
         cut, (ex, ey, _) = self._cut(q, axes)

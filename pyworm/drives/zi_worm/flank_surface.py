@@ -5,14 +5,15 @@ from abc import ABC, abstractmethod
 import numpy as np
 
 from pyworm.drives.zi_worm.helicoid import Array, Components
+from pyworm.formulas.screw_generator import Vector
 
 
-def dot(one: Components, other: Components) -> Array:
+def dot(one: Vector, other: Vector) -> Array:
     """Scalar product of components."""
     return np.asarray(one[0] * other[0] + one[1] * other[1] + one[2] * other[2])
 
 
-def along(point: Components, way: Array | float, direction: Components) -> Components:
+def along(point: Vector, way: Array | float, direction: Vector) -> Components:
     """Points some way along a direction."""
     x, y, z = (at + way * part for at, part in zip(point, direction, strict=True))
     return x, y, z
@@ -26,9 +27,7 @@ class FlankSurface(ABC):
     """
 
     @abstractmethod
-    def newton(
-        self, q: list[Array], line: Components, axes: Array
-    ) -> tuple[Array, list[Array], Array]:
+    def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """One step of Newton's method to the place of the flank on a line.
 
         Returns
@@ -44,7 +43,7 @@ class FlankSurface(ABC):
 
     @abstractmethod
     def rates(
-        self, q: list[Array], line: Components, axes: Array, direction: Components
+        self, q: list[Array], line: Vector, axes: Array, direction: Components
     ) -> list[Array]:
         """Change of q along a direction of the tangent plane, at the flank's place on a line."""
 

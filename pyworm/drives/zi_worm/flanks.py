@@ -8,6 +8,7 @@ from pyworm.drives.zi_worm.line_of_action import lines_of_action
 from pyworm.drives.zi_worm.meshing import WheelFlank
 from pyworm.drives.zi_worm.swept_helicoid import SweptHelicoid
 from pyworm.drives.zi_worm.swept_wheel import SweptWheel
+from pyworm.io.present import present
 
 WormSurface = Helicoid | SweptHelicoid
 
@@ -30,14 +31,14 @@ def worm_of(screw: Worm | Hob, size: float, seat: Seat) -> WormSurface:
         Its place.
     """
     if screw.generator is None:
-        return Helicoid(screw.base_radius, screw.lead, *seat)
+        return Helicoid(present(screw.base_radius, "base_radius"), screw.lead, *seat)
     return SweptHelicoid(screw.generator, size, *seat)
 
 
 def wheel_of(hob: Hob, size: float, ratio: float) -> WheelSurface:
     """The flank that a hob cuts, with threads / teeth as the ratio."""
     cutter = worm_of(hob, size, (hob.centre_distance, hob.swivel, hob.axial_shift))
-    return WheelFlank(cutter, ratio) if hob.generator is None else SweptWheel(cutter, ratio)
+    return WheelFlank(cutter, ratio) if isinstance(cutter, Helicoid) else SweptWheel(cutter, ratio)
 
 
 def contact_paths(
@@ -54,6 +55,8 @@ def contact_paths(
     reference_radii : tuple of float
         Reference radii of worm and hob [m].
     """
-    if isinstance(worm, Helicoid):
+    if isinstance(worm, Helicoid) and isinstance(flank, WheelFlank):
         return lines_of_action(worm, flank)
-    return (ContactCurve(worm, flank, threads, reference_radii),)
+    if isinstance(worm, SweptHelicoid) and isinstance(flank, SweptWheel):
+        return (ContactCurve(worm, flank, threads, reference_radii),)
+    raise TypeError("worm and hob have flanks of one profile")

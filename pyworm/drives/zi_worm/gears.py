@@ -20,6 +20,7 @@ from pyworm.drives.zi_worm.contact_pattern import (
 )
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
 from pyworm.drives.zi_worm.deviation_checks import check_deviations
+from pyworm.drives.zi_worm.deviations import FlankDeviations
 from pyworm.drives.zi_worm.edge_contact import EdgeContact
 from pyworm.drives.zi_worm.fillets import (
     check_fillets,
@@ -157,10 +158,10 @@ class ZiWormGears:
         )
 
     @property
-    def deviating(self) -> dict[str, Worm | Wheel]:
-        """Worm and wheel as far as deviations of their flanks are known, by their names."""
-        parts: dict[str, Worm | Wheel] = {"worm": self.worm, "wheel": self.wheel}
-        return {name: part for name, part in parts.items() if part.deviations is not None}
+    def deviating(self) -> dict[str, FlankDeviations]:
+        """Deviations of the flanks of worm and wheel, as far as they are known, by their names."""
+        parts = {"worm": self.worm.deviations, "wheel": self.wheel.deviations}
+        return {name: part for name, part in parts.items() if part is not None}
 
     @property
     def module(self) -> float:
@@ -230,16 +231,17 @@ class ZiWormGears:
         """Boundaries of the wheel's tooth."""
         wheel = self.wheel
         size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
-        shape = wheel.tip_relief, wheel.groove_radius, wheel.deviations
         hob = self.wheel_flank.hob
         reach = self.hob.tip_radius, hob_form_radius(self.wheel, self.hob, hob)
-        return WheelTooth(hob, *size, *reach, *shape)
+        return WheelTooth(
+            hob, *size, *reach, wheel.tip_relief, wheel.groove_radius, wheel.deviations
+        )
 
     @cached_property
     def cycle(self) -> MeshCycle:
         """The mesh cycle of one tooth pair."""
         try:
-            return self._cycle_of(self.worm_tooth)
+            return self._cycle_of(self.worm_flank, self.worm_tooth)
         except ValueError:
             if self.aligned:
                 raise
@@ -271,13 +273,12 @@ class ZiWormGears:
         """The mesh cycle of one tooth pair without errors of the assembly."""
         if self.aligned:
             return self.cycle
-        return self._cycle_of(self._thread_of(self._worm_with(AS_DESIGNED)))
+        designed = self._worm_with(AS_DESIGNED)
+        return self._cycle_of(designed, self._thread_of(designed))
 
-    def _cycle_of(self, thread: WormTooth) -> MeshCycle:
-        """The mesh cycle of one tooth pair with a thread of the worm."""
-        paths = contact_paths(
-            thread.worm, self.wheel_flank, self.worm.threads, self.reference_radii
-        )
+    def _cycle_of(self, worm: WormSurface, thread: WormTooth) -> MeshCycle:
+        """The mesh cycle of one tooth pair with a thread of the worm, whose flank is given too."""
+        paths = contact_paths(worm, self.wheel_flank, self.worm.threads, self.reference_radii)
         return find_mesh_cycle(paths, self.ratio, thread, self.wheel_tooth)
 
     @property
@@ -381,8 +382,8 @@ class ZiWormGears:
             for name, part in parts
             if part.axial_shift
         }
-        for name, part in self.deviating.items():
-            changes[name] = replace(part, deviations=None)
+        for name in self.deviating:
+            changes[name] = replace(getattr(self, name), deviations=None)
         return changes
 
     @cached_property
@@ -399,15 +400,19 @@ class ZiWormGears:
             raise ValueError(
                 f"assembly: with {self.errors_in_words} worm and wheel do not reach each other"
             )
-        on_wheel = contact.wheel_height.solve(touch.x, touch.y)[0]
-        point = surface_points(contact, np.asarray(touch.x), np.asarray(touch.y), on_wheel)
+        at = np.asarray(touch.x), np.asarray(touch.y)
+        point = surface_points(contact, *at, contact.wheel_height.solve(*at)[0])
         margins = {**self.worm_tooth.margins(point), **self.wheel_tooth.margins(point)}
         return EdgeContact(
             phase=phase,
             face=float(point[1]),
             radius=float(wheel_radius(point)),
             boundary=min(margins, key=lambda name: float(margins[name])),
-            depth=0.0 if isinstance(self.cycle.path, SeenPath) else self.interference.depth,
+            depth=(
+                0.0
+                if isinstance(self.cycle.path, SeenPath) or self.interference is None
+                else self.interference.depth
+            ),
             mounted=self.mounted,
         )
 

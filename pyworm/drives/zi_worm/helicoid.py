@@ -144,7 +144,7 @@ class Helicoid(Seated):
         """Normal pressure angle at a radius [rad]."""
         return normal_pressure_angle(self.lead, self.base_radius, radius)
 
-    def planes(self, theta: Array) -> tuple[Plane, Plane, Plane]:
+    def planes(self, theta: Array | float) -> tuple[Plane, Plane, Plane]:
         """The tangent plane of a generator at rotation angle 0 and its first two derivatives by theta.
 
         Turning the screw by psi takes base_travel psi off the support.
@@ -174,7 +174,7 @@ class Helicoid(Seated):
         normal, slope, bend = (np.stack(normal) for _, normal in self.planes(theta))
         return normal, slope, bend
 
-    def supports(self, theta: Array) -> tuple[Array, Array, Array]:
+    def supports(self, theta: Array | float) -> tuple[Array, Array, Array]:
         """Distance of the tangent plane from the wheel's centre [m] and its theta derivatives.
 
         At rotation angle psi of the screw the plane is normal . x = support - base_travel psi.

@@ -28,9 +28,11 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
     ValueError
         None of those tried leaves a wheel that the worm meshes with.
     """
-    refusal, depth = None, None
+    refusal: ValueError | None = None
+    depth: float | None = None
     for fraction in FRACTIONS:
-        tried = replace(of, hob_swivel=fraction * of.normal_swivel)
+        swivel = fraction * of.normal_swivel
+        tried = replace(of, hob_swivel=swivel)
         try:
             found = drawn_gears(tried).interference
         except ValueError as error:
@@ -40,7 +42,7 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
             at = "the difference of the lead angles of worm and hob"
             part = "" if fraction == 1.0 else f"{fraction:g} of "
             why = "" if fraction == 1.0 else ", with all of which the worm would cut into the wheel"
-            return tried, f"hob.swivel = {degrees(tried.hob_swivel):.4g} deg, {part}{at}{why}"
+            return tried, f"hob.swivel = {degrees(swivel):.4g} deg, {part}{at}{why}"
         depth = found.depth if depth is None else min(depth, found.depth)
     if depth is None:
         if of.profile in CONCAVE_PROFILES and of.profile_shift < LEAST_CONCAVE_SHIFT:
@@ -49,7 +51,7 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
                 f'or do not touch; profile "{of.profile}" has 0.5 to 1 as a rule, so that the pitch line is '
                 "near the worm's tip; another centre_distance or number of teeth gives it"
             )
-        raise refusal
+        raise refusal or ValueError("hob.swivel is not given, and none fits")
     last, first = (degrees(fraction * of.normal_swivel) for fraction in (FRACTIONS[-1], 1.0))
     raise ValueError(
         f"hob.swivel is not given, and none from {last:.4g} to {first:.4g} deg fits: the worm would cut "

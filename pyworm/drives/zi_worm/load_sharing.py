@@ -149,6 +149,8 @@ def share(
         shares = on_teeth * transmission.torque / np.sum(arms * on_teeth)
         return SharedLoad(phases, shares, 0.0)
 
+    if springs is None:
+        raise ValueError("elastic sharing needs the compliance of the pairs")
     pairs = [springs.at(phase) for phase in phases]
 
     lifts = transmission.lift(phases)

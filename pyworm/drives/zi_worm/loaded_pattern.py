@@ -52,6 +52,8 @@ def _nearer(drive: "ZiWormDrive", contact: ToothContact, shared: SharedLoad, at:
         whole, face = float(shared.forces.sum()), drive.wheel.face_width
         middle = drive.touching_place(contact)
         placed = placed_gap(drive.gap(contact), radii, whole, modulus, face, CELLS, middle)
+        if placed is None:  # no tooth there to carry it
+            return np.full(at.x.shape, -np.inf)
         dry = placed.pressed(load, modulus, placed.covered.astype(float))
         return dry.approach - deflection(placed, dry.pressure, modulus, at.x, at.y)
     if shared.turn == 0:

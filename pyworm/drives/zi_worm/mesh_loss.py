@@ -17,7 +17,7 @@ def worm_mesh_loss(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> Mes
     """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""
     if isinstance(drive.load, Transmission):
         return _of_shared_torque(drive, contacts)
-    return _of_given_load(drive, contacts)
+    return _of_given_load(drive, drive.load, contacts)
 
 
 def _of_shared_torque(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
@@ -35,11 +35,11 @@ def _of_shared_torque(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> 
     )
 
 
-def _of_given_load(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss:
-    """Loss where the load of a tooth is given, times the mean number of teeth in contact."""
+def _of_given_load(drive: "ZiWormDrive", load: float, contacts: Sequence[ContactLoss]) -> MeshLoss:
+    """Loss where the load of a tooth is given [N], times the mean number of teeth in contact."""
     teeth = drive.mean_teeth_in_contact
     loss = float(np.mean([one.power for one in contacts])) * teeth
-    output = drive.load * drive.load_arm * teeth * drive.speed * drive.ratio
+    output = load * drive.load_arm * teeth * drive.speed * drive.ratio
     return MeshLoss(
         power=output + loss,
         loss=loss,

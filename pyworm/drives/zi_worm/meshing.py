@@ -20,7 +20,7 @@ from pyworm.drives.zi_worm.helicoid import Array, Helicoid
 WHEEL_AXIS = np.array([0.0, 1.0, 0.0])
 
 
-def turned(vector: Array, angle: Array) -> Array:
+def turned(vector: Array, angle: Array | float) -> Array:
     """Vectors (3, ...) turned by an angle [rad] about the wheel's axis Y.
 
     The wheel itself turns the other way about Y: positive wheel angles are turns by minus the angle.
@@ -75,11 +75,11 @@ class WheelFlank:
         right = np.moveaxis(right, 0, -1)
         return np.moveaxis(np.linalg.solve(rows, right[..., None])[..., 0], -1, 0)
 
-    def point(self, theta: Array, roll: Array, wheel_angle: float = 0.0) -> Array:
+    def point(self, theta: Array, roll: Array, *, wheel_angle: float = 0.0) -> Array:
         """Point of the wheel flank at a wheel angle, in the drive frame, (3, ...) [m]."""
         return turned(self.cut_point(theta, roll), np.asarray(roll) - wheel_angle)
 
-    def normal(self, theta: Array, roll: Array, wheel_angle: float = 0.0) -> Array:
+    def normal(self, theta: Array, roll: Array, *, wheel_angle: float = 0.0) -> Array:
         """Unit normal of the wheel flank, out of the wheel, in the drive frame, (3, ...)."""
         return turned(self.hob.normals(theta)[0], np.asarray(roll) - wheel_angle)
 

@@ -8,6 +8,7 @@ import numpy as np
 from pyworm.drives.misalignment import DryContact, Misalignment, MountingError
 from pyworm.drives.zi_worm.dry_contact import dry_contact_of
 from pyworm.drives.zi_worm.play import check_play
+from pyworm.io.present import present
 from pyworm.scene.point import Scene
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def worm_misalignment(drive: "ZiWormDrive", contacts: Sequence[Scene]) -> Misali
 
 
 def _dry(drive: "ZiWormDrive", contacts: Sequence[Scene]) -> tuple[DryContact, ...]:
-    return tuple(dry_contact_of(drive, of.load, of.phase) for of in contacts)
+    return tuple(dry_contact_of(drive, of.load, present(of.phase, "phase")) for of in contacts)
 
 
 def _mounted(
@@ -55,7 +56,7 @@ def _mounted(
         other = drive.varied(entry, by)
         check_play(other)
         dry = _dry(other, contacts)
-        moved = tuple(other.scene_under(of.load, of.phase) for of in contacts)
+        moved = tuple(other.scene_under(of.load, present(of.phase, "phase")) for of in contacts)
     except ValueError:
         return MountingError(label, (), "the teeth jam, or no longer reach each other")
     note = _movement(drive, other, moved[0].load)

@@ -29,12 +29,12 @@ def check_play(gears: "ZiWormGears") -> None:
     ValueError
         The sentence begins with the table at fault.
     """
-    left = play(gears)
-    if left is None or left >= 0 or gears.aligned:
+    left, backlash = play(gears), gears.wheel.backlash
+    if left is None or backlash is None or left >= 0 or gears.aligned:
         return
     raise ValueError(
         f"assembly: with {gears.errors_in_words} the teeth jam: of the backlash of "
-        f"{gears.wheel.backlash * 1e3:.3g} mm, {-left * 1e3:.3g} mm are missing; smaller errors or a larger "
+        f"{backlash * 1e3:.3g} mm, {-left * 1e3:.3g} mm are missing; smaller errors or a larger "
         "backlash are needed"
     )
 

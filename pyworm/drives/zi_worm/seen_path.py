@@ -48,8 +48,9 @@ class SeenPath(ContactPath):
 
     def worm_surface(self, angle: float) -> FlankSurface:
         """The worm's flank as assembled."""
-        kind = WormPlanes if isinstance(self.worm, Helicoid) else WormPoints
-        return kind(self.worm, angle)
+        if isinstance(self.worm, Helicoid):
+            return WormPlanes(self.worm, angle)
+        return WormPoints(self.worm, angle)
 
     def wheel_surface(self, angle: float) -> FlankSurface:
         """The wheel's flank."""

@@ -90,7 +90,7 @@ def mid_mesh_contact(drive: "ZiWormDrive", load: float) -> dict[str, float]:
     film = nan
     if not dry.at_edge:
         # of errors of these contacts, whose spin is beyond the atlas, the change of this film tells more
-        film = float(nijenbanning_venner_moes(scales(drive.scene_under(load, 0.5)).groups).central)
+        film = nijenbanning_venner_moes(scales(drive.scene_under(load, 0.5)).groups).central_number
     return {
         "contact_face": float(face[0]),
         "contact_radius_on_wheel": float(radius[0]),

@@ -52,7 +52,7 @@ def on_mesh(
     values = find(x[nodes].ravel(), y[nodes].ravel()).reshape(-1, *x[nodes].shape)
     smooth = values[-1] == 1
     values = np.where(smooth, values, 0.0)
-    coarse = [side[at] for side, at in zip(sides, chosen, strict=True)]
+    coarse = sides[0][chosen[0]], sides[1][chosen[1]]
     every_second = [np.append(np.arange(0, one.size - 1, 2), one.size - 1) for one in coarse]
     seen = _interpolated(values[0][np.ix_(*every_second)], coarse, every_second)
     sound = smooth & (np.abs(seen - values[0]) <= FALL * tolerance)

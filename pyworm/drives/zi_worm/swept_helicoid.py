@@ -89,7 +89,7 @@ class SweptHelicoid(Seated):
         turn = -float(np.arctan2(y, x))
         return u / self.size, turn, turn + float(z) / self.screw
 
-    def expanded(self, u: Array, turn: Array, angle: Array) -> Expansion:
+    def expanded(self, u: Array, turn: Array, angle: Array | float) -> Expansion:
         """Points, normals and derivatives.
 
         Parameters
@@ -104,6 +104,7 @@ class SweptHelicoid(Seated):
         swept = -y, x, self.screw
         normal = crossed(along, swept)
         bent, turned = crossed(bend, swept), crossed(along, (-along[1], along[0], 0.0))
+        swung = bent[0] + turned[0], bent[1] + turned[1], bent[2] + turned[2]
         cosine, sine = np.cos(turn), np.sin(turn)
         upright, tilt = cos(self.swivel), sin(self.swivel)
 
@@ -123,6 +124,6 @@ class SweptHelicoid(Seated):
             by_u=seated(along, self.size),
             by_turn=seated(swept),
             normal=seated(normal),
-            normal_by_u=seated(tuple(a + b for a, b in zip(bent, turned, strict=True)), self.size),
+            normal_by_u=seated(swung, self.size),
             normal_by_turn=seated((-normal[1], normal[0], 0.0)),
         )

@@ -91,11 +91,11 @@ class SweptWheel:
         """Points at which the hob cuts, in the drive frame, (3, ...) [m]."""
         return np.stack(np.broadcast_arrays(*self.cut(u, turn, roll).point))
 
-    def point(self, u: Array, turn: Array, roll: Array, wheel_angle: float = 0.0) -> Array:
+    def point(self, u: Array, turn: Array, roll: Array, *, wheel_angle: float = 0.0) -> Array:
         """Points of the wheel flank at a wheel angle, in the drive frame, (3, ...) [m]."""
         return turned(self.cut_point(u, turn, roll), np.asarray(roll) - wheel_angle)
 
-    def normal(self, u: Array, turn: Array, roll: Array, wheel_angle: float = 0.0) -> Array:
+    def normal(self, u: Array, turn: Array, roll: Array, *, wheel_angle: float = 0.0) -> Array:
         """Unit normals of the wheel flank, out of the wheel, in the drive frame, (3, ...)."""
         normal = np.stack(np.broadcast_arrays(*self.cut(u, turn, roll).normal))
         normal = normal / np.sqrt(np.sum(normal**2, axis=0))
@@ -112,5 +112,5 @@ class SweptWheel:
         size = self.hob.size
         rows = np.broadcast_arrays(radius, y, cut.miss / size)
         slopes = [np.broadcast_arrays(*row, radius)[:-1] for row in (radial, axial)]
-        slopes.append([slope / size for slope in np.broadcast_arrays(*cut.slopes)])
+        slopes.append(tuple(slope / size for slope in np.broadcast_arrays(*cut.slopes)))
         return np.stack(rows), np.stack([np.stack(row) for row in slopes])

@@ -26,6 +26,7 @@ import numpy as np
 from pyworm.drives.zi_worm.flank_surface import FlankSurface, along, dot
 from pyworm.drives.zi_worm.helicoid import Array, Components, Helicoid, Plane
 from pyworm.drives.zi_worm.meshing import WheelFlank
+from pyworm.formulas.screw_generator import Vector
 
 Family = tuple[Plane, list[Plane], list[Plane]]
 """A plane with its derivatives by the parameters, and its second ones: 11, or 11, 12 and 22."""
@@ -38,9 +39,7 @@ class PlaneFamily(FlankSurface):
     def at(self, q: Sequence[Array]) -> Family:
         """The planes of parameters q."""
 
-    def newton(
-        self, q: list[Array], line: Components, axes: Array
-    ) -> tuple[Array, list[Array], Array]:
+    def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """Height where the step leads, step and det T_ij."""
         height, slope, matrix = self._crossing(q, line, axes[2])
         step = _solved(matrix, slope)
@@ -53,14 +52,14 @@ class PlaneFamily(FlankSurface):
         return normal, [swing for _, swing in first]
 
     def rates(
-        self, q: list[Array], line: Components, axes: Array, direction: Components
+        self, q: list[Array], line: Vector, axes: Array, direction: Components
     ) -> list[Array]:
         """Change of q along a direction of the tangent plane."""
         matrix = self._crossing(q, line, axes[2])[2]
         return [-rate for rate in _solved(matrix, self.tilt(q, direction, axes[2])[1])]
 
     def _crossing(
-        self, q: list[Array], line: Components, ez: Array
+        self, q: list[Array], line: Vector, ez: Array
     ) -> tuple[Array, list[Array], list[Array]]:
         """T, T_i and T_ij of planes where they cross lines along the common normal [m]."""
         (support, normal), first, second = self.at(q)

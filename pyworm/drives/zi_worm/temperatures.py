@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 from pyworm.drives.besides_teeth import BesidesTeeth
 from pyworm.formulas.worm_standard import bulk_temperature
+from pyworm.io.present import present
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
@@ -57,7 +58,7 @@ class DriveTemperatures:
 
     def oil(self, oil: Oil) -> Oil:
         """An oil at the temperature of the sump."""
-        return oil.warmed(self.sump - oil.heat.inlet_temperature)
+        return oil.warmed(self.sump - present(oil.heat, "oil.heat").inlet_temperature)
 
     def bodies(self, bodies: tuple[Body, Body]) -> tuple[Body, Body]:
         """Worm and wheel with their bulk temperatures."""

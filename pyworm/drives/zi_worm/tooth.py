@@ -155,12 +155,12 @@ class WheelTooth:
             return self.throat_radius + self.groove_radius
         return self.hob.centre_distance
 
-    def tip(self, along: Array) -> Array:
+    def tip(self, along: Array | float) -> Array:
         """Outer radius of the tooth [m] at distances along the wheel's axis [m]."""
         profile = np.sqrt(np.maximum(self._groove**2 - along**2, 0.0))
         return np.minimum(self.tip_radius, self._groove_centre - profile)
 
-    def root(self, along: Array) -> Array:
+    def root(self, along: Array | float) -> Array:
         """Radius [m] where the flank meets the hobbed root at distances along the wheel's axis [m]."""
         shifted = along - self.hob.axial_shift
         profile = np.sqrt(np.maximum(self.hob_tip_radius**2 - shifted**2, 0.0))

@@ -109,7 +109,9 @@ class ToothSpring:
     def load(self, approach: float) -> float:
         """Normal load [N] at an approach [m]."""
         pressed = approach - self.separation
-        return float(np.exp(self.curve(np.log(pressed)))) if pressed > 0 else 0.0
+        if self.curve is None or not pressed > 0:
+            return 0.0
+        return float(np.exp(self.curve(np.log(pressed))))
 
 
 Place = tuple[float, float]

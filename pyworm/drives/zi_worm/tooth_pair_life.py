@@ -22,6 +22,7 @@ from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.load_sharing import Transmission
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND
+from pyworm.io.present import present
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 
@@ -75,6 +76,10 @@ class _Pair:
         """Part that is past when the pair comes to that load; None where it does so much earlier or later."""
         return self._where(self._excess, -BEYOND, LATE)
 
+    @property
+    def _first(self) -> float:
+        return present(self.met, "the place where the flanks meet")
+
     @cached_property
     def parted(self) -> float:
         """The same when it goes from that load, not before the end of the mesh cycle."""
@@ -84,18 +89,18 @@ class _Pair:
     def begin(self) -> float:
         """The same where the flanks are `APART`."""
         first = self.drive.springs.phases[0 if self._turned(0.0) == 0 else -1]
-        film = scales(self.drive.scene_of(self._contact(self.met), self.touch)).film
+        film = scales(self.drive.scene_of(self._contact(self._first), self.touch)).film
 
         def nearer(past: float) -> float:
             phase = self._turned(past)
             return self.drive.springs.at(phase).separation + self._separation(phase) - APART * film
 
         earliest = self._turned(float(first))
-        return self._where(nearer, earliest, self.met) or earliest
+        return self._where(nearer, earliest, self._first) or earliest
 
     def scene(self, phase: float) -> Scene:
         """The contact at a phase of its life: its flanks' separation, or its load."""
-        if self._turned(phase) >= self.met:
+        if self._turned(phase) >= self._first:
             return self.scene_at(phase)
         contact = self.drive.contact_beyond(phase)
         apart = self._separation(phase)

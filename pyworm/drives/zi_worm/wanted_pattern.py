@@ -8,18 +8,17 @@ on the pattern without load (`contact_pattern`), its edge blurred so that place 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees, nan, radians
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Generic
 
 import numpy as np
 
 from pyworm.drives.hob_setup import HobSetup, Row
-from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern
+from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern, GearsT
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.sensitivity import mid_mesh_contact
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive
-    from pyworm.drives.zi_worm.gears import ZiWormGears
 
 BLUR = 0.2
 """Width of the blurred edge over the thickness of the compound."""
@@ -66,7 +65,7 @@ def mark_of(pattern: ContactPattern, thickness: float = THICKNESS) -> Mark:
 
 
 @dataclass(frozen=True)
-class Setting:
+class Setting(Generic[GearsT]):
     """A set-up of the hob and its pattern.
 
     Attributes
@@ -79,16 +78,16 @@ class Setting:
         Whether the pattern is the wanted one.
     """
 
-    gears: "ZiWormGears"
+    gears: GearsT
     mark: Mark
     reached: bool
 
 
-Misses = Callable[[Setting], Array]
+Misses = Callable[[Setting[GearsT]], Array]
 """What a set-up misses of what is wanted, in tolerances."""
 
 
-def found_setting(gears: "ZiWormGears", wanted: dict[str, float]) -> Setting:
+def found_setting(gears: GearsT, wanted: dict[str, float]) -> Setting[GearsT]:
     """The set-up nearest to the present one whose pattern has a wanted place, or size, or both.
 
     Parameters
@@ -99,7 +98,7 @@ def found_setting(gears: "ZiWormGears", wanted: dict[str, float]) -> Setting:
         `face` [m], `size` [-], or both, as in `Mark`.
     """
 
-    def misses(of: Setting) -> Array:
+    def misses(of: Setting[GearsT]) -> Array:
         return np.array(
             [(getattr(of.mark, name) - to) / TOLERANCES[name] for name, to in wanted.items()]
         )
@@ -115,7 +114,7 @@ def found_setting(gears: "ZiWormGears", wanted: dict[str, float]) -> Setting:
     return now
 
 
-def _newton_step(now: Setting, misses: Misses) -> Change:
+def _newton_step(now: Setting[GearsT], misses: Misses[GearsT]) -> Change:
     """The least change of the set-up by which the misses would vanish if they were linear in it."""
     missed = misses(now)
     columns = []
@@ -128,7 +127,7 @@ def _newton_step(now: Setting, misses: Misses) -> Change:
     return dict(zip(USUAL_CHANGES, change, strict=True))
 
 
-def _nearer(now: Setting, change: Change, misses: Misses) -> Setting | None:
+def _nearer(now: Setting[GearsT], change: Change, misses: Misses[GearsT]) -> Setting[GearsT] | None:
     """The set-up a part of the change away that misses by less; None without.
 
     The worm must not cut in, and a pair of teeth not part before the next one meets.
@@ -143,7 +142,7 @@ def _nearer(now: Setting, change: Change, misses: Misses) -> Setting | None:
     return None
 
 
-def _changed(now: Setting, change: Change) -> Setting | None:
+def _changed(now: Setting[GearsT], change: Change) -> Setting[GearsT] | None:
     """A changed set-up; None where worm and wheel do not touch."""
     hob = now.gears.hob
     entries = {

@@ -142,7 +142,10 @@ def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
         # the shift of the worm is that of its axis in the line of centres
         along=float(lateral.deflection - lateral.slope * arm[2]),
         tilt=float(-lateral.slope),
-        reactions=tuple(map(hypot, radial.reactions, lateral.reactions)),
+        reactions=(
+            hypot(radial.reactions[0], lateral.reactions[0]),
+            hypot(radial.reactions[1], lateral.reactions[1]),
+        ),
     )
     if bent.deflection > LARGEST * drive.module:
         raise ValueError(_too_soft(drive, shaft, diameter, bent.deflection))

@@ -145,7 +145,7 @@ def space_half_width(gears):
     turned = wheel + gears.cycle.speed_ratio * (angle - at)
     reference = gears.wheel_reference_radius
     q = flank_places(flank, gears.within, np.array([[reference], [0.0]]))
-    point = flank.point(*q, turned)
+    point = flank.point(*q, wheel_angle=turned)
     assert wheel_radius(point) == pytest.approx(reference)
     arc = reference * float(np.arctan2(point[2], -point[0])[0])
     pitch = pi * gears.module

@@ -55,10 +55,10 @@ def test_wheel_flank_solves_the_meshing_equation_to_rounding():
 
 def test_wheel_flank_is_tangent_to_its_normal():
     flank, h = sharif().wheel_flank, 1e-5
-    normal = flank.normal(-0.9, 0.04, 0.03)
+    normal = flank.normal(-0.9, 0.04, wheel_angle=0.03)
     for step in ((h, 0), (0, h)):
-        ahead = flank.point(-0.9 + step[0], 0.04 + step[1], 0.03)
-        behind = flank.point(-0.9 - step[0], 0.04 - step[1], 0.03)
+        ahead = flank.point(-0.9 + step[0], 0.04 + step[1], wheel_angle=0.03)
+        behind = flank.point(-0.9 - step[0], 0.04 - step[1], wheel_angle=0.03)
         assert abs(normal @ (ahead - behind)) / (2 * h) < 1e-10
 
 
@@ -81,9 +81,11 @@ def test_contact_lies_on_both_flanks_with_one_normal():
         worm_z = drive.worm_flank.screw * (polar - contact.worm_angle + np.tan(pressure) - pressure)
         assert abs(worm_z - z) < 1e-14
         roll = line.lag + contact.wheel_angle
-        on_wheel = drive.wheel_flank.point(line.hob_theta, roll, contact.wheel_angle)
+        on_wheel = drive.wheel_flank.point(line.hob_theta, roll, wheel_angle=contact.wheel_angle)
         np.testing.assert_allclose(on_wheel, contact.point, rtol=0, atol=1e-13)
-        wheel_normal = drive.wheel_flank.normal(line.hob_theta, roll, contact.wheel_angle)
+        wheel_normal = drive.wheel_flank.normal(
+            line.hob_theta, roll, wheel_angle=contact.wheel_angle
+        )
         np.testing.assert_allclose(wheel_normal, -contact.normal, rtol=0, atol=1e-13)
 
 
@@ -139,7 +141,10 @@ def test_worm_cut_wheel_touches_along_a_line():
     assert 0 < contact.radii[1] < 1
     theta = drive.cycle.path.line.hob_theta + np.linspace(-0.35, 0.35, 51)
     roll = drive.cycle.path.line.lag + contact.wheel_angle
-    line = drive.wheel_flank.point(theta, roll, contact.wheel_angle) - contact.point[:, None]
+    line = (
+        drive.wheel_flank.point(theta, roll, wheel_angle=contact.wheel_angle)
+        - contact.point[:, None]
+    )
     x, y = contact.x_axis @ line, contact.y_axis @ line
     assert np.ptp(x) > 0.02
     gap, _ = drive.gap(contact)(x, y)
