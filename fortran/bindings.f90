@@ -22,7 +22,7 @@ module bindings
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
     film_heat_fields, film_profile
   public :: cell_press, cell_conduct
-  public :: prolong_cubic, interpolate, level_positions
+  public :: prolong_cubic, integrate_remembered_flux, level_positions
   public :: compiled_with, watch_signals
 
 contains
@@ -700,16 +700,24 @@ contains
     call interpolate_cubic(coarse, fine)
   end subroutine prolong_cubic
 
-  !> Values of a field at places between its nodes, in spacings from the first; zero beyond its grid.
-  subroutine interpolate(field, mx, my, column, row, nx, ny, values)
-    use pyworm_linear_interpolation, only: interpolate_linear
-    integer(c_int), intent(in) :: mx, my, nx, ny
-    real(c_double), intent(in) :: field(mx, my), column(nx, ny), row(nx, ny)
-    real(c_double), intent(out) :: values(nx, ny)
+  !> Integral over the age of heat of the flux that places of a surface met, less the present one along a steady way.
+  !>
+  !> `ages` are age, weight and share of each reading, `ways` the way of the surface since then.
+  subroutine integrate_remembered_flux(flux, mx, my, times, first, spacing, ages, intervals, ways, count, turning, &
+      at_origin, x, nx, y, ny, u, v, integral)
+    use pyworm_remembered_flux, only: flux_history, flux_reading, remembered_flux
+    integer(c_int), intent(in) :: mx, my, times, count, nx, ny
+    real(c_double), intent(in) :: flux(mx, my, times), first(2, times), spacing(2, times)
+    real(c_double), intent(in) :: ages(3, count), ways(2, count), turning, at_origin(2), x(nx), y(ny), u(nx, ny), v(nx, ny)
+    integer(c_int), intent(in) :: intervals(count)
+    real(c_double), intent(out) :: integral(nx, ny)
+    type(flux_reading) :: readings(count)
+    integer :: k
     !f2py threadsafe
 
-    call interpolate_linear(field, column, row, values)
-  end subroutine interpolate
+    readings = [(flux_reading(ages(1, k), ages(2, k), intervals(k), ages(3, k), ways(:, k)), k=1, count)]
+    call remembered_flux(flux_history(flux, first, spacing), readings, turning, at_origin, x, y, u, v, integral)
+  end subroutine integrate_remembered_flux
 
   !> Lets Python's signals interrupt kernel calls, from now on.
   subroutine watch_signals()

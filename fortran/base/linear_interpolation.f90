@@ -4,38 +4,33 @@ module pyworm_linear_interpolation
   implicit none(type, external)
   private
 
-  public :: interpolate_linear
+  public :: linear_at
 
 contains
 
-  !> Values of a field at places between its nodes, bilinear, and linear along x where it has one row.
+  !> Value of a field at a place between its nodes, bilinear, and linear along x where it has one row.
   !>
-  !> `column` and `row` are the places over the spacing, counted from zero at the first node; beyond the grid the value
+  !> `column` and `row` are the place over the spacing, counted from zero at the first node; beyond the grid the value
   !> is zero.
-  pure subroutine interpolate_linear(field, column, row, values)
-    real(wp), intent(in) :: field(:, :), column(:, :), row(:, :)
-    real(wp), intent(out) :: values(:, :)
+  pure function linear_at(field, column, row) result(value)
+    real(wp), intent(in) :: field(:, :), column, row
+    real(wp) :: value
     real(wp) :: x, y, before, behind
-    integer :: i, j, left, below
+    integer :: left, below
 
-    do j = 1, size(values, 2)
-      do i = 1, size(values, 1)
-        x = column(i, j)
-        y = row(i, j)
-        values(i, j) = 0
-        ! in this form places that are not numbers lie beyond, too
-        if (.not. (x >= 0 .and. x <= size(field, 1) - 1 .and. y >= 0 .and. y <= size(field, 2) - 1)) cycle
-        left = max(1, min(int(x) + 1, size(field, 1) - 1))
-        below = max(1, min(int(y) + 1, size(field, 2) - 1))
-        x = x - (left - 1)
-        y = y - (below - 1)
-        before = (1 - x)*field(left, below) + x*field(left + 1, below)
-        values(i, j) = before
-        if (size(field, 2) == 1) cycle
-        behind = (1 - x)*field(left, below + 1) + x*field(left + 1, below + 1)
-        values(i, j) = (1 - y)*before + y*behind
-      end do
-    end do
-  end subroutine interpolate_linear
+    value = 0
+    ! in this form places that are not numbers lie beyond, too
+    if (.not. (column >= 0 .and. column <= size(field, 1) - 1)) return
+    if (.not. (row >= 0 .and. row <= size(field, 2) - 1)) return
+    left = max(1, min(int(column) + 1, size(field, 1) - 1))
+    below = max(1, min(int(row) + 1, size(field, 2) - 1))
+    x = column - (left - 1)
+    y = row - (below - 1)
+    before = (1 - x)*field(left, below) + x*field(left + 1, below)
+    value = before
+    if (size(field, 2) == 1) return
+    behind = (1 - x)*field(left, below + 1) + x*field(left + 1, below + 1)
+    value = (1 - y)*before + y*behind
+  end function linear_at
 
 end module pyworm_linear_interpolation

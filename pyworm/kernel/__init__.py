@@ -11,9 +11,10 @@ from pyworm.kernel.core import (
 )
 from pyworm.kernel.dry_contact import DryContact, dry_contact, elastic_deflection
 from pyworm.kernel.film import HeatStorage
-from pyworm.kernel.interpolation import between_nodes, level_positions, prolong, prolong_levels
+from pyworm.kernel.interpolation import level_positions, prolong, prolong_levels
 from pyworm.kernel.line_film import LineFilm
 from pyworm.kernel.point_film import PointFilm
+from pyworm.kernel.remembered_flux import FluxHistory, FluxReading, remembered_flux
 
 __all__ = [
     "NOT_CONVERGED",
@@ -22,15 +23,17 @@ __all__ = [
     "NO_MEMORY",
     "NO_SENSE",
     "DryContact",
+    "FluxHistory",
+    "FluxReading",
     "HeatStorage",
     "KernelError",
     "LineFilm",
     "PointFilm",
-    "between_nodes",
     "compiled_with",
     "dry_contact",
     "elastic_deflection",
     "level_positions",
     "prolong",
     "prolong_levels",
+    "remembered_flux",
 ]

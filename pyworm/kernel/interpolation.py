@@ -1,7 +1,5 @@
 """Interpolation of fields to grids of half the spacing, and positions of the levels across the film."""
 
-from collections.abc import Iterable
-
 import numpy as np
 import numpy.typing as npt
 
@@ -30,19 +28,6 @@ def prolong(field: npt.ArrayLike) -> np.ndarray:
     if nodes.ndim == 1:
         return core.bindings.prolong_cubic(nodes[:, np.newaxis])[:, 0]
     return core.bindings.prolong_cubic(nodes)
-
-
-def between_nodes(field: npt.ArrayLike, places: Iterable[npt.ArrayLike]) -> np.ndarray:
-    """Values of a field between its nodes along straight lines, zero beyond its grid.
-
-    `places` are those along each direction, in spacings from the first node.
-    """
-    nodes, *at = (fortran_array(of) for of in (field, *places))
-    if nodes.ndim == 2:
-        return core.bindings.interpolate(nodes, *at)
-    column = at[0][:, np.newaxis]
-    row = np.zeros_like(column)
-    return core.bindings.interpolate(nodes[:, np.newaxis], column, row)[:, 0]
 
 
 def prolong_levels(fields: np.ndarray) -> np.ndarray:

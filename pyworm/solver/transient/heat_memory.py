@@ -18,7 +18,7 @@ taken.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from math import ceil, cos, pi, sin, sqrt
+from math import ceil, pi, sqrt
 
 import numpy as np
 
@@ -69,33 +69,6 @@ class HeatedInstant:
         flux = kernel.prolong_levels(self.flux if window is None else self.flux[window])
         return HeatedInstant(self.seconds, grid.finer(), flux, self.velocities)
 
-    def into(self, body: int, places: Sequence[Array]) -> Array:
-        """Flux into a body at places, linear between nodes, zero beyond the grid [W/m2]."""
-        nodes = [
-            (of - axis[0]) / step
-            for of, axis, step in zip(places, _axes(self.grid), self.grid.spacing, strict=True)
-        ]
-        return kernel.between_nodes(self.flux[..., body], nodes)
-
-
-@dataclass(frozen=True)
-class _Reading:
-    """An age at which the history of a flux is read.
-
-    Attributes
-    ----------
-    age : float
-        Time before the present [s].
-    interval : int
-        Number of the instant, counted from the present, that ends the interval of time it lies in.
-    share : float
-        Part of that interval before its end.
-    """
-
-    age: float
-    interval: int
-    share: float
-
 
 def velocities_at_origin(contact: Scene | LineScene) -> tuple[tuple[float, ...], ...]:
     """Velocity of each body at the contact point along each direction [m/s]."""
@@ -135,7 +108,6 @@ def remembered_rise(
     ndarray
         Rise at the nodes, body along the last axis.
     """
-    places = coarse.mesh()
     # solved for the film's nodes already, of which those of the coarse grid are some
     nodes = tuple(
         slice(None, None, (of - 1) // (few - 1))
@@ -147,19 +119,30 @@ def remembered_rise(
     for number, (body, velocity) in enumerate(
         zip(contact.bodies, contact.velocities_at(*grid.mesh()), strict=True)
     ):
-        effusivity = sqrt(body.thermal_inertia)
         chosen = _ages(history, seconds, _passage(grid, now[number]))
         known = [present, *chosen]
-        read = _readings([seconds - one.seconds for one in known], _passing(coarse, now[number]))
+        ages = [seconds - one.seconds for one in known]
         way = _way([present, *history], chosen[-1].seconds, number)
-        rise = np.zeros(coarse.shape)
-        for one, weight in zip(read, _weights([one.age for one in read]), strict=True):
-            steady = [at - of[nodes] * one.age for at, of in zip(places, velocity, strict=True)]
-            own = zip(steady, now[number], way(one.age), strict=True)
-            then = _turned([at + of * one.age - moved for at, of, moved in own], -turning * one.age)
-            rise += weight * (_between(known, one, number, then) - present.into(number, steady))
-        rises.append(at_places(coarse, rise / (sqrt(pi) * effusivity), grid))
+        rise = kernel.remembered_flux(
+            _history(known, number),
+            _readings(ages, _passing(coarse, now[number]), way),
+            turning,
+            now[number],
+            _axes(coarse),
+            [of[nodes] for of in velocity],
+        )
+        rise /= sqrt(pi * body.thermal_inertia)
+        rises.append(at_places(coarse, rise, grid))
     return np.stack(rises, axis=-1)
+
+
+def _history(known: Sequence[HeatedInstant], body: int) -> kernel.FluxHistory:
+    """Fluxes into a body at some times on their grids."""
+    return kernel.FluxHistory(
+        [one.flux[..., body] for one in known],
+        [tuple(float(axis[0]) for axis in _axes(one.grid)) for one in known],
+        [one.grid.spacing for one in known],
+    )
 
 
 def _onward(history: Sequence[HeatedInstant], seconds: float) -> Array:
@@ -224,23 +207,20 @@ def _passing(grid: Grid | LineGrid, velocity: Sequence[float]) -> float:
     return CELLS / rate if rate > 0 else np.inf
 
 
-def _readings(ages: Sequence[float], most: float) -> list[_Reading]:
+def _readings(
+    ages: Sequence[float], most: float, way: Callable[[float], Array]
+) -> list[kernel.FluxReading]:
     """Readings up to each of some ages, the first of which is zero, not more than a time apart [s]."""
-    read = []
+    places = []
     for interval, (later, earlier) in enumerate(pairwise(ages)):
         count = max(1, ceil((earlier - later) / most))
         shares = [(number + 1) / count for number in range(count)]
-        read += [_Reading(later + share * (earlier - later), interval, share) for share in shares]
-    return read
-
-
-def _between(
-    known: Sequence[HeatedInstant], read: _Reading, body: int, places: Sequence[Array]
-) -> Array:
-    """Flux into a body at places, seen from the contact, linear in time between two instants [W/m2]."""
-    later, earlier = known[read.interval : read.interval + 2]
-    flux = read.share * earlier.into(body, places)
-    return flux if read.share == 1 else flux + (1 - read.share) * later.into(body, places)
+        places += [(later + share * (earlier - later), interval, share) for share in shares]
+    weights = _weights([age for age, _, _ in places])
+    return [
+        kernel.FluxReading(age, weight, interval, share, tuple(way(age)))
+        for (age, interval, share), weight in zip(places, weights, strict=True)
+    ]
 
 
 def _way(known: Sequence[HeatedInstant], since: float, body: int) -> Callable[[float], Array]:
@@ -254,14 +234,6 @@ def _way(known: Sequence[HeatedInstant], since: float, body: int) -> Callable[[f
     parts = (velocities[1:] + velocities[:-1]) / 2 * np.diff(ages)[:, np.newaxis]
     ways = np.vstack([np.zeros_like(velocities[:1]), np.cumsum(parts, axis=0)])
     return lambda age: np.array([np.interp(age, ages, of) for of in ways.T])
-
-
-def _turned(places: list[Array], angle: float) -> list[Array]:
-    """Components of places in axes turned by an angle [rad]."""
-    if len(places) == 1:
-        return places
-    x, y = places
-    return [cos(angle) * x + sin(angle) * y, cos(angle) * y - sin(angle) * x]
 
 
 def _axes(grid: Grid | LineGrid) -> tuple[Array, ...]:

@@ -9,7 +9,7 @@ from circular_contact import RADIUS, circular
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pyworm.kernel.interpolation import between_nodes, prolong
+from pyworm.kernel.interpolation import prolong
 from pyworm.planning.grid import CELLS_MULTIPLE, Grid, coarsened, nest
 from pyworm.planning.window import Reach, windows
 from pyworm.scene.scales import scales
@@ -46,21 +46,6 @@ def test_a_finer_grid_keeps_the_nodes():
     x, y = grid.mesh()
     fine_x, _ = grid.finer().mesh()
     assert np.allclose(prolong(x**3 + y), fine_x**3 + grid.finer().mesh()[1])
-
-
-def test_fields_between_nodes_are_straight_and_beyond_the_grid_zero():
-    column, row = np.meshgrid(np.arange(7.0), np.arange(4.0), indexing="ij")
-    places = (
-        np.array([[0.0, 6.0, 2.25, 5.5, -0.1, 6.1, 3.0]] * 2).T,
-        np.array([[0.0, 3.0, 1.5, 2.9, 1.0, 1.0, 3.1], [1.0] * 7]).T,
-    )
-    exact = 2 * places[0] - places[1] + 0.5 * places[0] * places[1] + 1
-    beyond = (places[0] < 0) | (places[0] > 6) | (places[1] > 3)
-    found = between_nodes(2 * column - row + 0.5 * column * row + 1, places)
-    assert found == pytest.approx(np.where(beyond, 0.0, exact), abs=1e-14)
-    assert beyond.sum() == 5
-    line = between_nodes(np.arange(5.0) ** 2, [np.array([0.0, 1.5, 4.0, 4.5, -1e-9])])
-    assert line.tolist() == [0.0, 2.5, 16.0, 0.0, 0.0]
 
 
 def test_a_window_reaches_until_the_gap_has_risen():

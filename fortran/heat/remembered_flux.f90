@@ -1,0 +1,78 @@
+!> Flux that the places of a surface met on their way through a contact, against the present one along a steady way.
+module pyworm_remembered_flux
+  use pyworm_kinds, only: wp
+  use pyworm_linear_interpolation, only: linear_at
+  implicit none(type, external)
+  private
+
+  public :: flux_reading, flux_history, remembered_flux
+
+  !> Fluxes into a body at some times, the present first, each on a grid of its own of as many nodes.
+  type :: flux_history
+    !> Flux at the nodes, time along the last dimension [W/m2].
+    real(wp), allocatable :: flux(:, :, :)
+    !> First node and spacing along each direction, at each time [m].
+    real(wp), allocatable :: first(:, :), spacing(:, :)
+  end type flux_history
+
+  !> An age of the heat at which its flux is read, and the weight of what is read.
+  type :: flux_reading
+    !> Time before the present [s].
+    real(wp) :: age
+    !> Weight in the integral over the age [sqrt(s)].
+    real(wp) :: weight
+    !> Number of the time of the history that ends the interval of time that the age lies in; the part of that
+    !> interval before its end.
+    integer :: interval
+    real(wp) :: share
+    !> Way of the surface through the contact point since then [m].
+    real(wp) :: way(2)
+  end type flux_reading
+
+contains
+
+  !> Integral over the age s of [q(X(s), t - s) - q(x - u s, t)]/sqrt(s) at each node of a grid [W sqrt(s)/m2].
+  !>
+  !> X(s) is the place of the surface a time s ago, in axes that have turned with angular velocity `turning` [rad/s] since:
+  !> of the way of the contact point, and of what the velocity there, `at_origin`, differs from that of the node. Between
+  !> two times of the history the flux is linear. `x`, `y` are places of the nodes, `u`, `v` the surface's velocity there.
+  pure subroutine remembered_flux(history, readings, turning, at_origin, x, y, u, v, integral)
+    type(flux_history), intent(in) :: history
+    type(flux_reading), intent(in) :: readings(:)
+    real(wp), intent(in) :: turning, at_origin(2), x(:), y(:), u(:, :), v(:, :)
+    real(wp), intent(out) :: integral(:, :)
+    real(wp) :: c, s, place(2), steady(2), then(2), flux
+    integer :: i, j, k
+
+    integral = 0
+    do k = 1, size(readings)
+      associate (read => readings(k))
+        c = cos(turning*read%age)
+        s = sin(turning*read%age)
+        do j = 1, size(integral, 2)
+          do i = 1, size(integral, 1)
+            steady = [x(i) - u(i, j)*read%age, y(j) - v(i, j)*read%age]
+            place = steady + at_origin*read%age - read%way
+            then = [c*place(1) - s*place(2), s*place(1) + c*place(2)]
+            flux = read%share*at(history, read%interval + 1, then)
+            if (read%share < 1) flux = flux + (1 - read%share)*at(history, read%interval, then)
+            integral(i, j) = integral(i, j) + read%weight*(flux - at(history, 1, steady))
+          end do
+        end do
+      end associate
+    end do
+  end subroutine remembered_flux
+
+  !> Flux of a time of a history at a place.
+  pure function at(history, number, place) result(flux)
+    type(flux_history), intent(in) :: history
+    integer, intent(in) :: number
+    real(wp), intent(in) :: place(2)
+    real(wp) :: flux
+    real(wp) :: node(2)
+
+    node = (place - history%first(:, number))/history%spacing(:, number)
+    flux = linear_at(history%flux(:, :, number), node(1), node(2))
+  end function at
+
+end module pyworm_remembered_flux

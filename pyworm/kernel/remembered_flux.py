@@ -1,0 +1,106 @@
+"""Flux that places of a surface met on their way through a contact, against the present one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from pyworm.kernel import core
+from pyworm.kernel.core import fortran_array
+
+
+@dataclass(frozen=True)
+class FluxHistory:
+    """Fluxes into a body at some times, the present first.
+
+    Attributes
+    ----------
+    flux : sequence of numpy.ndarray
+        Flux at the nodes of each time's grid, all of as many nodes [W/m2].
+    first, spacing : sequence of tuple of float
+        First node and spacing of that grid along each direction [m].
+    """
+
+    flux: Sequence[np.ndarray]
+    first: Sequence[tuple[float, ...]]
+    spacing: Sequence[tuple[float, ...]]
+
+
+@dataclass(frozen=True)
+class FluxReading:
+    """An age of the heat at which its flux is read.
+
+    Attributes
+    ----------
+    age : float
+        Time before the present [s].
+    weight : float
+        Weight of what is read in the integral over the age [sqrt(s)].
+    interval : int
+        Number of the time of the history, from 0 at present, that ends the interval of time it lies in.
+    share : float
+        Part of that interval before its end.
+    way : tuple of float
+        Way of the surface through the contact point since then, along each direction [m].
+    """
+
+    age: float
+    weight: float
+    interval: int
+    share: float
+    way: tuple[float, ...]
+
+
+def remembered_flux(
+    history: FluxHistory,
+    readings: Sequence[FluxReading],
+    turning: float,
+    at_origin: Sequence[float],
+    places: Sequence[np.ndarray],
+    velocity: Sequence[np.ndarray],
+) -> np.ndarray:
+    """Integral of the flux met a time s ago, less the present one a way u s before, over sqrt(s) ds.
+
+    Parameters
+    ----------
+    history : FluxHistory
+        The fluxes; between their nodes and their times they are linear, zero beyond their grids.
+    readings : sequence of FluxReading
+        The ages.
+    turning : float
+        Angular velocity of the axes [rad/s].
+    at_origin : sequence of float
+        Velocity of the surface at the contact point along each direction [m/s].
+    places : sequence of ndarray
+        Places of the nodes along each direction [m].
+    velocity : sequence of ndarray
+        Velocity u of the surface at the nodes along each direction [m/s].
+
+    Returns
+    -------
+    ndarray
+        The integral at the nodes [W sqrt(s)/m2].
+    """
+    line = len(places) == 1
+    flux = np.stack(history.flux, axis=-1)
+    x, y = (places[0], np.zeros(1)) if line else places
+    u, v = (velocity[0], np.zeros_like(velocity[0])) if line else velocity
+    found = core.bindings.integrate_remembered_flux(
+        fortran_array(flux[:, np.newaxis] if line else flux),
+        _pairs(history.first, 0.0),
+        _pairs(history.spacing, 1.0),
+        fortran_array(np.transpose([(one.age, one.weight, one.share) for one in readings])),
+        np.array([one.interval + 1 for one in readings], dtype=np.int32),
+        _pairs([one.way for one in readings], 0.0),
+        turning,
+        _pairs([at_origin], 0.0)[:, 0],
+        x,
+        y,
+        *(fortran_array(of.reshape(len(x), len(y))) for of in (u, v)),
+    )
+    return found[:, 0] if line else found
+
+
+def _pairs(of_directions: Sequence[Sequence[float]], second: float) -> np.ndarray:
+    """Numbers along each direction in columns, with one along a second direction that a line has not."""
+    return fortran_array(np.transpose([(*of, second)[:2] for of in of_directions]))
