@@ -116,7 +116,7 @@ class Store:
             return self._stored(task).solutions[0].summary()
         file = self.file(task)
         try:
-            content = read_json(file.read_text())
+            content = read_json(file.read_bytes())
             summary = dict(content["summary"])
             sound = key_of(content["task"]) == task.key
         except (ValueError, LookupError, TypeError, RecursionError):

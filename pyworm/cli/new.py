@@ -45,7 +45,8 @@ def _new(options: argparse.Namespace) -> int:
     drive = present(case.drive, "drive")
     phases = loaded_phases(drive.normal_load)
     try:
-        path.write_text(new_worm_text(answers, title, getattr(drive, "taken", ()), phases))
+        text = new_worm_text(answers, title, getattr(drive, "taken", ()), phases)
+        path.write_text(text, encoding="utf-8")
     except OSError as error:
         raise CaseError(f"{path}: cannot be written ({error})") from None
     warn_of_unusual(case)

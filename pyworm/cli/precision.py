@@ -75,7 +75,7 @@ def _precision(options: argparse.Namespace) -> int:
         return end_with(f"{name}: {error}", NOT_CONVERGED)
     content = {"case": case.name} | as_object(made)
     with whole(directory, instead_of=("precision.*",)) as aside:
-        (aside / "precision.json").write_text(as_json(content))
+        (aside / "precision.json").write_text(as_json(content), encoding="utf-8")
         write_csv(made, aside / "precision.csv")
         figure = draw_precision(made, name)
         for ending in ("png", "svg"):

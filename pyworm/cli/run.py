@@ -154,7 +154,7 @@ def _table_of_lives(result: "Result", directory: Path) -> Path | None:
     path = directory / LIFE_TABLE
     try:
         with whole_file(path) as partial_file:
-            partial_file.write_text(as_csv(found))
+            partial_file.write_text(as_csv(found), encoding="utf-8")
     except OSError as error:
         say(f"no table of the life: {error}")
         return None

@@ -495,7 +495,7 @@ def _gauss() -> tuple[np.ndarray, np.ndarray]:
 @cache
 def _constants() -> dict:
     """The constants of the fit."""
-    content = json.loads(files("pyworm.formulas").joinpath("film_atlas.json").read_text())
+    content = json.loads(files("pyworm.formulas").joinpath("film_atlas.json").read_text("utf-8"))
     for name in ("network", "errors"):
         content[name] = {key: np.asarray(of) for key, of in content[name].items()}
     return content

@@ -183,6 +183,8 @@ def exponents(kept: np.ndarray, constants: dict) -> np.ndarray:
 @cache
 def _constants() -> dict:
     """The constants of the fit."""
-    content = json.loads(files("pyworm.formulas").joinpath("film_reduction.json").read_text())
+    content = json.loads(
+        files("pyworm.formulas").joinpath("film_reduction.json").read_text("utf-8")
+    )
     films = {name: np.asarray(of) for name, of in content.pop("films").items()}
     return {name: np.asarray(of) for name, of in content.items()} | {"films": films}

@@ -119,7 +119,7 @@ def _cheapest(study: Study, accuracy: float) -> dict[str, Any]:
 def write_csv(study: Study, path: Path) -> None:
     """Write all points, a row each."""
     table = list(rows(study))
-    with path.open("w", newline="") as file:
+    with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, list(table[0]))
         writer.writeheader()
         writer.writerows(table)

@@ -35,7 +35,7 @@ def write_csv(solution: Solution, path: str | os.PathLike) -> Path:
     columns = dict(zip(_axes(solution), grid, strict=True))
     columns |= {str(name): fields[name].values for name in fields.data_vars}
     heads = [f"{name} [{fields[name].attrs['units']}]" for name in columns]
-    with whole_file(path) as partial, partial.open("w", newline="") as file:
+    with whole_file(path) as partial, partial.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(heads)
         rows = zip(*(of.ravel() for of in columns.values()), strict=True)
@@ -72,7 +72,8 @@ def write_vtk(solution: Solution, path: str | os.PathLike) -> Path:
             '<?xml version="1.0"?>\n<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">\n'
             f'<ImageData WholeExtent="{extent}" Origin="{_numbers(origin)}" Spacing="{_numbers(spacing)}">\n'
             f'<Piece Extent="{extent}"><PointData Scalars="pressure">\n{arrays}</PointData></Piece>\n'
-            "</ImageData></VTKFile>\n"
+            "</ImageData></VTKFile>\n",
+            encoding="utf-8",
         )
     return path
 

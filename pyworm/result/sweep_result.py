@@ -105,7 +105,7 @@ class SweepResult:
             f"{column.name} [{column.attrs['units']}]" if column.attrs.get("units") else column.name
             for column in columns
         ]
-        with whole_file(path) as partial, partial.open("w", newline="") as file:
+        with whole_file(path) as partial, partial.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
             writer.writerow(heads)
             writer.writerows(zip(*(column.values.tolist() for column in columns), strict=True))

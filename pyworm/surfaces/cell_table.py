@@ -1,16 +1,15 @@
 """Contact and flow of a rough surface over its separation from a smooth one, solved once and kept."""
 
-import os
 from contextlib import suppress
 from dataclasses import asdict, dataclass, fields
 from functools import lru_cache
 from hashlib import sha256
 from math import inf, isfinite
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from pyworm.io.cache import cache_directory
 from pyworm.io.input_error import CaseError
 from pyworm.io.kept_arrays import DamagedError, keep, kept
 from pyworm.kernel.core import EXTENSION, NOT_CONVERGED, KernelError
@@ -93,7 +92,7 @@ def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None)
     KernelError
         There is no memory, or the heights are not finite.
     """
-    path = _cache() / f"{_key(cell, reduced_modulus, hardness)}.npz"
+    path = cache_directory() / "surfaces" / f"{_key(cell, reduced_modulus, hardness)}.npz"
     try:
         return kept(path, _of_arrays)
     except (OSError, DamagedError):
@@ -165,11 +164,6 @@ def _at(cell: Topography, separation: float, modulus: float, hardness: float) ->
         "conducted": conducted,
         "dragged": np.array([flowing, flowing, 0.0]) - carried,
     }
-
-
-def _cache() -> Path:
-    root = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    return Path(root) / "pyworm" / "surfaces"
 
 
 def _key(cell: Topography, reduced_modulus: float, hardness: float | None) -> str:

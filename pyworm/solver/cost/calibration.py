@@ -17,6 +17,7 @@ import numpy as np
 
 from pyworm.io.atomic import whole_file
 from pyworm.io.bounded_number import read_json
+from pyworm.io.cache import cache_directory
 from pyworm.io.stage import stage
 from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import FlowLaw
@@ -158,9 +159,9 @@ class Calibration:
 
 def calibration() -> Calibration:
     """The calibration of this machine and kernel build: from the user's cache, else measured."""
-    path = _cache() / f"pace-{_key()}.json"
+    path = cache_directory() / f"pace-{_key()}.json"
     try:
-        return _read(read_json(path.read_text()))
+        return _read(read_json(path.read_bytes()))
     except (OSError, ValueError, KeyError, TypeError):
         with stage(f"measuring the speed of this machine, to be kept in {path}"):
             measured = calibrate()
@@ -171,10 +172,6 @@ def calibration() -> Calibration:
     except OSError:
         pass  # where nothing can be kept it is measured again
     return measured
-
-
-def _cache() -> Path:
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "pyworm"
 
 
 def _key() -> str:
