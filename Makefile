@@ -4,6 +4,7 @@ PYTHON ?= python3
 VENV := .venv
 INSTALLED := $(VENV)/.installed
 DEBUG := build/debug
+SANITIZED := build/sanitized
 DOCS := $(VENV)/.docs-installed
 PREFIX ?= $(CURDIR)/build/installed
 WHEEL_PYTHONS ?= $(shell $(PYTHON) tools/pythons.py)
@@ -18,7 +19,7 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python hard mutants docs lint clean
+.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python sanitized hard mutants docs lint clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
@@ -29,6 +30,7 @@ help:
 	@echo "make test     run the Fortran and the Python tests"
 	@echo "make test-long  run the Python tests that take long, which make test leaves out"
 	@echo "make test-cluster  as root: batches on a one-node Slurm, by Snakemake and dask-jobqueue; installs these"
+	@echo "make sanitized  run the Fortran tests with checks of addresses and of undefined behaviour"
 	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one, SEED=7 for others)"
 	@echo "make hard SCENE=drive  random gear drives, run as a user does (drive:0-9 some; commands: through all commands)"
 	@echo "make mutants  how many one-line mutations of the program tests see; resumes (MUTANT=name for one)"
@@ -70,6 +72,13 @@ test-long: $(INSTALLED)
 
 test-fortran: $(DEBUG)/build.ninja
 	meson test -C $(DEBUG) --suite fortran --print-errorlogs
+
+$(SANITIZED)/build.ninja: $(INSTALLED)
+	meson setup $(SANITIZED) --buildtype=debug -Db_sanitize=address,undefined -Db_lundef=false --reconfigure
+
+# Checked code is slow: ten times the usual time for a test.
+sanitized: $(SANITIZED)/build.ninja
+	meson test -C $(SANITIZED) --suite fortran --timeout-multiplier 10 --print-errorlogs
 
 test-python: $(INSTALLED)
 	python -m pytest -n 2 --dist loadfile

@@ -8,6 +8,7 @@ from pathlib import Path
 from pyworm.case.case import case_of
 from pyworm.case.new_worm import ASKED, OPTIONAL, loaded_phases, new_worm_text
 from pyworm.cli.shared import CONVERGED, warn_of_unusual
+from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
 from pyworm.io.terminal import put, say
@@ -42,13 +43,12 @@ def _new(options: argparse.Namespace) -> int:
         answers[key] = _asked(key, what, example) if given is None else given
     title = options.title or _title(answers)
     case = case_of(tomllib.loads(new_worm_text(answers, title)), path.stem, path.parent)
+    check_writable(path.parent)
     drive = present(case.drive, "drive")
     phases = loaded_phases(drive.normal_load)
-    try:
-        text = new_worm_text(answers, title, getattr(drive, "taken", ()), phases)
-        path.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise CaseError(f"{path}: cannot be written ({error})") from None
+    text = new_worm_text(answers, title, getattr(drive, "taken", ()), phases)
+    with whole_file(path) as partial:
+        partial.write_text(text, encoding="utf-8")
     warn_of_unusual(case)
     put(f"{path}: {title}. Next: pyworm check {path}")
     return CONVERGED

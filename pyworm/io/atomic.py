@@ -9,11 +9,19 @@ import re
 import shutil
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
+from errno import ENOENT
 from fcntl import LOCK_EX, LOCK_NB, flock
 from pathlib import Path
 from secrets import token_hex
 
 from pyworm.io.input_error import CaseError
+
+
+class NotWrittenError(OSError):
+    """A file or directory that cannot be written, such as on a full disk."""
+
+    def __str__(self) -> str:
+        return f"{self.filename}: cannot be written ({self.strerror})"
 
 
 def check_writable(directory: Path) -> None:
@@ -31,6 +39,9 @@ def check_writable(directory: Path) -> None:
         raise CaseError(f"{existing}: no permission to write there")
 
 
+MAX_ATTEMPTS = 100
+"""Maximum number of attempts to make a file that other processes may remove at the same moment."""
+
 _PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.part")
 """Name of what is being written."""
 
@@ -43,15 +54,21 @@ def whole_file(path: Path) -> Iterator[Path]:
     ------
     Path
         What to write, an empty file in the same directory, which is made if need be.
+
+    Raises
+    ------
+    NotWrittenError
+        It cannot be written.
     """
-    partial, handle = _held(path.parent, path.name, _new_file)
-    try:
-        yield partial
-        os.fsync(handle)
-        os.replace(partial, path)
-    finally:
-        partial.unlink(missing_ok=True)
-        os.close(handle)
+    with _named(path):
+        partial, handle = _held(path.parent, path.name, _new_file)
+        try:
+            yield partial
+            os.fsync(handle)
+            os.replace(partial, path)
+        finally:
+            partial.unlink(missing_ok=True)
+            os.close(handle)
 
 
 @contextmanager
@@ -72,27 +89,47 @@ def whole(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
     ------
     Path
         An empty directory to write into: in the other one, whose own parent may be closed to writing.
+
+    Raises
+    ------
+    NotWrittenError
+        The files cannot be written.
     """
     directory = directory.absolute()
     existed = directory.exists()
     remove_abandoned(directory)
-    aside, handle = _held(directory, "files", _new_directory)
+    with _named(directory):
+        aside, handle = _held(directory, "files", _new_directory)
+        try:
+            yield aside
+            _move(aside, directory, instead_of)
+        finally:
+            shutil.rmtree(aside, ignore_errors=True)
+            os.close(handle)
+            if not existed:
+                with suppress(OSError):  # files have appeared
+                    directory.rmdir()
+
+
+def _move(aside: Path, directory: Path, instead_of: Sequence[str]) -> None:
+    """Move the files of a directory into another, in place of those of an earlier run."""
+    written = list(aside.iterdir())
+    for file in written:
+        _to_disk(file)
+    for pattern in instead_of:
+        for old in directory.glob(pattern):
+            old.unlink(missing_ok=True)  # another run may be at the same
+    for file in written:
+        os.replace(file, directory / file.name)
+
+
+@contextmanager
+def _named(path: Path) -> Iterator[None]:
+    """Turn a failure to write into one that names the file itself, not its temporary name."""
     try:
-        yield aside
-        written = list(aside.iterdir())
-        for file in written:
-            _to_disk(file)
-        for pattern in instead_of:
-            for old in directory.glob(pattern):
-                old.unlink(missing_ok=True)  # another run may be at the same
-        for file in written:
-            os.replace(file, directory / file.name)
-    finally:
-        shutil.rmtree(aside, ignore_errors=True)
-        os.close(handle)
-        if not existed:
-            with suppress(OSError):  # files have appeared
-                directory.rmdir()
+        yield
+    except OSError as error:
+        raise NotWrittenError(error.errno, error.strerror or str(error), str(path)) from error
 
 
 def remove_abandoned(directory: Path) -> None:
@@ -119,19 +156,28 @@ def _remove_unless_held(path: Path) -> None:
 
 
 def _held(directory: Path, name: str, make: Callable[[Path], int]) -> tuple[Path, int]:
-    """A new file or directory, and the handle that locks it until it is closed."""
-    while True:
+    """A new file or directory, and the handle that locks it until it is closed.
+
+    Raises
+    ------
+    OSError
+        The directory takes no files; as FileNotFoundError where it exists all the same, such as /proc.
+    """
+    refusal = FileNotFoundError(ENOENT, "other processes keep removing what is written there")
+    for _ in range(MAX_ATTEMPTS):
         partial = directory / f".{name}.{token_hex(4)}.part"
         directory.mkdir(parents=True, exist_ok=True)
         try:
             handle = make(partial)
-        except FileNotFoundError:  # another run has just removed it, or the empty directory
+        except FileNotFoundError as error:  # another run has just removed it, or the directory
+            refusal = error
             continue
         with suppress(OSError):  # a file system without locks
             flock(handle, LOCK_EX)
         if partial.exists():
             return partial, handle
         os.close(handle)  # taken for abandoned before it was locked
+    raise refusal
 
 
 def _new_file(path: Path) -> int:

@@ -2,12 +2,14 @@
 !> free, ruptured and boundary rows.
 program test_rough_surfaces
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-  use pyworm_film_newton, only: film_contact, film_residual, film_step, roughen_contact, set_ruptured, set_system, shear_contact
+  use pyworm_film_newton, only: film_contact, film_residual, film_step, roughen_contact, set_ruptured, &
+    set_system, set_transient_term, shear_contact
   use pyworm_flow_laws, only: flow_law, law_newton, law_eyring
   use pyworm_kinds, only: wp
   use pyworm_line_film, only: line_contact, new_line_contact
   use pyworm_point_film, only: point_contact, new_point_contact
   use pyworm_rough_surfaces, only: asperity_pressure, curve_count, gap_curves, new_rough_film, rough_film, share_pressure
+  use pyworm_sheared_reynolds, only: sheared_imbalance
   use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
   use pyworm_viscosity_density, only: oil_law, law_roelands
@@ -26,6 +28,7 @@ program test_rough_surfaces
   call point_jacobian()
   call line_jacobian()
   call shared_load()
+  call starved_transient()
   call done()
 
 contains
@@ -291,31 +294,115 @@ contains
   !> Newton's method shares the load: oil and asperities bear it together, neither less than nothing.
   subroutine shared_load()
     type(point_contact) :: contact
-    real(wp) :: p(nx, ny), h0, residual, load_error, step, borne, rubbed(nx)
-    integer :: steps, krylov, stat, j
+    real(wp) :: p(nx, ny), h0
 
     call make_point(flow_law(law_newton), curves(-0.5_wp, -0.5_wp, 0.0_wp, 0.0_wp), 1.0_wp, 0.0_wp, 0.0_wp, contact, p)
+    call press(contact, p, h0)
+    call converge(contact, p, h0, "a rough contact")
+    call check_shares(contact, 100.0_wp, "a rough contact")
+  end subroutine shared_load
+
+  !> A time step of a rough contact whose supply is limited, its load rising: the load is shared, and what enters and does not
+  !> leave is stored.
+  subroutine starved_transient()
+    real(wp), parameter :: layer = 0.6e-6_wp, rate = 2e4_wp, heavier = 115.0_wp
+    type(point_contact) :: contact
+    real(wp) :: p(nx, ny), h0, before(nx, ny), after(nx, ny), steady, gained
+    integer :: stat
+
+    call make_point(flow_law(law_eyring, 3e6_wp, 1e-9_wp, 2e-3_wp), curves(-0.5_wp, -0.4_wp, -0.4_wp, 0.3_wp), 1.0_wp, &
+      0.5_wp, 0.2_wp, contact, p)
+    call contact%feed(spread(spread(layer, 1, nx), 2, ny), stat)
+    call check(stat == status_ok, "a rough contact is fed a layer")
+    call press(contact, p, h0)
+    call converge(contact, p, h0, "a starved rough contact")
+    call check_shares(contact, 100.0_wp, "a starved rough contact")
+    call stored_oil(contact, before)
+    call close_to(inflow(contact), 0.0_wp, 1e-6_wp*layer, "a steady film gains no oil")
+    steady = minval(contact%fields%h)
+    contact%load = heavier
+    call set_transient_term(contact, rate, -rate*before, stat)
+    call check(stat == status_ok, "a time step is set")
+    call converge(contact, p, h0, "a starved rough transient")
+    call check_shares(contact, heavier, "a starved rough transient")
+    call stored_oil(contact, after)
+    gained = rate*sum(after(2:nx - 1, 2:ny - 1) - before(2:nx - 1, 2:ny - 1))
+    call close_to(inflow(contact), gained, 1e-6_wp*abs(gained), "what enters and does not leave is stored")
+    call check(minval(contact%fields%h) < steady, "more load, less film")
+    call check(any(contact%partial%fraction < 1 .and. contact%partial%fraction > 0), "the gap is filled in part")
+  end subroutine starved_transient
+
+  !> Oil over each node [m], relative to its density at ambient pressure.
+  subroutine stored_oil(contact, stored)
+    type(point_contact), intent(in) :: contact
+    real(wp), intent(out) :: stored(nx, ny)
+
+    stored = reshape(contact%partial%fraction, [nx, ny])*contact%fields%rho*contact%fields%h
+  end subroutine stored_oil
+
+  !> Net flow into the inner nodes, summed from their faces on the outline, over the spacing [m/s].
+  real(wp) function inflow(contact)
+    type(point_contact), intent(inout) :: contact
+    real(wp) :: net(nx, ny), along_x(nx, ny), along_y(nx, ny)
+
+    call contact%set_flow()
+    ! what pressure drives out of all inner nodes; the transient term is not in it
+    contact%still%explicit_rate = 0
+    call sheared_imbalance(contact%still, contact%shear, contact%fields, net)
+    associate (partial => contact%partial)
+      along_x = reshape(partial%share_x*partial%full_x, [nx, ny])
+      along_y = reshape(partial%share_y*partial%full_y, [nx, ny])
+    end associate
+    inflow = sum(along_x(1, 2:ny - 1) - along_x(nx - 1, 2:ny - 1)) + sum(along_y(2:nx - 1, 1) - along_y(2:nx - 1, ny - 1)) &
+      - sum(net(2:nx - 1, 2:ny - 1))
+  end function inflow
+
+  !> A pressure that bears 100 N, and a rigid film, to start from.
+  subroutine press(contact, p, h0)
+    type(point_contact), intent(in) :: contact
+    real(wp), intent(out) :: p(nx, ny), h0
+
     p = 6e8_wp*exp(-8e6_wp*contact%gap/0.04_wp*1e-5_wp)
     p([1, nx], :) = 0
     p(:, [1, ny]) = 0
     p = p*(100.0_wp/(sum(p)*4e-5_wp**2))
     h0 = -1.5e-6_wp
+  end subroutine press
+
+  subroutine converge(contact, p, h0, what)
+    type(point_contact), intent(inout) :: contact
+    real(wp), intent(inout) :: p(nx, ny), h0
+    character(len=*), intent(in) :: what
+    real(wp) :: residual, load_error, step
+    integer :: steps, krylov, stat
+
     call film_residual(contact, p, h0, residual, load_error)
-    do steps = 1, 40
+    do steps = 1, 60
       if (residual + abs(load_error) < 1e-9_wp) exit
       call film_step(contact, 1e-3_wp, p, h0, residual, load_error, krylov, step, stat)
       if (stat /= status_ok) exit
     end do
-    call check(residual + abs(load_error) < 1e-9_wp, "Newton converges with asperities")
+    call check(residual + abs(load_error) < 1e-9_wp, what//": Newton converges")
+  end subroutine converge
+
+  !> Both bear a part of the load, and together all of it.
+  subroutine check_shares(contact, load, what)
+    type(point_contact), intent(in) :: contact
+    real(wp), intent(in) :: load
+    character(len=*), intent(in) :: what
+    real(wp) :: borne, rubbed(nx)
+    integer :: j
+
     borne = 0
     do j = 1, ny
       rubbed = asperity_pressure(contact%fields%rough, contact%fields%p, j)
       borne = borne + sum(rubbed)
-      call check(all(rubbed >= 0), "asperities bear no less than nothing")
+      call check(all(rubbed >= 0), what//": asperities bear no less than nothing")
     end do
-    call check(all(contact%fields%p >= 0), "nor does the oil")
-    call close_to((sum(contact%fields%p) + borne)*4e-5_wp**2, 100.0_wp, 1e-6_wp, "together they bear the load")
-    call check(borne > 0.01_wp*sum(p) .and. borne < 0.99_wp*sum(p), "both bear a part")
-  end subroutine shared_load
+    borne = borne*4e-5_wp**2
+    call check(all(contact%fields%p >= 0), what//": nor does the oil")
+    call close_to(sum(contact%fields%p)*4e-5_wp**2 + borne, load, 1e-6_wp, what//": together they bear the load")
+    call check(borne > 0.01_wp*load .and. borne < 0.99_wp*load, what//": both bear a part")
+  end subroutine check_shares
 
 end program test_rough_surfaces
