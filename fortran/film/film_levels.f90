@@ -6,6 +6,7 @@
 module pyworm_film_levels
   use pyworm_kinds, only: pp, wp
   use pyworm_line_relaxation, only: line_systems, new_line_systems
+  use pyworm_partial_film, only: partial_film
   use pyworm_reynolds, only: arithmetic_share, film_fields, film_grid
   use pyworm_rough_surfaces, only: rough_film
   use pyworm_sheared_couplings, only: couple_row
@@ -84,14 +85,16 @@ contains
   end subroutine coarsen_entrainment
 
   !> Sets the change of rho h by (total) pressure, where pressure is free to change, and how far the gap is filled.
-  subroutine set_level(level, fields, free, fraction)
+  subroutine set_level(level, fields, free, partial)
     type(grid_level), intent(inout) :: level
     type(film_fields), intent(in) :: fields
     logical, intent(in) :: free(:, :)
-    real(wp), intent(in), optional :: fraction(:, :)
+    type(partial_film), intent(in), optional :: partial
+    real(wp), allocatable :: fraction(:, :)
 
     associate (stride => level%stride)
-      if (present(fraction)) then
+      if (present(partial)) then
+        fraction = reshape(partial%fraction, [partial%nx, partial%ny])
         if (.not. allocated(level%passing)) allocate (level%passing, mold=level%free)
         call orient(level%transposed, merge(1.0_wp, 0.0_wp, fraction(::stride, ::stride) < 1), level%passing)
       end if

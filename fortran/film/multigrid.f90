@@ -14,6 +14,7 @@ module pyworm_multigrid
   use pyworm_film_levels, only: grid_level, new_level, coarsen_entrainment, set_level, set_mobility, model_line, &
     leaving_rate, orient
   use pyworm_line_relaxation, only: factor_line, relax_line, relax_first
+  use pyworm_partial_film, only: partial_film
   use pyworm_reynolds, only: film_fields, film_grid
   use pyworm_rough_surfaces, only: rough_film
   use pyworm_sheared_reynolds, only: sheared_film
@@ -105,19 +106,18 @@ contains
   end function coarsenings
 
   !> Rebuilds every level about the present fields; `free` is true where pressure may change. The flow of a film that
-  !> is not isothermal and Newtonian is that of `shear`.
-  !> A gap that is filled in part has its `fraction`.
-  subroutine set_film_multigrid(self, fields, free, stat, shear, fraction)
+  !> is not isothermal and Newtonian is that of `shear`; a gap whose supply is limited is filled as `partial` has it.
+  subroutine set_film_multigrid(self, fields, free, stat, shear, partial)
     type(film_multigrid), intent(inout) :: self
     type(film_fields), intent(in) :: fields
     logical, intent(in) :: free(:, :)
     integer, intent(out) :: stat
     type(sheared_film), intent(in), optional :: shear
-    real(wp), intent(in), optional :: fraction(:, :)
+    type(partial_film), intent(in), optional :: partial
     integer :: l
 
     do l = 1, size(self%level)
-      call set_level(self%level(l), fields, free, fraction)
+      call set_level(self%level(l), fields, free, partial)
       if (.not. present(shear)) then
         if (l == 1) then
           call set_mobility(self%level(l), fields)

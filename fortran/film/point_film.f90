@@ -140,13 +140,8 @@ contains
     class(point_contact), intent(inout) :: self
     integer, intent(out) :: stat
 
-    ! a film that is not sheared passes no argument
-    if (allocated(self%partial)) then
-      call set_film_multigrid(self%cycles, self%fields, self%free, stat, self%shear, &
-        reshape(self%partial%fraction, shape(self%gap)))
-    else
-      call set_film_multigrid(self%cycles, self%fields, self%free, stat, self%shear)
-    end if
+    ! a film that is not sheared, or whose supply is not limited, passes no argument
+    call set_film_multigrid(self%cycles, self%fields, self%free, stat, self%shear, self%partial)
   end subroutine linearise
 
   !> Computes the change of the imbalance by a small change of pressure and film.

@@ -7,7 +7,6 @@ import numpy as np
 
 from pyworm.drives.zi_worm.contact_pattern import THICKNESS
 from pyworm.drives.zi_worm.design import AS_DESIGNED
-from pyworm.drives.zi_worm.play import play
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
 from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
@@ -206,8 +205,8 @@ def _pattern(drive: "ZiWormDrive") -> Described:
 def _tolerances(drive: "ZiWormDrive") -> Described:
     """Play as assembled, and the errors of the assembly that the drive allows."""
     about: Described = {}
-    if (left := play(drive)) is not None:
-        about["play_as_assembled_m"] = left
+    if drive.play is not None:
+        about["play_as_assembled_m"] = drive.play
     for one in drive.tolerances:
         about |= {f"allowed_{one.entry}_{key}": value for key, value in one.row.items()}
     return about

@@ -35,6 +35,7 @@ from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.interference import Interference, deepest
 from pyworm.drives.zi_worm.mesh_cycle import MeshCycle, ToothContact, find_mesh_cycle
 from pyworm.drives.zi_worm.meshing import turned
+from pyworm.drives.zi_worm.play import circumferential_play
 from pyworm.drives.zi_worm.seen_path import SeenPath
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth, wheel_radius
 from pyworm.drives.zi_worm.tooth_form import tooth_form_warnings
@@ -345,6 +346,11 @@ class ZiWormGears:
     def interference(self) -> Interference | None:
         """The deepest interference of worm and wheel beside their contact point; None where there is none."""
         return deepest(lambda phase: self.first_touch(self.cycle.contact(phase)))
+
+    @cached_property
+    def play(self) -> float | None:
+        """Play on the wheel's reference circle [m], negative of teeth that jam; None if unknown."""
+        return circumferential_play(self)
 
     def first_touch(self, contact: ToothContact) -> FirstTouch | None:
         """Where worm and wheel without load touch first as a contact holds them."""

@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from pyworm.drives.zi_worm.gears import ZiWormGears
 
 
-def play(gears: "ZiWormGears") -> float | None:
+def circumferential_play(gears: "ZiWormGears") -> float | None:
     """Circumferential play on the wheel's reference circle [m], negative of teeth that jam; None if unknown.
 
     The backlash as designed, less how far each flank turns the wheel ahead of where it is without errors of
@@ -29,7 +29,7 @@ def check_play(gears: "ZiWormGears") -> None:
     ValueError
         The sentence begins with the table at fault.
     """
-    left, backlash = play(gears), gears.wheel.backlash
+    left, backlash = gears.play, gears.wheel.backlash
     if left is None or backlash is None or left >= 0 or gears.aligned:
         return
     raise ValueError(

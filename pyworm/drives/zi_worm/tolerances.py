@@ -14,7 +14,6 @@ import scipy
 
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly
 from pyworm.drives.zi_worm.dry_contact import dry_contact_of
-from pyworm.drives.zi_worm.play import play
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.drive import ZiWormDrive
@@ -98,7 +97,7 @@ def _tolerance(drive: "ZiWormDrive", load: float, allowed: float, entry: str) ->
     def jammed(error: float) -> float:
         """Missing play over the module; large where a tip touches a root."""
         try:
-            return -(play(off(error)) or 0.0) / drive.module
+            return -(off(error).play or 0.0) / drive.module
         except ValueError:
             return BEYOND
 

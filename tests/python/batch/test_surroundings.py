@@ -1,5 +1,6 @@
 """Odd surroundings: no home, another encoding, nowhere to write, two threads, one kill after another."""
 
+import json
 import os
 import pickle
 import signal
@@ -14,7 +15,6 @@ import pytest
 from refusals import changed
 
 import pyworm
-from pyworm.cli.shared import BAD_INPUT, FAILED
 from pyworm.io import cache
 from pyworm.io.cache import cache_directory
 from pyworm.result.result import open_result
@@ -25,16 +25,21 @@ POINT = (CASES / "point_m20_l10.toml").read_text()
 COARSE = ("--accuracy", "30%", "--effects", "isothermal", "--pictures", "none")
 
 
-def pyworm_in(directory, *words, **surroundings):
-    """A command in a process of its own with other environment variables; None removes one."""
+def in_process(*words, directory, **surroundings):
+    """A Python process with other environment variables; None removes one."""
     environment = {**os.environ, **surroundings}
     return subprocess.run(
-        [sys.executable, "-m", "pyworm.cli", *map(str, words)],
+        [sys.executable, *map(str, words)],
         capture_output=True,
         cwd=directory,
         env={name: value for name, value in environment.items() if value is not None},
         check=False,
     )
+
+
+def pyworm_in(directory, *words):
+    """A command in a process of its own."""
+    return in_process("-m", "pyworm.cli", *words, directory=directory)
 
 
 @pytest.fixture
@@ -51,40 +56,34 @@ ASCII = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
 LATIN = {"PYTHONIOENCODING": "latin-1", "PYTHONUTF8": "0"}
 
 
+COMMANDS = (
+    ("check", "case.toml"),
+    ("film", "case.toml"),
+    ("run", "case.toml", *COARSE, "--out", "out"),
+    ("report", "out/result.nc"),
+    ("explore", "out/result.nc"),
+    ("rate", DATA / "attacked_pair.toml"),
+    ("surface", CASES / "surfaces/ground.toml"),
+)
+
+ALL = """
+import json, sys
+from pyworm.cli.main import main
+print([main(words) for words in json.loads(sys.argv[1])], file=sys.stderr)
+"""
+"""Several commands in one process, their exit codes at the end of standard error."""
+
+
 @pytest.mark.parametrize(
     "odd", [NO_HOME, FULL_HOME, ASCII, LATIN], ids=["nohome", "full", "C", "latin"]
 )
 def test_every_command_works_in_odd_surroundings(case, odd):
-    for words in (
-        ("check", "case.toml"),
-        ("film", "case.toml"),
-        ("run", "case.toml", *COARSE, "--out", "out"),
-        ("report", "out/result.nc"),
-        ("explore", "out/result.nc"),
-        ("rate", DATA / "attacked_pair.toml"),
-        ("surface", CASES / "surfaces/ground.toml"),
-    ):
-        done = pyworm_in(case, *words, **odd)
-        assert b"Traceback" not in done.stderr, (words, done.stderr)
-        assert done.returncode == 0, (words, done.stderr)
+    commands = json.dumps([list(map(str, words)) for words in COMMANDS])
+    done = in_process("-c", ALL, commands, directory=case, **odd)
+    assert b"Traceback" not in done.stderr, done.stderr
+    assert done.stderr.split(b"\n")[-2] == b"[0, 0, 0, 0, 0, 0, 0]", done.stderr
     assert "Stößel µ 潤滑" in (case / "out/report.html").read_text(encoding="utf-8")
     assert "Stößel µ 潤滑" in (case / "out/explore.html").read_text(encoding="utf-8")
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        ("run", "case.toml", *COARSE, "--out", "/proc/out"),
-        ("report", "out/result.nc", "--out", "/proc/report.html"),
-        ("explore", "out/result.nc", "--out", "/proc/explore.html"),
-    ],
-    ids=lambda words: words[0],
-)
-def test_where_nothing_can_be_written_one_sentence_says_so(case, words):
-    pyworm_in(case, "run", "case.toml", *COARSE, "--out", "out")
-    done = pyworm_in(case, *words)
-    assert done.returncode in (FAILED, BAD_INPUT)
-    assert done.stderr.startswith(b"pyworm: ") and done.stderr.count(b"\n") == 1, done.stderr
 
 
 def test_a_user_without_a_home_has_a_cache(monkeypatch, tmp_path):
@@ -144,7 +143,7 @@ CURVE = ("run", CASES / "traction_steel.toml", *COARSE, "--json")
 
 
 def killed_after(directory, seconds):
-    """Kill a run after a time, wherever it is; whether it had ended by itself."""
+    """Kill a run after a time, wherever it is."""
     process = subprocess.Popen(
         [sys.executable, "-m", "pyworm.cli", *map(str, CURVE), "--out", str(directory)],
         stdout=subprocess.DEVNULL,
@@ -152,7 +151,7 @@ def killed_after(directory, seconds):
     )
     time.sleep(seconds)
     process.send_signal(signal.SIGKILL)
-    return process.wait() == 0
+    process.wait()
 
 
 @pytest.mark.long

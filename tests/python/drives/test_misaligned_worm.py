@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from pyworm.case.case import case_of
+from pyworm.drives.zi_worm import gears
 from pyworm.drives.zi_worm.design import Assembly
 from pyworm.drives.zi_worm.drawing import completed
 from pyworm.drives.zi_worm.dry_contact import dry_contact_of
 from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
-from pyworm.drives.zi_worm.play import play
 from pyworm.drives.zi_worm.seen_path import SeenPath
 from pyworm.drives.zi_worm.tolerances import RISE
 from pyworm.io.input_error import CaseError
@@ -75,15 +75,25 @@ def test_play_grows_with_the_centre_distance_as_two_wedges_do(drive, away):
     The contact at mid-mesh lies a little beside that circle.
     """
     axial = np.tan(radians(20)) / np.cos(np.arctan(2 / 9))
-    assert play(drive) == BACKLASH
-    found = play(moved(drive, centre_distance=away))
+    assert drive.play == BACKLASH
+    found = moved(drive, centre_distance=away).play
     assert found - BACKLASH == pytest.approx(2 * away * axial, rel=0.05)
 
 
 def test_a_shift_along_the_wheels_axis_costs_the_same_play_either_way(drive):
-    left = [play(moved(drive, axial_shift=by * MM)) for by in (-0.1, 0.1)]
+    left = [moved(drive, axial_shift=by * MM).play for by in (-0.1, 0.1)]
     assert left[0] == pytest.approx(left[1], abs=1e-9)
     assert left[0] < BACKLASH
+
+
+def test_play_is_found_once_for_all_contacts_of_a_drive(drive, monkeypatch):
+    """It takes seconds where the flanks touch at an edge, and a solution in time asks for many contacts."""
+    asked = []
+    monkeypatch.setattr(gears, "circumferential_play", asked.append)
+    other = moved(drive, centre_distance=0.02 * MM)
+    for phase in (0.4, 0.6):
+        other.scene(phase)
+    assert len(asked) == 1
 
 
 def test_teeth_without_play_are_refused(drive):
@@ -126,7 +136,7 @@ def test_flanks_seen_over_aligned_tangent_planes_have_the_contact_of_their_own(d
             for of, dry in ((own, one), (seen, other))
         ]
         assert np.ravel(places[1]) == pytest.approx(np.ravel(places[0]), abs=0.5 * MM)
-    assert play(seen) == pytest.approx(play(own), abs=2e-6)
+    assert seen.play == pytest.approx(own.play, abs=2e-6)
 
 
 @pytest.mark.parametrize("profile", ["ZN", "ZK", "ZC"])
@@ -185,10 +195,10 @@ def test_allowed_errors_are_where_the_pressure_has_risen_or_the_play_is_gone(dri
         for size, limit in ((one.low, one.low_limit), (one.high, one.high_limit)):
             inside, beyond = (moved(drive, **{one.entry: part * size}) for part in (0.9, 1.1))
             if limit == "backlash":
-                assert play(beyond) < 0 < play(inside)
+                assert beyond.play < 0 < inside.play
                 continue
             assert dry_contact_of(inside, load).pressure_max < 1.02 * allowed
-            assert play(inside) > 0
+            assert inside.play > 0
             if limit == "pressure":
                 assert dry_contact_of(beyond, load).pressure_max > allowed
     away = drive.allowed_errors()["centre_distance"]

@@ -6,11 +6,12 @@ import signal
 import subprocess
 import sys
 import tempfile
+from errno import ENOSPC
 from pathlib import Path
 
 import pytest
 
-from pyworm.io.atomic import remove_abandoned, whole, whole_file
+from pyworm.io.atomic import NotWrittenError, remove_abandoned, whole, whole_file
 
 NOBODY = 65534
 
@@ -56,6 +57,28 @@ def test_a_directory_is_written_to_whose_parent_is_closed_to_writing(ordinary_us
     with whole_file(out / "result.nc") as partial:
         partial.write_text("whole")
     assert names(out) == ["picture.png", "result.nc"]
+
+
+@pytest.mark.parametrize("write", [whole, whole_file])
+def test_a_directory_that_takes_no_files_is_named(write):
+    """Such as /proc, which exists, and in which nothing can be made."""
+    with (
+        pytest.raises(NotWrittenError, match=r"^/proc/result\.nc: cannot be written \("),
+        write(Path("/proc/result.nc")),
+    ):
+        pass
+
+
+@pytest.mark.parametrize("write", [whole, whole_file])
+def test_a_failure_while_writing_names_what_was_to_be_written(tmp_path, write):
+    target = tmp_path / "out"
+    with (
+        pytest.raises(NotWrittenError, match=rf"^{target}: cannot be written \(No space left on"),
+        write(target) as partial,
+    ):
+        (partial / "file" if partial.is_dir() else partial).write_text("half")
+        raise OSError(ENOSPC, os.strerror(ENOSPC))
+    assert names(tmp_path) == []
 
 
 @pytest.mark.parametrize("kind", ["file", "directory"])

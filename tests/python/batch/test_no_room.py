@@ -1,0 +1,166 @@
+"""A full disk, and directories that take no files: nothing is half written, one sentence says so."""
+
+import os
+import resource
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pyworm.case.new_worm import ASKED
+from pyworm.cli.main import main
+from pyworm.cli.shared import BAD_INPUT, CONVERGED, FAILED
+from pyworm.io.atomic import NotWrittenError
+from pyworm.io.cache import cache_directory
+from pyworm.io.kept_arrays import keep
+from pyworm.report import pdf
+from pyworm.result.export import write_csv, write_vtk
+from pyworm.result.result import open_result
+from pyworm.solver.cost.calibration import calibration
+
+CASES = Path(__file__).parents[3] / "cases"
+POINT = CASES / "point_m20_l10.toml"
+COARSE = ("--accuracy", "30%", "--effects", "isothermal")
+
+SWEEP = f"""
+title = "two loads"
+case = "{POINT}"
+effects = "isothermal"
+fixed = {{ accuracy = "30 %" }}
+vary = [{{ "contact.load" = ["3 N", "4 N"] }}]
+"""
+
+DRAWING = tuple(
+    word for key, (_, example) in ASKED.items() for word in (f"--{key.replace('_', '-')}", example)
+)
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory):
+    """A directory with a result and a solved sweep."""
+    directory = tmp_path_factory.mktemp("made")
+    (directory / "two.toml").write_text(SWEEP)
+    run = ["run", str(POINT), *COARSE, "--pictures", "none", "--out", str(directory / "out")]
+    sweep = ["sweep", str(directory / "two.toml"), "--out", str(directory / "sweep")]
+    assert [main(run), main(sweep)] == [CONVERGED, CONVERGED]
+    return directory
+
+
+def commands(made, out):
+    """What writes files, and where it is to."""
+    result = str(made / "out" / "result.nc")
+    return {
+        "run": ["run", str(POINT), *COARSE, "--pictures", "none", "--out", str(out)],
+        "report": ["report", result, "--out", str(out / "report.html")],
+        "variants": ["report", result, result, "--out", str(out / "variants.html")],
+        "explore": ["explore", result, "--out", str(out / "explore.html")],
+        "plot": ["plot", result, "--out", str(out)],
+        "sweep": ["sweep", str(made / "two.toml"), "--out", str(out)],
+        "oil": ["oil", "chart", "mineral VG 220", "--out", str(out)],
+        "surface": ["surface", str(CASES / "surfaces/ground.toml"), "--out", str(out)],
+        "precision": ["precision", str(POINT), "--out", str(out)],
+        "new": ["new", str(out / "worm.toml"), *DRAWING],
+    }
+
+
+NAMES = tuple(commands(Path(), Path()))
+
+
+class Disk:
+    """A disk on which no file can be longer than so many bytes, which is as if it were full."""
+
+    def __init__(self, room):
+        self._room = room
+
+    def __enter__(self):
+        self._before = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (self._room, self._before[1]))
+
+    def __exit__(self, *error):
+        resource.setrlimit(resource.RLIMIT_FSIZE, self._before)
+
+
+def files(directory):
+    """Files below a directory by name, with their contents."""
+    return {path: path.read_bytes() for path in directory.rglob("*") if path.is_file()}
+
+
+def refusals(said):
+    """What was said, without words on progress, which depend on the machine."""
+    lines = said.splitlines()
+    assert all(line.startswith("pyworm: ") for line in lines), said
+    return [line for line in lines if not line.startswith("pyworm: still ")]
+
+
+SOON = tuple(name for name in NAMES if name != "precision")
+"""Those that end in a second or so."""
+
+
+@pytest.mark.parametrize(
+    ("name", "room"), [*((name, room) for name in SOON for room in (0, 1000)), ("precision", 0)]
+)
+def test_a_full_disk_leaves_what_was_there_and_nothing_in_part(made, tmp_path, capsys, name, room):
+    out = tmp_path / "out"
+    out.mkdir()
+    for place in ("report.html", "explore.html", "result.nc", "sweep.nc"):
+        (out / place).write_bytes(b"of an earlier run")
+    before = files(out)
+    command = commands(made, out)[name]
+    capsys.readouterr()
+    with Disk(room):
+        assert main(command) == FAILED
+    said = refusals(capsys.readouterr().err)
+    assert said and "File too large" in said[-1], said
+    assert str(out) in said[-1] or said[-1].startswith("pyworm: not drawn: "), said
+    after = files(out)
+    assert {path: after[path] for path in before} == before
+    assert not [path for path in after if path.suffix == ".part"]
+    if room == 0:
+        assert after == before
+
+
+@pytest.mark.parametrize("name", SOON)
+def test_a_directory_that_takes_no_files_is_named_in_one_sentence(made, capsys, name):
+    nowhere = Path("/proc/pyworm")
+    command = commands(made, nowhere)[name]
+    capsys.readouterr()
+    assert main(command) in (BAD_INPUT, FAILED)
+    (said,) = refusals(capsys.readouterr().err)
+    assert "/proc" in said
+
+
+def test_other_writers_leave_nothing_in_part(made, tmp_path):
+    (solution,) = open_result(made / "out" / "result.nc").solutions
+    arrays = {"depth": np.random.default_rng(1).random(1000)}
+    for file, write in (
+        ("film.csv", lambda path: write_csv(solution, path)),
+        ("film.vti", lambda path: write_vtk(solution, path)),
+        ("wear.npz", lambda path: keep(path, **arrays)),
+    ):
+        with Disk(1000), pytest.raises(NotWrittenError, match=file):
+            write(tmp_path / file)
+    assert files(tmp_path) == {}
+
+
+def test_without_room_for_a_cache_the_machine_is_measured_again(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    with Disk(10):
+        measured = calibration()
+    assert measured.cold
+    assert files(cache_directory()) == {}
+
+
+@pytest.mark.skipif(pdf.browser() is None, reason="no Chromium on this machine")
+def test_a_full_disk_leaves_no_pdf_and_the_page_stays(made, tmp_path, capsys, monkeypatch):
+    out = tmp_path / "report.html"
+    real = pdf.print_pdf
+
+    def printed(page, target):
+        with Disk(10_000):
+            real(page, target)
+
+    monkeypatch.setattr(pdf, "print_pdf", printed)
+    code = main(["report", str(made / "out" / "result.nc"), "--pdf", "--out", str(out)])
+    (said,) = refusals(capsys.readouterr().err)
+    assert code in (BAD_INPUT, FAILED) and said.startswith("pyworm: --pdf: ") and len(said) < 500
+    assert os.listdir(tmp_path) == ["report.html"]
