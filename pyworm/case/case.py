@@ -122,8 +122,7 @@ class Case(Shown):
         listed = self._listed_places
         if "phase" not in listed:
             return listed
-        loaded = tuple(phase for phase in listed["phase"] if phase not in self._idle_phases)
-        return {**listed, "phase": loaded or listed["phase"]}
+        return {**listed, "phase": _without(self._idle_phases, listed["phase"])}
 
     @property
     def _listed_places(self) -> dict[str, tuple[Any, ...]]:
@@ -140,8 +139,13 @@ class Case(Shown):
     @cached_property
     def _idle_phases(self) -> tuple[float, ...]:
         """Listed phases at which neighbouring contacts carry all of the load."""
-        phases = self._listed_places.get("phase", ())
-        return tuple(phase for phase in phases if present(self.drive, "drive").idle(phase))
+        return self.idle_phases(self._listed_places.get("phase", ()))
+
+    def idle_phases(self, phases: Sequence[float]) -> tuple[float, ...]:
+        """Those of some phases at which neighbouring contacts carry all of the load."""
+        if self.drive is None:
+            return ()
+        return tuple(phase for phase in phases if 0 <= phase <= 1 and self.drive.idle(phase))
 
     @property
     def slide_roll_ratios(self) -> tuple[float, ...]:
@@ -317,14 +321,21 @@ class Case(Shown):
         Parameters
         ----------
         **wanted : sequence, optional
-            Others, by the names of `Place`.
+            Others, by the names of `Place`; of several phases those without load are left out.
         """
+        if phases := wanted.get("phase"):
+            wanted["phase"] = _without(self.idle_phases(phases), phases)
         own = self.mesh_places | {"slide_roll_ratio": self.slide_roll_ratios}
         return crossed({name: wanted.get(name) or own.get(name, ()) for name in PLACE_NAMES})
 
     def scenes(self, **wanted: Sequence[Any] | None) -> Iterator[Scene | LineScene]:
         """The contacts at `places` of these arguments."""
         return (self.scene(**place.given) for place in self.places(**wanted))
+
+
+def _without(idle: Sequence[float], phases: Sequence[float]) -> tuple[float, ...]:
+    """Phases that are not idle; all where none is left."""
+    return tuple(phase for phase in phases if phase not in idle) or tuple(phases)
 
 
 def load(path: str | Path) -> Case:

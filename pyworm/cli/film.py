@@ -5,11 +5,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pyworm.cli.arguments import add_json, add_places
-from pyworm.cli.shared import CONVERGED, warn_of_unusual
+from pyworm.cli.shared import CONVERGED, wanted_places, warn_of_unusual
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.stage import stage
-from pyworm.scene.index import PLACE_NAMES
 
 if TYPE_CHECKING:
     from pyworm.scene.line import LineScene
@@ -51,7 +50,7 @@ def _film(options: argparse.Namespace) -> int:
 
         case = load(options.case)
         warn_of_unusual(case)
-        places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
+        places = wanted_places(case, options)
         name, warnings = case.name, list(case.warnings)
         with stage(f"making {len(places)} contacts"):
             scenes = [case.scene(**place.given) for place in places]

@@ -17,6 +17,7 @@ from pyworm.scene.index import PLACE_NAMES
 
 if TYPE_CHECKING:
     from pyworm.result.result import Result
+    from pyworm.scene.index import Place
 
 
 CONVERGED = 0
@@ -87,6 +88,16 @@ def opened_result(path: Path) -> "Result":
         raise CaseError(str(error)) from error
 
 
+def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[Place, ...]":
+    """Places that the options ask for; phases without load, which are left out, are named."""
+    phases = options.phase or ()
+    idle = case.idle_phases(phases)
+    if 0 < len(idle) < len(phases):
+        words = ", ".join(f"{phase:g}" for phase in idle)
+        say(f"warning: --phase {words}: neighbouring teeth carry all of the load; not solved")
+    return case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
+
+
 def planned_tasks(case: Case, options: argparse.Namespace) -> list:
     """The tasks of a case, all planned before the first is solved."""
     accuracy = case.accuracy
@@ -101,7 +112,7 @@ def planned_tasks(case: Case, options: argparse.Namespace) -> list:
     effects = options.effects or case.effects
     words = options.quantities
     quantities = case.quantities if words is None else tuple(words.split(","))
-    places = case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
+    places = wanted_places(case, options)
     tasks = [Task(case, place, accuracy, effects, quantities) for place in places]
     try:
         with stage(f"planning {len(tasks)} contacts"):

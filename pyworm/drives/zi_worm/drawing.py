@@ -8,7 +8,7 @@ fillets and tip relief have none, nor has the grinding disc of ZK and ZC: values
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import atan, cos, degrees, pi, sin, sqrt, tan
+from math import atan, cos, degrees, hypot, pi, sin, sqrt, tan
 from typing import Any
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
@@ -258,6 +258,7 @@ Known = Mapping[str, float]
 """Numbers of a drawing by their names in `Drawing`."""
 
 _FILLET = "0.2 modules or what fits, assumed without a source"
+_HOB_FILLET = f"{_FILLET}, from a rounded edge of the hob's tip"
 
 _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
     "pressure_angle": (lambda of: pi / 9, "as of most worms"),
@@ -293,8 +294,8 @@ _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
     "backlash": (lambda of: 0.03 * of["module"], "0.03 modules, assumed without a source"),
     "worm_fillet_radius": (lambda of: _usual_fillet(of, _twice_dedendum(of)), _FILLET),
     "wheel_fillet_radius": (
-        lambda of: _usual_fillet(of, _mean_diameter(of) - of["wheel_root_diameter"]),
-        _FILLET + ", from a rounded edge of the hob's tip",
+        lambda of: _usual_fillet(of, _twice_hob_addendum(of)),
+        _HOB_FILLET,
     ),
     "worm_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, assumed without a source"),
     "worm_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
@@ -312,6 +313,16 @@ _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
 """Number of a drawing -> its usual value from those before it, and that in words."""
 
 _USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
+    "ZA": {
+        "worm_fillet_radius": (
+            lambda of: _usual_fillet(of, _twice_dedendum(of), axial=True),
+            _FILLET,
+        ),
+        "wheel_fillet_radius": (
+            lambda of: _usual_fillet(of, _twice_hob_addendum(of), axial=True),
+            _HOB_FILLET,
+        ),
+    },
     "ZK": {"worm_disc_diameter": (lambda of: 0.5, "as of new grinding wheels")},
     "ZC": {
         "worm_fillet_radius": (
@@ -342,13 +353,22 @@ def _twice_dedendum(of: Known) -> float:
     return of["diameter_factor"] * of["module"] - of["worm_root_diameter"]
 
 
-def _usual_fillet(of: Known, twice_dedendum: float, concave: bool = False) -> float:
+def _twice_hob_addendum(of: Known) -> float:
+    """Difference of the wheel's mean and root diameters [m]."""
+    return _mean_diameter(of) - of["wheel_root_diameter"]
+
+
+def _usual_fillet(
+    of: Known, twice_dedendum: float, concave: bool = False, axial: bool = False
+) -> float:
     """Radius of a fillet [m] of which two fit, with some room, into the root between two flanks.
 
     Of 0.2 modules it is 0.2 (1 - sin alpha) modules high, which the usual clearance has room for. Flanks are
-    taken as straight, those of concave worms as arcs; the hob's thread is as thick as the worm's.
+    taken as straight in the axial section, those of concave worms as arcs; the hob's thread is as thick as
+    the worm's. The pressure angle is the normal or the `axial` one.
     """
-    angle, depth = of["pressure_angle"], twice_dedendum / 2
+    lead = 0.0 if axial else of["threads"] / of["diameter_factor"]
+    angle, depth = atan(tan(of["pressure_angle"]) * hypot(1.0, lead)), twice_dedendum / 2
     half = min(pi * of["module"] - of["worm_thickness"], of["worm_thickness"]) / 2
     half -= depth * tan(angle)
     if concave:

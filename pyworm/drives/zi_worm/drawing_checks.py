@@ -232,11 +232,13 @@ def _check_disc(of: Drawing) -> None:
         try:
             make()
         except ValueError as error:
-            numbers = (
-                "worm.arc_radius" if diameter is None else "worm.disc_diameter and worm.arc_radius"
-            )
+            sizes = {"worm.disc_diameter": diameter, "worm.arc_radius": arc}
+            numbers = " and ".join(name for name, size in sizes.items() if size is not None)
+            remedy = "a larger arc" if diameter is None else "a smaller disc"
             raise ValueError(
-                f"{numbers} and pressure_angle do not fit: for the {part} {error}"
+                f"{numbers} and pressure_angle do not fit: for the {part} {error} at its lead angle of "
+                f"{degrees(of.lead_angle):.3g} deg; {remedy}, a larger pressure angle or diameter factor, or "
+                "fewer threads are needed"
             ) from error
 
 

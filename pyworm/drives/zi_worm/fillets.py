@@ -117,7 +117,12 @@ def _check_room(
         radius = form_of()
     except ValueError as error:
         raise ValueError(f"{refused}: {error}; {usual}") from error
-    needed, room = 2 * fillet * cos(axial_angle(flank, radius)), max(room_of(radius), 0.0)
+    needed, room = 2 * fillet * cos(axial_angle(flank, radius)), room_of(radius)
+    if room <= 0:
+        raise ValueError(
+            f"{name}.root_diameter leaves no room: both flanks of {ROOMS[name]} meet above a diameter of "
+            f"{_mm(2 * radius)}; less depth, a smaller pressure angle, thinner threads or fewer are needed"
+        )
     if needed > room:
         raise ValueError(
             f"{refused}: two of them need {_mm(needed)} of {ROOMS[name]}, which is {_mm(room)} wide on a "

@@ -43,6 +43,8 @@ def tooth_life(
 ) -> ToothLife:
     """The life of a tooth pair; under a given load, with equal shares or without others it begins under load.
 
+    So it does where the flanks end, in a cusp that the hob leaves, before they would come together.
+
     Parameters
     ----------
     drive : ZiWormDrive
@@ -53,7 +55,7 @@ def tooth_life(
     others = drive.pitch <= 1
     shared = others and isinstance(drive.load, Transmission) and drive.load.sharing == "elastic"
     pair = _Pair(drive, scene_at) if shared else None
-    if pair is None or pair.met is None:
+    if pair is None or not pair.approaches:
         return ToothLife(scene_at, drive.phases_per_second, axes_at)
     ends = {"before": -pair.begin, "after": pair.parted - 1, "touch": pair.touch}
     return ToothLife(pair.scene, drive.phases_per_second, axes_at, **ends)
@@ -77,13 +79,23 @@ class _Pair:
         return self._where(self._excess, -BEYOND, LATE)
 
     @property
+    def approaches(self) -> bool:
+        """True if there are flanks that come together before the pair carries load."""
+        return self.met is not None and self._touches(self.met) and self._touches(self.begin)
+
+    def _touches(self, past: float) -> bool:
+        """False where the flanks would cross each other: beyond a cusp of the wheel's flank."""
+        return min(self._contact(past).radii) > 0
+
+    @property
     def _first(self) -> float:
         return present(self.met, "the place where the flanks meet")
 
     @cached_property
     def parted(self) -> float:
         """The same when it goes from that load, not before the end of the mesh cycle."""
-        return max(self._where(self._excess, 1 - LATE, 1 + BEYOND) or 1.0, 1.0)
+        found = self._where(self._excess, 1 - LATE, 1 + BEYOND)
+        return max(found, 1.0) if found is not None and self._touches(found) else 1.0
 
     @cached_property
     def begin(self) -> float:

@@ -1,13 +1,19 @@
 """The life of a tooth pair begins with flanks that come together."""
 
+import argparse
 from dataclasses import replace
+from pathlib import Path
 
+import gear_draws
 import numpy as np
 import pytest
 
 import pyworm
+from pyworm.case.case import case_of
+from pyworm.cli.shared import wanted_places
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.zi_worm.tooth_pair_life import APART, TOUCH
+from pyworm.io.input_error import CaseError
 from pyworm.scene.scales import scales
 
 
@@ -78,3 +84,32 @@ def test_time_runs_from_before_the_first_phase_in_either_sense(rate):
     assert life.life.at(0.0) == pytest.approx(first)
     assert life.life.at(0.65) == pytest.approx(last)
     assert life.life.at(life.seconds) == pytest.approx(0.25)
+
+
+@pytest.fixture(scope="module")
+def undercut():
+    """A case of a worm of five threads whose neighbouring teeth carry all of the load at 0.3 and 0.7."""
+    return case_of(gear_draws.drive(0).tables, "undercut", Path())
+
+
+def test_a_pair_begins_under_load_where_its_flanks_end_before_they_come_together(undercut):
+    """Beyond the cusp that the hob leaves, where the relative radius of curvature is negative."""
+    first = undercut.scene(phase=0.1)
+    assert first.past.life.at(0.0).load > 0
+    assert undercut.drive.life.before == 0.0
+    radii = [undercut.drive.contact_beyond(phase).radii for phase in (-0.12, 0.0)]
+    assert min(radii[0]) < 0 < min(radii[1])
+
+
+def test_of_several_phases_those_without_load_are_left_out(undercut, capsys):
+    options = argparse.Namespace(phase=[0.1, 0.3, 0.7], section=None, station=None)
+    options.slide_roll_ratio = None
+    assert [place.phase for place in wanted_places(undercut, options)] == [0.1]
+    said = (
+        "pyworm: warning: --phase 0.3, 0.7: neighbouring teeth carry all of the load; not solved\n"
+    )
+    assert capsys.readouterr().err == said
+    options.phase = [0.3]
+    (alone,) = wanted_places(undercut, options)
+    with pytest.raises(CaseError, match="carries no load there"):
+        undercut.scene(**alone.given)

@@ -1,6 +1,6 @@
 """Fillets of worm and wheel: where they begin, what they take away, and which do not fit."""
 
-from math import atan, cos, pi, radians, sin, tan
+from math import atan, cos, pi, radians, sin, sqrt, tan
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from pyworm.drives.zi_worm.drawing import Drawing, completed
 from pyworm.drives.zi_worm.fillets import form_radius
 from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Helicoid
-from pyworm.drives.zi_worm.hob_setting import drawn_gears
+from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
 
 UNIT = {
     "centre_distance": 0.1,
@@ -124,3 +124,36 @@ def test_the_usual_fillet_is_told_and_gets_smaller_in_a_narrow_root():
     half = (pi / 4 - 1.2 * tan(radians(28))) * 4e-3
     most = half * cos(radians(28)) / (1 - sin(radians(28)))
     assert narrow.worm_fillet_radius == pytest.approx(0.8 * most)
+
+
+def steep(profile, threads, diameter_factor, pressure_angle):
+    """A drawing of a worm of a large lead angle, with what is usual of its fillets."""
+    given = {key: value for key, value in UNIT.items() if not key.startswith("hob_")}
+    given |= {"threads": threads, "teeth": 61, "diameter_factor": diameter_factor}
+    given |= {"pressure_angle": radians(pressure_angle)}
+    given |= {"centre_distance": given["module"] * (diameter_factor + 61 + 1) / 2}
+    return completed(given, profile)[0]
+
+
+@pytest.mark.parametrize(
+    ("profile", "threads", "factor", "angle"),
+    [("ZI", 5, 10.0, 22), ("ZC2", 5, 10.0, 22), ("ZC2", 6, 9.0, 27), ("ZN", 6, 9.0, 27)],
+)
+def test_the_usual_fillet_fits_between_threads_of_a_large_lead_angle(
+    profile, threads, factor, angle
+):
+    """Their axial pressure angle is larger than the normal one: tan alpha_x = tan alpha_n / cos gamma."""
+    of = steep(profile, threads, factor, angle)
+    if profile in ("ZI", "ZN"):
+        axial = atan(tan(radians(angle)) * sqrt(1 + (threads / factor) ** 2))
+        half = (pi / 4 - 1.2 * tan(axial)) * of.module
+        fits = 0.8 * half * cos(axial) / (1 - sin(axial))
+        assert of.worm_fillet_radius == pytest.approx(min(0.2 * of.module, fits))
+    gears = drawn_gears(with_swivel(of)[0])
+    assert gears.worm.fillet_radius == of.worm_fillet_radius
+
+
+def test_threads_whose_space_closes_above_the_root_are_refused_by_that():
+    """It is the depth of the thread that does not fit, not the fillet, which nobody gave."""
+    with pytest.raises(ValueError, match=r"^worm\.root_diameter leaves no room"):
+        with_swivel(steep("ZC2", 6, 9.0, 23))

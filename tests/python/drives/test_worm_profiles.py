@@ -11,6 +11,7 @@ from zi_drives import sharif
 
 import pyworm
 from pyworm.drives.zi_worm.drawing import completed
+from pyworm.drives.zi_worm.drawing_checks import check_drawing
 from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.hob_setting import drawn_gears
@@ -260,3 +261,15 @@ def test_a_concave_worm_runs_through_the_whole_chain():
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.5, effects="isothermal"))
     assert solution.converged
     assert 0.05e-6 < solution.figures.film_min.value < 2e-6
+
+
+def test_a_disc_that_leaves_no_flank_is_refused_with_what_would_be_right():
+    given = {"centre_distance": 0.248, "threads": 4, "teeth": 77, "module": 5.75e-3}
+    given |= {"diameter_factor": 9.34, "pressure_angle": radians(20)}
+    of = completed(given, "ZK")[0]
+    sentence = (
+        r"^worm\.disc_diameter and pressure_angle do not fit: for the worm a disc of 500 mm leaves no flank "
+        r".* at its lead angle of 23\.2 deg; a smaller disc, "
+    )
+    with pytest.raises(ValueError, match=sentence):
+        check_drawing(of)
