@@ -57,7 +57,7 @@ DRIVEN_BY_WHEEL = 0.25
 """Share of the others that the wheel drives."""
 
 PHASES = [0.1, 0.3, 0.5, 0.7, 0.9]
-"""Phases to be solved, those that `pyworm new` writes."""
+"""Phases to be solved, near the ends of the mesh, too."""
 
 KINDS = ("worm",) * 7 + ("spur", "helical", "roller")
 """Kind of a drive by the last digit of its number."""

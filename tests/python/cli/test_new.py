@@ -80,7 +80,8 @@ def test_the_written_file_is_rated_for_its_life_with_all_five_safeties(tmp_path)
 def test_phases_are_proposed_where_tooth_pairs_carry_load(tmp_path):
     assert loaded_phases(lambda phase: 1.0) == PHASES
     late = loaded_phases(lambda phase: 0.0 if phase < 0.4 else 1.0)
-    assert late == pytest.approx([0.46, 0.58, 0.7, 0.82, 0.94])
+    assert late == pytest.approx([0.4 + 0.6 * part for part in PHASES])
+    assert min(PHASES) >= 0.2 and max(PHASES) < 1
     edges = loaded_phases(lambda phase: 1.0 if 0.2 <= phase <= 0.8 else 0.9 * LIGHT)
     assert 0.2 < min(edges) and max(edges) < 0.8
     path = tmp_path / "unit.toml"
@@ -89,6 +90,17 @@ def test_phases_are_proposed_where_tooth_pairs_carry_load(tmp_path):
     loads = [case.drive.normal_load(phase) for phase in case.tables.operation.phases]
     assert len(loads) == 5 and min(loads) > LIGHT * max(loads)
     assert case.warnings == ()
+
+
+@pytest.mark.long
+def test_the_written_file_is_solved_to_its_accuracy(tmp_path, capsys):
+    """The tutorial's unit: every phase converges, and the report on it can be signed."""
+    path, directory = tmp_path / "unit.toml", tmp_path / "out"
+    main(words(path))
+    assert main(["run", str(path), "--out", str(directory), "--pictures", "none"]) == 0
+    printed = capsys.readouterr().out
+    assert "Less accurate" not in printed and "not converge" not in printed
+    assert "fficiency" in printed
 
 
 def test_a_profile_may_be_asked_for(tmp_path, capsys):

@@ -1,5 +1,6 @@
 """Worm wheels of plastics: stiffness at their temperature, limits, and a rating line by line."""
 
+import json
 import tomllib
 from pathlib import Path
 
@@ -8,6 +9,7 @@ from refusals import changed
 from zi_drives import coarse_patterns, coarse_springs
 
 from pyworm.case.case import case_again, case_of
+from pyworm.cli.main import main
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.rated_case import asked_of, not_rated, ratings
 from pyworm.result.headline import opening
@@ -98,6 +100,27 @@ def test_a_modulus_by_temperature_may_be_given_and_is_stored():
     assert moduli[0] == moduli[1] and 2e9 < moduli[0] < 4e9
     # a modulus beside the name takes the place of the material's curve
     assert case('material = "PEEK"\nyoungs_modulus = "3 GPa"').drive.bodies[1].youngs_modulus == 3e9
+
+
+@pytest.mark.long
+def test_a_plastic_wheel_is_solved_through_its_mesh(tmp_path, capsys):
+    """Films in motion of a soft wheel converge, or steady ones stand for them and it is said."""
+    path, directory = tmp_path / "soft.toml", tmp_path / "out"
+    path.write_text(
+        changed(
+            DRIVE,
+            (BRONZE, 'material = "PEEK"'),
+            LIGHT,
+            ("phases = [0.5]", "phases = [0.3, 0.5, 0.7]"),
+            ('accuracy = "10 %"', 'accuracy = "20 %"'),
+        )
+    )
+    assert main(["run", str(path), "--out", str(directory), "--json", "--pictures", "none"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert found["failed"] == {} and found["beyond_limits"] == []
+    assert all(scene["converged"] for scene in found["scenes"])
+    assert all(0 < scene["film_min_m"] < 1e-5 for scene in found["scenes"])
+    assert "not covered" in found["standard_loss"]["reason"]
 
 
 @pytest.mark.parametrize(
