@@ -102,6 +102,16 @@ def test_a_modulus_by_temperature_may_be_given_and_is_stored():
     assert case('material = "PEEK"\nyoungs_modulus = "3 GPa"').drive.bodies[1].youngs_modulus == 3e9
 
 
+def test_no_wear_of_bronze_is_taken_for_a_plastic_wheel(tmp_path, capsys):
+    path = tmp_path / "soft.toml"
+    path.write_text(changed(DRIVE, (BRONZE, 'material = "PEEK"'), LIGHT))
+    words = ["wear", str(path), "--hours", "10", "--out", str(tmp_path / "out")]
+    assert main(words) == 2
+    assert "--coefficient is missing" in capsys.readouterr().err
+    assert main([*words, "--calibrate"]) == 2
+    assert "PEEK is not covered by the worm-gear standard" in capsys.readouterr().err
+
+
 @pytest.mark.long
 def test_a_plastic_wheel_is_solved_through_its_mesh(tmp_path, capsys):
     """Films in motion of a soft wheel converge, or steady ones stand for them and it is said."""
