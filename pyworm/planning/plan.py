@@ -253,6 +253,7 @@ def planned(
     sheared = model.heated or simple.oil.flow not in (None, NEWTONIAN)
     law = sheared or asked is None or simple.oil.flow == scene.oil.flow
     told = simple.oil.flow is not None or simple.oil.heat is not None
+    _require_any(quantities, asked, {FILM: True, FRICTION: told and law, TEMPERATURE: model.heated})
     rubs = told and law and prediction.sliding > 0
     aim = _aim(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
     return Plan(
@@ -267,6 +268,15 @@ def planned(
         excluded=dict(excluded or {}),
         contact=_identity(scene),
     )
+
+
+def _require_any(quantities: tuple[str, ...], asked: str | None, found: Mapping[str, bool]) -> None:
+    """Refuse effects without which nothing that is asked for would be found; ValueError."""
+    if asked is not None and not any(found[quantity] for quantity in quantities):
+        raise ValueError(
+            f"quantities: {', '.join(quantities)} cannot be found with effects = {asked}, which leaves out "
+            "the oil's flow law and heat; ask for film, or for effects = auto"
+        )
 
 
 def _identity(scene: Scene | LineScene) -> tuple[float, ...]:

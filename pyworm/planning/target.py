@@ -38,8 +38,10 @@ class Aim:
         return replace(self, figures=tuple(other for other in self.figures if other != name))
 
     def worst(self, errors: Mapping[str, float], figures: Mapping[str, float]) -> float:
-        """Largest relative error of the figures, temperatures given as rises [K]."""
-        return max(errors[name] * self._weight(name, figures[name]) for name in self.figures)
+        """Largest relative error of the figures, temperatures given as rises [K]; 0 without any figure."""
+        return max(
+            (errors[name] * self._weight(name, figures[name]) for name in self.figures), default=0.0
+        )
 
     def _weight(self, name: str, value: float) -> float:
         if name not in HEAT_FIGURES or abs(value) >= self.warmth:

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
+from pyworm.planning.no_friction import no_friction
 from pyworm.solver.left_out import LeftOut, worst
 from pyworm.solver.solution import Solution
 
@@ -33,6 +34,13 @@ def less_accurate(solutions: Sequence[Solution]) -> str:
     return "Less accurate than asked for: " + ", ".join(of.name for of in wide) + "."
 
 
+def without_friction(solutions: Sequence[Solution]) -> str:
+    """Why contacts have no friction though their oil's data would allow it; empty where they have."""
+    lacking = [of for of in solutions if of.figures.friction_coefficient is None]
+    reason = next(filter(None, (no_friction(of.effects) for of in lacking)), "")
+    return f"Friction is not given: {reason}." if reason else ""
+
+
 def opening(
     solutions: Sequence[Solution], rough_teeth: str, beyond_limits: Sequence[str] = ()
 ) -> list[str]:
@@ -53,6 +61,7 @@ def opening(
         at_worst.sentence,
         headline(solutions),
         less_accurate(solutions),
+        without_friction(solutions),
         rough_teeth if at_worst.as_if_smooth else "",
     ]
     return [line for line in lines if line]

@@ -67,11 +67,14 @@ class Left:
         counts, since a figure may stand still by chance.
     limit : float
         On more grids: error over the last change of its limit, where it is extrapolated.
+    least : float
+        On more grids: least error over the figure's last change; two limits may be equal by chance.
     """
 
     own: float
     films: float
     limit: float = 1.0
+    least: float = 0.05
 
     def of_changes(self, own: float, films: float) -> float:
         """Relative error by relative changes, of either sign, between the only two grids."""

@@ -20,10 +20,6 @@ fall by 4: of 118 central films 116 fell by 3 to 5; minimum films fall by up to 
 settles. Where changes fell by 2 to 3 the limit was off by 0.02 to 0.17 of the last one in all of 13 pairs,
 the figure on the last grid by 0.16 to 0.45."""
 
-LEAST_LEFT = 0.05
-"""Least error of an extrapolated figure over its last change: two extrapolated values may be equal by
-chance."""
-
 
 @dataclass(frozen=True)
 class GridLimit:
@@ -86,5 +82,5 @@ def _limit(name: str, left: Left, readings: Sequence[Reading], plain: GridLimit)
     if not REGULAR[0] * abs(change) <= before * np.sign(change) <= REGULAR[1] * abs(change):
         return plain
     earlier = second_order_limit(*values[:2])
-    error = max(left.limit * abs(limit - earlier), LEAST_LEFT * abs(change))
+    error = max(left.limit * abs(limit - earlier), left.least * abs(change))
     return GridLimit(limit, error / abs(limit) if limit else plain.error)

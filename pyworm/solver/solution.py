@@ -12,6 +12,7 @@ from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray, same_da
 from pyworm.io.present import present
 from pyworm.io.shown import Shown
 from pyworm.planning.effects.judgement import Judgement
+from pyworm.planning.no_friction import no_friction
 from pyworm.planning.target import ROUGH_FIGURES
 from pyworm.scene.index import Place
 from pyworm.solver.accuracy_met import is_accurate
@@ -377,11 +378,12 @@ class Solution(Shown):
             "dry_approach_m": figures.dry.approach,
         }
 
-    def _shear_summary(self) -> dict[str, float]:
-        """The scalars of the film's shear."""
+    def _shear_summary(self) -> dict[str, float | str]:
+        """The scalars of the film's shear, or why there are none though the oil's data would allow them."""
         figures = self.figures
         if figures.friction_coefficient is None:
-            return {}
+            reason = no_friction(self.effects)
+            return {"friction_coefficient_reason": reason} if reason else {}
         return {
             **_flat("friction_coefficient", "", figures.friction_coefficient),
             **_flat(

@@ -10,6 +10,7 @@ from rich.table import Table
 from pyworm.case.case_file import PublishedValue
 from pyworm.io.format import duration, rough
 from pyworm.planning.effects.judgement import Judgement
+from pyworm.planning.no_friction import no_friction
 from pyworm.planning.plan import Plan
 from pyworm.result.accuracy import accuracy_words
 from pyworm.scene.contact import BODIES
@@ -362,6 +363,9 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
         table.add_row(*row)
     table.add_section()
     table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
+    lacking = no_friction(plan.effects)
+    if lacking and "friction_coefficient" not in plan.aim.figures:
+        table.add_row("No friction", lacking)
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
         table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")

@@ -48,10 +48,12 @@ ORDERS = dict.fromkeys(ALL, 2.0)
 
 # Shares that about 95 of 100 errors stay below, in the limit of two grids and of three
 # (`benchmarks/accuracy/two_grids.py`). A minimum film may move to and fro, as those of contacts entrained
-# obliquely do. The largest pressure, where it is no spike, is of second order too, but keeps its value; that
-# of the shear rate promises no limit.
+# obliquely do; on three grids, where its changes fell regularly, its limit was off by 0.06 of the last one in the
+# median of 24 isothermal contacts, 0.12 at 95 of 100, and 0.17 and 0.18 in two side lobes at M > 400. The
+# largest pressure, where it is no spike, is of second order too, but keeps its value; that of the shear rate
+# promises no limit.
 LEFT = {
-    "film_min": Left(0.25, 0.125, limit=0.7),
+    "film_min": Left(0.25, 0.125, limit=0.7, least=0.18),
     "film_central": Left(0.07, 0.035, limit=0.5),
     "friction_coefficient": Left(0.17, 0.085, limit=0.7),
     "power_loss": Left(0.25, 0.125),

@@ -6,11 +6,11 @@ import pytest
 
 from pyworm.planning.target import FIGURES
 from pyworm.solver.error_estimate import Convergence, Left, Peak, Reading, grid_errors
-from pyworm.solver.grid_limit import LEAST_LEFT, grid_limits
+from pyworm.solver.grid_limit import grid_limits
 
 CONVERGENCE = Convergence(
     dict.fromkeys(FIGURES, 2.0),
-    {"film_min": Left(0.5, 0.25), "film_central": Left(0.1, 0.05, limit=0.4)},
+    {"film_min": Left(0.5, 0.25, least=0.1), "film_central": Left(0.1, 0.05, limit=0.4)},
     {},
     kept={"pressure_max": Left(0.6, 0.02)},
 )
@@ -59,7 +59,7 @@ def test_on_three_grids_the_error_is_the_change_of_the_limit():
     found = grid_limits(readings(0.5, 0.9, 1.0), CONVERGENCE)["film_min"]
     limit, earlier = 1.0 + 0.1 / 3, 0.9 + 0.4 / 3
     assert found.value == pytest.approx(limit)
-    assert found.error * limit == pytest.approx(max(abs(limit - earlier), LEAST_LEFT * 0.1))
+    assert found.error * limit == pytest.approx(max(abs(limit - earlier), 0.1 * 0.1))
     found = grid_limits(readings(0.55, 0.9, 1.0), CONVERGENCE)["film_min"]
     assert found.error * found.value == pytest.approx(1.0 + 0.1 / 3 - 0.9 - 0.35 / 3)
 
