@@ -50,7 +50,7 @@ EXACT = 0.1
 EFFECTS = dict.fromkeys(JUDGED_DRAWS, "all") | {"isothermal": "isothermal"}
 MOST_NODES = dict.fromkeys(("thermal-line", "warm-line"), 20_000) | {
     "isothermal": 3_000_000,
-    **dict.fromkeys(("thermal", "warm"), 1_000_000),
+    **dict.fromkeys(("thermal", "warm", "rough", "starved"), 1_000_000),
 }
 FINER = dict.fromkeys(JUDGED_DRAWS, 0.6) | {"isothermal": 0.3}
 """Spacing of the truth's last grid over the solution's."""
@@ -138,7 +138,9 @@ def truth(scene: pyworm.Scene, plan: Plan, spacing: float, kind: str) -> Truth:
     Nothing where no two grids of the wider window have a film, or none has one in all windows.
     """
     most = MOST_NODES[kind]
-    wide = refined(scene, plan, plan.wider_grids, FINER[kind] * spacing, most)
+    wide = refined(scene, plan, plan.wider_grids or plan.grids, FINER[kind] * spacing, most)
+    if not plan.wider_grids:
+        return within(wide)
     coarse = 1.1 * plan.grids[-1].dx / 2 ** min(wide, default=0)
     near = refined(scene, plan, plan.grids, coarse / 2, most)
     first = min(wide.keys() & near.keys(), default=None)
@@ -160,6 +162,18 @@ def truth(scene: pyworm.Scene, plan: Plan, spacing: float, kind: str) -> Truth:
         rest = rest_of(values, name)
         found[name] = fine.value + values[-1] + rest - values[1], fine.error + abs(rest) / 2
     return found
+
+
+def within(readings: dict[int, Reading]) -> Truth:
+    """Figures on an infinitely fine grid in a window beyond which there is no oil; nothing of one grid."""
+    if len(readings) < 2:
+        return {}
+    values = {
+        name: [reading.figures[name] for reading in readings.values()]
+        for name in next(iter(readings.values())).figures
+    }
+    limits = {name: limit(of) for name, of in values.items()}
+    return {name: (of.value, of.error) for name, of in limits.items()}
 
 
 def truth_of(task: Task, solution: pyworm.Solution, kind: str) -> Truth:

@@ -320,6 +320,8 @@ JUDGED_DRAWS: dict[str, Callable[[int], Drawn]] = {
     "warm": warm,
     "thermal-line": thermal_line,
     "warm-line": warm_line,
+    "rough": rough,
+    "starved": starved,
 }
 """Kinds whose error bars are judged (`benchmarks/accuracy/error_bars.py`)."""
 
