@@ -96,12 +96,16 @@ class Convergence:
         reach of the window (in gap) doubles.
     kept : mapping
         Error that two grids leave in figures that are not extrapolated, by default `UNKNOWN`.
+    falls : tuple of float
+        Least and largest ratio of successive errors of the figures that are extrapolated: 2 at first order, 4
+        at second.
     """
 
     orders: Mapping[str, float]
     left: Mapping[str, Left]
     window: Mapping[str, tuple[float, float]]
     kept: Mapping[str, Left] = field(default_factory=dict)
+    falls: tuple[float, float] = (4.0, 4.0)
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:

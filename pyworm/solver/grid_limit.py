@@ -7,7 +7,6 @@ import numpy as np
 
 from pyworm.solver.error_estimate import (
     Convergence,
-    Left,
     Reading,
     changes,
     grid_errors,
@@ -19,6 +18,10 @@ REGULAR = (2.0, 8.0)
 fall by 4: of 118 central films 116 fell by 3 to 5; minimum films fall by up to 8 while their place
 settles. Where changes fell by 2 to 3 the limit was off by 0.02 to 0.17 of the last one in all of 13 pairs,
 the figure on the last grid by 0.16 to 0.45."""
+
+
+REGULAR_SHARE = 0.75
+"""Least regular fall over the least credible one, where that is below 2: of first order 1.5."""
 
 
 @dataclass(frozen=True)
@@ -42,6 +45,26 @@ def second_order_limit(coarse: float, fine: float) -> float:
     return fine + (fine - coarse) / 3
 
 
+def mixed_order_limit(values: Sequence[float], falls: tuple[float, float]) -> float:
+    """Limit of a figure on grids of halving spacing whose error is of first and of second order.
+
+    With errors A s + B s^2 of the spacing s, the last change d and its ratio f to the one before, the limit is
+    d (5 - f)/3 beyond the last value: d at first order (f = 2), d/3 at second (f = 4).
+
+    Parameters
+    ----------
+    values : sequence of float
+        The figure on two grids or more, the finest last.
+    falls : tuple of float
+        Least and largest credible ratio; on two grids, which show none, their mean is taken.
+    """
+    change = values[-1] - values[-2]
+    fall = sum(falls) / 2
+    if len(values) > 2 and change != 0:
+        fall = float(np.clip((values[-2] - values[-3]) / change, *falls))
+    return values[-1] + change * (5 - fall) / 3
+
+
 def grid_limits(readings: Sequence[Reading], convergence: Convergence) -> dict[str, GridLimit]:
     """Each figure in the limit of grids of halving spacing, by Richardson's extrapolation.
 
@@ -55,9 +78,10 @@ def grid_limits(readings: Sequence[Reading], convergence: Convergence) -> dict[s
     Notes
     -----
     The limit is the last value plus a third of the last change (second order; Roache, Annu. Rev. Fluid Mech.
-    29, 1997, 123-160). On two grids its error is a share of its change, or of the films'
-    (`Convergence.left`); on more it is a share of the change of the limit itself since the grid before, if
-    the changes fall regularly. Figures that are not extrapolated keep their value, with the errors of
+    29, 1997, 123-160), more where errors may fall by less than 4 (`Convergence.falls`). On two grids its
+    error is a share of its change, or of the films' (`Convergence.left`), and by how much the limit depends on
+    the order; on more it is a share of the change of the limit itself since the grid before, if the changes
+    fall regularly. Figures that are not extrapolated keep their value, with the errors of
     `grid_errors`.
     """
     plain = grid_errors(readings, convergence.orders, convergence.kept)
@@ -66,21 +90,27 @@ def grid_limits(readings: Sequence[Reading], convergence: Convergence) -> dict[s
     if len(readings) > 1:
         for name, left in convergence.left.items():
             if name in last:
-                limits[name] = _limit(name, left, readings, limits[name])
+                limits[name] = _limit(name, readings, convergence, limits[name])
     return limits
 
 
-def _limit(name: str, left: Left, readings: Sequence[Reading], plain: GridLimit) -> GridLimit:
+def _limit(
+    name: str, readings: Sequence[Reading], convergence: Convergence, plain: GridLimit
+) -> GridLimit:
     """The limit of one figure; `plain` where its changes do not fall regularly."""
-    values = [reading.figures[name] for reading in readings[-3:]]
-    change = values[-1] - values[-2]
-    limit = second_order_limit(*values[-2:])
+    left, falls = convergence.left[name], convergence.falls
+    values = [reading.figures[name] for reading in readings[-4:]]
+    limit, change = mixed_order_limit(values, falls), values[-1] - values[-2]
     if len(values) == 2:
         moved = changes(*readings[-2:])
-        return GridLimit(limit, left.of_changes(moved[name], largest_of_films(moved)))
-    before = values[1] - values[0]
-    if not REGULAR[0] * abs(change) <= before * np.sign(change) <= REGULAR[1] * abs(change):
+        unknown_order = (falls[1] - falls[0]) / 6 * abs(moved[name])
+        return GridLimit(
+            limit, unknown_order + left.of_changes(moved[name], largest_of_films(moved))
+        )
+    before = values[-2] - values[-3]
+    least, most = min(REGULAR[0], REGULAR_SHARE * falls[0]), REGULAR[1]
+    if not least * abs(change) <= before * np.sign(change) <= most * abs(change):
         return plain
-    earlier = second_order_limit(*values[:2])
+    earlier = mixed_order_limit(values[:-1], falls)
     error = max(left.limit * abs(limit - earlier), left.least * abs(change))
     return GridLimit(limit, error / abs(limit) if limit else plain.error)

@@ -32,7 +32,7 @@ from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import TELLING, film_is_sound, stop_reason, with_wider_bars
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient.transient import Rates, transient
-from pyworm.solver.window_limit import WindowLimit, in_this_window, in_wider_window
+from pyworm.solver.window_limit import WindowLimit, by_warmth, in_this_window, in_wider_window
 
 DOMAIN_FRACTION = 0.25
 """Window error of the films, as a fraction of the accuracy, above which the wider window is taken."""
@@ -258,6 +258,9 @@ class GridSequence:
         pair = here, settled.reading, solver.convergence, algebra
         cut_off = solver.cut_off(self._level, wider)
         near, far = in_this_window(*pair), in_wider_window(*pair, cut_off)
+        if self._level.holds_all_pressure():
+            beta = self._scene.oil.beta
+            near, far = (by_warmth(limits, settled.reading, beta) for limits in (near, far))
         worst_near, worst_far = (
             plan.aim.worst({name: of.error for name, of in limits.items()}, here.figures)
             for limits in (near, far)

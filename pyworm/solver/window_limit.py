@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pyworm.planning.target import HEAT_FIGURES
 from pyworm.solver.error_estimate import Convergence, Reading, changes
 
 
@@ -54,6 +55,33 @@ def in_wider_window(
     """
     change = {name: of - cut_off.get(name, 0.0) for name, of in changes(this, wider).items()}
     return _limits(change, convergence, algebra, seen=1.0)
+
+
+def by_warmth(
+    limits: Mapping[str, WindowLimit], wider: Reading, beta: float
+) -> dict[str, WindowLimit]:
+    """Those limits, where the window holds all oil that bears pressure.
+
+    What else changes with the window is the temperature, and figures by the viscosity there. By more they may
+    differ on coarse grids, on which the oil's front is off by more in the wider window: that error is the
+    grid's, and falls with it.
+
+    Parameters
+    ----------
+    limits : mapping
+        What an endless window adds to each figure.
+    wider : Reading
+        Figures in the wider window.
+    beta : float
+        Relative fall of the viscosity with temperature [1/K].
+    """
+    warmer = max(
+        (abs(limits[name].rest) + limits[name].error) * abs(value)
+        for name, value in wider.figures.items()
+        if name in HEAT_FIGURES
+    )
+    others = WindowLimit(0.0, beta * warmer)
+    return {name: of if name in HEAT_FIGURES else others for name, of in limits.items()}
 
 
 def _limits(

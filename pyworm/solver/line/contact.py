@@ -14,7 +14,7 @@ from pyworm.planning.target import HEAT_FIGURES, ROUGH_FIGURES
 from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales, line_scales
-from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
+from pyworm.solver.contact import COARSE_TOLERANCE, FED_FALLS, ContactSolver
 from pyworm.solver.error_estimate import Convergence, Left
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.line.level import LineLevel, first_level, lone_level, next_level
@@ -81,6 +81,8 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
     def __init__(self, scene: LineScene, plan: Plan, transient_term: TransientTerm | None = None):
         super().__init__(scene, plan, transient_term)
         self.convergence = HEATED_CONVERGENCE if self._model.heated else CONVERGENCE
+        if scene.oil.supply is not None:
+            self.convergence = replace(self.convergence, falls=FED_FALLS)
         self._size = line_scales(scene)
 
     def begin(self, grids: Sequence[LineGrid]) -> tuple[LineLevel, list[NewtonStep]]:

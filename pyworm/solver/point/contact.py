@@ -1,6 +1,7 @@
 """A point contact solved by nested iteration: a nest of windows, then finer grids in the innermost."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -16,7 +17,7 @@ from pyworm.scene.entrainment_continuation import FRACTIONS_LEFT, with_auxiliary
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales, scales
 from pyworm.solver import figures
-from pyworm.solver.contact import COARSE_TOLERANCE, ContactSolver
+from pyworm.solver.contact import COARSE_TOLERANCE, FED_FALLS, ContactSolver
 from pyworm.solver.error_estimate import Convergence, Left
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
@@ -48,8 +49,8 @@ ORDERS = dict.fromkeys(ALL, 2.0)
 
 # Shares that about 95 of 100 errors stay below, in the limit of two grids and of three
 # (`benchmarks/accuracy/two_grids.py`). A minimum film may move to and fro, as those of contacts entrained
-# obliquely do; on three grids, where its changes fell regularly, its limit was off by 0.06 of the last one in the
-# median of 24 isothermal contacts, 0.12 at 95 of 100, and 0.17 and 0.18 in two side lobes at M > 400. The
+# obliquely do; on three grids, where its changes fell regularly, its limit was off by 0.06 of the last one in
+# the median of 24 isothermal contacts, 0.12 at 95 of 100, and 0.17 and 0.18 in two side lobes at M > 400. The
 # largest pressure, where it is no spike, is of second order too, but keeps its value; that of the shear rate
 # promises no limit.
 LEFT = {
@@ -73,6 +74,10 @@ CONVERGENCE = Convergence(
     kept=KEPT,
 )
 
+# Oil that comes in a layer is transported upwind to the meniscus, at first order; the film behind it is of
+# second. Shares left are those of full films, of the largest pressure twice as much.
+FED_CONVERGENCE = replace(CONVERGENCE, kept={"pressure_max": Left(1.0, 0.1)}, falls=FED_FALLS)
+
 
 class PointContactSolver(ContactSolver[Scene, PointLevel]):
     """Films of a point contact; parameters and attributes as of `pyworm.solver.contact.ContactSolver`."""
@@ -87,6 +92,8 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         super().__init__(scene, plan, transient_term)
         self._assisted = with_auxiliary_entrainment(scene) if self._model.heated else scene
         self._size = scales(self._assisted)
+        if scene.oil.supply is not None:
+            self.convergence = FED_CONVERGENCE
 
     def begin(self, grids: Sequence[Grid]) -> tuple[PointLevel, list[NewtonStep]]:
         """Solve the windows by nested iteration to the first grid of the figures."""

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 
 from pyworm.planning.target import FIGURES
+from pyworm.solver.contact import FED_FALLS
 from pyworm.solver.error_estimate import Convergence, Left, Peak, Reading, grid_errors
 from pyworm.solver.grid_limit import grid_limits
 
@@ -83,6 +84,24 @@ def test_the_largest_pressure_is_never_extrapolated():
     films = second_order(1.0, 0.3, 3)
     found = grid_limits(readings(*films, pressures=films), CONVERGENCE)
     assert found["pressure_max"].value == films[-1]
+
+
+FED = replace(CONVERGENCE, falls=FED_FALLS)
+
+
+@pytest.mark.parametrize(("first", "second"), [(0.1, 0.0), (0.0, 0.1), (0.05, 0.05)])
+def test_first_and_second_order_together_are_seen_on_three_grids(first, second):
+    films = [1.0 + first * s + second * s**2 for s in (1.0, 0.5, 0.25)]
+    assert grid_limits(readings(*films), FED)["film_min"].value == pytest.approx(1.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("beyond", [0.0, 1 / 3, 1.0])
+def test_on_two_grids_the_limit_may_be_up_to_a_change_away(beyond):
+    """As at first order, at second, and where the errors of both cancel."""
+    change = 0.03
+    found = grid_limits(readings(1.0 - change * (1 + beyond), 1.0 - change * beyond), FED)
+    film = found["film_central"]
+    assert abs(film.value - 1.0) <= film.error * film.value < 0.7 * change
 
 
 def test_one_grid_has_no_limit():
