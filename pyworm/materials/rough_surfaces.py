@@ -1,6 +1,6 @@
 """Two rough surfaces in contact: averages over their roughness, by the gap between their mean planes."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from math import cos, hypot, sin
@@ -197,7 +197,24 @@ class RoughPair:
         """The surfaces as if they did not yield; None where neither does."""
         if all(surface.hardness is None for surface in self.surfaces):
             return None
-        first, second = (replace(surface, hardness=None) for surface in self.surfaces)
+        return self._with(lambda own: replace(own, hardness=None))
+
+    def steeper(self, factor: float) -> "RoughPair":
+        """Surfaces whose slopes are larger by a factor, asperities of one radius as much sharper."""
+        return self._with(
+            lambda own: replace(
+                own,
+                slope=factor * own.slope,
+                sharpness=None if own.sharpness is None else factor**2 * own.sharpness,
+            )
+        )
+
+    def drawn_out(self, factor: float) -> "RoughPair":
+        """Surfaces longer along their lay by a factor, as against across."""
+        return self._with(lambda own: replace(own, aspect=factor * own.aspect))
+
+    def _with(self, change: Callable[[RoughSurface], RoughSurface]) -> "RoughPair":
+        first, second = (change(surface) for surface in self.surfaces)
         return replace(self, surfaces=(first, second))
 
     def curves(self) -> GapCurves:
@@ -205,7 +222,7 @@ class RoughPair:
         return _curves(self)
 
 
-@lru_cache(maxsize=4)  # the contacts of one life ask for the same ones, hundreds of times
+@lru_cache(maxsize=8)  # the contacts of one life ask for the same ones, hundreds of times
 def _curves(pair: RoughPair) -> GapCurves:
     row, gap = gap_rows()
     thickness = pair.mean_thickness(gap)

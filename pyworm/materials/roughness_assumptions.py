@@ -24,12 +24,23 @@ STIFFNESS_FACTOR = 1.5
 """Factor by which the pressure of asperities may be larger or smaller at a gap: shares of the load at one
 specific film differ as much between published mixed films (`docs/theory/roughness.md`)."""
 
+SLOPE_FACTOR = 2.0
+"""Factor by which slopes may be steeper or flatter: they rise without end the shorter the waves that an
+instrument resolves, and those that run in are a tenth of those cut."""
+
+ASPECT_FACTOR = 2.0
+"""Factor by which correlation lengths along the lay over those across it may be larger or smaller."""
+
 FLOW_SCATTER, FLOW_FALL = 0.3, 2.5
 """Scatter of flow factors between surfaces of one spectrum at a gap of the roughness and below, relative,
 and the power with which it falls beyond."""
 
 BOUNDARY_FRICTION_SPREAD = 0.25
 """Relative uncertainty of the asperities' friction coefficient."""
+
+
+BY_FACTOR = ("contact", "slope", "aspect")
+"""Assumptions that are known to a factor."""
 
 
 class RoughSurfaces(Protocol):
@@ -45,6 +56,12 @@ class RoughSurfaces(Protocol):
     def elastic(self) -> "RoughSurfaces | None":
         """The surfaces as if they did not yield; None where neither does."""
 
+    def steeper(self, factor: float) -> "RoughSurfaces | None":
+        """Surfaces whose slopes are larger by a factor; None where they are those of heights."""
+
+    def drawn_out(self, factor: float) -> "RoughSurfaces | None":
+        """Surfaces longer along their lay by a factor, as against across; None where heights show both."""
+
 
 @dataclass(frozen=True)
 class Variation:
@@ -56,10 +73,13 @@ class Variation:
         Averages over the gap.
     boundary_friction : float
         Friction coefficient of asperities in contact [-].
+    by_factor : bool
+        Whether the assumption is known to a factor, so that what it changes compounds.
     """
 
     curves: GapCurves
     boundary_friction: float
+    by_factor: bool = False
 
 
 def variations(
@@ -90,12 +110,14 @@ def variations(
         "height": curves.scaled(1 + part * HEIGHT_SPREAD),
         "long waves": curves.scaled(1 + part * higher),
         "contact": _pressed(curves, _other_pressure(pair, curves, thickness), part),
+        "slope": _steeper(pair, curves, part),
+        "aspect": _drawn_out(pair, curves, float(thickness.min()), part),
         "pressure flow": _scattered(curves, slice(3, 6), part),
         "shear flow": _scattered(curves, slice(6, 9), part),
     }
     for name, other in others.items():
         if other.scale != curves.scale or not np.array_equal(other.values, curves.values):
-            yield name, Variation(other, boundary_friction)
+            yield name, Variation(other, boundary_friction, name in BY_FACTOR)
     rubbing = boundary_friction * (1 + part * BOUNDARY_FRICTION_SPREAD)
     yield "boundary friction", Variation(curves, rubbing)
 
@@ -133,6 +155,27 @@ def _pressed(curves: GapCurves, other: Array, part: float) -> GapCurves:
     """Curves with the asperities' logarithm of pressure changed by a part of the way to another law's."""
     pressure = curves.values[0]
     return _with_rows(curves, slice(0, 1), pressure + part * (other - pressure))
+
+
+def _steeper(pair: RoughSurfaces, curves: GapCurves, part: float) -> GapCurves:
+    """Curves with the pressure of asperities of other slopes, by a part of their factor's logarithm."""
+    other = pair.steeper(SLOPE_FACTOR)
+    return curves if other is None else _pressed(curves, other.curves().values[0], part)
+
+
+def _drawn_out(pair: RoughSurfaces, curves: GapCurves, thickness: float, part: float) -> GapCurves:
+    """Curves with the flow factors of other aspects, by a part of their factor's logarithm.
+
+    Of larger and smaller aspects those count by which the film resists pressure more otherwise.
+    """
+    whole, rows = (pair.drawn_out(ASPECT_FACTOR**of) for of in (1.0, -1.0)), slice(3, 9)
+    present = curves.at_thickness(thickness)[3:5]
+    changed = [
+        0.0 if of is None else abs(of.curves().at_thickness(thickness)[3:5] - present).max()
+        for of in whole
+    ]
+    other = pair.drawn_out(ASPECT_FACTOR ** (part if changed[0] >= changed[1] else -part))
+    return curves if other is None else _with_rows(curves, rows, other.curves().values[rows])
 
 
 def _scattered(curves: GapCurves, rows: slice, part: float) -> GapCurves:

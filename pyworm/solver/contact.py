@@ -76,8 +76,8 @@ SENSELESS = 1.0
 than the limiting stress of the oil, so that its slip is unbounded."""
 
 FED_FALLS = (2.0, 5.0)
-"""Ratios of successive errors of films to which oil comes in a layer: of first order, or of second with one of
-first order against it. On two grids an error of up to the whole last change follows."""
+"""Ratios of successive errors of films to which oil comes in a layer: of first order, or of second with one
+of first order against it. On two grids an error of up to the whole last change follows."""
 
 ContactT = TypeVar("ContactT", Scene, LineScene)
 LevelT = TypeVar("LevelT", bound=Level)

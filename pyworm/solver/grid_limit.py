@@ -48,8 +48,8 @@ def second_order_limit(coarse: float, fine: float) -> float:
 def mixed_order_limit(values: Sequence[float], falls: tuple[float, float]) -> float:
     """Limit of a figure on grids of halving spacing whose error is of first and of second order.
 
-    With errors A s + B s^2 of the spacing s, the last change d and its ratio f to the one before, the limit is
-    d (5 - f)/3 beyond the last value: d at first order (f = 2), d/3 at second (f = 4).
+    With errors A s + B s^2 of the spacing s, the last change d and the ratio f of the one before to it, the
+    limit is d (5 - f)/3 beyond the last value: d at first order (f = 2), d/3 at second (f = 4).
 
     Parameters
     ----------
@@ -79,16 +79,16 @@ def grid_limits(readings: Sequence[Reading], convergence: Convergence) -> dict[s
     -----
     The limit is the last value plus a third of the last change (second order; Roache, Annu. Rev. Fluid Mech.
     29, 1997, 123-160), more where errors may fall by less than 4 (`Convergence.falls`). On two grids its
-    error is a share of its change, or of the films' (`Convergence.left`), and by how much the limit depends on
-    the order; on more it is a share of the change of the limit itself since the grid before, if the changes
-    fall regularly. Figures that are not extrapolated keep their value, with the errors of
+    error is a share of its change, or of the films' (`Convergence.left`), and by how much the limit depends
+    on the order; on more it is a share of the change of the limit itself since the grid before, if the
+    changes fall regularly. Figures that are not extrapolated keep their value, with the errors of
     `grid_errors`.
     """
     plain = grid_errors(readings, convergence.orders, convergence.kept)
     last = readings[-1].figures
     limits = {name: GridLimit(last[name], plain[name]) for name in last}
     if len(readings) > 1:
-        for name, left in convergence.left.items():
+        for name in convergence.left:
             if name in last:
                 limits[name] = _limit(name, readings, convergence, limits[name])
     return limits

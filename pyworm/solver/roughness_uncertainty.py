@@ -109,7 +109,10 @@ def roughness_uncertainty(
         followed = _follow(level)
         after = level.read().figures
         changes.append(
-            {key: _whole(of, after[key]) if followed else inf for key, of in figures.items()}
+            {
+                key: _whole(of, after[key], varied.by_factor) if followed else inf
+                for key, of in figures.items()
+            }
         )
     level.film.roughen(pair.curves(), boundary_friction)
     _start(level, converged)
@@ -132,13 +135,16 @@ def _follow(level: Level) -> bool:
     return False
 
 
-def _whole(before: float, after: float) -> float:
+def _whole(before: float, after: float, by_factor: bool) -> float:
     """Relative change of a figure by a whole uncertainty, from that by a `PART`.
 
-    A fall compounds, as of pressures that fall exponentially with the gap: no figure changes its sign.
+    A fall compounds, as of pressures that fall exponentially with the gap: no figure changes its sign. So
+    does a rise by what is known to a factor.
     """
     ratio = after / before if before else 1.0
-    return (ratio - 1) / PART if ratio > 1 else 1 - max(ratio, 0.0) ** (1 / PART)
+    if ratio <= 1:
+        return 1 - max(ratio, 0.0) ** (1 / PART)
+    return ratio ** (1 / PART) - 1 if by_factor else (ratio - 1) / PART
 
 
 def _start(level: Level, guess: InitialGuess) -> None:

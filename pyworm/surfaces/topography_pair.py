@@ -70,6 +70,12 @@ class TopographyPair:
         """The surfaces as if they did not yield; None where neither does."""
         return None if self.hardness is None else replace(self, hardness=None)
 
+    def steeper(self, factor: float) -> None:
+        """None: slopes are those of the heights."""
+
+    def drawn_out(self, factor: float) -> None:
+        """None: the heights show their lay."""
+
     def curves(self) -> GapCurves:
         """All averages as tables for the kernel."""
         row, gap = gap_rows()
