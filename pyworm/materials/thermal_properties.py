@@ -69,6 +69,7 @@ class OilHeat:
         "heat_capacity_b2": units.SquaredPressureCoefficient,
         "heat_capacity_k1": units.PressureCoefficientOrZero,
         "heat_capacity_k2": units.PressureCoefficientOrZero,
+        "supply_temperature": units.Temperature,
     }
 
     def __post_init__(self) -> None:

@@ -250,6 +250,7 @@ DIMENSIONED = {
             ("heat_capacity_b2", -2.3e-18, "-2.3 1/GPa^2"),
             ("heat_capacity_k1", 0.5e-9, "0.5 1/GPa"),
             ("heat_capacity_k2", 0.5e-9, "0.5 1/GPa"),
+            ("supply_temperature", 313.15, "40 degC"),
         )
     },
     "Oil.supply": (lambda v: dataclasses.replace(WARM, supply=v), 1e-6, "1 um"),
@@ -406,6 +407,7 @@ PLAIN = {
     "Solution.held": "part",
     "Solution.dataset": "part",
     "Solution.changed": "changes",
+    "Solution.rise": "temperature",
     "SweepResult.save": "path",
     "SweepResult.save_csv": "path",
     "compare": "one other",

@@ -1,7 +1,7 @@
 """Tables on the console: scene, plan and solution, in workshop units."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from math import isfinite
+from math import inf, isfinite
 from typing import Any
 
 from rich.box import SIMPLE_HEAD
@@ -437,7 +437,10 @@ def _temperature(summary: Mapping[str, Any], place: str) -> str:
 
 def _bar(error: float | None, scale: float, unit: str) -> str:
     """An error bar; empty without one."""
-    return "" if error is None else f"± {error * scale:.2g} {unit}"
+    if error is None:
+        return ""
+    size = error * scale
+    return f"± {size:.0f} {unit}" if 100 <= size < inf else f"± {size:.2g} {unit}"
 
 
 def _figure(figures: Mapping[str, Any], key: str | None) -> float | None:
