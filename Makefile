@@ -33,6 +33,7 @@ help:
 	@echo "make sanitized  run the Fortran tests with checks of addresses and of undefined behaviour"
 	@echo "make hard     run the suite of hard scenes; resumes (SCENE=thermal:37 for one, SEED=7 for others)"
 	@echo "make hard SCENE=drive  random gear drives, run as a user does (drive:0-9 some; commands: through all commands)"
+	@echo "make hard SCENE=explore, SCENE=killed  pages of 1000 mutated result files; a batch killed twenty times"
 	@echo "make mutants  how many one-line mutations of the program tests see; resumes (MUTANT=name for one)"
 	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
 	@echo "make fortran-docs  build the documentation of the kernel by FORD, build/fortran-docs/index.html"

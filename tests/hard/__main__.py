@@ -7,6 +7,8 @@
     python tests/hard drive             # gear drives, run to 5 and to 10 % as a user does; drive:0-9 some
     python tests/hard commands          # gear drives walked through every command; commands:0-9 some
     python tests/hard --only check,rate commands   # through some of the commands
+    python tests/hard explore           # pages of mutated result files; explore:0-99 some
+    python tests/hard killed            # a batch that is killed twenty times and resumed
     python tests/hard --seed 7          # the random scenes of another seed; parts as above
     python tests/hard --trapped         # the named scenes in a debug build, on their first grids
 
@@ -28,7 +30,9 @@ from drive_report import drives_run, drives_walked
 from drive_trial import COMMANDS
 from fuzz import many
 from fuzz_readers import many as many_read
+from fuzz_results import MANY, many_explored
 from fuzz_results import many as many_files
+from killed import killed_and_resumed
 from named import GAPS, HOT, ISOTHERMAL
 from promise import COUNTS, DRIVES, complaints
 from stability import CHECKS
@@ -145,6 +149,14 @@ def main() -> int:
                 found += many(print, Path(directory))
                 found += many_files(print, Path(directory))
                 found += many_read(print, Path(directory))
+            continue
+        if part == "explore":
+            with TemporaryDirectory() as directory:
+                found += many_explored(print, Path(directory), _numbers(numbers, MANY))
+            continue
+        if part == "killed":
+            with TemporaryDirectory() as directory:
+                found += killed_and_resumed(print, Path(directory))
             continue
         if part in ("drive", "commands"):
             wanted = _numbers(numbers, DRIVES)

@@ -198,11 +198,34 @@ def many(tell: Callable[[str], None], directory: Path, count: int = MANY) -> lis
     return found
 
 
-def met(sound: list[Base], number: int, directory: Path) -> tuple[int, list[str]]:
-    """The mutant of a number: exit code of the command that met it, and what is wrong with that."""
+def many_explored(
+    tell: Callable[[str], None], directory: Path, numbers: range = range(MANY)
+) -> list[str]:
+    """Make the page to explore of many mutated result files; what is wrong with any of them."""
+    sound = bases(directory, tuple(RUNS))
+    codes: Counter[int] = Counter()
+    found = []
+    for number in numbers:
+        code, flaws = met(sound, number, directory, "explore")
+        codes[code] += 1
+        found += flaws
+    tell(
+        f"{len(numbers)} mutated result files explored: {codes[BAD_INPUT]} refused in one sentence, "
+        f"{codes[CONVERGED]} used, {len(found)} flaws"
+    )
+    return found
+
+
+def met(
+    sound: list[Base], number: int, directory: Path, command: str | None = None
+) -> tuple[int, list[str]]:
+    """The mutant of a number: exit code of the command that met it, and what is wrong with that.
+
+    The command is drawn where none is given.
+    """
     rng = random.Random(number)
     base = rng.choice(sound)
-    command = rng.choice(base.commands)
+    command = command or rng.choice(base.commands)
     what, content = mutated(base, rng, directory)
     code, flaws = outcome(base, command, content, directory)
     return code, [f"{number}: {command} {base.case}, {what}: {flaw}" for flaw in flaws]

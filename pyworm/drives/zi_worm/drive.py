@@ -329,6 +329,14 @@ class ZiWormDrive(ZiWormGears, Drive):
         return replace(self, load=replace(self.load, lifts=()))
 
     @cached_property
+    def mid_mesh_load(self) -> float:
+        """Normal load under which the contact at mid-mesh is compared with others [N].
+
+        It is the largest of the mesh cycle where neighbouring teeth carry all of the load at mid-mesh.
+        """
+        return self.normal_load(0.5) or max(map(self.normal_load, np.linspace(0, 1, 21)))
+
+    @cached_property
     def loaded_patterns(self) -> tuple[ContactPattern, ContactPattern]:
         """Contact patterns under the load, of the flank that the worm drives and of the other one."""
         return both_flanks(self, loaded_pattern)

@@ -45,7 +45,7 @@ def sensitivity_data(drive: "ZiWormDrive") -> "xr.Dataset":
     drive : ZiWormDrive
         The drive; the middle of each row is the drive itself.
     """
-    load = drive.normal_load(0.5)
+    load = drive.mid_mesh_load
     own = mid_mesh_contact(drive, load)
     rows = []
     for name, error in ERRORS.items():

@@ -75,7 +75,7 @@ class Tolerance:
 def tolerances(drive: "ZiWormDrive") -> tuple[Tolerance, ...]:
     """The errors that a drive allows, each alone, under its load at mid-mesh without errors."""
     designed = replace(drive, assembly=AS_DESIGNED)
-    load = designed.normal_load(0.5)
+    load = designed.mid_mesh_load
     allowed = RISE * dry_contact_of(designed, load).pressure_max
     return tuple(_tolerance(designed, load, allowed, entry) for entry in ENTRIES)
 

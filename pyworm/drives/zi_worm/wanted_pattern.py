@@ -165,7 +165,7 @@ def set_up(drive: "ZiWormDrive", wanted: dict[str, float]) -> HobSetup:
 
 def _row(drive: "ZiWormDrive") -> Row:
     hob, mark = drive.hob, mark_of(drive.driven_pattern)
-    contact = mid_mesh_contact(drive, drive.normal_load(0.5))
+    contact = mid_mesh_contact(drive, drive.mid_mesh_load)
     return {
         "hob_swivel_deg": degrees(hob.swivel),
         "hob_axial_shift_m": hob.axial_shift,

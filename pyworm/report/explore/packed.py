@@ -18,8 +18,11 @@ def packed(values: np.ndarray, logarithmic: bool = False) -> dict[str, Any]:
     values : numpy.ndarray
         Of any shape, row by row; NaN where there are none.
     logarithmic : bool
-        Whether steps are even in the logarithm of the values, which are above zero.
+        Whether steps are even in the logarithm of the values. Others than positive ones are left out: a
+        film that was not found may be negative where the dry bodies overlap.
     """
+    if logarithmic:
+        values = np.where(values > 0, values, np.nan)
     known = values[np.isfinite(values)]
     if not known.size:
         known = np.ones(1)

@@ -3,21 +3,23 @@
 import json
 import os
 import pickle
-import signal
 import subprocess
 import sys
 import threading
-import time
 from pathlib import Path
 
 import numpy as np
 import pytest
+import xarray
+from killed import killed_and_resumed
 from refusals import changed
 
 import pyworm
+from pyworm.cli.main import main
 from pyworm.io import cache
 from pyworm.io.cache import cache_directory
 from pyworm.result.result import open_result
+from pyworm.scene.summary import scene_summary
 
 CASES = Path(__file__).parents[3] / "cases"
 DATA = Path(__file__).parents[2] / "data"
@@ -124,6 +126,11 @@ def test_two_threads_solve_as_one_does():
         np.testing.assert_array_equal(one.fields["pressure"], alone[name].fields["pressure"])
 
 
+def same_contact(one, other):
+    """Whether two contacts have the same numbers, to the last bit."""
+    return scene_summary(one) == scene_summary(other) and one.oil == other.oil
+
+
 @pytest.mark.parametrize(
     "name", ["impact_ball", "starved_ball", "attacked_line", "attacked_pair", "zi_cooled"]
 )
@@ -133,40 +140,37 @@ def test_a_case_with_new_features_is_itself_after_pickling(name):
     again = pickle.loads(pickle.dumps(case))
     assert again.resolved == case.resolved
     scene = case.scene()
-    assert pickle.loads(pickle.dumps(scene)) == scene
-    assert again.scene().load == scene.load
+    copy = pickle.loads(pickle.dumps(scene))
+    # the tooth pairs that a history is made of are not compared: what they make of a time is
+    assert same_contact(copy, scene) and same_contact(again.scene(), scene)
+    if scene.past is not None:
+        moment = 0.3 * scene.past.life.duration
+        assert same_contact(copy.past.life.at(moment), scene.past.life.at(moment))
+
+
+def test_a_plan_and_what_is_found_with_it_are_themselves_after_pickling(tmp_path):
+    scene = pyworm.load(CASES / "point_m20_l10.toml").scene()
+    plan = pyworm.plan(scene, 0.3, "isothermal")
+    again = pickle.loads(pickle.dumps(plan))
+    assert again == plan
+    found = pyworm.solve(scene, plan)
+    assert pyworm.solve(scene, again).figures == found.figures
+    copy = pickle.loads(pickle.dumps(found))
+    assert copy.figures == found.figures
+    xarray.testing.assert_identical(copy.fields, found.fields)
+    words = ["run", str(CASES / "point_m20_l10.toml"), *COARSE, "--out", str(tmp_path)]
+    assert main(words) == 0
+    result = open_result(tmp_path / "result.nc")
+    same = pickle.loads(pickle.dumps(result))
+    assert same.provenance == result.provenance
+    for one, other in zip(result.solutions, same.solutions, strict=True):
+        assert one.figures == other.figures
+        xarray.testing.assert_identical(one.fields, other.fields)
 
 
 # ------------------------------------------------------------------------ killed and resumed
 
-CURVE = ("run", CASES / "traction_steel.toml", *COARSE, "--json")
-
-
-def killed_after(directory, seconds):
-    """Kill a run after a time, wherever it is."""
-    process = subprocess.Popen(
-        [sys.executable, "-m", "pyworm.cli", *map(str, CURVE), "--out", str(directory)],
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-    time.sleep(seconds)
-    process.send_signal(signal.SIGKILL)
-    process.wait()
-
 
 @pytest.mark.long
-def test_a_run_that_is_killed_twenty_times_ends_with_the_same_bits(tmp_path):
-    began = time.monotonic()
-    assert pyworm_in(tmp_path, *CURVE, "--out", "whole").returncode == 0
-    taken = time.monotonic() - began
-    random = np.random.default_rng(7)
-    for _ in range(20):
-        killed_after(tmp_path / "killed", float(random.uniform(0.2, 0.7) * taken))
-    assert pyworm_in(tmp_path, *CURVE, "--out", "killed").returncode == 0
-    whole, again = (open_result(tmp_path / name / "result.nc") for name in ("whole", "killed"))
-    assert len(whole.solutions) == len(again.solutions)
-    for one, other in zip(whole.solutions, again.solutions, strict=True):
-        assert one.figures == other.figures
-        for name in one.fields.data_vars:
-            np.testing.assert_array_equal(one.fields[name], other.fields[name])
-    assert not list((tmp_path / "killed").rglob("*.part"))
+def test_a_batch_that_is_killed_twenty_times_ends_with_the_same_bits(tmp_path):
+    assert killed_and_resumed(print, tmp_path) == []

@@ -12,6 +12,7 @@ import pyworm
 from pyworm.case.case import case_of
 from pyworm.cli.shared import wanted_places
 from pyworm.drives.tooth_life import ToothLife
+from pyworm.drives.zi_worm.sensitivity import sensitivity_data
 from pyworm.drives.zi_worm.tooth_pair_life import APART, TOUCH
 from pyworm.io.input_error import CaseError
 from pyworm.scene.scales import scales
@@ -113,3 +114,13 @@ def test_of_several_phases_those_without_load_are_left_out(undercut, capsys):
     (alone,) = wanted_places(undercut, options)
     with pytest.raises(CaseError, match="carries no load there"):
         undercut.scene(**alone.given)
+
+
+def test_a_drive_whose_neighbours_carry_all_at_mid_mesh_has_its_data(undercut, monkeypatch):
+    """The contact at mid-mesh is compared with others under the largest load of the cycle then."""
+    other = replace(undercut.drive)
+    monkeypatch.setattr(
+        type(other), "normal_load", lambda of, phase: 0.0 if 0.25 < phase < 0.8 else 500 * phase
+    )
+    assert other.mid_mesh_load == 500
+    assert sensitivity_data(other).attrs["varied_load"] == 500

@@ -1,6 +1,7 @@
 """The page to explore a result, in a browser without network."""
 
 import json
+from base64 import b64decode
 from dataclasses import replace
 from pathlib import Path
 
@@ -36,15 +37,22 @@ def test_numbers_come_back_within_half_a_step():
     values = np.array([[1e-7, 2.5e-6, np.nan], [3e-5, 1e-3, 0.2]])
     for logarithmic in (False, True):
         of = packed(values, logarithmic)
-        import base64
-
-        numbers = np.frombuffer(base64.b64decode(of["data"]), "<u2")
+        numbers = np.frombuffer(b64decode(of["data"]), "<u2")
         found = of["low"] + of["step"] * numbers
         found = np.exp(found) if logarithmic else found
         known = np.isfinite(values).ravel()
         assert (numbers[~known] == 65535).all()
         step = of["step"] * (values.ravel()[known] if logarithmic else 1)
         assert (np.abs(found[known] - values.ravel()[known]) <= 0.51 * step).all()
+
+
+def test_what_has_no_logarithm_is_left_out():
+    """As of a contact whose film was not found, where the dry bodies overlap."""
+    some = packed(np.array([-2e-7, 0.0, 1e-7, 1e-3]), logarithmic=True)
+    numbers = np.frombuffer(b64decode(some["data"]), "<u2")
+    assert list(numbers) == [65535, 65535, 0, 65534]
+    none = packed(np.array([-1.0, np.nan]), logarithmic=True)
+    assert list(np.frombuffer(b64decode(none["data"]), "<u2")) == [65535, 65535]
 
 
 def test_figures_have_the_uncertainty_of_the_model_beside_the_numerical_one():
