@@ -99,9 +99,10 @@ def _reason(future: Future, task: Task, store: Store) -> str | None:
     error = future.exception()
     if error is not None:  # of the process, not of the solve
         return str(error) if isinstance(error, WorkerDiedError) else reason_of(error)
-    if future.result() is None and not store.file(task).exists():
+    reason: str | None = future.result()
+    if reason is None and not store.file(task).exists():
         return "its worker has another directory"
-    return future.result()
+    return reason
 
 
 def _share(tell: Callable[[str, float], None], position: int, count: int) -> Progress:

@@ -6,7 +6,7 @@ from functools import cached_property
 from hashlib import sha256
 from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -29,7 +29,9 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.plausibility import beyond_limits, doubts, require_possible
 from pyworm.scene.point import Scene
 
-NO_PHYSICS = {
+ModelT = TypeVar("ModelT", bound=BaseModel)
+
+NO_PHYSICS: dict[str, bool | set[str]] = {
     **dict.fromkeys(
         (
             *("title", "source", "published", "assumed", "accuracy", "effects", "quantities"),
@@ -78,24 +80,30 @@ class Case(Shown):
         }
 
     @property
+    def _common(self) -> CaseTable:
+        """The tables by the keys that all kinds of cases share."""
+        tables: CaseTable = self.tables
+        return tables
+
+    @property
     def title(self) -> str:
         """Title of the case."""
-        return self.tables.title
+        return self._common.title
 
     @property
     def source(self) -> str:
         """Source of the case's numbers."""
-        return self.tables.source
+        return self._common.source
 
     @property
     def accuracy(self) -> float:
         """Relative error wanted in films and maximum pressure [-]."""
-        return self.tables.accuracy
+        return self._common.accuracy
 
     @property
     def published(self) -> dict[str, PublishedValue]:
         """Numbers that the source prints, by name."""
-        return self.tables.published
+        return self._common.published
 
     @property
     def body_names(self) -> tuple[str, str]:
@@ -106,12 +114,12 @@ class Case(Shown):
     @property
     def effects(self) -> str:
         """Effects to simulate by default, as an argument of `pyworm.plan`."""
-        return self.tables.effects
+        return self._common.effects
 
     @property
     def quantities(self) -> tuple[str, ...] | None:
         """Quantities that have to be accurate by default, likewise."""
-        return self.tables.quantities
+        return self._common.quantities
 
     @property
     def mesh_places(self) -> dict[str, tuple[Any, ...]]:
@@ -166,7 +174,7 @@ class Case(Shown):
 
         A file that the case names is there with a digest of what it holds.
         """
-        tables = self.tables.model_dump(mode="json", exclude=NO_PHYSICS)
+        tables: dict[str, Any] = self._common.model_dump(mode="json", exclude=NO_PHYSICS)
         if isinstance(self.tables, GapCase):
             content = (self.directory / self.tables.contact.file).read_bytes()
             tables["contact"]["file"] = sha256(content).hexdigest()
@@ -421,7 +429,7 @@ def _tables(data: dict[str, Any], context: str | None = None) -> CaseTable:
     return checked(case_model(about, kind), data, context)
 
 
-def checked(model: type[BaseModel], data: dict[str, Any], context: str | None = None) -> Any:
+def checked(model: type[ModelT], data: dict[str, Any], context: str | None = None) -> ModelT:
     """The content of a file validated by a model; CaseError with the message about the first error.
 
     With the context `units.SI` it holds numbers in SI instead of quantities with units.

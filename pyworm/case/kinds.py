@@ -36,7 +36,8 @@ def case_model(about: str, kind: str) -> type[CaseTable]:
         from pyworm.case.worm import DrawnWormCase
 
         return DrawnWormCase
-    return present(module_of(kind, "pyworm.case"), f"the case of {kind}").CASE
+    model: type[CaseTable] = present(module_of(kind, "pyworm.case"), f"the case of {kind}").CASE
+    return model
 
 
 def rated() -> tuple[str, ...]:

@@ -60,7 +60,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         flush()  # of --help
     try:
         with long_stages_said():
-            code = options.command(options)
+            code: int = options.command(options)
         flush()
         return code
     except CaseError as error:

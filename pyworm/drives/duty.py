@@ -115,7 +115,8 @@ class LineOfAction:
     @property
     def entrainment(self) -> Array:
         """Mean surface velocity [m/s]."""
-        return (self.pinion_velocity + self.gear_velocity) / 2
+        entrainment: Array = (self.pinion_velocity + self.gear_velocity) / 2
+        return entrainment
 
     @property
     def thinnest(self) -> int:

@@ -3,10 +3,15 @@
 from collections import OrderedDict
 from collections.abc import Callable
 from functools import wraps
-from typing import Any
+from typing import Concatenate, ParamSpec, TypeVar
 
 MOST = 1000
 """Number of values that an object keeps; beyond it those used least recently go."""
+
+
+Own = TypeVar("Own")
+Kept = TypeVar("Kept")
+Rest = ParamSpec("Rest")
 
 
 class _Found(OrderedDict):
@@ -16,18 +21,21 @@ class _Found(OrderedDict):
         return _Found, ()
 
 
-def remembered(method: Callable) -> Callable:
+def remembered(
+    method: Callable[Concatenate[Own, Rest], Kept],
+) -> Callable[Concatenate[Own, Rest], Kept]:
     """A method of an immutable object that finds each value once; arguments have to be hashable."""
 
     @wraps(method)
-    def recall(self: Any, *arguments: Any) -> Any:
+    def recall(self: Own, /, *arguments: Rest.args, **named: Rest.kwargs) -> Kept:
         found = vars(self).setdefault("_found", _Found())
-        key = method.__name__, *arguments
+        key = method.__name__, *arguments, *named.items()
         if key not in found:
-            found[key] = method(self, *arguments)
+            found[key] = method(self, *arguments, **named)
             if len(found) > MOST:
                 found.popitem(last=False)
         found.move_to_end(key)
-        return found[key]
+        value: Kept = found[key]
+        return value
 
     return recall

@@ -154,7 +154,8 @@ def _friction(
     def along(chosen: Array) -> Array:
         inside = np.clip(phases, solved[chosen][0], solved[chosen][-1])
         between = scipy.interpolate.PchipInterpolator(solved[chosen], ratio[chosen])(inside)
-        return between * reference(phases)
+        along: Array = between * reference(phases)
+        return along
 
     all_of_them = np.arange(len(solved))
     half = np.unique([*all_of_them[::2], all_of_them[-1]])
@@ -178,4 +179,5 @@ def _course(
 def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> Array:
     """A relative error of the contacts at all phases; zero of a contact that has none."""
     errors = [getattr(one, part) or 0.0 for one in contacts]
-    return np.interp(phases, [one.phase for one in contacts], errors)
+    interpolated: Array = np.interp(phases, [one.phase for one in contacts], errors)
+    return interpolated

@@ -80,22 +80,26 @@ class PointGroups:
     @property
     def moes_m(self) -> float:
         """Load parameter M = W (2U)^(-3/4) (Moes)."""
-        return self.load * (2 * self.speed) ** -0.75
+        moes_m: float = self.load * (2 * self.speed) ** -0.75
+        return moes_m
 
     @property
     def moes_l(self) -> float:
         """Lubricant parameter L = G (2U)^(1/4) (Moes)."""
-        return self.material * (2 * self.speed) ** 0.25
+        moes_l: float = self.material * (2 * self.speed) ** 0.25
+        return moes_l
 
     @property
     def moes_film(self) -> float:
         """Film [m] for which Moes' dimensionless film (h/R) (2U)^(-1/2) is 1."""
-        return self.radius * (2 * self.speed) ** 0.5
+        moes_film: float = self.radius * (2 * self.speed) ** 0.5
+        return moes_film
 
     @property
     def ellipticity(self) -> float:
         """Ellipticity k of the Hertz contact: axis across over axis along the entrainment [-]."""
-        return ellipticity(1 / self.ratio)
+        found: float = ellipticity(1 / self.ratio)
+        return found
 
 
 @dataclass(frozen=True)
@@ -122,17 +126,20 @@ class LineGroups:
     @property
     def moes_m(self) -> float:
         """Load parameter M = W (2U)^(-1/2) (Moes)."""
-        return self.load * (2 * self.speed) ** -0.5
+        moes_m: float = self.load * (2 * self.speed) ** -0.5
+        return moes_m
 
     @property
     def moes_l(self) -> float:
         """Lubricant parameter L = G (2U)^(1/4) (Moes)."""
-        return self.material * (2 * self.speed) ** 0.25
+        moes_l: float = self.material * (2 * self.speed) ** 0.25
+        return moes_l
 
     @property
     def moes_film(self) -> float:
         """Film [m] for which Moes' dimensionless film (h/R) (2U)^(-1/2) is 1."""
-        return self.radius * (2 * self.speed) ** 0.5
+        moes_film: float = self.radius * (2 * self.speed) ** 0.5
+        return moes_film
 
 
 def point_groups(

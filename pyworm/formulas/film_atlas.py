@@ -236,7 +236,8 @@ def _exit(wedge: Values, delta: Values) -> Values:
 def _shape(log_ratio: Values, slope: float, given: dict) -> Values:
     """ln of a limit's factor for D = radius along over radius across; D^-slope towards a line contact."""
     bend = np.log1p(given["bend"] * np.exp(given["rate"] * log_ratio))
-    return given["factor"] - slope * log_ratio - given["fall"] * bend
+    shape: Values = given["factor"] - slope * log_ratio - given["fall"] * bend
+    return shape
 
 
 def _turned(side: Values, power: float) -> Values:
@@ -250,7 +251,8 @@ def joined(groups: AtlasGroups, found: Limits, constants: dict) -> Values:
     how = constants["joined"]
     thin, thick = _thin_and_thick(groups, found, how)
     film = np.logaddexp(how["power"] * thin, how["power"] * thick) / how["power"]
-    return film - how["compression"] * np.log1p(groups.compression)
+    joined: Values = film - how["compression"] * np.log1p(groups.compression)
+    return joined
 
 
 def _thin_and_thick(groups: AtlasGroups, found: Limits, how: dict) -> tuple[Values, Values]:
@@ -350,7 +352,7 @@ def fade(groups: AtlasGroups, film: Values) -> Values:
 
 def scaled(read: np.ndarray, constants: dict) -> np.ndarray:
     """What the network reads inside the box, about 0 and of the size of 1."""
-    inside = np.clip(read, constants["low"], constants["high"])
+    inside: np.ndarray = np.clip(read, constants["low"], constants["high"])
     inside -= constants["shift"]
     inside /= constants["scale"]
     return inside
@@ -366,7 +368,10 @@ def network(kept: np.ndarray, constants: dict) -> np.ndarray:
     )  # in place from here: new arrays of this size cost more than tangents
     hidden += constants["inner_bias"]
     np.tanh(hidden, out=hidden)
-    return hidden @ constants["outer"] + kept @ constants["straight"] + constants["bias"]
+    network: np.ndarray = (
+        hidden @ constants["outer"] + kept @ constants["straight"] + constants["bias"]
+    )
+    return network
 
 
 def films(groups: AtlasGroups) -> AtlasFilms:
@@ -413,7 +418,8 @@ def _films(groups: AtlasGroups, constants: dict) -> tuple[np.ndarray, np.ndarray
 def scatter(kept: np.ndarray, constants: dict) -> np.ndarray:
     """Relative errors of central and least film that 19 of 20 left-out contacts kept, (contacts, 2)."""
     level = kept @ constants["slope"] + constants["level"]
-    return np.exp(np.clip(level, log(LEAST_ERROR), 0))
+    scatter: np.ndarray = np.exp(np.clip(level, log(LEAST_ERROR), 0))
+    return scatter
 
 
 LEAST_ERROR = 0.005
@@ -433,7 +439,8 @@ def _inside(groups: AtlasGroups, read: np.ndarray, box: dict) -> np.ndarray:
         "thickness": np.exp(read[:, THICKNESS]),
     }
     within = [(low <= values[name]) & (values[name] <= high) for name, (low, high) in box.items()]
-    return np.all(within, axis=0)
+    inside: np.ndarray = np.all(within, axis=0)
+    return inside
 
 
 def regime_measures(groups: AtlasGroups, minimum: Values) -> tuple[Values, Values]:
@@ -495,7 +502,9 @@ def _gauss() -> tuple[np.ndarray, np.ndarray]:
 @cache
 def _constants() -> dict:
     """The constants of the fit."""
-    content = json.loads(files("pyworm.formulas").joinpath("film_atlas.json").read_text("utf-8"))
+    content: dict = json.loads(
+        files("pyworm.formulas").joinpath("film_atlas.json").read_text("utf-8")
+    )
     for name in ("network", "errors"):
         content[name] = {key: np.asarray(of) for key, of in content[name].items()}
     return content

@@ -108,7 +108,8 @@ def reduction(groups: AtlasGroups, central: Values, heat: HeatGroups) -> FilmRed
 def bars(kept: np.ndarray, constants: dict) -> np.ndarray:
     """Relative errors of both factors that 19 of 20 left-out contacts kept, (..., 2)."""
     level = kept @ constants["slope"] + constants["level"]
-    return np.exp(np.clip(level, log(LEAST_ERROR), 0))
+    bars: np.ndarray = np.exp(np.clip(level, log(LEAST_ERROR), 0))
+    return bars
 
 
 LEAST_ERROR = 0.01
@@ -152,12 +153,14 @@ def features(groups: AtlasGroups, central: Values, heat: HeatGroups) -> np.ndarr
 def scaled(read: np.ndarray, constants: dict) -> np.ndarray:
     """The features inside their box, -1 to 1."""
     low, high = constants["low"], constants["high"]
-    return (2 * np.clip(read, low, high) - low - high) / (high - low)
+    scaled: np.ndarray = (2 * np.clip(read, low, high) - low - high) / (high - low)
+    return scaled
 
 
 def lost(kept: np.ndarray, heat: HeatGroups, constants: dict) -> np.ndarray:
     """-ln of both factors, (..., 2)."""
-    return (terms(heat)[..., None, :] * np.exp(exponents(kept, constants))).sum(axis=-1)
+    lost: np.ndarray = (terms(heat)[..., None, :] * np.exp(exponents(kept, constants))).sum(axis=-1)
+    return lost
 
 
 def terms(heat: HeatGroups) -> np.ndarray:
@@ -177,7 +180,8 @@ def exponents(kept: np.ndarray, constants: dict) -> np.ndarray:
     """a and b, exponents of the shares of heat and thinning in both films, (..., film, share)."""
     hidden = np.tanh(kept @ constants["inner"] + constants["inner_bias"])
     out = hidden @ constants["outer"] + kept @ constants["straight"] + constants["bias"]
-    return out.reshape(*out.shape[:-1], 2, 2)
+    exponents: np.ndarray = out.reshape(*out.shape[:-1], 2, 2)
+    return exponents
 
 
 @cache

@@ -66,7 +66,8 @@ def pressure_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
         ]
     )
     asymptote = 1 + 3 * (1 - 3 / (1 + aspect)) / far**2
-    return np.maximum(_blend(gap, _between(fits, aspect), asymptote), 0.0)
+    pressure_flow_factor: Array = np.maximum(_blend(gap, _between(fits, aspect), asymptote), 0.0)
+    return pressure_flow_factor
 
 
 def shear_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
@@ -80,7 +81,8 @@ def shear_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
     fits = np.array([a * near**b * np.exp(-c * near + d * near**2) for a, b, c, d in SHEAR_FACTORS])
     part = open_gap(np.minimum(gap, CLOSED)) / open_gap(CLOSED)
     asymptote = 3 / ((1 + aspect) * np.maximum(gap, FITTED))
-    return part * _blend(gap, _between(fits, aspect), asymptote)
+    shear_flow_factor: Array = part * _blend(gap, _between(fits, aspect), asymptote)
+    return shear_flow_factor
 
 
 def _between(fits: Array, aspect: float) -> Array:
@@ -88,10 +90,12 @@ def _between(fits: Array, aspect: float) -> Array:
     place = np.interp(np.log(aspect), np.log(ASPECTS), np.arange(len(ASPECTS)))
     before = min(int(place), len(ASPECTS) - 2)
     part = place - before
-    return (1 - part) * fits[before] + part * fits[before + 1]
+    between: Array = (1 - part) * fits[before] + part * fits[before + 1]
+    return between
 
 
 def _blend(gap: Array, fit: Array, asymptote: Array) -> Array:
     part = np.clip((gap - FITTED) / (ASYMPTOTIC - FITTED), 0.0, 1.0)
     part = part**2 * (3 - 2 * part)
-    return (1 - part) * fit + part * asymptote
+    blend: Array = (1 - part) * fit + part * asymptote
+    return blend

@@ -112,7 +112,10 @@ class Yasutomi:
         """Viscosity [Pa s] at pressures [Pa] and temperatures [K]."""
         above = temperature - self.glass - self.a1 * np.log1p(self.a2 * pressure)
         above = above * (1 - self.b1 * np.log1p(self.b2 * pressure))
-        return self.glass_viscosity * np.exp(-np.log(10) * self.c1 * above / (self.c2 + above))
+        found: Values = self.glass_viscosity * np.exp(
+            -np.log(10) * self.c1 * above / (self.c2 + above)
+        )
+        return found
 
 
 @dataclass(frozen=True)

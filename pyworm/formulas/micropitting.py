@@ -73,7 +73,8 @@ class Flanks:
     @property
     def half_width(self) -> Array:
         """Half-widths of the Hertz contacts [m]."""
-        return np.sqrt(8 * self.unit_load * self.radius / (pi * self.modulus))
+        half_width: Array = np.sqrt(8 * self.unit_load * self.radius / (pi * self.modulus))
+        return half_width
 
 
 @dataclass(frozen=True)
@@ -136,7 +137,8 @@ def mean_friction(
     radius_mm, roughness_um = radius * 1e3, roughness * 1e6
     rough = 2.2 * (roughness_um / radius_mm) ** 0.25
     loaded = (unit_load * 1e-3 / (sum_speed * radius_mm)) ** 0.2
-    return 0.045 * loaded * (1e3 * viscosity) ** -0.05 * rough * friction_factor
+    mean_friction: float = 0.045 * loaded * (1e3 * viscosity) ** -0.05 * rough * friction_factor
+    return mean_friction
 
 
 def micropitting_films(
@@ -213,7 +215,8 @@ def bulk_rise(
     within("face width", face_width, 1e-4, 10, "m")
     positive("power", power, "W")
     lost = power * 1e-3 * friction * loss_factor / (centre_distance * face_width * 1e6)
-    return 7400 * lost**0.72
+    bulk_rise: float = 7400 * lost**0.72
+    return bulk_rise
 
 
 def permissible_specific_film(tested: float, material_factor: float = 1.0) -> float:

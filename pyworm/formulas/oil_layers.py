@@ -34,7 +34,8 @@ def dragged_layer(viscosity: float, density: float, speed: float) -> float:
     positive("speed", speed, "m/s")
     capillary_number = viscosity * speed / SURFACE_TENSION
     part = min(0.944 * capillary_number ** (1 / 6), FASTEST)
-    return part * sqrt(viscosity * speed / (density * GRAVITY))
+    dragged_layer: float = part * sqrt(viscosity * speed / (density * GRAVITY))
+    return dragged_layer
 
 
 def drained_layer(

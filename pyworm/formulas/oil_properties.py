@@ -147,9 +147,10 @@ def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
     """
     within("viscosity index", index, 0, 400, "")
     within("kinematic viscosity at 40 degC", viscosity_40, 6e-6, 1e-2, "m2/s")
-    return scipy.optimize.brentq(
+    viscosity_100_of_index: float = scipy.optimize.brentq(
         lambda hot: viscosity_index(viscosity_40, hot) - index, 2e-6, 0.9 * viscosity_40, xtol=1e-12
     )
+    return viscosity_100_of_index
 
 
 # ------------------------------------------------------------------------------ density and heat

@@ -40,7 +40,7 @@ def in_point_range(ratio: float) -> bool:
     """Whether the chart of points was made for a radius along the entrainment over that across, D."""
     least, most = POINT_RANGE
     # the ellipticity of a circle is 1 but for rounding
-    return least * (1 - 1e-9) <= ellipticity(1 / ratio) <= most
+    return bool(least * (1 - 1e-9) <= ellipticity(1 / ratio) <= most)
 
 
 def point_films(viscosity: Values, elasticity: Values, ratio: float) -> dict[str, Values]:
@@ -79,7 +79,10 @@ def point_films(viscosity: Values, elasticity: Values, ratio: float) -> dict[str
 def point_chart(viscosity: Values, elasticity: Values, ratio: float) -> np.ndarray:
     """Place in `REGIMES` by Hamrock and Dowson's chart; arguments as of `point_films`."""
     films = point_films(viscosity, elasticity, ratio)
-    return np.argmax(np.stack(np.broadcast_arrays(*(films[name] for name in REGIMES))), axis=0)
+    point_chart: np.ndarray = np.argmax(
+        np.stack(np.broadcast_arrays(*(films[name] for name in REGIMES))), axis=0
+    )
+    return point_chart
 
 
 def line_films(viscosity: Values, elasticity: Values) -> dict[str, Values]:
@@ -124,4 +127,5 @@ def line_chart(viscosity: Values, elasticity: Values) -> np.ndarray:
         films[PIEZOVISCOUS_RIGID] > films[PIEZOVISCOUS_ELASTIC],
         films[ISOVISCOUS_ELASTIC] > films[ISOVISCOUS_RIGID],
     )
-    return 2 * flat + 1 * (thick > thin)
+    line_chart: np.ndarray = 2 * flat + 1 * (thick > thin)
+    return line_chart

@@ -61,7 +61,8 @@ def open_gap(gap: npt.ArrayLike) -> Array:
     """
     gap = np.asarray(gap, dtype=float)
     thickness = gap * scipy.special.ndtr(gap) + np.exp(-(gap**2) / 2) / sqrt(2 * pi)
-    return np.maximum(thickness, 0.0)
+    open_gap: Array = np.maximum(thickness, 0.0)
+    return open_gap
 
 
 def greenwood_tripp(

@@ -77,7 +77,8 @@ class ScrewGenerator(ABC):
         nx, ny, nz = crossed(along, (-y, x, self.screw))
         cosine, sine = np.cos(turn), np.sin(turn)
         normal = np.stack([cosine * nx - sine * ny, sine * nx + cosine * ny, nz + 0 * sine])
-        return normal / np.sqrt(np.sum(normal**2, axis=0))
+        found: Array = normal / np.sqrt(np.sum(normal**2, axis=0))
+        return found
 
 
 def crossed(one: Components, other: Components) -> Components:

@@ -137,7 +137,10 @@ def scuffing_temperature_of_stage(
     within("lubricant factor", friction_factor, 0.1, 3, "")
     within("structure factor", structure_factor, 0.1, 3, "")
     lubricant = friction_factor * (1e3 * viscosity) ** -0.05
-    return 80 + (0.85 + 1.4 * structure_factor) * lubricant * stage**2 + ZERO_CELSIUS
+    scuffing_temperature_of_stage: float = (
+        80 + (0.85 + 1.4 * structure_factor) * lubricant * stage**2 + ZERO_CELSIUS
+    )
+    return scuffing_temperature_of_stage
 
 
 def scuffing_safety(contact: Values, oil: float, scuffing: float) -> Values:
@@ -173,7 +176,8 @@ def scuffing_probability(contact: Values, scuffing: Values) -> Values:
     within("scuffing temperature", scuffing, 300, 1000, "K")
     mean = (np.asarray(scuffing) - ZERO_CELSIUS) * 1.8 + 32
     excess = (np.asarray(contact) - np.asarray(scuffing)) * 1.8
-    return scipy.special.ndtr(excess / (SPREAD * mean))
+    scuffing_probability: Values = scipy.special.ndtr(excess / (SPREAD * mean))
+    return scuffing_probability
 
 
 def risk(probability: float) -> str:

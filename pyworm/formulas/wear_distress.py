@@ -61,7 +61,10 @@ def distress_probability(specific_film: Values, pitch_line_velocity: float) -> V
     positive("pitch line velocity", pitch_line_velocity, "m/s")
     within("pitch line velocity", pitch_line_velocity, 0, 300, "m/s")
     _, mean, spread = next(row for row in _DISTRESS if pitch_line_velocity <= row[0])
-    return 1 - scipy.special.ndtr((np.asarray(specific_film) - mean) / spread)
+    distress_probability: Values = 1 - scipy.special.ndtr(
+        (np.asarray(specific_film) - mean) / spread
+    )
+    return distress_probability
 
 
 def film_of_probability(probability: float, pitch_line_velocity: float) -> float:

@@ -42,7 +42,8 @@ def archard_depth(coefficient: float, pressure: Values, path: Values) -> Values:
     """
     positive("wear coefficient", coefficient, "m2/N")
     within("wear coefficient", coefficient, 1e-24, 1e-9, "m2/N")
-    return coefficient * np.asarray(pressure) * np.asarray(path)
+    archard_depth: Values = coefficient * np.asarray(pressure) * np.asarray(path)
+    return archard_depth
 
 
 def harder_ratio(hardness: float, softer: float, exponent: float = HARDNESS_EXPONENT) -> float:
@@ -62,7 +63,8 @@ def harder_ratio(hardness: float, softer: float, exponent: float = HARDNESS_EXPO
     positive("hardness", softer, "Pa")
     within("hardness of the harder surface", hardness, softer, 1e11, "Pa")
     within("exponent of the hardness", exponent, 0, 4, "")
-    return (softer / hardness) ** exponent
+    harder_ratio: float = (softer / hardness) ** exponent
+    return harder_ratio
 
 
 def energy_coefficient(energy: float, friction: float) -> float:
@@ -118,4 +120,5 @@ def _density(level: float) -> float:
 
 def _removed(level: float) -> float:
     """Mean of what of a normal height lies above a level, over its deviation [-]."""
-    return _density(level) - level * scipy.special.ndtr(-level)
+    removed: float = _density(level) - level * scipy.special.ndtr(-level)
+    return removed

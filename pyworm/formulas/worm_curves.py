@@ -91,7 +91,8 @@ def base_friction(
     within("sliding speed", sliding_speed, *SLIDING_RANGE, "m/s")
     iron = family == "cast iron"
     a, b, c, d, largest = _FRICTION_OF_IRON[oil] if iron else _FRICTION[lubrication, oil]
-    return min(a + b / (sliding_speed + c) ** d, largest)
+    base_friction: float = min(a + b / (sliding_speed + c) ** d, largest)
+    return base_friction
 
 
 def wear_exponent(
@@ -126,7 +127,8 @@ def base_wear(
     positive("K_W", parameter, "")
     factor, exponent, largest = _wear_curve(oil, lubrication, family)
     worn = factor * parameter**exponent
-    return worn if largest is None else min(worn, largest)
+    base_wear: float = worn if largest is None else min(worn, largest)
+    return base_wear
 
 
 def _wear_curve(

@@ -149,7 +149,8 @@ class _OnDemandDataset:
         return value
 
     def held(self, instance: Any) -> "PlainDataset | xr.Dataset | None":
-        return vars(instance)[self._place]
+        value: PlainDataset | xr.Dataset | None = vars(instance)[self._place]
+        return value
 
 
 def reads_as_xarray(*names: str) -> Callable[[type], type]:
@@ -165,7 +166,8 @@ def reads_as_xarray(*names: str) -> Callable[[type], type]:
 
 def held(instance: Any, name: str) -> "PlainDataset | xr.Dataset | None":
     """An attribute named in `reads_as_xarray` as it is held, so that xarray is not loaded for it."""
-    return vars(type(instance))[name].held(instance)
+    attribute: _OnDemandDataset = vars(type(instance))[name]
+    return attribute.held(instance)
 
 
 def same_data(one: "xr.Dataset | None", other: "xr.Dataset | None") -> bool:

@@ -13,9 +13,10 @@ def elastic_deflection(
     pressure: npt.ArrayLike, dx: float, dy: float, reduced_modulus: float
 ) -> np.ndarray:
     """Sum of the deflections of both half-spaces [m] under nodal pressure [Pa], shape (nx, ny)."""
-    deflection, status = core.bindings.elastic_deflection(
+    found: tuple[np.ndarray, int] = core.bindings.elastic_deflection(
         fortran_array(pressure), dx, dy, reduced_modulus
     )
+    deflection, status = found
     check_status(status)
     return deflection
 

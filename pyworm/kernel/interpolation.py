@@ -9,7 +9,8 @@ from pyworm.kernel.core import fortran_array
 
 def level_positions(levels: int) -> np.ndarray:
     """Positions of the levels across a film, from -1/2 at body 1 to 1/2 at body 2."""
-    return core.bindings.level_positions(levels)
+    level_positions: np.ndarray = core.bindings.level_positions(levels)
+    return level_positions
 
 
 def at_levels(field: npt.ArrayLike, levels: int) -> np.ndarray:
@@ -26,8 +27,10 @@ def prolong(field: npt.ArrayLike) -> np.ndarray:
     """Interpolate a field along one direction or two to half the spacing, by cubics."""
     nodes = fortran_array(field)
     if nodes.ndim == 1:
-        return core.bindings.prolong_cubic(nodes[:, np.newaxis])[:, 0]
-    return core.bindings.prolong_cubic(nodes)
+        prolong: np.ndarray = core.bindings.prolong_cubic(nodes[:, np.newaxis])[:, 0]
+        return prolong
+    prolong = core.bindings.prolong_cubic(nodes)
+    return prolong
 
 
 def prolong_levels(fields: np.ndarray) -> np.ndarray:

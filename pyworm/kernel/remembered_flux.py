@@ -85,7 +85,7 @@ def remembered_flux(
     flux = np.stack(history.flux, axis=-1)
     x, y = (places[0], np.zeros(1)) if line else places
     u, v = (velocity[0], np.zeros_like(velocity[0])) if line else velocity
-    found = core.bindings.integrate_remembered_flux(
+    found: np.ndarray = core.bindings.integrate_remembered_flux(
         fortran_array(flux[:, np.newaxis] if line else flux),
         _pairs(history.first, 0.0),
         _pairs(history.spacing, 1.0),

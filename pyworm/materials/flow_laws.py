@@ -171,7 +171,8 @@ class FlowLaw:
         curve = scipy.interpolate.PchipInterpolator(places, stresses)
         # before the table the oil is Newtonian, beyond it a power law
         slope = np.where(place < places[0], 1.0, float(curve(places[-1], nu=1)))
-        return np.exp(curve(inside) + slope * (place - inside))
+        shape_at: np.ndarray = np.exp(curve(inside) + slope * (place - inside))
+        return shape_at
 
     def limit_at(self, pressure: float | str) -> float:
         """Limiting stress tauL [Pa] at a pressure [Pa]."""
@@ -196,7 +197,10 @@ class FlowLaw:
         if self.law == "bair-winer":
             return -limit * expm1(-newtonian / limit)
         if self.law == "carreau":
-            return newtonian * (1 + (newtonian / onset) ** 2) ** ((self.exponent - 1) / 2)
+            stress_at: float = newtonian * (1 + (newtonian / onset) ** 2) ** (
+                (self.exponent - 1) / 2
+            )
+            return stress_at
         if self.law in SHAPED:
             return self._shaped_stress(newtonian, onset, limit)
         thinned = onset * asinh(newtonian / onset)
@@ -205,14 +209,16 @@ class FlowLaw:
 
         def excess(stress: float) -> float:
             held = 1 - (stress / limit) ** (2 * self.exponent)
-            return onset * sinh(stress / onset) - newtonian * held
+            excess: float = onset * sinh(stress / onset) - newtonian * held
+            return excess
 
         highest = min(thinned, limit)
         if (
             not excess(highest) > 0
         ):  # a limit so far away that thinned and limited differ by rounding only
             return highest
-        return scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit)
+        stress_at = scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit)
+        return stress_at
 
     def _shaped_stress(self, newtonian: float, onset: float, limit: float) -> float:
         """Stress [Pa] of a law in `SHAPED`: its own, of which a limit holds back a part."""
@@ -227,7 +233,8 @@ class FlowLaw:
         low, high = excess(0.0), excess(highest)
         if low * high > 0:
             return onset * float(self.shape_at(np.array(newtonian / onset)))
-        return scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit)
+        shaped_stress: float = scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit)
+        return shaped_stress
 
     @property
     def thins(self) -> bool:

@@ -51,7 +51,8 @@ class LongWaves:
 
     @cached_property
     def _coefficients(self) -> Array:
-        return scipy.ndimage.spline_filter(self.surface.height, mode=self._beyond)
+        coefficients: Array = scipy.ndimage.spline_filter(self.surface.height, mode=self._beyond)
+        return coefficients
 
     def at(self, along: Array, across: Array) -> Array:
         """Heights [m] at places [m] from the middle, along the surface's own motion and to its left."""
@@ -66,9 +67,10 @@ class LongWaves:
                 places, self.surface.spacing, self.surface.height.shape, strict=True
             )
         ]
-        return scipy.ndimage.map_coordinates(
+        at: Array = scipy.ndimage.map_coordinates(
             self._coefficients, np.broadcast_arrays(*rows), mode=self._beyond, prefilter=False
         )
+        return at
 
     def ridges(self, direction: float) -> "Ridges":
         """The waves' part that is constant along a direction from the surface's own motion [rad].
@@ -105,7 +107,8 @@ class Ridges:
     def at(self, across: Array) -> Array:
         """Heights [m] at places across them from the middle [m]; beyond the ends as in a mirror."""
         rows = np.asarray(across) / self.spacing + self.middle
-        return scipy.ndimage.map_coordinates(self.height, [rows], mode="mirror")
+        at: Array = scipy.ndimage.map_coordinates(self.height, [rows], mode="mirror")
+        return at
 
 
 @lru_cache(maxsize=8)

@@ -138,10 +138,12 @@ class Oil:
         if isinstance(self.viscosity, TabulatedViscosity):
             return float(self.viscosity(pressure, rise))
         if self.heat is None or rise == 0:
-            return self.viscosity(pressure)
+            eta: float = self.viscosity(pressure)
+            return eta
         exponent = self.heat.viscosity_exponent
         if isinstance(self.viscosity, Barus):
-            return self.viscosity(pressure) * exp(-exponent * rise)
+            eta = self.viscosity(pressure) * exp(-exponent * rise)
+            return eta
         law, inlet = self.viscosity, self.heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE
         span = log(law.eta0) + ROELANDS_POLE_LOG
         warmed = (1 + pressure / law.p0) ** law.z * (1 + rise / inlet) ** -exponent

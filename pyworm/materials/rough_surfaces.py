@@ -93,12 +93,16 @@ class GapCurves:
     @property
     def gaps(self) -> Array:
         """Gap between mean planes of each row [m]."""
-        return self.scale * np.sinh(self.first + self.spacing * np.arange(self.values.shape[1]))
+        gaps: Array = self.scale * np.sinh(
+            self.first + self.spacing * np.arange(self.values.shape[1])
+        )
+        return gaps
 
     @property
     def thicknesses(self) -> Array:
         """Mean thickness of the gap of each row [m]."""
-        return self.gaps + self.values[1]
+        thicknesses: Array = self.gaps + self.values[1]
+        return thicknesses
 
     def gap_under(self, pressure: float) -> float:
         """Gap between mean planes [m] at which asperities alone bear a pressure [Pa]."""

@@ -119,9 +119,9 @@ def is_plastic(name: str) -> bool:
 
 def source(name: str) -> str:
     """What the constants of a material of the table rest on."""
-    return _tables()[name]["source"]
+    return str(_tables()[name]["source"])
 
 
 def usual_roughness(finish: str) -> str:
     """Arithmetic mean Ra of flanks made in a way, as a case file writes it."""
-    return _tables()["finishes"][finish]
+    return str(_tables()["finishes"][finish])

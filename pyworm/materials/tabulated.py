@@ -292,10 +292,12 @@ class TabulatedViscosity(Tabulated):
         return float(self._spline.ev(0.0, at, dx=1))
 
     def _write(self, values: Array) -> Array:
-        return np.log(values)
+        write: Array = np.log(values)
+        return write
 
     def _read(self, written: Array) -> Array:
-        return np.exp(written)
+        read: Array = np.exp(written)
+        return read
 
     def _relative(self, written: Array) -> Array:
         return written - self._ambient

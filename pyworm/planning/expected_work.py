@@ -154,10 +154,11 @@ def sharpness(
     spacing: Sequence[float], half_widths: Sequence[float], radii: Sequence[float], film: float
 ) -> float:
     """Largest spacing over the length of the film's rise [-]; arguments as of `first_change`."""
-    return max(
+    sharpness: float = max(
         step / (half * (film * radius / half**2) ** (2 / 3))
         for step, half, radius in zip(spacing, half_widths, radii, strict=True)
     )
+    return sharpness
 
 
 def first_change(
@@ -185,7 +186,8 @@ def first_change(
     lobes = max(slenderness, 1.0) ** LOBES_POWER
     sharp = sharpness(spacing, half_widths, radii, film)
     change = CHANGE * sharp**SHARPNESS_POWER * lubricant**LUBRICANT_POWER * lobes
-    return max(LEAST_CHANGE, change)
+    first_change: float = max(LEAST_CHANGE, change)
+    return first_change
 
 
 def first_refinement(change: float, accuracy: float, heated: bool) -> float:
@@ -209,7 +211,8 @@ def solves_of_life(accuracy: float) -> int:
 def stiffness(heated: bool, moes_l: float) -> float:
     """Factor by which the Newton steps of a film exceed the usual number."""
     least, power = (STIFF, STIFF_POWER) if heated else (THICKENING, THICKENING_POWER)
-    return max(1.0, moes_l / least) ** power
+    stiffness: float = max(1.0, moes_l / least) ** power
+    return stiffness
 
 
 def expected_work(

@@ -185,7 +185,8 @@ class Prediction:
 
         if not excess(cold) > 0:
             return cold
-        return scipy.optimize.brentq(excess, 0.0, cold, xtol=1e-6 * cold)
+        hot_stress: float = scipy.optimize.brentq(excess, 0.0, cold, xtol=1e-6 * cold)
+        return hot_stress
 
     @cached_property
     def own_hot_stress(self) -> float:

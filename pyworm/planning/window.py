@@ -149,7 +149,8 @@ def _lowest(scene: Scene, boxes: Array) -> Array:
     west, east, south, north = (np.tile(place, (SAMPLES, 1)) for place in boxes.T)
     x, y = np.linspace(west[0], east[0], SAMPLES), np.linspace(south[0], north[0], SAMPLES)
     gap, covered = scene.gap(np.array([west, east, x, x]).T, np.array([y, y, south, north]).T)
-    return np.where(covered, gap, np.inf).min(axis=1)
+    lowest: Array = np.where(covered, gap, np.inf).min(axis=1)
+    return lowest
 
 
 def _leaves(scene: Scene, side: Array, place: Array) -> Array:
@@ -157,4 +158,5 @@ def _leaves(scene: Scene, side: Array, place: Array) -> Array:
     on_x = side < 2
     u, v = scene.entrainment(np.where(on_x, place, 0.0), np.where(on_x, 0.0, place))
     outward = np.where(on_x, u, v) * np.where(side % 2, 1, -1)
-    return outward > OUTFLOW_FRACTION * np.hypot(u, v)
+    leaves: Array = outward > OUTFLOW_FRACTION * np.hypot(u, v)
+    return leaves

@@ -13,4 +13,5 @@ def between_nodes(
     first = np.minimum(whole(at), nodes.size - 2)
     weight = (at - first).reshape(-1, *[1] * (1 - axis))
     before, behind = (np.take(field, first + step, axis) for step in (0, 1))
-    return before + weight * (behind - before)
+    between_nodes: np.ndarray = before + weight * (behind - before)
+    return between_nodes

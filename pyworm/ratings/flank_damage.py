@@ -96,9 +96,10 @@ def gear_oil(oil: Oil, base: str) -> GearOil:
 
     def law(name: str) -> Callable[[np.ndarray], np.ndarray]:
         def of(temperature: np.ndarray) -> np.ndarray:
-            return np.vectorize(lambda kelvin: getattr(oil.warmed(kelvin - inlet).viscosity, name))(
-                temperature
-            )
+            found: np.ndarray = np.vectorize(
+                lambda kelvin: getattr(oil.warmed(kelvin - inlet).viscosity, name)
+            )(temperature)
+            return found
 
         return of
 

@@ -56,7 +56,10 @@ def tooth_loss_of(case: Case) -> float:
     drive = present(case.drive, "drive")
     cooling = case.tables.cooling_of(drive)
     sump = present(drive.oil.heat, "oil.heat").inlet_temperature
-    return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other.power
+    tooth_loss_of: float = (
+        sump - cooling.ambient_temperature
+    ) * cooling.conductance - cooling.other.power
+    return tooth_loss_of
 
 
 @dataclass(frozen=True)

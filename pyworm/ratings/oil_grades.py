@@ -235,7 +235,8 @@ def grade_row(duty: OilDuty, grade: int) -> GradeRow:
 
     def heat(sump: float) -> float:
         ratio = float(oil.kinematic_viscosity(sump)) / thickness
-        return 1 - fraction + fraction * ratio**CHURNING_EXPONENT
+        heat: float = 1 - fraction + fraction * ratio**CHURNING_EXPONENT
+        return heat
 
     # Thinner with every degree, so that there is one balance; the teeth's share alone bounds it from below.
     coldest = duty.ambient_temperature + (1 - fraction) * rise
@@ -280,7 +281,7 @@ def viscosity_needed(duty: OilDuty) -> float | None:
         return None
     if surplus(thinnest) > 0:
         return thinnest
-    return scipy.optimize.brentq(surplus, thinnest, THICKEST, rtol=1e-6)
+    return float(scipy.optimize.brentq(surplus, thinnest, THICKEST, rtol=1e-6))
 
 
 def past_practice(duty: OilDuty) -> list[int]:

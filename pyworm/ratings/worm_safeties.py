@@ -164,7 +164,8 @@ def _miner(loads: tuple[RatedLoad, ...]) -> float:
         endured = load.rated.pitting_safety / lasting  # over 25000 h
         damage += hours / 25000 * endured**-_PITTING_POWER
         bound = min(bound, endured * _MOST_LASTING)
-    return min(damage ** (-1 / _PITTING_POWER), bound)
+    miner: float = min(damage ** (-1 / _PITTING_POWER), bound)
+    return miner
 
 
 def _deflection(of: _Rated) -> Safety:

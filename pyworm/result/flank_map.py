@@ -110,7 +110,8 @@ def _on_tooth(result: Result, face: Array, radius: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         crossing = x + (radius - y) / (next_y - y) * (next_x - x)
     within = np.sum(spans & (face < crossing), axis=-1) % 2 == 1
-    return scipy.ndimage.binary_dilation(within)  # cells that the outline passes through
+    on_tooth: Array = scipy.ndimage.binary_dilation(within)  # cells that the outline passes through
+    return on_tooth
 
 
 def _neighbours(
@@ -218,7 +219,8 @@ MOST_STEPS = 4 * sum(NODES)
 
 def _at(field: Array, place: Array) -> Array:
     """Values of a field between nodes."""
-    return scipy.ndimage.map_coordinates(field, place, order=1, mode="nearest")
+    at: Array = scipy.ndimage.map_coordinates(field, place, order=1, mode="nearest")
+    return at
 
 
 def _filled(field: Array) -> Array:
@@ -229,4 +231,5 @@ def _filled(field: Array) -> Array:
     nearest = scipy.ndimage.distance_transform_edt(
         missing, return_distances=False, return_indices=True
     )
-    return field[tuple(nearest)]
+    filled: Array = field[tuple(nearest)]
+    return filled

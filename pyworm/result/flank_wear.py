@@ -144,7 +144,8 @@ def flank_grid(result: Result, side: Side = "wheel") -> FlankGrid:
 
 def _loaded(layer: dict[str, Array], name: str) -> Array:
     pressure = layer["pressure"]
-    return layer[name][pressure > LOADED_FRACTION * pressure.max()]
+    loaded: Array = layer[name][pressure > LOADED_FRACTION * pressure.max()]
+    return loaded
 
 
 def _rough_phases(result: Result) -> list[Solution]:
@@ -337,4 +338,5 @@ def _with_areas(layer: dict[str, Array], x: Array, y: Array) -> dict[str, Array]
 
 def smoothed(field: Array) -> Array:
     """A worn flank without the ripple of its cells, as a spline through them has to be."""
-    return scipy.ndimage.gaussian_filter(field, 0.8, mode="nearest")
+    smoothed: Array = scipy.ndimage.gaussian_filter(field, 0.8, mode="nearest")
+    return smoothed

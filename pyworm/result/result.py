@@ -124,7 +124,8 @@ class Result(Shown):
     def without_solution(self) -> dict[str, str]:
         """Names of the contacts without a converged solution, and the reason of each."""
         unsound = {one.name: one.stop_reason for one in self.unsound}
-        return unsound | self.provenance.get("failed", {})
+        failed: dict[str, str] = self.provenance.get("failed", {})
+        return unsound | failed
 
     @property
     def missing(self) -> str:
@@ -324,7 +325,7 @@ def _to_json(value: Any) -> str:
 def _read_solution(groups: "dict[str, xr.Dataset]", scene: str) -> Solution:
     datasets = {part: groups[f"{scene}/{part}"] for part in DATASETS if f"{scene}/{part}" in groups}
     try:
-        solution = typed(Solution, read_json(groups[scene].attrs["solution"]) | datasets)
+        solution: Solution = typed(Solution, read_json(groups[scene].attrs["solution"]) | datasets)
         check(solution)
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{scene[1:]}: {error}") from None

@@ -59,12 +59,14 @@ class SweepResult:
     @property
     def converged(self) -> np.ndarray:
         """Whether the solution of each scene converged."""
-        return self.table["converged"].values == 1
+        converged: np.ndarray = self.table["converged"].values == 1
+        return converged
 
     @property
     def accurate(self) -> np.ndarray:
         """Whether the solution of each scene has the accuracy asked for."""
-        return self.table["accurate"].values == 1
+        accurate: np.ndarray = self.table["accurate"].values == 1
+        return accurate
 
     @cached_property
     def left_out(self) -> LeftOut:

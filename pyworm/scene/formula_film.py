@@ -70,7 +70,8 @@ class FormulaFilms:
     @property
     def regime(self) -> np.ndarray:
         """Names of the regimes of lubrication, `pyworm.formulas.regimes`."""
-        return np.array(REGIMES)[regime_number(self.deflection, self.thickening)]
+        regime: np.ndarray = np.array(REGIMES)[regime_number(self.deflection, self.thickening)]
+        return regime
 
     @property
     def deflection(self) -> Values:

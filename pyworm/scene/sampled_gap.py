@@ -111,7 +111,8 @@ class SampledGap:
     def _height(self, x: Array, y: Array) -> Array:
         inside_x = np.clip(x, self.x[0], self.x[-1])
         inside_y = np.clip(y, self.y[0], self.y[-1])
-        return self._rest.ev(inside_y, inside_x) + self._quadratic(x, y)
+        height: Array = self._rest.ev(inside_y, inside_x) + self._quadratic(x, y)
+        return height
 
     @cached_property
     def _datum(self) -> float:
@@ -170,17 +171,20 @@ class SampledGap:
         inside = (self.x[0] <= x) & (x <= self.x[-1]) & (self.y[0] <= y) & (y <= self.y[-1])
         row = np.clip(np.searchsorted(self.y, y, side="right") - 1, 0, self.y.size - 2)
         column = np.clip(np.searchsorted(self.x, x, side="right") - 1, 0, self.x.size - 2)
-        return inside & self._covered_cells[row, column]
+        covered: Array = inside & self._covered_cells[row, column]
+        return covered
 
     @cached_property
     def _covered_cells(self) -> Array:
         """Cells whose four corners are known; by the nearest sample alone edges would be too wide."""
         known = np.isfinite(self.gap)
-        return known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
+        covered_cells: Array = known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
+        return covered_cells
 
     def _quadratic(self, x: Array, y: Array) -> Array:
         terms = _quadratic_terms(x, y)
-        return sum(c * term for c, term in zip(self._coefficients, terms, strict=True))
+        quadratic: Array = sum(c * term for c, term in zip(self._coefficients, terms, strict=True))
+        return quadratic
 
     @cached_property
     def _coefficients(self) -> Array:
@@ -205,7 +209,8 @@ def _fit_quadratic(x: Array, y: Array, gap: Array) -> Array:
     # Scaled columns: in metres the quadratic ones would be lost beside the constant.
     scales = [np.abs(term).max() or 1.0 for term in terms]
     matrix = np.column_stack([term / scale for term, scale in zip(terms, scales, strict=True)])
-    return np.linalg.lstsq(matrix, gap[known], rcond=None)[0] / scales
+    fit_quadratic: Array = np.linalg.lstsq(matrix, gap[known], rcond=None)[0] / scales
+    return fit_quadratic
 
 
 def _fill(values: Array) -> Array:

@@ -1,14 +1,19 @@
 """A figure with its error bar, and calculation with it."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import hypot, inf, isinf, isnan
-from typing import Any
+from typing import Any, TypeVar
 
 from pyworm.io.format import with_bars
 from pyworm.io.shown import percent
 
 ORIGINS = ("grid", "domain", "algebra", "approximation")
 """Attributes that make up an error bar."""
+
+
+Combined = TypeVar("Combined")
+"""What two figures make: another one, or a comparison."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -139,14 +144,15 @@ class Estimate:
         bar = other.bar if isinstance(other, Estimate) else 0.0
         return abs(self.value - float(other)) <= self.bar + bar
 
-    def _with(self, other: Any, result: Any) -> Any:
+    def _with(self, other: Any, result: Callable[["Estimate", "Estimate"], Combined]) -> Combined:
         """A result with a figure or an exact number."""
         if isinstance(other, Estimate):
             return result(self, other)
         try:
             return result(self, Estimate(float(other), 0.0))
         except TypeError:
-            return NotImplemented
+            incomparable: Combined = NotImplemented
+            return incomparable
 
     @staticmethod
     def _sum(one: "Estimate", by: float, other: "Estimate", times: float) -> "Estimate":

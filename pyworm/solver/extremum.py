@@ -55,7 +55,10 @@ def surface_at(field: Array, i: Array, j: Array) -> Array:
     """Values of the surface through a field over a plane at places given in nodes, all within the grid."""
     rows, on_x = _four(i, field.shape[0])
     columns, on_y = _four(j, field.shape[1])
-    return np.einsum("pa,pab,pb->p", on_x, field[rows[:, :, None], columns[:, None, :]], on_y)
+    surface_at: Array = np.einsum(
+        "pa,pab,pb->p", on_x, field[rows[:, :, None], columns[:, None, :]], on_y
+    )
+    return surface_at
 
 
 def _four(places: Array, count: int) -> tuple[Array, Array]:
@@ -125,13 +128,15 @@ def _lowest_about(field: Array) -> Array:
         lower = np.moveaxis(least, axis, 0)
         np.minimum(lower[1:], line[:-1], out=lower[1:])
         np.minimum(lower[:-1], line[1:], out=lower[:-1])
-    return field == least
+    lowest_about: Array = field == least
+    return lowest_about
 
 
 def _bends(field: Array, i: Array, j: Array) -> Array:
     """Second differences along x at some nodes, by half where one neighbour is outside the grid."""
     before, behind = np.maximum(i - 1, 0), np.minimum(i + 1, field.shape[0] - 1)
-    return field[before, j] - 2 * field[i, j] + field[behind, j]
+    bends: Array = field[before, j] - 2 * field[i, j] + field[behind, j]
+    return bends
 
 
 def _about(
@@ -167,12 +172,14 @@ def _around(node: int, count: int) -> tuple[Array, Array]:
 
 def _corners(of: np.ufunc, nodes: Array) -> Array:
     """Cells all or one of whose corners are such nodes."""
-    return of.reduce([nodes[:-1, :-1], nodes[1:, :-1], nodes[:-1, 1:], nodes[1:, 1:]])
+    corners: Array = of.reduce([nodes[:-1, :-1], nodes[1:, :-1], nodes[:-1, 1:], nodes[1:, 1:]])
+    return corners
 
 
 def _cells_of(places: Array) -> Array:
     """Whether places, counted from the middle node, are in each cell between nodes."""
-    return np.abs(places[:, None] - (np.arange(-MARGIN, MARGIN) + 0.5)) <= 0.5
+    cells_of: Array = np.abs(places[:, None] - (np.arange(-MARGIN, MARGIN) + 0.5)) <= 0.5
+    return cells_of
 
 
 def _weights(places: Array) -> Array:
@@ -204,4 +211,5 @@ def _carried_on(values: Array) -> Array:
             count += ~np.isnan(on)
         reached = np.isnan(values) & (count > 0)
         values = np.where(reached, total / np.maximum(count, 1), values)
-    return np.nan_to_num(values)
+    carried_on: Array = np.nan_to_num(values)
+    return carried_on

@@ -196,7 +196,10 @@ class Level(ABC):
 
     def contact(self) -> Array:
         """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
-        return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
+        contact: Array = self.covered & (
+            self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max()
+        )
+        return contact
 
     def share_of_contact(self) -> Array:
         """Share of each node's cell that belongs to the contact [-], where pressure is linear about the node.
@@ -217,7 +220,8 @@ class Level(ABC):
         """Load that the film carries: the scene's, or where surfaces are held apart the pressure's."""
         if self.scene.separation is None:
             return self.scene.load
-        return float(self.film.pressure.sum()) * self.grid.cell
+        carried: float = float(self.film.pressure.sum()) * self.grid.cell
+        return carried
 
     def state(self) -> InitialGuess:
         """Pressure, rigid film and temperature at present."""

@@ -121,7 +121,8 @@ def _direction(level: Level) -> Array:
     """Unit vector of the entrainment at the contact point."""
     origin = (np.zeros(()),) * level.gap.ndim
     vector = np.array([float(of) for of in level.scene.entrainment_at(*origin)])
-    return vector / np.linalg.norm(vector)
+    direction: Array = vector / np.linalg.norm(vector)
+    return direction
 
 
 def _across(level: Level, along: float, width: float) -> tuple[Array, ...]:
@@ -148,7 +149,8 @@ def _at(level: Level, field: Array, places: tuple[Array, ...]) -> Array:
     nodes = [
         (place - axis[0]) / (axis[1] - axis[0]) for place, axis in zip(places, axes, strict=True)
     ]
-    return map_coordinates(field, nodes, order=1, mode="nearest")
+    at: Array = map_coordinates(field, nodes, order=1, mode="nearest")
+    return at
 
 
 def _reach(level: Level, sign: float) -> float:
@@ -160,7 +162,8 @@ def _reach(level: Level, sign: float) -> float:
         if part:
             end = nodes[-2] if sign * part > 0 else nodes[1]
             reaches.append(abs(end / part))
-    return min(reaches)
+    reach: float = min(reaches)
+    return reach
 
 
 def _meniscus(level: Level) -> float:

@@ -40,7 +40,8 @@ def gaussian(
     decay = correlation_length**2 / (4 * np.log(10))
 
     def density(qx: Array, qy: Array) -> Array:
-        return np.exp(-decay * ((qx * aspect) ** 2 + qy**2))
+        density: Array = np.exp(-decay * ((qx * aspect) ** 2 + qy**2))
+        return density
 
     return _made(roughness, GAUSSIAN_NODES, (side * aspect, side), density, seed)
 

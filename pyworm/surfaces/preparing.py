@@ -144,7 +144,8 @@ def _levelled(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array
 
 def _without_form(heights: Array, periodic: bool) -> Array:
     level = heights if periodic else heights - _form(heights)
-    return level - np.nanmean(level)
+    without_form: Array = level - np.nanmean(level)
+    return without_form
 
 
 def _require_most(heights: Array) -> None:
@@ -208,7 +209,7 @@ def outlying(level: Array) -> Array:
     of an instrument stands alone, or in a small group of which most points do.
     """
     distance = np.abs(level - np.nanmedian(level))
-    far = distance > FARTHEST * NORMAL_OVER_MIDDLE * np.nanmedian(distance)
+    far: Array = distance > FARTHEST * NORMAL_OVER_MIDDLE * np.nanmedian(distance)
     if not far.any():
         return far
     padded = np.pad(level, AROUND, constant_values=np.nan)
@@ -221,7 +222,8 @@ def outlying(level: Array) -> Array:
     group, count = scipy.ndimage.label(far, np.ones((3, 3)))
     share = scipy.ndimage.mean(alone, group, np.arange(count + 1))
     share[0] = 0.0  # what is not far
-    return share[group] >= MOSTLY
+    outlying: Array = share[group] >= MOSTLY
+    return outlying
 
 
 def _matter(level: Array, cleaned: Array, far: Array) -> bool:

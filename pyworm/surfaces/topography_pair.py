@@ -137,7 +137,8 @@ def flow_beyond(table: CellTable, gap: Array) -> tuple[Array, Array]:
 def _course(table: CellTable, values: Array, gap: Array) -> Array:
     """Values of a table at gaps [m], constant beyond its ends."""
     curve = scipy.interpolate.PchipInterpolator(table.separation[::-1], values[..., ::-1], axis=-1)
-    return curve(np.clip(gap, table.separation[-1], table.separation[0]))
+    course: Array = curve(np.clip(gap, table.separation[-1], table.separation[0]))
+    return course
 
 
 def _continued(place: Array, values: Array, gap: Array) -> Array:
@@ -146,9 +147,10 @@ def _continued(place: Array, values: Array, gap: Array) -> Array:
     low, high = place[-1], place[0]
     slope = curve.derivative()
     inside = np.clip(gap, low, high)
-    return curve(inside) + np.where(
+    continued: Array = curve(inside) + np.where(
         gap < low, slope(low) * (gap - low), np.where(gap > high, slope(high) * (gap - high), 0.0)
     )
+    return continued
 
 
 def _turned(tensor: Array, angle: float) -> Array:

@@ -50,24 +50,29 @@ class ToothContacts:
     @property
     def entrainment(self) -> Array:
         """Mean surface velocity [m/s]."""
-        return (self.pinion_velocity + self.gear_velocity) / 2
+        entrainment: Array = (self.pinion_velocity + self.gear_velocity) / 2
+        return entrainment
 
     @property
     def sliding(self) -> Array:
         """Velocity of the pinion's surface relative to the gear's [m/s]."""
-        return self.pinion_velocity - self.gear_velocity
+        sliding: Array = self.pinion_velocity - self.gear_velocity
+        return sliding
 
     @property
     def slide_roll_ratio(self) -> Array:
         """Sliding over entrainment [-]."""
-        return self.sliding / self.entrainment
+        slide_roll_ratio: Array = self.sliding / self.entrainment
+        return slide_roll_ratio
 
     @property
     def pinion_specific_sliding(self) -> Array:
         """Sliding over the velocity of the pinion's surface [-]."""
-        return self.sliding / self.pinion_velocity
+        pinion_specific_sliding: Array = self.sliding / self.pinion_velocity
+        return pinion_specific_sliding
 
     @property
     def gear_specific_sliding(self) -> Array:
         """Sliding of the gear's surface over its velocity [-]."""
-        return -self.sliding / self.gear_velocity
+        gear_specific_sliding: Array = -self.sliding / self.gear_velocity
+        return gear_specific_sliding

@@ -75,7 +75,8 @@ def _met(teeth: InvolutePair, length: Array) -> Array:
     """Points of the line of action (n, 2) [m]."""
     angle = teeth.pressure_angle
     touched = teeth.cylinders[0].base * np.array([cos(angle), sin(angle)])
-    return touched + length[:, None] * np.array([sin(angle), -cos(angle)])
+    met: Array = touched + length[:, None] * np.array([sin(angle), -cos(angle)])
+    return met
 
 
 def _gear(teeth: InvolutePair, number: int, turns: Array) -> Shape:
@@ -119,7 +120,8 @@ def _outline(teeth: InvolutePair, number: int, pitch: float) -> Array:
     other = _mirrored(side, middle)[::-1]
     ends = middle + np.array([-pitch, pitch]) / 2
     ground = size.root * np.column_stack([np.cos(ends), np.sin(ends)])
-    return np.vstack([ground[:1], side, other, ground[1:]]) + centre
+    outline: Array = np.vstack([ground[:1], side, other, ground[1:]]) + centre
+    return outline
 
 
 def _pitch_angle(teeth: InvolutePair, number: int, centre: Array) -> float:
@@ -131,9 +133,13 @@ def _pitch_angle(teeth: InvolutePair, number: int, centre: Array) -> float:
 
 def _turned(points: Array, angle: float) -> Array:
     """Points (n, 2) turned about the origin."""
-    return points @ np.array([[cos(angle), sin(angle)], [-sin(angle), cos(angle)]])
+    turned: Array = points @ np.array([[cos(angle), sin(angle)], [-sin(angle), cos(angle)]])
+    return turned
 
 
 def _mirrored(points: Array, angle: float) -> Array:
     """Points (n, 2) mirrored at the line through the origin at a polar angle."""
-    return points @ np.array([[cos(2 * angle), sin(2 * angle)], [sin(2 * angle), -cos(2 * angle)]])
+    mirrored: Array = points @ np.array(
+        [[cos(2 * angle), sin(2 * angle)], [sin(2 * angle), -cos(2 * angle)]]
+    )
+    return mirrored

@@ -40,7 +40,8 @@ E_X, E_Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 def dot(a: Array, b: Array) -> Array:
     """Scalar product over the first axis."""
-    return np.einsum("i...,i...->...", a, b)
+    dot: Array = np.einsum("i...,i...->...", a, b)
+    return dot
 
 
 def cross(a: Array, b: Array) -> Array:
@@ -168,7 +169,8 @@ class RollerEnvelope:
     def relative_velocity(self, point: Array) -> Array:
         """Velocity of the worm relative to the wheel at points (3, ...) [m/rad]."""
         worm = cross(_wide(self.worm_turn, point), point - _wide(self.worm_centre, point))
-        return worm + about_z(point)
+        relative_velocity: Array = worm + about_z(point)
+        return relative_velocity
 
     def theta(self, place: Array, wheel_angle: Array) -> Array:
         """Angle round the roller at which it touches [rad]; NaN where it does not."""
@@ -189,7 +191,8 @@ class RollerEnvelope:
         roots = [towards - spread, towards + spread]
         first_is_front = np.cos(roots[0]) > np.cos(roots[1])
         root = np.where(first_is_front == (self.flank == "idle"), *roots)
-        return np.arctan2(np.sin(root), np.cos(root))
+        theta: Array = np.arctan2(np.sin(root), np.cos(root))
+        return theta
 
     def point(self, place: Array | float, wheel_angle: Array | float) -> Array:
         """Points of the contact lines [m] in the drive frame, (3, ...)."""
@@ -197,7 +200,8 @@ class RollerEnvelope:
         going, side, axis, middle = self.axes(phi)
         theta = self._theta(s, going, side, axis, middle)
         out = np.cos(theta) * going + np.sin(theta) * side
-        return middle + s * axis + self.profile(s)[0] * out
+        point: Array = middle + s * axis + self.profile(s)[0] * out
+        return point
 
     def contact(self, place: Array, wheel_angle: Array) -> LineContact:
         """The contact at places along the roller [m] and wheel angles [rad], which are broadcast."""

@@ -68,7 +68,7 @@ class Compliance:
         """Load for each length of slices [N/m] at an approach [m]; zero where they are apart."""
         # the approach is concave over the load: each step ends below the root, the first one above zero
         pressed = np.maximum(approach, 0.0)
-        load = pressed * reduced_modulus(*self.bodies) / 5
+        load: Array = pressed * reduced_modulus(*self.bodies) / 5
         with np.errstate(divide="ignore", invalid="ignore"):
             for _ in range(ROUNDS):
                 per_load, fall = self._per_load(load, curvature, radius, length)
@@ -150,14 +150,16 @@ def slices(section: WormSection, wheel_angles: Array) -> tuple[LineContact, Arra
 
 def lever(contact: LineContact) -> Array:
     """Lever of the normal load about the wheel's axis [m], positive where it drives the wheel."""
-    return cross(contact.point, contact.normal)[2]
+    lever: Array = cross(contact.point, contact.normal)[2]
+    return lever
 
 
 def worm_lever(section: WormSection, contact: LineContact) -> Array:
     """Lever of the normal load about the worm's axis [m], positive where it resists the worm."""
     envelope = section.envelope
     arm = contact.point - envelope.worm_centre.reshape((3,) + (1,) * contact.place.ndim)
-    return -envelope.hand * cross(arm, contact.normal)[0]
+    worm_lever: Array = -envelope.hand * cross(arm, contact.normal)[0]
+    return worm_lever
 
 
 def share(

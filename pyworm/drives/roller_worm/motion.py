@@ -67,12 +67,14 @@ class LineMotion:
     @property
     def entrainment(self) -> Array:
         """Mean velocity across the contact line [m/s]."""
-        return (self.worm[0] + self.roller[0]) / 2
+        entrainment: Array = (self.worm[0] + self.roller[0]) / 2
+        return entrainment
 
     @property
     def sliding(self) -> Array:
         """Velocity of the worm relative to the roller across and along the line, (2, ...) [m/s]."""
-        return self.worm - self.roller
+        sliding: Array = self.worm - self.roller
+        return sliding
 
 
 def line_motion(
@@ -164,18 +166,22 @@ def flow_stress(flow: FlowLaw, viscosity: Array, pressure: Array, rate: Array) -
     """The stress [Pa] at which oil of a viscosity [Pa s] shears at a rate [1/s]; see `FlowLaw`."""
     stress = flow.stress * np.exp(flow.stress_pressure * pressure)
     limit = np.maximum(flow.limit + flow.limit_pressure * pressure, 1e5)
-    newtonian = viscosity * rate
+    newtonian: Array = viscosity * rate
     if flow.law == "newtonian":
         return newtonian
     if flow.law == "eyring":
-        return stress * np.arcsinh(newtonian / stress)
+        thinned: Array = stress * np.arcsinh(newtonian / stress)
+        return thinned
     if flow.law == "bair-winer":
-        return limit * -np.expm1(-newtonian / limit)
+        thinned = limit * -np.expm1(-newtonian / limit)
+        return thinned
     if flow.law == "carreau":
-        return newtonian * (1 + (newtonian / stress) ** 2) ** ((flow.exponent - 1) / 2)
+        thinned = newtonian * (1 + (newtonian / stress) ** 2) ** ((flow.exponent - 1) / 2)
+        return thinned
     if flow.law == "eyring-limited":
         return _limited_eyring_stress(newtonian, stress, limit, 2 * flow.exponent)
-    return np.vectorize(flow.stress_at, otypes=[float])(newtonian, pressure)
+    thinned = np.vectorize(flow.stress_at, otypes=[float])(newtonian, pressure)
+    return thinned
 
 
 def _limited_eyring_stress(newtonian: Array, onset: Array, limit: Array, power: float) -> Array:
@@ -186,7 +192,7 @@ def _limited_eyring_stress(newtonian: Array, onset: Array, limit: Array, power: 
     """
     low = np.zeros_like(newtonian)
     high = np.minimum(limit, onset * np.arcsinh(newtonian / onset))
-    stress = high
+    stress: Array = high
     with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         for _ in range(MOST_STEPS):
             held = (stress / limit) ** power

@@ -31,7 +31,8 @@ class Crown:
     def __call__(self, place: Array) -> Array:
         """Relief of the radius [m] at a place along the axis [m] from the roller's middle."""
         beyond = np.maximum(np.abs(place) - self.straight / 2, 0.0)
-        return beyond**2 / (2 * self.radius)
+        found: Array = beyond**2 / (2 * self.radius)
+        return found
 
 
 @dataclass(frozen=True)

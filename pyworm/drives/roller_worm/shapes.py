@@ -95,4 +95,5 @@ def _rollers(drive: "RollerWormDrive", angles: Array) -> Shape:
 def _ring(centre: Array, radius: float, one: Array, other: Array) -> Array:
     """Points of a circle, the first once more at the end, (ANGLES + 1, 3)."""
     around = np.linspace(0, 2 * pi, ANGLES + 1)[:, None]
-    return centre + radius * (np.cos(around) * one + np.sin(around) * other)
+    ring: Array = centre + radius * (np.cos(around) * one + np.sin(around) * other)
+    return ring

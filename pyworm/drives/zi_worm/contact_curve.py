@@ -158,7 +158,7 @@ class ContactCurve(ContactPath):
 
     def _solved_at(self, guess: Array, angle: float) -> Array | None:
         """The unknowns at a worm angle; None where Newton's method does not find them."""
-        unknown = guess
+        unknown: Array = guess
         for _ in range(MOST_STEPS):
             miss, slopes, _ = self._residual(unknown[:, None], np.array([angle]))
             try:
@@ -173,7 +173,7 @@ class ContactCurve(ContactPath):
             ):
                 return None
             if size < SETTLED:
-                return unknown
+                return np.asarray(unknown)
         return None
 
     def _residual(self, unknown: Array, angle: Array) -> tuple[Array, Array, Array]:

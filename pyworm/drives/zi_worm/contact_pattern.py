@@ -69,7 +69,8 @@ class ContactPattern:
     def area(self) -> Array:
         """Area of the flank for each place, seen along the wheel's tangent [m2]."""
         wide = np.gradient(self.face, axis=1)
-        return np.abs(wide * np.gradient(self.radius, axis=0))
+        area: Array = np.abs(wide * np.gradient(self.radius, axis=0))
+        return area
 
     def marked(self, thickness: float = THICKNESS) -> Array:
         """Where compound of a thickness [m] is marked."""
@@ -207,7 +208,8 @@ def both_flanks(
 
 def _inside(gears: "ZiWormGears", point: Array) -> Array:
     """How far points (3, ...) are between the cylinders of the worm [m]."""
-    return np.min(np.stack(list(gears.worm_tooth.margins(point).values())), axis=0)
+    inside: Array = np.min(np.stack(list(gears.worm_tooth.margins(point).values())), axis=0)
+    return inside
 
 
 def _behind(gears: "ZiWormGears") -> Array:
@@ -257,4 +259,5 @@ def _first_gaps(gears: "ZiWormGears") -> Array:
             i, j = np.unravel_index(np.argmin(opening), opening.shape)
             place = x[i], y[j]
         least.append(opening[i, j])
-    return np.interp(PHASES, PHASES[::STRIDE], least)
+    first_gaps: Array = np.interp(PHASES, PHASES[::STRIDE], least)
+    return first_gaps

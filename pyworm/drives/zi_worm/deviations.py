@@ -52,4 +52,5 @@ class FlankDeviations:
             np.clip(place, side[0], side[-1])
             for place, side in ((along, self.along), (radius, self.radius))
         )
-        return self._spline.ev(*at)
+        taken_off: Array = self._spline.ev(*at)
+        return taken_off

@@ -77,12 +77,14 @@ class Seated:
         point = np.asarray(point)
         own = np.tensordot(self.axes.T, point, 1)
         at = self.axes.T @ self.axis_point
-        return np.sqrt((own[0] - at[0]) ** 2 + (own[1] - at[1]) ** 2)
+        radius: Array = np.sqrt((own[0] - at[0]) ** 2 + (own[1] - at[1]) ** 2)
+        return radius
 
     def along_axis(self, point: Array) -> Array:
         """Distance of points (3, ...) along the screw's axis from the common perpendicular [m]."""
         axis = self.axes[:, 2]
-        return np.tensordot(axis, point, 1) - axis @ self.axis_point
+        along_axis: Array = np.tensordot(axis, point, 1) - axis @ self.axis_point
+        return along_axis
 
 
 @dataclass(frozen=True)

@@ -82,7 +82,7 @@ def deflection(placed: PlacedGap, pressure: Array, modulus: float, x: Array, y: 
     """
     dx, dy = placed.x[1] - placed.x[0], placed.y[1] - placed.y[0]
     inside = kernel.elastic_deflection(pressure, dx, dy, modulus)
-    within = scipy.interpolate.RegularGridInterpolator(
+    within: Array = scipy.interpolate.RegularGridInterpolator(
         (placed.x, placed.y), inside, bounds_error=False, fill_value=np.nan
     )(np.stack([x, y], axis=-1))
     lost = np.flatnonzero(np.isnan(within))

@@ -107,7 +107,8 @@ class MeshCycle:
         """
         at = self._touches(phases)
         on_worm = np.sum(at.normal * at.travel, axis=0)
-        return on_worm / np.sum(-across_axis(at.point) * at.normal, axis=0)
+        speed_ratios: Array = on_worm / np.sum(-across_axis(at.point) * at.normal, axis=0)
+        return speed_ratios
 
     @cached_property
     def worm_rotation(self) -> float:
@@ -257,7 +258,8 @@ def _on_teeth(
         return {**worm_tooth.margins(point), **wheel_tooth.margins(point)}
 
     def margin(places: Array) -> Array:
-        return np.min(np.stack(list(margins(places).values())), axis=0)
+        margin: Array = np.min(np.stack(list(margins(places).values())), axis=0)
+        return margin
 
     def end(before: float, after: float) -> tuple[float, str]:
         """Place and boundary between two places of which one is inside."""

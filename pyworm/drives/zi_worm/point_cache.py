@@ -2,11 +2,14 @@
 
 from collections import OrderedDict
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from pyworm.drives.zi_worm.helicoid import Array
+
+Kept = TypeVar("Kept")
+"""What is evaluated at points."""
 
 
 class PointCache:
@@ -26,7 +29,7 @@ class PointCache:
     def __reduce__(self) -> tuple:
         return PointCache, (self._most,)
 
-    def recall(self, points: tuple[Array, Array], find: Callable[[], Any]) -> Any:
+    def recall(self, points: tuple[Array, Array], find: Callable[[], Kept]) -> Kept:
         """Values at points (two coordinates of one shape), from the cache, else evaluated."""
         key = tuple(_outline(coordinate) for coordinate in points)
         there, _ = self._found.get(key, (None, None))
@@ -37,7 +40,8 @@ class PointCache:
         self._found.move_to_end(key)
         while len(self._found) > 1 and self._points > self._most:
             self._drop(next(iter(self._found)))
-        return self._found[key][1]
+        kept: Kept = self._found[key][1]
+        return kept
 
     def _drop(self, key: tuple) -> None:
         if key in self._found:

@@ -75,7 +75,8 @@ def _sides(x: Array, y: Array) -> tuple[Array, Array] | None:
 def _interpolated(values: Array, sides: tuple[Array, Array], chosen: list[Array]) -> Array:
     """Values at all nodes from those at the chosen ones of each side."""
     rows, columns = (_matrix(side, at) for side, at in zip(sides, chosen, strict=True))
-    return rows @ (values @ columns.T)
+    interpolated: Array = rows @ (values @ columns.T)
+    return interpolated
 
 
 def _matrix(side: Array, chosen: Array) -> Array:

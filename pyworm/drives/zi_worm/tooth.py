@@ -10,7 +10,8 @@ from pyworm.drives.zi_worm.helicoid import Array, Seated
 
 def wheel_radius(point: Array) -> Array:
     """Distance of points (3, ...) from the wheel's axis [m]."""
-    return np.sqrt(point[0] ** 2 + point[2] ** 2)
+    wheel_radius: Array = np.sqrt(point[0] ** 2 + point[2] ** 2)
+    return wheel_radius
 
 
 @dataclass(frozen=True)
@@ -78,7 +79,8 @@ class WormTooth:
             off = self.tip_relief(self.tip_radius - radius)
         if self.deviations is None:
             return off
-        return off + self.deviations.taken_off(self.worm.along_axis(point), radius)
+        taken_off: Array = off + self.deviations.taken_off(self.worm.along_axis(point), radius)
+        return taken_off
 
 
 @dataclass(frozen=True)
@@ -126,7 +128,8 @@ class WheelTooth:
             off = self.tip_relief(np.minimum(margins["wheel tip"], margins["wheel throat"]))
         if self.deviations is None:
             return off
-        return off + self.deviations.taken_off(point[1], wheel_radius(point))
+        taken_off: Array = off + self.deviations.taken_off(point[1], wheel_radius(point))
+        return taken_off
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it."""
@@ -164,7 +167,8 @@ class WheelTooth:
         """Radius [m] where the flank meets the hobbed root at distances along the wheel's axis [m]."""
         shifted = along - self.hob.axial_shift
         profile = np.sqrt(np.maximum(self.hob_tip_radius**2 - shifted**2, 0.0))
-        return np.minimum(self.hob.centre_distance - profile, self.tip(along))
+        root: Array = np.minimum(self.hob.centre_distance - profile, self.tip(along))
+        return root
 
     def rim(self, count: int) -> tuple[Array, Array]:
         """Closed outline of the tooth: radius and place along the axis [m], 4 count + 1 points."""
@@ -173,7 +177,8 @@ class WheelTooth:
         part = np.linspace(0.0, 1.0, count + 1)
 
         def end(at: float) -> Array:
-            return self.root(at) + part * (self.tip(at) - self.root(at))
+            end: Array = self.root(at) + part * (self.tip(at) - self.root(at))
+            return end
 
         radius = [self.tip(along)[:-1], end(half)[:0:-1], self.root(along)[:0:-1], end(-half)]
         place = [along[:-1], np.full(count, half), along[:0:-1], np.full(count + 1, -half)]

@@ -85,7 +85,7 @@ class _Pair:
 
     def _touches(self, past: float) -> bool:
         """False where the flanks would cross each other: beyond a cusp of the wheel's flank."""
-        return min(self._contact(past).radii) > 0
+        return bool(min(self._contact(past).radii) > 0)
 
     @property
     def _first(self) -> float:
@@ -105,7 +105,10 @@ class _Pair:
 
         def nearer(past: float) -> float:
             phase = self._turned(past)
-            return self.drive.springs.at(phase).separation + self._separation(phase) - APART * film
+            nearer: float = (
+                self.drive.springs.at(phase).separation + self._separation(phase) - APART * film
+            )
+            return nearer
 
         earliest = self._turned(float(first))
         return self._where(nearer, earliest, self._first) or earliest
@@ -116,7 +119,8 @@ class _Pair:
             return self.scene_at(phase)
         contact = self.drive.contact_beyond(phase)
         apart = self._separation(phase)
-        return replace(self.drive.scene_of(contact, self.touch), separation=apart)
+        scene: Scene = self.drive.scene_of(contact, self.touch)
+        return replace(scene, separation=apart)
 
     def _turned(self, phase: float) -> float:
         """Part of the mesh cycle that is past at a phase, and the phase where a part is past."""
@@ -126,7 +130,8 @@ class _Pair:
         return self.drive.contact_beyond(self._turned(past))
 
     def _excess(self, past: float) -> float:
-        return self.drive.normal_load(self._turned(past)) - self.touch
+        excess: float = self.drive.normal_load(self._turned(past)) - self.touch
+        return excess
 
     def _separation(self, phase: float) -> float:
         """Equation 1 [m]."""

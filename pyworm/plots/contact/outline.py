@@ -29,7 +29,7 @@ def signed_square(pressure: np.ndarray) -> np.ndarray:
             # The continuation may still be positive where the pressure is not that of a parabola.
             total[reached] += np.minimum(continued, -1e-3 * first)
             count[reached] += 1
-    field = np.where(square > 0, square, -square.max())
+    field: np.ndarray = np.where(square > 0, square, -square.max())
     beside = count > 0
     field[beside] = total[beside] / count[beside]
     return field

@@ -207,13 +207,15 @@ def _heated(solution: Solution) -> bool:
 
 def _roll(cycle: "xr.Dataset") -> np.ndarray:
     """Roll angles of the cycle [degrees]."""
-    return np.degrees(cycle["roll_angle"].values)
+    roll: np.ndarray = np.degrees(cycle["roll_angle"].values)
+    return roll
 
 
 def _at(cycle: "xr.Dataset", phase: float | Sequence[float]) -> np.ndarray:
     """Roll angle [degrees] at phases: it is linear in them."""
     first, last = _roll(cycle)[[0, -1]]
-    return first + np.asarray(phase, float) * (last - first)
+    at: np.ndarray = first + np.asarray(phase, float) * (last - first)
+    return at
 
 
 def _rolls(cycle: "xr.Dataset", solved: Sequence[Solution]) -> np.ndarray:

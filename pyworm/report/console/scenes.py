@@ -323,8 +323,10 @@ _LOSSES = {"point": ("power_loss_W", "W", 1.0), "line": ("power_loss_per_length_
 def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float:
     """Largest pressure of the dry contact [Pa]: of a line contact it is Hertz's."""
     if "dry_pressure_max_Pa" in summary:
-        return summary["dry_pressure_max_Pa"]
-    return scene_summary(scene)["hertz_pressure_max_Pa"]
+        dry_pressure: float = summary["dry_pressure_max_Pa"]
+        return dry_pressure
+    dry_pressure = scene_summary(scene)["hertz_pressure_max_Pa"]
+    return dry_pressure
 
 
 def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:

@@ -75,4 +75,5 @@ def pressure_on(grid: "xr.Dataset", face: np.ndarray, radius: np.ndarray) -> np.
     values = grid["pressure"].values.ravel()
     sound = np.isfinite(known).all(axis=1) & np.isfinite(values)
     at = scipy.interpolate.LinearNDInterpolator(known[sound], values[sound], fill_value=0.0)
-    return at(face, radius)
+    pressure_on: np.ndarray = at(face, radius)
+    return pressure_on

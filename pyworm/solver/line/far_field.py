@@ -86,4 +86,5 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
 def _deflection(scene: LineScene, at: Array, grid: LineGrid, pressure: Array) -> Array:
     """Deflection [m], up to a constant, beyond a grid, with the pressure of each cell as a line load."""
     distance = np.maximum(abs(at[:, None] - grid.x[None, :]), grid.dx / 2)
-    return -4 * grid.dx / (np.pi * scene.bending_modulus) * np.log(distance) @ pressure
+    deflection: Array = -4 * grid.dx / (np.pi * scene.bending_modulus) * np.log(distance) @ pressure
+    return deflection

@@ -216,7 +216,7 @@ def same_grid(
 
 def _same_window(level: PointLevel, grid: Grid) -> bool:
     """Whether a grid of half the spacing covers all of a level's window."""
-    return grid.shape == level.grid.finer().shape
+    return bool(grid.shape == level.grid.finer().shape)
 
 
 def _level(

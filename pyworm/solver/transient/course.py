@@ -246,7 +246,7 @@ def _loaded(life: Life) -> tuple[list[float], list[AnyContact]]:
     return [at for at, _ in found], [state for _, state in found]
 
 
-def _at(life: Life, seconds: float) -> AnyContact | None:
+def _at(life: Life[AnyContact], seconds: float) -> AnyContact | None:
     """The contact at a time; None where it carries no load."""
     try:
         return life.at(seconds)

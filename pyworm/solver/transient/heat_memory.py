@@ -163,7 +163,10 @@ def _onward(history: Sequence[HeatedInstant], seconds: float) -> Array:
     parts = np.abs(latest)
     whole = parts.sum(axis=-1, keepdims=True)
     shares = np.divide(parts, whole, out=np.full(parts.shape, 0.5), where=whole > 0)
-    return latest + np.maximum(ahead * (last - before), -np.abs(last))[..., np.newaxis] * shares
+    onward: Array = (
+        latest + np.maximum(ahead * (last - before), -np.abs(last))[..., np.newaxis] * shares
+    )
+    return onward
 
 
 def _passage(grid: Grid | LineGrid, velocity: Sequence[float]) -> float:
@@ -198,7 +201,7 @@ def _weights(ages: Sequence[float]) -> list[float]:
         late = (first - a * whole) / (b - a)
         weights[number] += whole - late
         weights[number + 1] += late
-    return weights[1:].tolist()
+    return [float(of) for of in weights[1:]]
 
 
 def _passing(grid: Grid | LineGrid, velocity: Sequence[float]) -> float:

@@ -437,7 +437,8 @@ def _beside(
     """A level of a solver on a grid that begins with the steady film on the contact's own first grids."""
     steady = SOLVERS[type(contact)](contact, course.plan)
     level, _ = steady.begin(first_grids_of(contact, course.plan))
-    return solver.on_grid(grid, _moved(level, grid))
+    beside: Level = solver.on_grid(grid, _moved(level, grid))
+    return beside
 
 
 def _sound(level: Level, seconds: float) -> Level:
@@ -485,7 +486,8 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
     def at_place(at_node: Array, field: Array) -> Array:
         """Equation 1 of `moving_grid`."""
         parts = zip(velocity, slopes(grid, field), strict=True)
-        return at_node - sum(component * slope for component, slope in parts)
+        at_place: Array = at_node - sum(component * slope for component, slope in parts)
+        return at_place
 
     implicit, explicit = level.transient_term.on(grid)
     rate = at_place((implicit - mesh.divergence) * now.content + explicit, now.content)
@@ -497,7 +499,8 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
 
     def changing(name: str) -> Array:
         parts = zip(of, warm, strict=True)
-        return sum(weight * getattr(one.state, name) for weight, one in parts)
+        changing: Array = sum(weight * getattr(one.state, name) for weight, one in parts)
+        return changing
 
     storing = _prompt(level, instants[0].seconds - instants[1].seconds)
     levels = (

@@ -115,11 +115,13 @@ def at_places(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Ar
     """A field at the nodes of another grid in the same axes; beyond its own grid it is constant."""
     if isinstance(grid, LineGrid):
         spline = scipy.interpolate.CubicSpline(grid.x, field)
-        return spline(np.clip(other.x, grid.x[0], grid.x[-1]))
+        at_places: Array = spline(np.clip(other.x, grid.x[0], grid.x[-1]))
+        return at_places
     if isinstance(other, LineGrid):
         raise TypeError("a field over x and y has no values on a line grid")
     spline = scipy.interpolate.RectBivariateSpline(grid.x, grid.y, field)
-    return spline(other.x, other.y)
+    at_places = spline(other.x, other.y)
+    return at_places
 
 
 def each_at_places(grid: Grid | LineGrid, fields: Array, other: Grid | LineGrid) -> Array:
