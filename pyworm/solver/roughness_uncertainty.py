@@ -142,9 +142,10 @@ def _whole(before: float, after: float, by_factor: bool) -> float:
     does a rise by what is known to a factor.
     """
     ratio = after / before if before else 1.0
+    compounded: float = max(ratio, 0.0) ** (1 / PART)
     if ratio <= 1:
-        return 1 - max(ratio, 0.0) ** (1 / PART)
-    return ratio ** (1 / PART) - 1 if by_factor else (ratio - 1) / PART
+        return 1 - compounded
+    return compounded - 1 if by_factor else (ratio - 1) / PART
 
 
 def _start(level: Level, guess: InitialGuess) -> None:
