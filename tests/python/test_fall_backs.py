@@ -1,16 +1,19 @@
-"""Every fall-back of the solver, of plans and of batch work is made happen by a test."""
+"""Every fall-back of the solver, of plans and of batch work is made happen by a test, exceptions or not."""
 
 import ast
 import os
 import subprocess
 import sys
+import tomllib
 from collections import defaultdict
 from pathlib import Path
 
 import pytest
-from handlers import REACHED, all_handlers
+from handlers import REACHED, all_branches, all_handlers
 
 TESTS = Path(__file__).parent
+LISTED = tomllib.loads((TESTS.parent / "support/branches.toml").read_text("utf-8"))
+BRANCHES: dict[str, str] = LISTED["taken"]
 
 MADE_BY = {
     "batch/case_run.py _collected OSError":
@@ -154,9 +157,25 @@ def test_each_fall_back_names_a_test_that_makes_it_happen():
         assert name in {of.name for of in defined if isinstance(of, ast.FunctionDef)}, node
 
 
+MOST_ASIDE = 19
+
+
+def test_each_branch_on_a_failure_names_a_test_that_takes_it():
+    """Those aside have none yet: that list may become shorter, never longer."""
+    named = [
+        name.removesuffix(": yes").removesuffix(": no") for name in (*BRANCHES, *LISTED["aside"])
+    ]
+    assert sorted(named) == sorted(all_branches())
+    assert len(LISTED["aside"]) <= MOST_ASIDE
+    for node in set(BRANCHES.values()):
+        file, name = node.split("::")
+        defined = ast.parse((TESTS / file).read_text()).body
+        assert name in {of.name for of in defined if isinstance(of, ast.FunctionDef)}, node
+
+
 def _by_test_file() -> dict[str, dict[str, str]]:
     files = defaultdict(dict)
-    for name, node in MADE_BY.items():
+    for name, node in (MADE_BY | BRANCHES).items():
         if name not in ELSEWHERE:
             files[node.split("::")[0]][name] = node
     return dict(files)

@@ -1,4 +1,4 @@
-"""Fall-backs of the program: every `except` and `suppress`, by file, function and exceptions.
+"""Fall-backs of the program: every `except` and `suppress`, and every branch on a failure.
 
 As a plugin of pytest (`-p handlers`) it tells which of them are reached: each writes a line with its name and
 the test at hand into the file that the environment's HANDLERS_REACHED names.
@@ -15,6 +15,16 @@ from typing import Any
 PACKAGE = Path(__file__).parents[2] / "pyworm"
 ROOMS = ("batch", "planning", "solver")
 """Rooms whose fall-backs are all to be made happen by a test."""
+
+FAILURES = {
+    *("lost", "_lost", "taken", "flaw", "SENSELESS", "HOPELESS", "LOST", "UNSETTLED", "unsolved"),
+    *("film_is_sound", "converged", "_converged", "status", "COARSE_TOLERANCE", "HEATED_TOLERANCE"),
+    *("MOST_HALVINGS", "MOST_RETRIES", "MOST_UNSETTLED", "MOST_SOLVES", "FIRMEST", "unsettled"),
+    *("shear_tolerance", "rests_on_edge", "short", "refusal", "in_vain", "carried_by_heat"),
+    *("rates", "solved", "followed", "unread", "held"),
+}
+"""Names of what an iteration, a film or a plan is asked when it may have failed: a condition with one of them
+chooses another way, an earlier end or a reason."""
 
 REACHED = "HANDLERS_REACHED"
 """Variable of the environment that names the file of those that are reached."""
@@ -52,6 +62,64 @@ def handlers(tree: ast.Module, file: str) -> Iterator[tuple[str, ast.ExceptHandl
     yield from within(tree, "")
 
 
+def _fails(condition: ast.expr) -> bool:
+    """Whether a condition asks for a failure."""
+    names = {getattr(of, "id", getattr(of, "attr", None)) for of in ast.walk(condition)}
+    return bool(names & FAILURES)
+
+
+def _another_way(node: ast.AST) -> bool:
+    """Whether it is a value `A or B`, not a question, and B more than words or nothing."""
+    return (
+        isinstance(node, ast.BoolOp)
+        and isinstance(node.op, ast.Or)
+        and not any(isinstance(of, ast.Compare | ast.UnaryOp) for of in node.values)
+        and ast.unparse(node.values[-1]) not in ("None", "{}", "()")
+        and not isinstance(getattr(node.values[-1], "value", None), str)
+        and not isinstance(node.values[-1], ast.Lambda)
+    )
+
+
+def branches(tree: ast.Module, file: str) -> Iterator[tuple[str, Any]]:
+    """Name and node of each branch on a failure: "solver/newton.py lead if taken is None".
+
+    Conditions that hold or do not, and values `A or B` of which B is another way to them.
+    """
+    seen: Counter[str] = Counter()
+
+    def within(node: ast.AST, function: str, asked: bool) -> Iterator[tuple[str, Any]]:
+        for field, value in ast.iter_fields(node):
+            for child in value if isinstance(value, list) else [value]:
+                if not isinstance(child, ast.AST):
+                    continue
+                inner, condition = function, asked and isinstance(node, ast.BoolOp | ast.UnaryOp)
+                condition |= field in ("test", "ifs")
+                if isinstance(child, ast.FunctionDef | ast.ClassDef):
+                    inner = f"{function}.{child.name}".lstrip(".")
+                words = None
+                if isinstance(child, ast.If | ast.IfExp | ast.While) and _fails(child.test):
+                    words = f"if {ast.unparse(child.test)}"
+                elif not condition and _another_way(child):
+                    words = f"or {ast.unparse(child.values[-1])}"
+                if words is not None:
+                    name = f"{file} {function} {words}"
+                    seen[name] += 1
+                    yield (name if seen[name] == 1 else f"{name} {seen[name]}"), child
+                yield from within(child, inner, condition)
+
+    yield from within(tree, "", False)
+
+
+def all_branches() -> list[str]:
+    """Names of all branches on a failure in the rooms."""
+    return [
+        name
+        for room in ROOMS
+        for file in sorted((PACKAGE / room).rglob("*.py"))
+        for name, _ in branches(ast.parse(file.read_text()), _name(file))
+    ]
+
+
 def all_handlers() -> list[str]:
     """Names of all fall-backs of the rooms."""
     return [
@@ -66,10 +134,38 @@ def _name(file: Path) -> str:
     return file.relative_to(PACKAGE).as_posix()
 
 
+_told_before: set[tuple[str, str]] = set()
+
+
 def reached(name: str) -> None:
-    """Write that a fall-back was reached."""
+    """Write that a fall-back was reached, once in each test."""
+    test = os.environ.get("PYTEST_CURRENT_TEST", "")
+    if (name, test) in _told_before:
+        return
+    _told_before.add((name, test))
     with open(os.environ[REACHED], "a") as file:
-        file.write(f"{name}\t{os.environ.get('PYTEST_CURRENT_TEST', '')}\n")
+        file.write(f"{name}\t{test}\n")
+
+
+def _tell_sides(name: str, node: Any) -> None:
+    """Put calls of `reached` where a condition holds (": yes"), where it does not (": no"), or on B."""
+
+    def call(side: str) -> ast.Expr:
+        (statement,) = ast.parse(f"__import__('handlers').reached({name + side!r})").body
+        assert isinstance(statement, ast.Expr)
+        return statement
+
+    def before(side: str, value: ast.expr) -> ast.expr:
+        pair = ast.Tuple([call(side).value, value], ast.Load())
+        return ast.Subscript(pair, ast.Constant(1), ast.Load())
+
+    if isinstance(node, ast.BoolOp):
+        node.values[-1] = before("", node.values[-1])
+    elif isinstance(node, ast.IfExp):
+        node.body, node.orelse = before(": yes", node.body), before(": no", node.orelse)
+    else:
+        node.body.insert(0, call(": yes"))
+        node.orelse.insert(0, call(": no"))
 
 
 def _told(source: bytes, file: Path) -> ast.Module:
@@ -78,6 +174,8 @@ def _told(source: bytes, file: Path) -> ast.Module:
     What a `suppress` suppresses is told from an `except` around what it holds, which raises it again.
     """
     tree = ast.parse(source)
+    for name, node in list(branches(tree, _name(file))):
+        _tell_sides(name, node)
     for name, node in list(handlers(tree, _name(file))):
         (call,) = ast.parse(f"__import__('handlers').reached({name!r})").body
         if isinstance(node, ast.ExceptHandler):
