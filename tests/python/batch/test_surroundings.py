@@ -55,7 +55,8 @@ def case(tmp_path):
 NO_HOME = {"HOME": "/nonexistent/home", "XDG_CACHE_HOME": None, "MPLCONFIGDIR": None}
 FULL_HOME = {"HOME": "/proc", "XDG_CACHE_HOME": "/proc/cache"}  # where nothing can be made
 ASCII = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
-LATIN = {"PYTHONIOENCODING": "latin-1", "PYTHONUTF8": "0"}
+# Turkish has an i without a dot and a comma in numbers; where it is not installed this is C again
+LATIN = {"LC_ALL": "tr_TR.UTF-8", "PYTHONIOENCODING": "latin-1", "PYTHONUTF8": "0"}
 
 
 COMMANDS = (

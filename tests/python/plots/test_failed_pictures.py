@@ -159,7 +159,8 @@ def test_a_disk_that_is_full_costs_no_figure(tmp_path, capsys, monkeypatch):
 
     monkeypatch.setattr("pyworm.plots.draw.draw", full)
     assert main([*RUN, "--out", str(tmp_path / "out")]) == CONVERGED
-    assert capsys.readouterr().err == "pyworm: no pictures: No space left on device\n"
+    where = f"{tmp_path / 'out'}: cannot be written (No space left on device)"
+    assert capsys.readouterr().err == f"pyworm: no pictures: {where}\n"
     assert [path.name for path in tmp_path.rglob("*")] == ["out", "result.nc"]
 
 
