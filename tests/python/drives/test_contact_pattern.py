@@ -171,3 +171,11 @@ def test_a_shim_takes_a_shift_of_the_worm_back(drive, coarse):
     assert shim.reached and shim.before > shim.wanted + 1e-3
     assert shim.shift == pytest.approx(0.1e-3, abs=0.01e-3)
     assert shim.other_before - shim.other_after > 1e-3
+
+
+def test_a_loaded_contact_beside_all_teeth_closes_no_gap(monkeypatch):
+    """No tooth is where the dry contact is sought: its flanks do not approach, and the pattern stays empty."""
+    monkeypatch.setattr(loaded, "PHASES", np.linspace(0.2, 0.8, 3))
+    monkeypatch.setattr(loaded, "placed_gap", lambda *given: None)
+    drive = sharif(load=14e3)
+    assert np.isnan(loaded_pattern(drive, drive.flank_grid).separation).all()
