@@ -174,7 +174,7 @@ def test_a_shim_takes_a_shift_of_the_worm_back(drive, coarse):
 
 
 def test_a_loaded_contact_beside_all_teeth_closes_no_gap(monkeypatch):
-    """No tooth is where the dry contact is sought: its flanks do not approach, and the pattern stays empty."""
+    """No tooth is where the dry contact is sought: its flanks do not approach, the pattern stays empty."""
     monkeypatch.setattr(loaded, "PHASES", np.linspace(0.2, 0.8, 3))
     monkeypatch.setattr(loaded, "placed_gap", lambda *given: None)
     drive = sharif(load=14e3)
