@@ -397,6 +397,8 @@ def _onward(
     if not held:
         contact = replace(contact, separation=None)
     grid = course.grid(seconds, step.refinement)
+    if course.films_form(seconds):
+        before = before[:1]
     implicit, *earlier = backward_weights([seconds, *(one.seconds for one in before)])
     explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
     rise = None

@@ -354,7 +354,7 @@ def test_a_third_solve_of_a_later_part_begins_on_the_grid_before(monkeypatch):
         assert abs(by_two / by_one - 1) < 0.25 * abs(coarser / by_one - 1)
 
 
-def test_as_the_load_of_a_tooth_pair_falls_by_two_e_folds_a_time_step_s_share_of_a_transit_passes():
+def test_as_the_load_of_a_tooth_pair_falls_by_an_e_fold_a_time_step_s_share_of_a_transit_passes():
     """Its last ones, where oil passes the shrinking contact more slowly than the load falls."""
     steady = as_line(ball())
     transit = predicted(steady).transit
