@@ -87,6 +87,17 @@ class LineGrid:
         return LineGrid(self.dx / 2, 2 * self.first, 2 * self.nodes - 1)
 
 
+def twice_as_far(narrow: LineGrid, wide: LineGrid) -> LineGrid:
+    """The wider of two grids of one spacing with its inlet at twice the gap, which rises with the square.
+
+    The inlet is where they differ.
+    """
+    left = wide.first < narrow.first
+    before = -wide.first if left else wide.first + wide.nodes - 1
+    more = ceil((sqrt(2) - 1) * before)
+    return LineGrid(wide.dx, wide.first - more * left, wide.nodes + more)
+
+
 def first_grids(
     scene: LineScene, size: LineScales, accuracy: float, heated: bool
 ) -> tuple[LineGrid, LineGrid]:

@@ -33,9 +33,9 @@ class Aim:
     figures: tuple[str, ...]
     warmth: float = 0.0
 
-    def without(self, name: str) -> "Aim":
-        """The aim without one figure."""
-        return replace(self, figures=tuple(other for other in self.figures if other != name))
+    def without(self, *names: str) -> "Aim":
+        """The aim without some figures."""
+        return replace(self, figures=tuple(other for other in self.figures if other not in names))
 
     def worst(self, errors: Mapping[str, float], figures: Mapping[str, float]) -> float:
         """Largest relative error of the figures, temperatures given as rises [K]; 0 without any figure."""

@@ -5,14 +5,14 @@ estimate the errors; stop, or halve the spacing.
 """
 
 from collections.abc import Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from math import inf
 from typing import Any, cast
 
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import NO_MEMORY, KernelError
 from pyworm.planning.grid import Grid
-from pyworm.planning.line_grid import LineGrid
+from pyworm.planning.line_grid import LineGrid, twice_as_far
 from pyworm.planning.plan import Plan
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
@@ -48,6 +48,10 @@ NO_WIDER_FILM = (
 
 MOST_RETRIES = 2
 """Number of grids of the figures that may be too coarse to show the window error of a thin film."""
+
+
+MOST_WIDENINGS = 6
+"""Number of times that the window of a line contact is doubled beyond the planned wider one."""
 
 
 class GridSequence:
@@ -88,7 +92,7 @@ class GridSequence:
         self._levels_errors: dict[str, float] | None = None
         self._unjudged = False
         self._steps: list[NewtonStep] = []
-        self._unsettled = self._refinements = 0
+        self._unsettled = self._refinements = self._widenings = 0
 
     def begin(self, warm_start: Level | None) -> Level:
         """Settle the film on the first grid of the figures and return it there.
@@ -265,6 +269,9 @@ class GridSequence:
             plan.aim.worst({name: of.error for name, of in limits.items()}, here.figures)
             for limits in (near, far)
         )
+        if worst_far > plan.accuracy and self._widenings < MOST_WIDENINGS and self._widen():
+            self._level, self._settled, self._readings = wider, settled, [settled.reading]
+            return self._compare_windows()
         may_refine = self._level.grid.finer().nodes <= plan.largest_grid
         if worst_far > plan.accuracy and may_refine and self._refinements < MOST_RETRIES:
             return None  # to be compared on the next grid, which resolves the film better
@@ -273,6 +280,19 @@ class GridSequence:
             self._window = far
             self._level, self._settled, self._readings = wider, settled, [settled.reading]
         return None
+
+    def _widen(self) -> bool:
+        """Plan a window of twice the reach of the wider one; whether there is one.
+
+        Bodies of different temperatures exchange heat through the oil far before a line contact.
+        """
+        (narrow, *_), (wide, *_) = self._plan.grids, self._plan.wider_grids
+        if not (isinstance(narrow, LineGrid) and isinstance(wide, LineGrid)):
+            return False
+        farther = twice_as_far(narrow, wide)
+        self._plan = replace(self._plan, grids=(wide,), wider_grids=(farther,))
+        self._widenings += 1
+        return True
 
     def _in_wider_window(self) -> tuple[Level, Settled]:
         """Solve the plan's wider window on a grid of the same spacing."""

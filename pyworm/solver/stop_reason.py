@@ -6,6 +6,7 @@ import numpy as np
 
 from pyworm.io.format import percent
 from pyworm.planning.plan import Plan
+from pyworm.planning.target import HEAT_FIGURES
 from pyworm.solver.accuracy_met import ACCURATE, LESS_ACCURATE, is_accurate
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.level import Level
@@ -79,9 +80,14 @@ def stop_reason(
     resolved = min(settled.reading.film_min, estimates["film_min"].value) > 0
     if met and resolved and error <= plan.accuracy:
         return ACCURATE
-    domain = plan.aim.worst({name: of.domain for name, of in estimates.items()}, figures)
-    if np.isfinite(domain) and domain > plan.accuracy:
-        return f"the end of the window leaves an error of {percent(domain)}: films depend on surfaces far out"
+    domains = {name: of.domain for name, of in estimates.items()}
+    domain = plan.aim.worst(domains, figures)
+    # finer grids do not help, but without them nothing is known of what the grids leave
+    known = plan.aim.worst({name: of.grid for name, of in estimates.items()}, figures) <= domain
+    if np.isfinite(domain) and domain > plan.accuracy and (known or domain > WIDEST):
+        films = plan.aim.without(*HEAT_FIGURES).worst(domains, figures) > plan.accuracy
+        by = "films depend on surfaces" if films else "bodies exchange heat"
+        return f"the end of the window leaves an error of {percent(domain)}: {by} far out"
     last = level.grid.finer().nodes > plan.largest_grid
     if not met and (last or unsettled >= MOST_UNSETTLED):
         return _not_met(level, plan)

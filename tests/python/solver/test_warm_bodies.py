@@ -1,16 +1,20 @@
 """Films between bodies warmer or colder than the oil supplied to them, and levels across hot films."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from contacts import INLET, ball, roller, steel
+from draws import warm_line
 
 import pyworm
+from pyworm.case.case import case_of
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.line_grid import LineGrid
+from pyworm.planning.target import HEAT_FIGURES
 
 OIL = Oil(
     Barus(0.05, 28e-9),
@@ -82,6 +86,35 @@ def test_a_body_colder_than_the_other_has_error_bars_of_its_own():
     assert colder.datum == pytest.approx(INLET - 10)
     assert INLET - 10 < colder.value < INLET + 10
     assert 0 < colder.bar < 1.0
+
+
+@pytest.fixture(scope="module")
+def exchanging():
+    """A slow line between bodies 9 K apart, at accuracies of 2, 1 and 0.5 %."""
+    scene = case_of(warm_line(1, 4711).tables, "line", Path()).scene()
+    return scene, {accuracy: solved(scene, accuracy) for accuracy in (0.02, 0.01, 0.005)}
+
+
+def test_bodies_that_exchange_heat_far_before_a_line_get_the_window_they_need(exchanging):
+    """The plan's windows leave 3 % of its temperatures."""
+    scene, found = exchanging
+    planned = pyworm.plan(scene, 0.02, "all").wider_grids[0]
+    assert found[0.02].accurate
+    assert found[0.02].fields.x.values[0] < 1.3 * planned.x[0]
+    for name in ("film_min", "friction_coefficient", *HEAT_FIGURES):
+        one, other = (getattr(found[accuracy].figures, name) for accuracy in (0.02, 0.005))
+        assert one.agrees_with(other), name
+
+
+def test_a_finer_request_does_not_end_worse(exchanging):
+    """Where the window leaves more than is asked for, figures still have the errors that it leaves."""
+    _, found = exchanging
+    errors = [
+        max(getattr(of.figures, name).error for name in ("film_min", *HEAT_FIGURES))
+        for of in found.values()
+    ]
+    assert all(of.converged for of in found.values())
+    assert errors == sorted(errors, reverse=True)
 
 
 def hot_line():
