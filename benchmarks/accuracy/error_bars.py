@@ -76,6 +76,7 @@ FIGURES = {
     "pressure_max": "largest pressure",
     "friction_coefficient": "friction",
     "power_loss": "loss",
+    "asperity_load_fraction": "asperity load ratio",
     "temperature_max_body_1": "temperature of body 1",
     "temperature_max_body_2": "temperature of body 2",
     "temperature_max_film": "temperature of the film",

@@ -51,7 +51,7 @@ MOST_RETRIES = 2
 
 
 MOST_WIDENINGS = 6
-"""Number of times that the window of a line contact is doubled beyond the planned wider one."""
+"""Number of times that the window of a heated line is doubled beyond the planned wider one."""
 
 
 class GridSequence:
@@ -288,6 +288,8 @@ class GridSequence:
         """
         (narrow, *_), (wide, *_) = self._plan.grids, self._plan.wider_grids
         if not (isinstance(narrow, LineGrid) and isinstance(wide, LineGrid)):
+            return False
+        if not self._plan.model.heated:
             return False
         farther = twice_as_far(narrow, wide)
         self._plan = replace(self._plan, grids=(wide,), wider_grids=(farther,))

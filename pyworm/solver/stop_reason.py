@@ -82,12 +82,14 @@ def stop_reason(
         return ACCURATE
     domains = {name: of.domain for name, of in estimates.items()}
     domain = plan.aim.worst(domains, figures)
-    # finer grids do not help, but without them nothing is known of what the grids leave
-    known = plan.aim.worst({name: of.grid for name, of in estimates.items()}, figures) <= domain
-    if np.isfinite(domain) and domain > plan.accuracy and (known or domain > WIDEST):
-        films = plan.aim.without(*HEAT_FIGURES).worst(domains, figures) > plan.accuracy
-        by = "films depend on surfaces" if films else "bodies exchange heat"
-        return f"the end of the window leaves an error of {percent(domain)}: {by} far out"
+    if np.isfinite(domain) and domain > plan.accuracy:
+        left = f"the end of the window leaves an error of {percent(domain)}"
+        if plan.aim.without(*HEAT_FIGURES).worst(domains, figures) > plan.accuracy:
+            return f"{left}: films depend on surfaces far out"
+        # temperatures go on to finer grids, without which nothing is known of what the grids leave
+        grids = {name: of.grid for name, of in estimates.items()}
+        if plan.aim.worst(grids, figures) <= domain:
+            return f"{left}: bodies exchange heat far out"
     last = level.grid.finer().nodes > plan.largest_grid
     if not met and (last or unsettled >= MOST_UNSETTLED):
         return _not_met(level, plan)
