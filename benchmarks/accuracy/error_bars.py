@@ -1,9 +1,10 @@
 """Whether error bars hold: random scenes at 2 %, all figures against finer grids in a wider window.
 
 Scenes are those of `tests/hard/draws.py`, COUNT of each kind and seed: isothermal and thermal points, thermal
-lines, and both between bodies 10 K colder to 40 K warmer than the oil supplied. The truth is Richardson's
-limit over grids down to a quarter of the solution's spacing, half of it with heat (as far as MOST_NODES
-allows), in a window of twice the reach, with more levels across the film, corrected for the end of that
+lines, both between bodies 10 K colder to 40 K warmer than the oil supplied, rough points, and points to which
+a thin layer of oil comes (whose window has no wider one). The truth is Richardson's limit over grids down to
+a quarter of the solution's spacing, half of it with heat (as far as MOST_NODES allows), in a window of twice
+the reach, with more levels across the film, corrected for the end of that
 window: by the power with which a film's error falls, and of temperatures by windows of four and eight times
 the reach on a coarse grid and by how their changes fall. It may be off by the limit's own uncertainty
 (`pyworm.precision.limits`) and half of what no window shows; a bar is judged where that is below half of it.
