@@ -126,7 +126,7 @@ contains
     call close_to(field%stress_x(n/2, 1), tau, 4e-4_wp*tau, "and its stress")
   end subroutine couette
 
-  !> Oil of one velocity between walls of 1 K: the mean difference to the walls' temperature falls along the film as
+  !> Oil of one velocity that enters cold between walls of 1 K: the mean difference to the walls' temperature falls along the film as
   !> 8/pi2 exp(-pi2 k x/(rho c u h2)), once higher modes are gone (a plug flow's Graetz number).
   subroutine convection(velocity)
     real(wp), intent(in) :: velocity
@@ -136,6 +136,7 @@ contains
     integer :: node(2)
 
     call new_film(contact, velocity, velocity, thinned(0.0_wp), capacity, mirror, [1.0_wp, 1.0_wp], 0.0_wp)
+    contact%film%shear%nodes%rise([1, n], 1, 2:levels - 1) = 0
     call settle(contact, 5)
     node = [61, 101]
     if (velocity < 0) node = n + 1 - node

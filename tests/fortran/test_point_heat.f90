@@ -188,7 +188,7 @@ contains
     call close_to(field%friction(middle, middle), slope**2*h**3/(12*thick%eta0), 1e-6_wp, "heat of Poiseuille flow")
   end subroutine compression
 
-  !> Oil of one velocity between walls of 1 K: the mean difference to the walls' temperature falls along the film as
+  !> Oil of one velocity that enters cold between walls of 1 K: the mean difference to the walls' temperature falls along the film as
   !> 8/pi2 exp(-pi2 k x/(rho c u h2)), once higher modes are gone (a plug flow's Graetz number), x being the way from
   !> the side by which oil comes in.
   subroutine convection(velocity)
@@ -204,6 +204,7 @@ contains
     nodes = merge([length, width], [width, length], along_x)
     call new_film(contact, velocity, velocity, constant, oil_heat_law(conductivity=k, capacity=capacity), mirror, &
       [1.0_wp, 1.0_wp], spread(spread(0.0_wp, 1, nodes(1)), 2, nodes(2)))
+    call let_in_cold(contact)
     call settle(contact, 20)
     do i = 1, 2
       ! at places whose oil came in by the near end, not by a side
@@ -217,6 +218,16 @@ contains
     got = log((1 - mean(2))/(1 - mean(1)))
     call close_to(got, wanted, 2e-3_wp*abs(wanted), "heat is carried along the film")
   end subroutine convection
+
+  !> Lets oil of the inlet's temperature in between warmer walls.
+  subroutine let_in_cold(contact)
+    type(heated_contact), intent(inout) :: contact
+
+    associate (rise => contact%film%shear%nodes%rise)
+      rise([1, size(rise, 1)], :, 2:size(rise, 3) - 1) = 0
+      rise(:, [1, size(rise, 2)], 2:size(rise, 3) - 1) = 0
+    end associate
+  end subroutine let_in_cold
 
   !> Oil that moves across the entrainment, by which the order of the columns is chosen: its heat is carried as far in a few
   !> sweeps. Along lines of the sweep differences are of first order: they fall by 1/(1 + a) a node instead of exp(-a).
@@ -238,6 +249,7 @@ contains
     call new_point_heat(heat, contact%film, oil_heat_law(conductivity=k, capacity=capacity), along*field, across*field, &
       body_1, body_2, [1.0_wp, 1.0_wp], stat)
     call check(stat == status_ok, "heat is given another velocity")
+    call let_in_cold(contact)
     do i = 1, few
       call heat_sweep(contact%film, heat, change, stat)
     end do
