@@ -1,33 +1,32 @@
-"""Mixed lubrication against what others found: a line, the worm standard's reference gear, the ZI drive.
+"""Mixed lubrication against what others found: a line, the ZI drive.
 
-The line is set beside the formulas of Masjedi and Khonsari (2012) for film and asperities' share; friction in
-mid-mesh of the standard's reference gear beside its base friction, over speed and by kind of oil; friction
-and efficiency of the ZI drive beside the standard's. Contacts of teeth that were solved are kept in
-results/mixed_lubrication.csv, and the next run goes on from there. Run from the repository's root, all or
-some of the three (the line takes seconds, each contact of teeth half a minute to two):
+The line is set beside the formulas of Masjedi and Khonsari (2012) for film and asperities' share; friction
+and efficiency of the ZI drive beside the worm standard's (`boundary_friction.py` has its reference gear).
+Contacts of teeth that were solved are kept in results/mixed_lubrication.csv, and the next run goes on from
+there. Run from the repository's root, both or one (the line takes seconds, each contact of teeth half a
+minute to two):
 
-    python benchmarks/validation/mixed_lubrication.py [line] [gear] [zi]
+    python benchmarks/validation/mixed_lubrication.py [line] [zi]
 """
 
 import csv
 import sys
 import tomllib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import asdict, fields
 from math import exp, log, sqrt
 from pathlib import Path
 from unittest.mock import patch
 
 import numpy as np
+from boundary_friction_fit import PHASES
 from yielding_summits import DENSITY, SHARPNESS, SUMMITS_ABOVE, YieldingSummits, summits
 
 import pyworm
 from pyworm.case.case import Case, case_of
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.formulas.rough_contact import greenwood_tripp, self_affine
-from pyworm.formulas.unit_factors import RPM
-from pyworm.formulas.worm_gear import REFERENCE_FILM, REFERENCE_GEAR
-from pyworm.formulas.worm_standard import teeth_loss, tooth_friction
+from pyworm.formulas.worm_standard import teeth_loss
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.materials.rough_surfaces import rough_pair
@@ -58,51 +57,8 @@ radius, with the numbers that Masjedi and Khonsari had for theirs (from memory).
 
 RADIUS, ALPHA, ETA0 = 0.01, 20e-9, 0.04
 
-OILS = {"mineral": "mineral VG 220", "PAO": "PAO VG 220", "PAG": "PAG VG 220"}
-SPEEDS = (150, 500, 1000, 1500, 3000)
-"""Speeds of the reference gear's worm [r/min]: sliding at 0.29 to 5.8 m/s."""
-
-WHOLE = ("mineral", 1500)
-"""Oil and speed for which friction is also that of the whole mesh."""
-
-PHASES = (0.1, 0.3, 0.5, 0.7, 0.9)
-"""Phases of the mesh cycle for means over it."""
-
 TEETH_ACCURACY = 0.1
 """Numerical accuracy asked for: friction has less than a tenth of it, far below the bar of the model."""
-
-REFERENCE = """
-title = "The worm standard's reference gear"
-source = "a = 100 mm, 2/41, m 4 mm, q 9; torque, grade and temperature of the oil are our choice"
-accuracy = "10 %"
-
-[drive]
-kind = "worm"
-profile = "ZI"
-centre_distance = "100 mm"
-threads = 2
-teeth = 41
-module = "4 mm"
-diameter_factor = 9
-face_width = "30 mm"
-
-[operation]
-worm_speed = "1500 rpm"
-wheel_torque = "300 Nm"
-phases = [0.5]
-
-[bodies.worm]
-material = "16MnCr5"
-roughness_ra = "0.5 um"
-
-[bodies.wheel]
-material = "CuSn12Ni2-C-GZ"
-finish = "run-in"
-
-[oil]
-name = "mineral VG 220"
-temperature = "60 degC"
-"""
 
 ZI_CASE = Path("cases/zi_drive.toml")
 ZI_HEIGHTS = (0.3, 0.5)
@@ -229,14 +185,6 @@ def _line_row(height: float, finish: str) -> str:
     )
 
 
-def reference_gear(oil: str, speed: float) -> Case:
-    """The standard's reference gear with a kind of oil at a speed of the worm [r/min]."""
-    data = tomllib.loads(REFERENCE)
-    data["oil"]["name"] = OILS[oil]
-    data["operation"]["worm_speed"] = f"{speed} rpm"
-    return case_of(data, "reference_gear", Path())
-
-
 def zi_drive(height: float) -> Case:
     """The ZI drive with flanks of a mean roughness [um]."""
     data = tomllib.loads(ZI_CASE.read_text())
@@ -296,67 +244,6 @@ def save(rows: list[dict]) -> None:
         writer.writerows(rows)
 
 
-def compare_gear() -> None:
-    """Friction of the reference gear beside the standard's base friction."""
-    print(
-        "| oil | v_g m/s | standard | simulated | numerical | model | oil's part | share of asperities |"
-        " lambda | to the standard |"
-    )
-    print("|---|---|---|---|---|---|---|---|---|---|")
-    verdicts = []
-    for oil in OILS:
-        base, found = [], []
-        for speed in SPEEDS:
-            sliding = REFERENCE_GEAR.sliding_speed(speed / RPM)
-            base.append(tooth_friction(oil, sliding, 0.1, REFERENCE_FILM, 0.5e-6))
-            found.append(
-                solved(f"{oil} {speed}", lambda oil=oil, speed=speed: reference_gear(oil, speed))
-            )
-            print(gear_row(oil, sliding, base[-1], found[-1]), flush=True)
-        verdicts.append(f"{oil}: {verdict(np.array(base), found)}")
-    name, of = WHOLE
-    mesh = over_the_mesh(f"{name} {of}", lambda: reference_gear(name, of))
-    verdicts.append(
-        f"{name}, {of} r/min, over the mesh: {mesh.friction:.4f} ± {mesh.friction * mesh.model:.4f}"
-    )
-    print("\n" + "\n".join(verdicts))
-
-
-def gear_row(oil: str, sliding: float, base: float, found: dict) -> str:
-    """A row of the reference gear's table."""
-    friction = found["friction"]
-    cells = (
-        oil,
-        f"{sliding:.2f}",
-        f"{base:.4f}",
-        f"{friction:.4f}",
-        f"± {friction * found['numerical']:.4f}",
-        f"± {friction * found['friction_model']:.4f}",
-        f"{friction - found['boundary']:.4f}",
-        f"{found['share']:.1%}",
-        f"{found['lambda']:.2f}",
-        f"{friction / base - 1:+.0%}{'' if found['converged'] else ', not converged'}",
-    )
-    return f"| {' | '.join(cells)} |"
-
-
-def verdict(base: np.ndarray, found: Iterable[dict]) -> str:
-    """Whether friction falls with speed, how far off it is, and the mu_b by which it would be least so."""
-    friction, boundary, model, mu_b = (
-        np.array([row[key] for row in found])
-        for key in ("friction", "boundary", "friction_model", "mu_b")
-    )
-    factors = np.linspace(0.3, 2, 1701)
-    off = [abs((friction + (factor - 1) * boundary) / base - 1).max() for factor in factors]
-    best = int(np.argmin(off))
-    return (
-        f"{'falls monotonically' if np.all(np.diff(friction) < 0) else 'DOES NOT FALL MONOTONICALLY'}; "
-        f"{abs(friction / base - 1).max():.0%} off at most with mu_b {mu_b[0]:g}, "
-        f"{np.sum(abs(friction - base) <= model * friction)} of {base.size} in the bar of the model; "
-        f"{off[best]:.0%} at most with mu_b {factors[best] * mu_b[0]:.3f}"
-    )
-
-
 def compare_zi() -> None:
     """Friction and efficiency of the ZI drive, over the mesh, beside the standard's."""
     print(
@@ -387,7 +274,7 @@ def zi_row(height: float) -> str:
 
 
 def main() -> None:
-    parts = {"line": compare_line, "gear": compare_gear, "zi": compare_zi}
+    parts = {"line": compare_line, "zi": compare_zi}
     for name in sys.argv[1:] or parts:
         parts[name]()
         print()

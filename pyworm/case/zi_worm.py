@@ -12,6 +12,7 @@ from pydantic import Field, model_validator
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.cooling import CoolingTable
 from pyworm.case.drive_case import LOADS
+from pyworm.case.fitted_friction import with_fitted_friction
 from pyworm.case.one_wheel import (
     check_one_cooling,
     check_rated_material,
@@ -417,7 +418,8 @@ class WormDriveCase(RatedCase):
 
     def make_drive(self) -> ZiWormDrive:
         """The drive of a case file about a worm."""
-        oil, operation = self.oil.oil(), self.operation
+        oil = with_fitted_friction(self.oil.oil(), self.oil, self.bodies.worm, self.bodies.wheel)
+        operation = self.operation
         design = self.drive.design()
         ratio = design.worm.threads / design.wheel.teeth
         speed = operation.worm_speed or operation.wheel_speed / ratio

@@ -90,6 +90,9 @@ class Oil:
         the track; None where there is always enough.
     boundary_friction : float
         Friction coefficient of the bodies' asperities in contact under this oil [-].
+    boundary_friction_spread : float or None
+        Relative uncertainty of that coefficient [-] where it was fitted to measured friction of such
+        contacts, together with the law of contact of asperities; None where it is given.
     alpha_spread : float
         Relative uncertainty of the pressure-viscosity coefficient [-]: its base stock's for an oil of the
         library, zero where it was measured.
@@ -101,6 +104,7 @@ class Oil:
     heat: OilHeat | None = None
     supply: float | OilLayer | None = None
     boundary_friction: float = BOUNDARY_FRICTION
+    boundary_friction_spread: float | None = None
     alpha_spread: float = 0.0
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"supply": units.Film}
@@ -123,6 +127,8 @@ class Oil:
             positive("supply", self.supply, "m")
         positive("boundary_friction", self.boundary_friction, "")
         within("alpha_spread", self.alpha_spread, 0, 1, "")
+        if self.boundary_friction_spread is not None:
+            within("boundary_friction_spread", self.boundary_friction_spread, 0, 1, "")
 
     def layer_at(self, across: Given) -> np.ndarray:
         """Thickness of the oil that arrives at places across the entrainment [m], where it is limited."""

@@ -36,7 +36,11 @@ FLOW_SCATTER, FLOW_FALL = 0.3, 2.5
 and the power with which it falls beyond."""
 
 BOUNDARY_FRICTION_SPREAD = 0.25
-"""Relative uncertainty of the asperities' friction coefficient."""
+"""Relative uncertainty of a friction coefficient of asperities that is given, whatever the law of contact."""
+
+REFITTED = {"stiffer": 0.76, "one radius": 1.0, "elastic": 0.94}
+"""Other law of contact -> factor of a fitted friction coefficient of asperities if it had been fitted by that
+law (`benchmarks/validation/boundary_friction.py`): where asperities bear more, they rub less."""
 
 
 BY_FACTOR = ("contact", "slope", "aspect")
@@ -83,12 +87,18 @@ class Variation:
 
 
 def variations(
-    pair: RoughSurfaces, boundary_friction: float, part: float, thickness: Array, waves: float = 0.0
+    pair: RoughSurfaces,
+    boundary_friction: float,
+    part: float,
+    thickness: Array,
+    waves: float = 0.0,
+    fitted_spread: float | None = None,
 ) -> Iterator[tuple[str, Variation]]:
     """Names of uncertain assumptions, each with the surfaces in which it is changed; all are independent.
 
     Laws of contact exclude each other: that one counts by which the load of the asperities changes most at a
-    given gap. Assumptions that change nothing, as shear flow factors between equal surfaces, are left out.
+    given gap. A friction coefficient that was fitted by one law is another by another one (`REFITTED`).
+    Assumptions that change nothing, as shear flow factors between equal surfaces, are omitted.
 
     Parameters
     ----------
@@ -103,13 +113,17 @@ def variations(
     waves : float
         Root mean square height [m] of waves in the film that the gap does not have; they count as more
         roughness.
+    fitted_spread : float or None
+        Relative uncertainty of the friction coefficient where it was fitted to measured friction [-]; None
+        where it is given (`BOUNDARY_FRICTION_SPREAD`).
     """
     curves = pair.curves()
     higher = hypot(1.0, waves / pair.height) - 1
+    law, pressure = _other_law(pair, curves, thickness)
     others = {
         "height": curves.scaled(1 + part * HEIGHT_SPREAD),
         "long waves": curves.scaled(1 + part * higher),
-        "contact": _pressed(curves, _other_pressure(pair, curves, thickness), part),
+        "contact": pressed(curves, pressure, part),
         "slope": _steeper(pair, curves, part),
         "aspect": _drawn_out(pair, curves, float(thickness.min()), part),
         "pressure flow": _scattered(curves, slice(3, 6), part),
@@ -117,9 +131,11 @@ def variations(
     }
     for name, other in others.items():
         if other.scale != curves.scale or not np.array_equal(other.values, curves.values):
-            yield name, Variation(other, boundary_friction, name in BY_FACTOR)
-    rubbing = boundary_friction * (1 + part * BOUNDARY_FRICTION_SPREAD)
-    yield "boundary friction", Variation(curves, rubbing)
+            refitted = {"contact": REFITTED[law], "slope": REFITTED["slope"]}.get(name, 1.0)
+            factor = 1.0 if fitted_spread is None else refitted**part
+            yield name, Variation(other, boundary_friction * factor, name in BY_FACTOR)
+    spread = BOUNDARY_FRICTION_SPREAD if fitted_spread is None else fitted_spread
+    yield "boundary friction", Variation(curves, boundary_friction * (1 + part * spread))
 
 
 def flow_scatter(gap: npt.ArrayLike) -> Array:
@@ -127,31 +143,33 @@ def flow_scatter(gap: npt.ArrayLike) -> Array:
     return FLOW_SCATTER * np.maximum(gap, 1.0) ** -FLOW_FALL
 
 
-def _other_pressures(pair: RoughSurfaces, curves: GapCurves) -> Iterator[Array]:
-    """Logarithms of the asperities' pressure [ln Pa] over the rows, by other laws of contact."""
+def other_laws(pair: RoughSurfaces, curves: GapCurves) -> dict[str, Array]:
+    """Other laws of contact, each with the logarithm of the asperities' pressure [ln Pa] over the rows."""
     pressure = curves.values[0]
-    yield pressure + log(STIFFNESS_FACTOR)
     # asperities of one radius, as stiff where the mean planes touch
     gap = curves.gaps / curves.scale
     fall = overlap_moment(2.5, gap) / overlap_moment(2.5, 0.0)
     touching = np.interp(0.0, gap, pressure)
-    yield touching + np.log(np.maximum(fall, np.exp(pressure.min() - touching)))
+    laws = {
+        "stiffer": pressure + log(STIFFNESS_FACTOR),
+        "one radius": touching + np.log(np.maximum(fall, np.exp(pressure.min() - touching))),
+    }
     elastic = pair.elastic()
-    if elastic is not None:
-        yield elastic.curves().values[0]
+    return laws if elastic is None else laws | {"elastic": elastic.curves().values[0]}
 
 
-def _other_pressure(pair: RoughSurfaces, curves: GapCurves, thickness: Array) -> Array:
-    """That of the other laws of contact by which the load of the asperities changes most at a given gap."""
+def _other_law(pair: RoughSurfaces, curves: GapCurves, thickness: Array) -> tuple[str, Array]:
+    """The other law of contact by which the load of the asperities changes most at a given gap."""
 
     def load(pressure: Array) -> float:
         return float(np.exp(np.interp(thickness, curves.thicknesses, pressure)).sum())
 
     present = load(curves.values[0])
-    return max(_other_pressures(pair, curves), key=lambda other: abs(load(other) - present))
+    laws = other_laws(pair, curves).items()
+    return max(laws, key=lambda law: abs(load(law[1]) - present))
 
 
-def _pressed(curves: GapCurves, other: Array, part: float) -> GapCurves:
+def pressed(curves: GapCurves, other: Array, part: float) -> GapCurves:
     """Curves with the asperities' logarithm of pressure changed by a part of the way to another law's."""
     pressure = curves.values[0]
     return _with_rows(curves, slice(0, 1), pressure + part * (other - pressure))
@@ -160,7 +178,7 @@ def _pressed(curves: GapCurves, other: Array, part: float) -> GapCurves:
 def _steeper(pair: RoughSurfaces, curves: GapCurves, part: float) -> GapCurves:
     """Curves with the pressure of asperities of other slopes, by a part of their factor's logarithm."""
     other = pair.steeper(SLOPE_FACTOR)
-    return curves if other is None else _pressed(curves, other.curves().values[0], part)
+    return curves if other is None else pressed(curves, other.curves().values[0], part)
 
 
 def _drawn_out(pair: RoughSurfaces, curves: GapCurves, thickness: float, part: float) -> GapCurves:

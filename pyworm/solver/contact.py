@@ -465,7 +465,11 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         scene, half_width = self._scene, predicted(self._scene).half_width
         waves = left_out(moving_waves(scene), self._size.groups, half_width, scene.reduced_modulus)
         return roughness_uncertainty(
-            level, present(self._rough, "roughness"), scene.boundary_friction, waves
+            level,
+            present(self._rough, "roughness"),
+            scene.boundary_friction,
+            waves,
+            scene.oil.boundary_friction_spread,
         )
 
     def _warm_between(self, level: LevelT) -> Callable[[tuple[Body, Body], InitialGuess], None]:

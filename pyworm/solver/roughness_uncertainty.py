@@ -11,7 +11,12 @@ from dataclasses import dataclass
 from math import hypot, inf, pi
 
 from pyworm.formulas.wave_deformation import Groups, left_of_waves
-from pyworm.materials.roughness_assumptions import RoughSurfaces, flow_scatter, variations
+from pyworm.materials.roughness_assumptions import (
+    RoughSurfaces,
+    Variation,
+    flow_scatter,
+    variations,
+)
 from pyworm.scene.waves import MovingWaves
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.newton import newton_step
@@ -83,7 +88,11 @@ def left_out(
 
 
 def roughness_uncertainty(
-    level: Level, pair: RoughSurfaces, boundary_friction: float, waves: LeftOut = LeftOut()
+    level: Level,
+    pair: RoughSurfaces,
+    boundary_friction: float,
+    waves: LeftOut = LeftOut(),
+    fitted_spread: float | None = None,
 ) -> dict[str, float]:
     """Relative uncertainty of each figure [-], of temperatures over their rise above the inlet's.
 
@@ -99,30 +108,42 @@ def roughness_uncertainty(
         Friction coefficient of asperities in contact [-].
     waves : LeftOut
         Long waves of the surfaces that are not in the gap.
+    fitted_spread : float or None
+        Relative uncertainty of a friction coefficient that was fitted [-] (`variations`).
     """
-    converged, figures = level.state(), level.read().figures
-    changes = []
-    thickness = level.film.thickness()
-    for _, varied in variations(pair, boundary_friction, PART, thickness, waves.film):
-        level.film.roughen(varied.curves, varied.boundary_friction)
-        _start(level, converged)
-        followed = _follow(level)
-        after = level.read().figures
-        changes.append(
-            {
-                key: _whole(of, after[key], varied.by_factor) if followed else inf
-                for key, of in figures.items()
-            }
-        )
-    level.film.roughen(pair.curves(), boundary_friction)
-    _start(level, converged)
-    if level.film.heated:
-        newton_step(level)  # its heat flows are those of the last sweep
+    figures, thickness = level.read().figures, level.film.thickness()
+    varied = variations(pair, boundary_friction, PART, thickness, waves.film, fitted_spread)
+    changes = changes_by(level, pair, boundary_friction, dict(varied)).values()
     others = _of_stress(figures, pair.height), waves.changes(figures)
     return {
         key: hypot(*(of[key] for of in changes), *(of.get(key, 0.0) for of in others))
         for key in figures
     }
+
+
+def changes_by(
+    level: Level, pair: RoughSurfaces, boundary_friction: float, varied: Mapping[str, Variation]
+) -> dict[str, dict[str, float]]:
+    """Relative change of each figure [-] by the whole of each assumption, of which a `PART` is changed.
+
+    Parameters are those of `roughness_uncertainty`; the level is left as there.
+    """
+    converged, figures = level.state(), level.read().figures
+    changes = {}
+    for name, variation in varied.items():
+        level.film.roughen(variation.curves, variation.boundary_friction)
+        _start(level, converged)
+        followed = _follow(level)
+        after = level.read().figures
+        changes[name] = {
+            key: _whole(of, after[key], variation.by_factor) if followed else inf
+            for key, of in figures.items()
+        }
+    level.film.roughen(pair.curves(), boundary_friction)
+    _start(level, converged)
+    if level.film.heated:
+        newton_step(level)  # its heat flows are those of the last sweep
+    return changes
 
 
 def _follow(level: Level) -> bool:

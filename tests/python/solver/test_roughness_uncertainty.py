@@ -12,6 +12,7 @@ import pyworm
 from pyworm.materials.roughness_assumptions import (
     BOUNDARY_FRICTION_SPREAD,
     HEIGHT_SPREAD,
+    REFITTED,
     STIFFNESS_FACTOR,
     flow_scatter,
     variations,
@@ -202,6 +203,24 @@ def test_other_surfaces_are_within_the_uncertainty_of_the_model(mixed, changes):
     for name, other in bars_of(replace(scene, bodies=bodies)).items():
         bar = bars[name]
         assert abs(other.value / bar.value - 1) < bar.model + bar.error + other.error, name
+
+
+def test_a_fitted_friction_is_smaller_by_a_law_of_contact_by_which_asperities_bear_more():
+    """So much that the gears of the fit have the friction to which it was fitted; else nothing changes."""
+    pair = pyworm.load(CASES / "spur_pair.toml").scene(phase=0.5).rough_pair
+    spread = 0.12
+    given = dict(variations(pair, MU_B, 0.5, FILM))
+    fitted = dict(variations(pair, MU_B, 0.5, FILM, fitted_spread=spread))
+    assert fitted.keys() == given.keys()
+    for name, varied in fitted.items():
+        np.testing.assert_array_equal(varied.curves.values, given[name].curves.values)
+    changed = {name: varied.boundary_friction / MU_B for name, varied in fitted.items()}
+    assert changed.pop("contact") == pytest.approx(REFITTED["stiffer"] ** 0.5)
+    assert changed.pop("slope") == pytest.approx(REFITTED["slope"] ** 0.5)
+    assert changed.pop("boundary friction") == pytest.approx(1 + 0.5 * spread)
+    assert set(changed.values()) == {1.0}
+    assert REFITTED["stiffer"] < 1
+    assert given["contact"].boundary_friction == MU_B
 
 
 def test_equal_surfaces_drag_no_oil():
