@@ -28,7 +28,9 @@ def with_fitted_friction(oil: Oil, table: OilTable, worm: BodyTable, wheel: Body
     part of the fit.
     """
     base = table.base
-    if base not in OIL_KINDS or table.boundary_friction != base_stock(base).boundary_friction:
+    if base is None or base not in OIL_KINDS:
+        return oil
+    if table.boundary_friction != base_stock(base).boundary_friction:
         return oil
     if wheel.material is None or worm.boundary_friction_factor not in (None, 1.0):
         return oil

@@ -389,7 +389,7 @@ PLAIN = {
     "FlowLaw.of": "function",
     "FlowLaw.shape_at": "newtonian",
     "FlowLaw.firmer": "times",
-    "Oil": "viscosity density flow heat boundary_friction alpha_spread",
+    "Oil": "viscosity density flow heat boundary_friction boundary_friction_spread alpha_spread",
     "Roelands": "z",
     "NamedOil": "name stock walther_m walther_n source",
     "Scene": "name gap bodies oil phase slide_roll_ratio section station past rigid smooth motions",
