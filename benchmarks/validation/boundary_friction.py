@@ -12,6 +12,7 @@ import csv
 import sys
 from collections.abc import Mapping
 from functools import partial
+from math import hypot, sqrt
 from unittest.mock import patch
 
 from boundary_friction_fit import (
@@ -31,10 +32,10 @@ import pyworm
 from pyworm.formulas.worm_gear import REFERENCE_GEAR
 from pyworm.formulas.worm_standard import forward_efficiency
 from pyworm.materials.rough_surfaces import RoughPair
-from pyworm.materials.roughness_assumptions import Variation, other_laws, pressed
+from pyworm.materials.roughness_assumptions import Variation, other_laws, pressed, variations
 from pyworm.result.contact_loss import contact_losses
 from pyworm.solver.level import Level
-from pyworm.solver.roughness_uncertainty import PART, changes_by, roughness_uncertainty
+from pyworm.solver.roughness_uncertainty import PART, LeftOut, changes_by, roughness_uncertainty
 
 ACCURACY = 0.2
 """Numerical accuracy asked for; friction has less than a tenth of it."""
@@ -46,15 +47,27 @@ COMPARED = Row("CuSn12Ni2-C-GZ", "mineral", 150), Row("CuSn12Ni2-C-GZ", "mineral
 """Rows whose number of phases is studied."""
 
 
-def watched(found: dict, level: Level, pair: RoughPair, mu_b: float, *rest) -> dict[str, float]:
-    """The uncertainty of figures; notes how the power lost follows mu_b and each other law of contact."""
-    curves = pair.curves()
+def watched(
+    found: dict,
+    level: Level,
+    pair: RoughPair,
+    mu_b: float,
+    waves: LeftOut,
+    fitted_spread: float,
+) -> dict[str, float]:
+    """Uncertainty of figures; notes that of the power lost by mu_b, by laws of contact and by all else."""
+    curves, thickness = pair.curves(), level.film.thickness()
     laws = other_laws(pair, curves)
     varied = {law: Variation(pressed(curves, laws[law], PART), mu_b) for law in LAWS}
     varied["rubbing"] = Variation(curves, mu_b * (1 + PART))
     changes = changes_by(level, pair, mu_b, varied)
     found |= {name: change["power_loss"] for name, change in changes.items()}
-    return roughness_uncertainty(level, pair, mu_b, *rest)
+    uncertainty = roughness_uncertainty(level, pair, mu_b, waves, fitted_spread)
+    assumed = dict(variations(pair, mu_b, PART, thickness, waves.film, fitted_spread))
+    fitted = {name: assumed[name] for name in ("contact", "boundary friction")}
+    parts = [change["power_loss"] for change in changes_by(level, pair, mu_b, fitted).values()]
+    found["others"] = sqrt(uncertainty["power_loss"] ** 2 - hypot(*parts) ** 2)
+    return uncertainty
 
 
 def solve(row: Row, phase: float) -> None:
@@ -78,7 +91,7 @@ def solve(row: Row, phase: float) -> None:
         **{key: f"{getattr(contact, key):.6g}" for key in KEPT},
         "mu_b": f"{scene.boundary_friction:.6g}",
         "boundary": f"{solution.figures.friction_boundary.value:.6g}",
-        **{key: f"{changes[key]:.4g}" for key in ("rubbing", *LAWS)},
+        **{key: f"{changes[key]:.4g}" for key in ("others", "rubbing", *LAWS)},
     }
     if not solution.converged:
         raise SystemExit(f"{row}, phase {phase}: {solution.stop_reason}")

@@ -11,17 +11,23 @@ import tomllib
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import product
+from math import hypot
 from pathlib import Path
 
 import numpy as np
+import scipy
 
 from pyworm.case.case import Case, case_of
+from pyworm.case.fitted_friction import FITTED_SPREADS
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.formulas.unit_factors import RPM
+from pyworm.formulas.unknown import known
 from pyworm.formulas.worm_curves import OilKind
 from pyworm.formulas.worm_gear import REFERENCE_FILM, REFERENCE_GEAR
 from pyworm.formulas.worm_standard import tooth_friction
 from pyworm.formulas.worm_wheel_material import FAMILIES, WHEEL_MATERIALS, Family
+from pyworm.materials.roughness_assumptions import REFITTED
+from pyworm.solver.roughness_uncertainty import PART, whole_change
 
 TABLE = Path(__file__).parents[2] / "tests/data/boundary_friction.csv"
 
@@ -84,7 +90,7 @@ WHEELS: dict[str, tuple[tuple[OilKind, ...], tuple[int, ...]]] = {
 }
 """Wheel material -> oils and speeds of its rows."""
 
-KEPT = ("phase", "load", "friction", "power", "error", "model")
+KEPT = ("phase", "load", "friction", "power", "error")
 """What is kept of a contact's loss."""
 
 LAWS = ("stiffer", "one radius", "elastic")
@@ -192,7 +198,11 @@ class OverTheMesh:
 def over_the_mesh(row: Row, phases: tuple[float, ...] = PHASES) -> OverTheMesh:
     """Means of a row over the mesh."""
     solved = contacts_of(row, phases)
-    losses = [ContactLoss(**{key: one[key] for key in KEPT}) for one in solved]
+    family = known(WHEEL_MATERIALS[row.wheel].family)
+    losses = [
+        ContactLoss(**{key: one[key] for key in KEPT}, model=contact_model(one, family))
+        for one in solved
+    ]
     drive = row.case().drive
     whole = drive.mesh_loss(losses)
 
@@ -206,6 +216,13 @@ def over_the_mesh(row: Row, phases: tuple[float, ...] = PHASES) -> OverTheMesh:
 
     laws = {law: mean(law) for law in LAWS}
     return OverTheMesh(whole, solved[0]["mu_b"], mean("rubbing"), laws)
+
+
+def contact_model(contact: dict, family: Family) -> float:
+    """Model uncertainty of a contact: by mu_b, the law of contact that changes it most, and others [-]."""
+    rubbing, law = contact["rubbing"], max(LAWS, key=lambda law: abs(contact[law]))
+    tied = (1 + PART * contact[law]) * (1 + rubbing * (REFITTED[law] ** PART - 1))
+    return hypot(contact["others"], whole_change(1.0, tied), FITTED_SPREADS[family] * rubbing)
 
 
 @dataclass(frozen=True)
@@ -222,7 +239,7 @@ class Fit:
         Of each row the standard's friction, that by a fit to all other rows, and its relative model
         uncertainty [-].
     off : numpy.ndarray
-        Logarithm of the mu_b that a row needs over that of a fit to all others [-].
+        The mu_b that a row needs over that of a fit to all others, less 1 [-].
     """
 
     mu_b: dict[str, float]
@@ -247,30 +264,34 @@ class Fit:
         return np.abs(self.predicted - self.wanted) <= self.bars * self.predicted
 
 
+def _nearest(design: np.ndarray, needed: np.ndarray) -> np.ndarray:
+    """Logarithms by whose sums the needed mu_b, over that of the fit, are off least in their squares."""
+    start = np.linalg.lstsq(design, np.log(needed))[0]
+    return scipy.optimize.least_squares(lambda of: needed * np.exp(-design @ of) - 1, start).x
+
+
 def fitted(lubrication: str = "bath") -> Fit:
-    """Fit ln mu_b of each oil and wheel material; leave each row out once."""
+    """Fit mu_b of each oil and a factor of each wheel material; leave each row out once."""
     means = [over_the_mesh(row) for row in ROWS]
     wanted = np.array([row.standard(lubrication) for row in ROWS])
-    needed = np.log([mean.needed(of) for mean, of in zip(means, wanted, strict=True)])
+    needed = np.array([mean.needed(of) for mean, of in zip(means, wanted, strict=True)])
     others = [wheel for wheel in WHEELS if wheel != MATERIAL]
     design = np.array(
         [[row.oil == oil for oil in OILS] + [row.wheel == of for of in others] for row in ROWS],
         dtype=float,
     )
-    whole = np.exp(np.linalg.lstsq(design, needed)[0])
+    whole = np.exp(_nearest(design, needed))
     left_out = np.empty(len(ROWS))
     for index, columns in enumerate(design):
         rest = np.arange(len(ROWS)) != index
-        left_out[index] = columns @ np.linalg.lstsq(design[rest], needed[rest])[0]
+        left_out[index] = np.exp(columns @ _nearest(design[rest], needed[rest]))
     return Fit(
         mu_b=dict(zip(OILS, whole, strict=False)),
         factors=dict(zip(others, whole[len(OILS) :], strict=True)),
         wanted=wanted,
-        predicted=np.array(
-            [mean.friction(np.exp(of)) for mean, of in zip(means, left_out, strict=True)]
-        ),
+        predicted=np.array([mean.friction(of) for mean, of in zip(means, left_out, strict=True)]),
         bars=np.array([mean.loss.model for mean in means]),
-        off=needed - left_out,
+        off=needed / left_out - 1,
     )
 
 

@@ -12,9 +12,9 @@ from pyworm.materials.body import named_body
 from pyworm.materials.oil import Oil
 
 FITTED_SPREADS: dict[Family, float] = {
-    "tin bronze": 0.19,
-    "aluminium bronze": 0.12,
-    "cast iron": 0.11,
+    "tin bronze": 0.196,
+    "aluminium bronze": 0.131,
+    "cast iron": 0.134,
 }
 """Group of wheel materials -> relative uncertainty of the boundary friction that was fitted to the worm
 standard's friction: 19 of 20 rows left out of the fit need one within it
@@ -34,8 +34,10 @@ def with_fitted_friction(oil: Oil, table: OilTable, worm: BodyTable, wheel: Body
         return oil
     if wheel.material is None or worm.boundary_friction_factor not in (None, 1.0):
         return oil
-    named = named_body(wheel.material).boundary_friction_factor
     family = wheel_material(wheel.material).family
-    if isinstance(family, Unknown) or wheel.boundary_friction_factor not in (None, named):
+    if isinstance(family, Unknown):
+        return oil
+    factor = named_body(wheel.material).boundary_friction_factor
+    if wheel.boundary_friction_factor not in (None, factor):
         return oil
     return replace(oil, boundary_friction_spread=FITTED_SPREADS[family])

@@ -136,7 +136,7 @@ def changes_by(
         followed = _follow(level)
         after = level.read().figures
         changes[name] = {
-            key: _whole(of, after[key], variation.by_factor) if followed else inf
+            key: whole_change(of, after[key], variation.by_factor) if followed else inf
             for key, of in figures.items()
         }
     level.film.roughen(pair.curves(), boundary_friction)
@@ -156,7 +156,7 @@ def _follow(level: Level) -> bool:
     return False
 
 
-def _whole(before: float, after: float, by_factor: bool) -> float:
+def whole_change(before: float, after: float, by_factor: bool) -> float:
     """Relative change of a figure by a whole uncertainty, from that by a `PART`.
 
     A fall compounds, as of pressures that fall exponentially with the gap: no figure changes its sign. So
