@@ -58,13 +58,13 @@ def watched(
     """Uncertainty of figures; notes that of the power lost by mu_b, by laws of contact and by all else."""
     curves, thickness = pair.curves(), level.film.thickness()
     laws = other_laws(pair, curves)
-    varied = {law: Variation(pressed(curves, laws[law], PART), mu_b) for law in LAWS}
+    varied = {law: Variation(pressed(curves, laws[law], PART), mu_b, True) for law in LAWS}
     varied["rubbing"] = Variation(curves, mu_b * (1 + PART))
     changes = changes_by(level, pair, mu_b, varied)
     found |= {name: change["power_loss"] for name, change in changes.items()}
     uncertainty = roughness_uncertainty(level, pair, mu_b, waves, fitted_spread)
     assumed = dict(variations(pair, mu_b, PART, thickness, waves.film, fitted_spread))
-    fitted = {name: assumed[name] for name in ("contact", "boundary friction")}
+    fitted = {name: assumed[name] for name in ("contact", "slope", "boundary friction")}
     parts = [change["power_loss"] for change in changes_by(level, pair, mu_b, fitted).values()]
     found["others"] = sqrt(uncertainty["power_loss"] ** 2 - hypot(*parts) ** 2)
     return uncertainty

@@ -26,7 +26,7 @@ from pyworm.formulas.worm_curves import OilKind
 from pyworm.formulas.worm_gear import REFERENCE_FILM, REFERENCE_GEAR
 from pyworm.formulas.worm_standard import tooth_friction
 from pyworm.formulas.worm_wheel_material import FAMILIES, WHEEL_MATERIALS, Family
-from pyworm.materials.roughness_assumptions import REFITTED
+from pyworm.materials.roughness_assumptions import REFITTED, STEEPER
 from pyworm.solver.roughness_uncertainty import PART, whole_change
 
 TABLE = Path(__file__).parents[2] / "tests/data/boundary_friction.csv"
@@ -221,8 +221,12 @@ def over_the_mesh(row: Row, phases: tuple[float, ...] = PHASES) -> OverTheMesh:
 def contact_model(contact: dict, family: Family) -> float:
     """Model uncertainty of a contact: by mu_b, the law of contact that changes it most, and others [-]."""
     rubbing, law = contact["rubbing"], max(LAWS, key=lambda law: abs(contact[law]))
-    tied = (1 + PART * contact[law]) * (1 + rubbing * (REFITTED[law] ** PART - 1))
-    return hypot(contact["others"], whole_change(1.0, tied), FITTED_SPREADS[family] * rubbing)
+    steeper = (1 + contact["stiffer"]) ** STEEPER, REFITTED["stiffer"] ** STEEPER
+    tied = [
+        whole_change(1.0, changed**PART * (1 + rubbing * (refitted**PART - 1)), by_factor=True)
+        for changed, refitted in ((1 + contact[law], REFITTED[law]), steeper)
+    ]
+    return hypot(contact["others"], *tied, FITTED_SPREADS[family] * rubbing)
 
 
 @dataclass(frozen=True)

@@ -38,9 +38,12 @@ and the power with which it falls beyond."""
 BOUNDARY_FRICTION_SPREAD = 0.25
 """Relative uncertainty of a friction coefficient of asperities that is given, whatever the law of contact."""
 
-REFITTED = {"stiffer": 0.77, "one radius": 0.99, "elastic": 0.95}
+REFITTED = {"stiffer": 0.743, "one radius": 0.99, "elastic": 0.951}
 """Other law of contact -> factor of a fitted friction coefficient of asperities if it had been fitted by that
 law (`benchmarks/validation/boundary_friction.py`): where asperities bear more, they rub less."""
+
+STEEPER = log(SLOPE_FACTOR) / log(STIFFNESS_FACTOR)
+"""Power of the stiffer law's factor that is the factor by steeper slopes: pressures are as the slopes."""
 
 
 BY_FACTOR = ("contact", "slope", "aspect")
@@ -131,7 +134,9 @@ def variations(
     }
     for name, other in others.items():
         if other.scale != curves.scale or not np.array_equal(other.values, curves.values):
-            refitted = {"contact": REFITTED[law], "slope": REFITTED["slope"]}.get(name, 1.0)
+            refitted = {"contact": REFITTED[law], "slope": REFITTED["stiffer"] ** STEEPER}.get(
+                name, 1.0
+            )
             factor = 1.0 if fitted_spread is None else refitted**part
             yield name, Variation(other, boundary_friction * factor, name in BY_FACTOR)
     spread = BOUNDARY_FRICTION_SPREAD if fitted_spread is None else fitted_spread

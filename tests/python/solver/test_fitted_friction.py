@@ -98,6 +98,8 @@ def test_a_kept_contact_is_what_the_solver_finds(row):
     expected = kept["friction"] * (1 + kept["rubbing"] * (ratio - 1))
     assert contact.friction == pytest.approx(expected, rel=0.02)
     assert contact.model == pytest.approx(contact_model(kept, "tin bronze"), rel=0.03)
+    others = changes.pop("others")  # kept without the aspect, which adds to it
+    assert kept["others"] < others < 1.1 * kept["others"]
     assert changes == pytest.approx({key: kept[key] for key in changes}, rel=0.05)
 
 
