@@ -126,7 +126,7 @@ contains
     call close_to(field%stress_x(n/2, 1), tau, 4e-4_wp*tau, "and its stress")
   end subroutine couette
 
-  !> Oil of one velocity that enters cold between walls of 1 K: the mean difference to the walls' temperature falls along the film as
+  !> Oil of one velocity that enters cold between walls of 1 K: the mean difference to the walls falls along the film as
   !> 8/pi2 exp(-pi2 k x/(rho c u h2)), once higher modes are gone (a plug flow's Graetz number).
   subroutine convection(velocity)
     real(wp), intent(in) :: velocity

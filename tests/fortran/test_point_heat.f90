@@ -188,7 +188,7 @@ contains
     call close_to(field%friction(middle, middle), slope**2*h**3/(12*thick%eta0), 1e-6_wp, "heat of Poiseuille flow")
   end subroutine compression
 
-  !> Oil of one velocity that enters cold between walls of 1 K: the mean difference to the walls' temperature falls along the film as
+  !> Oil of one velocity that enters cold between walls of 1 K: the mean difference to the walls falls along the film as
   !> 8/pi2 exp(-pi2 k x/(rho c u h2)), once higher modes are gone (a plug flow's Graetz number), x being the way from
   !> the side by which oil comes in.
   subroutine convection(velocity)

@@ -196,6 +196,12 @@ DIMENSIONED = {
                     ("roughness", 4e-7, "0.4 um"),
                     ("lay", np.pi / 2, "90 deg"),
                     ("hardness", 1.1e9, "1.1 GPa"),
+                    ("temperature_limit", 373.15, "100 degC"),
+                    (
+                        "modulus_by_temperature",
+                        ((293.15, 3e9), (373.15, 1e9)),
+                        (("20 degC", "3 GPa"), ("100 degC", "1 GPa")),
+                    ),
                 )
             ),
         )
@@ -398,6 +404,7 @@ PLAIN = {
     "TabulatedDensity.of": "function",
     "Case.with_found": "found",
     "Case.scene": "phase slide_roll_ratio section station",
+    "Case.idle_phases": "phases",
     "Case.places": "wanted",
     "Case.scenes": "wanted",
     "Estimate.agrees_with": "other",
