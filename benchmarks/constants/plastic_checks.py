@@ -65,6 +65,10 @@ def _last(of, name):
     return 0.2e9 <= _curve(of, name)[-1][1] <= 0.8e9
 
 
+def _solid(of, name):
+    return _curve(of, name)[-1][0] < MELTING[name]
+
+
 def _cold(of, name):
     (temperature, modulus), *_ = _curve(of, name)
     return 20 <= temperature <= 25 and within_factor(modulus, COLD[name] * 1e9, 1.15)
@@ -136,6 +140,7 @@ PLASTICS = Chapter(
             "0.85 to 2.5 times that of a bar at its heat deflection temperature", _all(_deflects)
         ),
         Check("0.2 to 0.8 GPa where the table ends", _all(_last)),
+        Check("the table ends below melting", _all(_solid)),
         Check("cold within 15 % of other books", _all(_cold)),
         Check("diffusivity 0.11 to 0.16 mm2/s, as of PEEK 0.12 to 0.14", _all(_diffuses)),
         Check("heat capacity of a volume 1.8 to 2.6 MJ/(m3 K)", _all(_stores)),

@@ -587,7 +587,8 @@ def _required(of):
     """No part may fail by rule, none needs more than a fifth to spare: wear."""
     least = of.REQUIRED
     return (
-        set(least) == {"S_W", "S_H", "S_delta", "S_F", "S_T"}
+        set(least) == {"S_W", "S_H", "S_delta", "S_F", "S_T", "S_M"}
+        and least["S_M"] == 1  # of the wheel's material, which the standard does not rate
         and all(1 <= value < 1.2 for value in least.values())
         and least["S_W"] == least["S_F"] == least["S_T"] > least["S_H"] == least["S_delta"]
     )

@@ -245,7 +245,8 @@ class Case(Shown):
     @property
     def beyond_limits(self) -> tuple[str, ...]:
         """Bodies that are hotter than their material bears, a sentence each."""
-        bodies = self.scene().bodies if self.drive is None else self.drive.bodies
+        tables = self.tables
+        bodies = tables.bodies.pair(tables.oil.oil()) if self.drive is None else self.drive.bodies
         return beyond_limits(self.body_names, bodies)
 
     def scene(

@@ -117,7 +117,7 @@ def mean_pressure(
     """
     within("p_m*", pressure_parameter, 0.1, 10, "")
     positive("wheel torque", torque, "N m")
-    within("reduced modulus", reduced_modulus, 1e8, 1e12, "Pa")
+    within("reduced modulus", reduced_modulus, 3e8, 1e12, "Pa")
     within("centre distance", centre_distance, 0.025, 2, "m")
     return 4 / pi * sqrt(pressure_parameter * torque * reduced_modulus / centre_distance**3)
 

@@ -34,7 +34,7 @@ from pyworm.solver.left_out import LeftOut
 def worm_duty_of_table(table: WormGearTable) -> WormDuty:
     """The worm gear of `[worm_gear]`; CaseError if it is none."""
     try:
-        within("reduced modulus", table.reduced_modulus, 1e8, 1e12, "Pa")
+        within("reduced modulus", table.reduced_modulus, 3e8, 1e12, "Pa")
         return _duty(table)
     except ValueError as error:
         raise CaseError(f"worm_gear: {error}") from error

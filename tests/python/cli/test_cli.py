@@ -111,7 +111,15 @@ def test_run_prints_one_json_object_and_nothing_else(tmp_path, capfd, solve_at_o
     said = capfd.readouterr()
     content = json.loads(said.out)
     assert said.err == ""
-    assert set(content) == {"case", "scenes", "failed", "warnings", "results", "pictures"}
+    assert set(content) == {
+        "case",
+        "scenes",
+        "beyond_limits",
+        "failed",
+        "warnings",
+        "results",
+        "pictures",
+    }
     assert content["case"] == "point_m20_l10"
     assert set(content["scenes"][0]) >= SCENE_KEYS
     written = {str(path) for path in out.iterdir()}
@@ -313,7 +321,7 @@ def test_check_prints_one_json_object(capsys):
     assert main(["check", DRIVE, "--phase", "0.25", "0.75", "--json"]) == CONVERGED
     content = json.loads(capsys.readouterr().out)
     of_run = {"expected_seconds", "expected_seconds_of_search"}
-    of_case = {"assumptions", "case", "drive", "resolved", "scenes", "warnings"}
+    of_case = {"assumptions", "beyond_limits", "case", "drive", "resolved", "scenes", "warnings"}
     assert set(content) == of_case | of_run
     assert [scene["phase"] for scene in content["scenes"]] == [0.25, 0.75]
     assert content["resolved"]["oil"]["shear"]["limit"] == pytest.approx(100e6)

@@ -73,6 +73,7 @@ def test_shipped_cases_are_rated(capsys, name, keys):
         "not_converged",
         "warnings",
         "assumed",
+        "beyond_limits",
     }
     assert content["case"] == name
     assert [rating["rating"] for rating in content["ratings"]] == keys

@@ -40,7 +40,10 @@ CHANGES = {
         'worm_speed = "1450 rpm"',
         "operation.worm_speed is 1450 rpm, was 1500 rpm",
     ),
-    'eta0 = "0.227 Pa s"': ('eta0 = "0.22 Pa s"', "oil.viscosity is"),
+    'eta0 = "0.227 Pa s"': (
+        'eta0 = "0.22 Pa s"',
+        "oil.viscosity.eta0 is 0.22 Pa s, was 0.227 Pa s",
+    ),
     'roughness = "0.3 um"': ('roughness = "0.4 um"', "bodies.worm.roughness is 0.4 µm, was 0.3 µm"),
 }
 

@@ -14,7 +14,7 @@ from pyworm.solver.transient.march import march
 from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Part, begin_of_one, part_at
 
-LINE, POINT = ("cases/spur_pair.toml", 0.35), ("cases/zi_drive.toml", 0.5)
+LINE, POINT = ("cases/spur_pair.toml", 0.35), ("cases/zi_drive.toml", 0.26)
 
 
 def moving(case, accuracy, effects="isothermal,squeeze"):
