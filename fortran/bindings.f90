@@ -705,18 +705,20 @@ contains
   !> `ages` are age, weight and share of each reading, `ways` the way of the surface since then.
   subroutine integrate_remembered_flux(flux, mx, my, times, first, spacing, ages, intervals, ways, count, turning, &
       at_origin, x, nx, y, ny, u, v, integral)
-    use pyworm_remembered_flux, only: flux_history, flux_reading, remembered_flux
+    use pyworm_remembered_flux, only: flux_reading, moving_axes, remembered_flux
     integer(c_int), intent(in) :: mx, my, times, count, nx, ny
     real(c_double), intent(in) :: flux(mx, my, times), first(2, times), spacing(2, times)
     real(c_double), intent(in) :: ages(3, count), ways(2, count), turning, at_origin(2), x(nx), y(ny), u(nx, ny), v(nx, ny)
     integer(c_int), intent(in) :: intervals(count)
     real(c_double), intent(out) :: integral(nx, ny)
     type(flux_reading) :: readings(count)
+    type(moving_axes) :: axes(times)
     integer :: k
     !f2py threadsafe
 
     readings = [(flux_reading(ages(1, k), ages(2, k), intervals(k), ages(3, k), ways(:, k)), k=1, count)]
-    call remembered_flux(flux_history(flux, first, spacing), readings, turning, at_origin, x, y, u, v, integral)
+    axes = [(moving_axes(first(:, k), spacing(:, k)), k=1, times)]
+    call remembered_flux(flux, axes, readings, turning, at_origin, x, y, u, v, integral)
   end subroutine integrate_remembered_flux
 
   !> Lets Python's signals interrupt kernel calls, from now on.

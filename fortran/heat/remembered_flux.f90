@@ -5,15 +5,12 @@ module pyworm_remembered_flux
   implicit none(type, external)
   private
 
-  public :: flux_reading, flux_history, remembered_flux
+  public :: flux_reading, moving_axes, remembered_flux
 
-  !> Fluxes into a body at some times, the present first, each on a grid of its own of as many nodes.
-  type :: flux_history
-    !> Flux at the nodes, time along the last dimension [W/m2].
-    real(wp), allocatable :: flux(:, :, :)
-    !> First node and spacing along each direction, at each time [m].
-    real(wp), allocatable :: first(:, :), spacing(:, :)
-  end type flux_history
+  !> Axes of the grid at one time: first node and spacing along each direction [m].
+  type :: moving_axes
+    real(wp) :: first(2), spacing(2)
+  end type moving_axes
 
   !> An age of the heat at which its flux is read, and the weight of what is read.
   type :: flux_reading
@@ -35,13 +32,15 @@ contains
   !>
   !> X(s) is the place of the surface a time s ago, in axes that have turned with angular velocity `turning` [rad/s] since:
   !> of the way of the contact point, and of what the velocity there, `at_origin`, differs from that of the node. Between
-  !> two times of the history the flux is linear. `x`, `y` are places of the nodes, `u`, `v` the surface's velocity there.
-  pure subroutine remembered_flux(history, readings, turning, at_origin, x, y, u, v, integral)
-    type(flux_history), intent(in) :: history
+  !> two times the flux is linear. `flux` has that of each time along its last dimension, the present first, at the nodes of
+  !> a grid with `axes` [W/m2]; `x`, `y` are places of the nodes, `u`, `v` the surface's velocity there.
+  pure subroutine remembered_flux(flux, axes, readings, turning, at_origin, x, y, u, v, integral)
+    real(wp), intent(in) :: flux(:, :, :)
+    type(moving_axes), intent(in) :: axes(:)
     type(flux_reading), intent(in) :: readings(:)
     real(wp), intent(in) :: turning, at_origin(2), x(:), y(:), u(:, :), v(:, :)
     real(wp), intent(out) :: integral(:, :)
-    real(wp) :: c, s, place(2), steady(2), then(2), flux
+    real(wp) :: c, s, place(2), steady(2), then(2), met
     integer :: i, j, k
 
     integral = 0
@@ -54,25 +53,26 @@ contains
             steady = [x(i) - u(i, j)*read%age, y(j) - v(i, j)*read%age]
             place = steady + at_origin*read%age - read%way
             then = [c*place(1) - s*place(2), s*place(1) + c*place(2)]
-            flux = read%share*at(history, read%interval + 1, then)
-            if (read%share < 1) flux = flux + (1 - read%share)*at(history, read%interval, then)
-            integral(i, j) = integral(i, j) + read%weight*(flux - at(history, 1, steady))
+            associate (before => read%interval + 1, after => read%interval)
+              met = read%share*at(flux(:, :, before), axes(before), then)
+              if (read%share < 1) met = met + (1 - read%share)*at(flux(:, :, after), axes(after), then)
+            end associate
+            integral(i, j) = integral(i, j) + read%weight*(met - at(flux(:, :, 1), axes(1), steady))
           end do
         end do
       end associate
     end do
   end subroutine remembered_flux
 
-  !> Flux of a time of a history at a place.
-  pure function at(history, number, place) result(flux)
-    type(flux_history), intent(in) :: history
-    integer, intent(in) :: number
-    real(wp), intent(in) :: place(2)
-    real(wp) :: flux
+  !> Flux of a time at a place.
+  pure function at(flux, axes, place) result(met)
+    real(wp), intent(in) :: flux(:, :), place(2)
+    type(moving_axes), intent(in) :: axes
+    real(wp) :: met
     real(wp) :: node(2)
 
-    node = (place - history%first(:, number))/history%spacing(:, number)
-    flux = linear_at(history%flux(:, :, number), node(1), node(2))
+    node = (place - axes%first)/axes%spacing
+    met = linear_at(flux, node(1), node(2))
   end function at
 
 end module pyworm_remembered_flux

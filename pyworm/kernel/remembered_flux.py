@@ -82,11 +82,14 @@ def remembered_flux(
         The integral at the nodes [W sqrt(s)/m2].
     """
     line = len(places) == 1
-    flux = np.stack(history.flux, axis=-1)
     x, y = (places[0], np.zeros(1)) if line else places
     u, v = (velocity[0], np.zeros_like(velocity[0])) if line else velocity
+    nodes = (*history.flux[0].shape, 1)[:2]
+    flux = np.empty((*nodes, len(history.flux)), order="F")
+    for number, of in enumerate(history.flux):
+        flux[..., number] = of.reshape(nodes)
     found: np.ndarray = core.bindings.integrate_remembered_flux(
-        fortran_array(flux[:, np.newaxis] if line else flux),
+        flux,
         _pairs(history.first, 0.0),
         _pairs(history.spacing, 1.0),
         fortran_array(np.transpose([(one.age, one.weight, one.share) for one in readings])),

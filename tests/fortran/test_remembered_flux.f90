@@ -3,11 +3,17 @@ program test_remembered_flux
   use, intrinsic :: ieee_arithmetic, only: ieee_get_halting_mode, ieee_invalid, ieee_quiet_nan, ieee_set_halting_mode, ieee_value
   use pyworm_kinds, only: wp
   use pyworm_linear_interpolation, only: linear_at
-  use pyworm_remembered_flux, only: flux_history, flux_reading, remembered_flux
+  use pyworm_remembered_flux, only: flux_reading, moving_axes, remembered_flux
   use tap, only: check, close_to, done
   implicit none(type, external)
 
   integer, parameter :: n = 21
+
+  type :: flux_history
+    real(wp) :: flux(n, n, 3)
+    type(moving_axes) :: axes(3)
+  end type flux_history
+
   real(wp), parameter :: dx = 0.1_wp, dy = 0.05_wp, age = 0.3_wp, u = 0.7_wp, v = -0.2_wp
 
   call bilinear()
@@ -51,13 +57,11 @@ contains
     type(flux_history) :: of
     integer :: i, j, k
 
-    allocate (of%flux(n, n, 3), of%first(2, 3), of%spacing(2, 3))
     do k = 1, 3
-      of%first(:, k) = -[dx, dy]*(n - 1)/2 + (k - 1)*shift
-      of%spacing(:, k) = [dx, dy]
+      of%axes(k) = moving_axes(-[dx, dy]*(n - 1)/2 + (k - 1)*shift, [dx, dy])
       do j = 1, n
         do i = 1, n
-          of%flux(i, j, k) = flux_at(of%first(1, k) + (i - 1)*dx, of%first(2, k) + (j - 1)*dy, (k - 1)*age)
+          of%flux(i, j, k) = flux_at(of%axes(k)%first(1) + (i - 1)*dx, of%axes(k)%first(2) + (j - 1)*dy, (k - 1)*age)
         end do
       end do
     end do
@@ -80,7 +84,7 @@ contains
 
     along = u
     across = v
-    call remembered_flux(of, [reading], turning, at_origin, [0.0_wp, 0.25_wp], [0.1_wp], along, across, found)
+    call remembered_flux(of%flux, of%axes, [reading], turning, at_origin, [0.0_wp, 0.25_wp], [0.1_wp], along, across, found)
     integral = found(:, 1)
   end function one_of
 
