@@ -117,7 +117,7 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     )
     return Loss(
         power=power,
-        scene_error=over_pitch(lost * _interpolated(phases, contacts, "error")),
+        scene_error=over_pitch(_uncertain(lost, _interpolated(phases, contacts, "error"))),
         phase_error=abs(over_pitch(of_half * load * sliding) - power),
         end_error=over_pitch(lost * spread),
         friction=power / over_pitch(load * sliding),
@@ -128,7 +128,7 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
         model_error=(
             None
             if all(one.model is None for one in contacts)
-            else over_pitch(lost * _interpolated(phases, contacts, "model"))
+            else over_pitch(_uncertain(lost, _interpolated(phases, contacts, "model")))
         ),
     )
 
@@ -177,7 +177,20 @@ def _course(
 
 
 def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> Array:
-    """A relative error of the contacts at all phases; zero of a contact that has none."""
-    errors = [getattr(one, part) or 0.0 for one in contacts]
-    interpolated: Array = np.interp(phases, [one.phase for one in contacts], errors)
+    """A relative error of the contacts at all phases; zero of a contact that has none.
+
+    Where a contact's error has no bound (is infinite) it has none as far as the neighbouring contacts.
+    """
+    at = [one.phase for one in contacts]
+    errors = np.array([getattr(one, part) or 0.0 for one in contacts])
+    unknown = np.interp(phases, at, np.isinf(errors).astype(float)) > 0
+    known = np.interp(phases, at, np.where(np.isinf(errors), 0.0, errors))
+    interpolated: Array = np.where(unknown, np.inf, known)
     return interpolated
+
+
+def _uncertain(lost: Array, error: Array) -> Array:
+    """Power lost times its relative error; nothing where no power is lost."""
+    uncertain = np.zeros_like(lost)
+    np.multiply(lost, error, out=uncertain, where=lost != 0)
+    return uncertain

@@ -2,6 +2,9 @@
 
 from math import isinf
 
+UNKNOWN = "unknown"
+"""An uncertainty without a bound, as text."""
+
 
 def rough(value: float) -> str:
     """An approximate number as text: two digits, without powers of ten."""
@@ -37,12 +40,20 @@ def with_bars(
     """
     because = "" if reason is None else f" ({reason})"
     if isinf(error):
-        rough = "" if model is None else f" ± {model * scale:.2g}{unit} (model)"
-        return f"≥ {value}{rough}{because or ' (error not known)'}"
+        return f"≥ {value}{model_bar(model, scale, unit)}{because or ' (error not known)'}"
     return f"{value} {bars(error, model, scale, unit)}{because}"
 
 
 def bars(error: float, model: float | None, scale: float = 100.0, unit: str = " %") -> str:
     """Error bars as text, relative ones in per cent: the numerical one and, if there is one, the model's."""
-    numerical = f"± {error * scale:.2g}{unit}"
-    return numerical if model is None else f"{numerical} ± {model * scale:.2g}{unit} (model)"
+    return f"± {error * scale:.2g}{unit}{model_bar(model, scale, unit)}"
+
+
+def model_bar(model: float | None, scale: float = 100.0, unit: str = " %") -> str:
+    """The model uncertainty as text behind another error bar; empty where there is none.
+
+    It is unknown (infinite) where no film was found under a change of what the model assumes.
+    """
+    if model is None:
+        return ""
+    return f" ± {UNKNOWN if isinf(model) else f'{model * scale:.2g}{unit}'} (model)"

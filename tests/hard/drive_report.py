@@ -68,9 +68,12 @@ def counts(verdicts: Sequence[DriveVerdict]) -> Iterator[str]:
         )
         whole = sum(one.outcome == "complete" for one in run)
         refused = sum(one.outcome == "refused" for one in some)
-        broken = sum(one.outcome == "broken" for one in some)
+        broken, late = (
+            sum(one.outcome == what for one in some) for what in ("broken", "out of time")
+        )
         yield (
-            f"{accuracy}: {len(some)} drives, {refused} refused, {broken} broke; of {len(run)} that ran "
+            f"{accuracy}: {len(some)} drives, {refused} refused, {broken} broke, {late} out of time; "
+            f"of {len(run)} that ran "
             f"{whole} cycles are complete, {converged} of {phases} phases converged"
         )
         if run:
@@ -90,8 +93,8 @@ def in_time(one: DriveVerdict) -> bool:
 def complaints_of_drives(verdicts: Sequence[DriveVerdict]) -> Iterator[str]:
     """What breaks a promise, a sentence each; fractions are judged where all drives of a seed were run."""
     for one in verdicts:
-        if one.outcome == "broken":
-            yield f"{one.name} at {one.accuracy} broke: {one.reason}"
+        if one.outcome in ("broken", "out of time"):
+            yield f"{one.name} at {one.accuracy} is {one.outcome}: {one.reason}"
     for accuracy in ACCURACIES:
         some = [one for one in verdicts if one.accuracy == accuracy]
         run = [one for one in some if one.phases]

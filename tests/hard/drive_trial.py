@@ -7,12 +7,14 @@ command came to is kept in a file for each, so that the suite resumes; it holds 
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from hashlib import sha256
+from math import ceil
 from pathlib import Path
 from shutil import rmtree
 from time import monotonic
@@ -30,7 +32,7 @@ ACCURACIES = ("5 %", "10 %")
 """Accuracies at which drives are run."""
 
 LONGEST = 3600.0
-"""Time after which a command is stopped and counts as hung [s]."""
+"""Time after which a command is stopped and is out of time [s]."""
 
 PROGRAM = (sys.executable, "-m", "pyworm.cli")
 
@@ -65,7 +67,9 @@ class Called:
 
     @property
     def outcome(self) -> str:
-        """One of "done", "not converged", "refused" and "broken"."""
+        """One of "done", "not converged", "refused", "out of time" and "broken"."""
+        if self.code == -signal.SIGKILL:
+            return "out of time"
         if self.flaws:
             return "broken"
         names = {CONVERGED: "done", BAD_INPUT: "refused"}
@@ -90,27 +94,31 @@ class DriveTrial:
         """Result that `run` leaves, and others read."""
         return self.out / "result.nc"
 
-    def known(self, *words: str) -> Called | None:
-        """What a command came to with the same program and case before; None if it was not run."""
-        kept = self._kept(words)
+    def known(self, *words: str, limit: float = LONGEST) -> Called | None:
+        """What a command came to with the same program, case and bound; None if it was not run."""
+        kept = self._kept(words, limit)
         if not kept.is_file():
             return None
         known = json.loads(kept.read_text())
         return Called(**known | {"flaws": tuple(known["flaws"])})
 
     def called(self, *words: str, limit: float = LONGEST) -> Called:
-        """Run a command, `CASE` among its words the case file and `OUT` where it may write."""
+        """Run a command within a processor time [s].
+
+        Among its words `CASE` stands for the case file and `OUT` for where it may write.
+        """
         self.directory.mkdir(parents=True, exist_ok=True)
         case = self.directory / "case.toml"
         case.write_text(case_text(self.drawn.tables))
         done = _called(words, case, self.out, limit)
-        with whole_file(self._kept(words)) as partial:
+        with whole_file(self._kept(words, limit)) as partial:
             partial.write_text(json.dumps(asdict(done), indent=1))
         return done
 
-    def _kept(self, words: Sequence[str]) -> Path:
+    def _kept(self, words: Sequence[str], limit: float) -> Path:
         text = case_text(self.drawn.tables)
-        key = sha256("\n".join((program_digest(), text, *words)).encode()).hexdigest()[:24]
+        made_of = (program_digest(), text, *words, f"{limit:g} s")
+        key = sha256("\n".join(made_of).encode()).hexdigest()[:24]
         return self.directory / f"{words[0]}-{key}.json"
 
 
@@ -122,11 +130,12 @@ def _called(words: Sequence[str], case: Path, out: Path, limit: float) -> Called
         process = subprocess.Popen(
             [*PROGRAM, *given], stdout=stdout, stderr=stderr, start_new_session=True
         )
-        code, processor = _waited(process, begun + limit)
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, 2 * (ceil(limit),))
+        code, processor = _waited(process, begun + LONGEST)
     wall = monotonic() - begun
     lines = said.read_text(errors="replace").splitlines(keepends=True)
     error = "".join(line for line in lines if not line.startswith(f"pyworm: {STILL} "))
-    flaws = list(_flaws(code, error))
+    flaws = list(_flaws(code, error, limit))
     figures = {}
     if not flaws and "--json" in words and code in (CONVERGED, NOT_CONVERGED):
         try:
@@ -149,9 +158,9 @@ def _waited(process: subprocess.Popen, until: float) -> tuple[int, float]:
     return process.returncode, usage.ru_utime + usage.ru_stime
 
 
-def _flaws(code: int, error: str) -> Iterator[str]:
+def _flaws(code: int, error: str, limit: float) -> Iterator[str]:
     if code == -signal.SIGKILL:
-        yield "was stopped: it did not end in time"
+        yield f"was stopped: it did not end within {limit:g} s of processor time and {LONGEST:g} s in all"
     elif code not in (CONVERGED, FAILED, BAD_INPUT, NOT_CONVERGED):
         yield f"exit code {code}"
     lines = error.splitlines()
@@ -194,7 +203,8 @@ class DriveVerdict:
     name, kind, accuracy : str
         The drive, what it is, and the accuracy asked for.
     outcome : str
-        "complete", all phases converged; "incomplete"; "refused" in a sentence; or "broken".
+        "complete", all phases converged; "incomplete"; "refused" in a sentence; "out of time"; or
+        "broken".
     phases, converged : int
         Phases that were asked for, and those that converged.
     wall, processor, expected : float
@@ -244,7 +254,7 @@ def drive_verdict(trial: DriveTrial, accuracy: str) -> DriveVerdict:
     times = {"wall": run.wall, "processor": run.processor, "expected": expected}
     phases = run.figures.get("phases", len(trial.drawn.tables["operation"]["phases"]))
     converged = run.figures.get("converged", 0)
-    if run.outcome in ("broken", "refused"):
+    if run.outcome in ("broken", "refused", "out of time"):
         reason = "; ".join(run.flaws) or run.said.strip()
         return DriveVerdict(*about, run.outcome, phases, reason=f"run: {reason}", **times)
     reasons = run.figures.get("reasons") or ({} if converged else {"all": run.said.strip()})
@@ -258,7 +268,7 @@ def drive_verdict(trial: DriveTrial, accuracy: str) -> DriveVerdict:
     )
 
 
-QUICK = ("--accuracy", "30%", "--effects", "isothermal", "--phase", "0.3", "0.5", "0.7")
+QUICK = ("--accuracy", "20%", "--effects", "isothermal", "--phase", "0.3", "0.5", "0.7")
 
 COMMANDS: dict[str, tuple[str, ...]] = {
     "check": ("check", "CASE", "--json"),
@@ -274,19 +284,28 @@ COMMANDS: dict[str, tuple[str, ...]] = {
 }  # fmt: skip
 """Commands that each drive is walked through, in this order; the later ones take what `run` leaves."""
 
+BOUNDS = {"check": 120.0, "rate": 120.0, "film": 120.0, "setup": 300.0, "shim": 300.0}
+"""Processor time that these commands may take with a drive [s]."""
+
+WALK_BOUND = 600.0
+"""Processor time that the others may take, which solve films or draw them [s]."""
+
 
 ON_RESULTS = ("report", "explore")
 """Commands on a result."""
 
 
 def walked(trial: DriveTrial, names: Sequence[str]) -> Iterator[Called]:
-    """What some of the commands come to with a drive; those on a result only where `run` leaves one."""
+    """What some of the commands come to with a drive, each within its bound of time.
+
+    Those on a result are only run where `run` leaves one.
+    """
     for name in names:
-        words = COMMANDS[name]
-        done = trial.known(*words)
+        words, limit = COMMANDS[name], BOUNDS.get(name, WALK_BOUND)
+        done = trial.known(*words, limit=limit)
         if done is None and name in ON_RESULTS and not trial.result.is_file():
-            trial.called(*COMMANDS["run"])
+            trial.called(*COMMANDS["run"], limit=WALK_BOUND)
             if not trial.result.is_file():
                 continue
-        yield done or trial.called(*words)
+        yield done or trial.called(*words, limit=limit)
     rmtree(trial.out, ignore_errors=True)

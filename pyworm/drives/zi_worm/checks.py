@@ -109,11 +109,16 @@ def _check_table(gears: "ZiWormGears") -> None:
             f"wheel.tip_radius is {gears.wheel.tip_radius * 1e3:.2f} mm; it must not be below "
             f"wheel.throat_radius, {gears.wheel.throat_radius * 1e3:.2f} mm"
         )
-    pitch, cut = gears.base_pitches
+    (pitch, cut), radii = gears.base_pitches, gears.reference_radii
     if abs(cut / pitch - 1) > BASE_PITCH_MISMATCH:
+        apart = f"a normal base pitch of {cut * 1e3:.3f} mm, but the worm has {pitch * 1e3:.3f} mm"
+        if gears.worm.generator is None:
+            raise ValueError(
+                f"hob.lead and hob.base_radius give {apart}; they must be equal to mesh"
+            )
         raise ValueError(
-            f"hob.lead and hob.base_radius give a normal base pitch of {cut * 1e3:.3f} mm, but the "
-            f"worm has {pitch * 1e3:.3f} mm; they must be equal to mesh"
+            f"hob.oversize of {2e3 * (radii[1] - radii[0]):.4g} mm gives the hob {apart}; they must be equal "
+            "to mesh, for which a smaller hob.oversize or a larger pressure_angle is needed"
         )
 
 

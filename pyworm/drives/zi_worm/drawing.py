@@ -8,11 +8,13 @@ fillets and tip relief have none, nor has the grinding disc of ZK and ZC: values
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from math import atan, cos, degrees, hypot, pi, sin, sqrt, tan
+from math import atan, cos, degrees, pi, sqrt
 from typing import Any
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
+from pyworm.drives.zi_worm.fillets import USUAL
 from pyworm.drives.zi_worm.tooth import ParabolicRelief
+from pyworm.drives.zi_worm.usual_fillets import fitting_fillets
 from pyworm.formulas import involute_helicoid as helicoid
 from pyworm.formulas.worm_profiles import (
     Profile,
@@ -254,6 +256,9 @@ class Drawing:
         )
 
 
+FILLETS = "worm_fillet_radius", "wheel_fillet_radius"
+"""Numbers of a drawing that follow, if they are not given, from the flanks (`usual_fillets`)."""
+
 Known = Mapping[str, float]
 """Numbers of a drawing by their names in `Drawing`."""
 
@@ -292,11 +297,8 @@ _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
         "2 m (0.5 + sqrt(q + 1))",
     ),
     "backlash": (lambda of: 0.03 * of["module"], "0.03 modules, assumed without a source"),
-    "worm_fillet_radius": (lambda of: _usual_fillet(of, _twice_dedendum(of)), _FILLET),
-    "wheel_fillet_radius": (
-        lambda of: _usual_fillet(of, _twice_hob_addendum(of)),
-        _HOB_FILLET,
-    ),
+    "worm_fillet_radius": (lambda of: 0.0, _FILLET),
+    "wheel_fillet_radius": (lambda of: 0.0, _HOB_FILLET),
     "worm_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, assumed without a source"),
     "worm_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
     "wheel_tip_relief": (
@@ -310,71 +312,23 @@ _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
     ),
     "hob_axial_shift": (lambda of: 0.0, "in the middle of the face"),
 }
-"""Number of a drawing -> its usual value from those before it, and that in words."""
+"""Number of a drawing -> its usual value from those before it, and that in words; fillets follow from the
+flanks when all else is known."""
+
+_DISC = (lambda of: 0.5, "as of new grinding wheels")
+_ARC = (lambda of: 6 * of["module"], "six modules, of 5 to 7")
 
 _USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
-    "ZA": {
-        "worm_fillet_radius": (
-            lambda of: _usual_fillet(of, _twice_dedendum(of), axial=True),
-            _FILLET,
-        ),
-        "wheel_fillet_radius": (
-            lambda of: _usual_fillet(of, _twice_hob_addendum(of), axial=True),
-            _HOB_FILLET,
-        ),
-    },
-    "ZK": {"worm_disc_diameter": (lambda of: 0.5, "as of new grinding wheels")},
-    "ZC": {
-        "worm_fillet_radius": (
-            lambda of: _usual_fillet(of, _twice_dedendum(of), concave=True),
-            _FILLET,
-        ),
-        "worm_disc_diameter": (lambda of: 0.5, "as of new grinding wheels"),
-        "worm_arc_radius": (lambda of: 6 * of["module"], "six modules, of 5 to 7"),
-    },
-    "ZC2": {
-        "worm_fillet_radius": (
-            lambda of: _usual_fillet(of, _twice_dedendum(of), concave=True),
-            _FILLET,
-        ),
-        "worm_arc_radius": (lambda of: 6 * of["module"], "six modules, of 5 to 7"),
-    },
+    "ZK": {"worm_disc_diameter": _DISC},
+    "ZC": {"worm_disc_diameter": _DISC, "worm_arc_radius": _ARC},
+    "ZC2": {"worm_arc_radius": _ARC},
 }
-"""Likewise for the profiles with a disc or an arc; of the same number it goes before the one above."""
+"""Likewise for the profiles with a disc or an arc."""
 
 
 def _mean_diameter(of: Known) -> float:
     """Diameter of the wheel at the worm's reference cylinder d_m2 = 2 a - d_m1 [m]."""
     return 2 * of["centre_distance"] - of["diameter_factor"] * of["module"]
-
-
-def _twice_dedendum(of: Known) -> float:
-    """Difference of the worm's reference and root diameters [m]."""
-    return of["diameter_factor"] * of["module"] - of["worm_root_diameter"]
-
-
-def _twice_hob_addendum(of: Known) -> float:
-    """Difference of the wheel's mean and root diameters [m]."""
-    return _mean_diameter(of) - of["wheel_root_diameter"]
-
-
-def _usual_fillet(
-    of: Known, twice_dedendum: float, concave: bool = False, axial: bool = False
-) -> float:
-    """Radius of a fillet [m] of which two fit, with some room, into the root between two flanks.
-
-    Of 0.2 modules it is 0.2 (1 - sin alpha) modules high, which the usual clearance has room for. Flanks are
-    taken as straight in the axial section, those of concave worms as arcs; the hob's thread is as thick as
-    the worm's. The pressure angle is the normal or the `axial` one.
-    """
-    lead = 0.0 if axial else of["threads"] / of["diameter_factor"]
-    angle, depth = atan(tan(of["pressure_angle"]) * hypot(1.0, lead)), twice_dedendum / 2
-    half = min(pi * of["module"] - of["worm_thickness"], of["worm_thickness"]) / 2
-    half -= depth * tan(angle)
-    if concave:
-        arc = of.get("worm_arc_radius", 6 * of["module"])
-        half -= depth**2 / (2 * arc * cos(angle) ** 3)
-    return max(min(0.2 * of["module"], 0.8 * half * cos(angle) / (1 - sin(angle))), 0.0)
 
 
 def completed(
@@ -395,14 +349,26 @@ def completed(
         The drawing, and a sentence that begins with the key for each value taken.
     """
     known: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
-    assumed = []
-    usual = _USUAL | _USUAL_OF.get(profile, {})
-    for name, (rule, words) in usual.items():
-        if name in known:
-            continue
-        known[name] = rule(known)
-        assumed.append(f"{key_of(name)} = {_shown(name, known[name])}, {words}")
+    taken = {}
+    for name, (rule, words) in (_USUAL | _USUAL_OF.get(profile, {})).items():
+        if name not in known:
+            known[name] = rule(known)
+            taken[name] = words
+    if any(name in taken for name in FILLETS):
+        fits = _fitting(Drawing(**known, profile=profile))
+        known |= {name: fit for name, fit in zip(FILLETS, fits, strict=True) if name in taken}
+    assumed = (
+        f"{key_of(name)} = {_shown(name, known[name])}, {words}" for name, words in taken.items()
+    )
     return Drawing(**known, profile=profile), tuple(assumed)
+
+
+def _fitting(of: Drawing) -> tuple[float, float]:
+    """Usual fillets of worm and wheel [m]; of a drawing without flanks, which is refused, by its module."""
+    try:
+        return fitting_fillets(of)
+    except ValueError:
+        return USUAL * of.module, USUAL * of.module
 
 
 def key_of(name: str) -> str:

@@ -233,12 +233,11 @@ def _check_disc(of: Drawing) -> None:
             make()
         except ValueError as error:
             sizes = {"worm.disc_diameter": diameter, "worm.arc_radius": arc}
-            numbers = " and ".join(name for name, size in sizes.items() if size is not None)
-            remedy = "a larger arc" if diameter is None else "a smaller disc"
+            given = [name for name, size in sizes.items() if size is not None]
             raise ValueError(
-                f"{numbers} and pressure_angle do not fit: for the {part} {error} at its lead angle of "
-                f"{degrees(of.lead_angle):.3g} deg; {remedy}, a larger pressure angle or diameter factor, or "
-                "fewer threads are needed"
+                f"{', '.join(given)} and pressure_angle do not fit: for the {part} {error} at its lead angle "
+                f"of {degrees(of.lead_angle):.3g} deg; a larger {', '.join(given)}, pressure_angle or "
+                "diameter_factor, or fewer threads are needed"
             ) from error
 
 

@@ -4,7 +4,6 @@ The worm's fillet is an arc in the axial section, tangent to the root cylinder a
 is left by the hob, whose tip has its edge rounded by such an arc, tangent to the tip cylinder and the flank.
 """
 
-from collections.abc import Callable
 from math import atan, cos, pi, sin, tan
 from typing import TYPE_CHECKING
 
@@ -12,7 +11,7 @@ import scipy
 
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
 from pyworm.drives.zi_worm.flanks import WormSurface
-from pyworm.drives.zi_worm.tooth_form import worm_thickness
+from pyworm.drives.zi_worm.tooth_form import thread_thickness, worm_thickness
 
 if TYPE_CHECKING:
     from pyworm.drives.zi_worm.gears import ZiWormGears
@@ -80,30 +79,15 @@ def check_fillets(gears: "ZiWormGears") -> None:
     ValueError
         If one does not.
     """
-    _check_room(
-        gears,
-        "worm",
-        lambda: gears.worm_tooth.form_radius,
-        lambda radius: pi * gears.module - worm_thickness(gears, radius),
-    )
-    _check_room(
-        gears,
-        "wheel",
-        lambda: gears.wheel_tooth.hob_form_radius,
-        lambda radius: _hob_thickness(gears, radius),
-    )
+    for name in ROOMS:
+        _check_room(gears, name)
 
 
 ROOMS = {"worm": "the space between the threads", "wheel": "the tip of the hob's thread"}
 """Where the fillets of a body, or what makes them, have to fit in pairs."""
 
 
-def _check_room(
-    gears: "ZiWormGears",
-    name: str,
-    form_of: Callable[[], float],
-    room_of: Callable[[float], float],
-) -> None:
+def _check_room(gears: "ZiWormGears", name: str) -> None:
     """Refuse a body's fillet that leaves no flank, or two of which need more than there is [m]."""
     fillet = getattr(gears, name).fillet_radius
     flank = gears.worm_flank if name == "worm" else gears.wheel_flank.hob
@@ -114,15 +98,12 @@ def _check_room(
         raise ValueError(f"{refused}; it must not be negative")
     usual = f"as a rule it is {USUAL:g} modules, {_mm(USUAL * gears.module)}"
     try:
-        radius = form_of()
+        radius = _form_radius(gears, name)
     except ValueError as error:
         raise ValueError(f"{refused}: {error}; {usual}") from error
-    needed, room = 2 * fillet * cos(axial_angle(flank, radius)), room_of(radius)
+    needed, room = 2 * fillet * cos(axial_angle(flank, radius)), _room(gears, name, radius)
     if room <= 0:
-        raise ValueError(
-            f"{name}.root_diameter leaves no room: both flanks of {ROOMS[name]} meet above a diameter of "
-            f"{_mm(2 * radius)}; less depth, a smaller pressure angle, thinner threads or fewer are needed"
-        )
+        raise ValueError(_closed(name, radius))
     if needed > room:
         raise ValueError(
             f"{refused}: two of them need {_mm(needed)} of {ROOMS[name]}, which is {_mm(room)} wide on a "
@@ -130,12 +111,32 @@ def _check_room(
         )
 
 
+def _form_radius(gears: "ZiWormGears", name: str) -> float:
+    """Radius of worm or hob at which the flank ends at a body's fillet, or without one at root or tip [m]."""
+    return gears.worm_tooth.form_radius if name == "worm" else gears.wheel_tooth.hob_form_radius
+
+
+def _room(gears: "ZiWormGears", name: str, radius: float) -> float:
+    """Axial width of what two fillets of a body share, on a cylinder of worm or hob [m]."""
+    if name == "worm":
+        return pi * gears.module - worm_thickness(gears, radius)
+    return _hob_thickness(gears, radius)
+
+
+def _closed(name: str, radius: float) -> str:
+    """The sentence about flanks that meet at a radius of worm or hob [m] before the root is reached."""
+    return (
+        f"{name}.root_diameter leaves no room: both flanks of {ROOMS[name]} meet above a diameter of "
+        f"{_mm(2 * radius)}; less depth, a smaller pressure angle, thinner threads or fewer are needed"
+    )
+
+
 def _hob_thickness(gears: "ZiWormGears", radius: float) -> float:
     """Axial thickness of the hob's thread on a cylinder [m]: the worm's and the backlash that it cuts."""
     flank, (own, reference) = gears.wheel_flank.hob, gears.reference_radii
     there = worm_thickness(gears, own) + (gears.wheel.backlash or 0.0)
-    grown = flank.axial_profile(radius) - flank.axial_profile(reference)
-    return there * gears.hob.axial_pitch / gears.worm.axial_pitch - 2 * grown
+    there *= gears.hob.axial_pitch / gears.worm.axial_pitch
+    return thread_thickness(flank, radius, reference, there)
 
 
 def fillet_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
@@ -150,6 +151,9 @@ def fillet_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
         ("wheel", "worm", from_wheel, distance - gears.worm.tip_radius),
     ):
         fillet = getattr(gears, name).fillet_radius
+        end = _form_radius(gears, name)
+        if fillet == 0 and gears.worm.thickness is not None and _room(gears, name, end) <= 0:
+            said.append(f"{_closed(name, end)} to have a fillet")
         in_path = form > 0 and f"{name} root" in ends
         if fillet == 0 or not (in_path or reached < form):
             continue

@@ -4,11 +4,13 @@ A tooth's other flank is the first one turned by half a turn about the line of c
 along the face changes its sign.
 """
 
+from collections.abc import Iterator
 from math import pi
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pyworm.drives.zi_worm.flanks import WormSurface
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.drives.zi_worm.tooth_outline import flank_places
@@ -25,12 +27,20 @@ REACHED = 1e-5
 
 def worm_thickness(gears: "ZiWormGears", radius: float) -> float:
     """Axial thickness of the thread on a cylinder [m]; as usual half the pitch on the reference one."""
-    flank, known = gears.worm_flank, gears.worm.thickness
-    reference = pi / 2 * gears.module if known is None else known
-    advance, at_reference = (
-        flank.axial_profile(max(at, flank.start_radius)) for at in (radius, gears.reference_radius)
+    known = gears.worm.thickness
+    there = pi / 2 * gears.module if known is None else known
+    return thread_thickness(gears.worm_flank, radius, gears.reference_radius, there)
+
+
+def thread_thickness(flank: WormSurface, radius: float, reference: float, there: float) -> float:
+    """Axial thickness on a cylinder [m] of a thread with a thickness on another one, `there` [m].
+
+    Below the beginning of the flank it is that at the beginning.
+    """
+    grown, at_reference = (
+        flank.axial_profile(max(at, flank.start_radius)) for at in (radius, reference)
     )
-    return reference - 2 * (advance - at_reference)
+    return there - 2 * (grown - at_reference)
 
 
 def wheel_thickness(gears: "ZiWormGears") -> float:
@@ -80,8 +90,8 @@ def undercut(gears: "ZiWormGears") -> float:
 
 
 def tooth_form_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
-    """A sentence for a pointed thread, one for a pointed tooth and one for undercut."""
-    said = []
+    """A sentence each for an undercut and a pointed thread, a pointed and an undercut tooth."""
+    said = list(_thread_undercut(gears))
     tip = worm_thickness(gears, gears.worm.tip_radius)
     if tip <= 0:
         said.append(
@@ -105,3 +115,15 @@ def tooth_form_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
             "angle is needed"
         )
     return tuple(said)
+
+
+def _thread_undercut(gears: "ZiWormGears") -> Iterator[str]:
+    """The sentence about a thread whose flank ends above where the tip of the wheel reaches."""
+    start = gears.worm_flank.start_radius
+    reached = gears.axes_distance - gears.wheel.throat_radius
+    if start > max(reached, gears.worm.root_radius):
+        yield (
+            f"worm: it is undercut, its flank begins on a diameter of {2e3 * start:.4g} mm, and the tip of "
+            f"the wheel reaches to {2e3 * reached:.4g} mm; fewer threads, a larger diameter_factor or a "
+            "larger pressure angle is needed"
+        )

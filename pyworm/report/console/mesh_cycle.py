@@ -1,12 +1,13 @@
 """Tables on the console: the whole mesh cycle of a result."""
 
-from math import isfinite
+from math import isfinite, isinf
 
 from rich.table import Table
 
 from pyworm.drives.kinds import module_of
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.format import UNKNOWN, model_bar
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
 from pyworm.ratings.heating import Heating
@@ -102,8 +103,8 @@ def loss_table(
     friction = f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"
     if loss.model_error is not None and loss.efficiency_model_error is not None:
         rough = f" ± {_two(loss.model_error)} (model)"
-        bar += f" ± {loss.efficiency_model_error * 100:.2g} (model)"
-        friction += f" ± {loss.model_error / loss.power * 100:.2g} % (model)"
+        bar += model_bar(loss.efficiency_model_error, 100.0, "")
+        friction += model_bar(loss.model_error / loss.power)
     for label, value in (
         ("Loss", f"{loss.power:.4g} W ± {_two(loss.error)}{rough}"),
         ("  error by the scenes' errors", f"{_two(loss.scene_error)} W"),
@@ -124,7 +125,7 @@ def loss_table(
 def loss_sentence(loss: MeshLoss) -> str:
     """Efficiency and loss of a drive without a table of its cycle's loss."""
     bar = loss.loss / loss.power * loss.error * 100
-    rough = "" if loss.model is None else f" ± {loss.loss * loss.model:.2g} W (model)"
+    rough = "" if loss.model is None else model_bar(loss.loss * loss.model, 1.0, " W")
     missing = f" ({loss.missing})" if loss.missing else ""
     return (
         f"Efficiency {loss.efficiency * 100:.2f} % ± {bar:.1g}{missing}, loss {loss.loss:.4g} W{rough} of "
@@ -133,5 +134,5 @@ def loss_sentence(loss: MeshLoss) -> str:
 
 
 def _two(value: float) -> str:
-    """Two digits, without an exponent."""
-    return f"{float(f'{value:.2g}'):g}"
+    """Two digits, without an exponent; an uncertainty without a bound in a word."""
+    return UNKNOWN if isinf(value) else f"{float(f'{value:.2g}'):g}"

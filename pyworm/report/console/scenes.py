@@ -8,7 +8,7 @@ from rich.box import SIMPLE_HEAD
 from rich.table import Table
 
 from pyworm.case.case_file import PublishedValue
-from pyworm.io.format import duration, rough
+from pyworm.io.format import UNKNOWN, duration, rough
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction
 from pyworm.planning.plan import Plan
@@ -174,7 +174,8 @@ def figures_table(
             add(label, "not converged", name)
             continue
         error, model = (_figure(figures, name_of) for name_of in (error_key, _of_model(error_key)))
-        add(label, _value(figures[key] * scale, unit, error), name, _bar(model, 100.0, "%"))
+        of_model = UNKNOWN if model == inf else _bar(model, 100.0, "%")
+        add(label, _value(figures[key] * scale, unit, error), name, of_model)
         if error_key is not None and f"{error_key}_reason" in figures:
             table.add_row(_reason_label(figures[error_key]), figures[f"{error_key}_reason"])
         if key == "film_min_m":
@@ -207,7 +208,8 @@ def _temperature_rows(
     for place, of in zip(HOT_PLACES, (*bodies, "the film"), strict=True):
         model = summary.get("temperature_max_model_error_K", {}).get(place)
         text, name = _temperature(summary, place), f"temperature_max_{place}"
-        yield f"Largest temperature of {of}", text, name, _bar(model, 1.0, "K")
+        of_model = UNKNOWN if model == inf else _bar(model, 1.0, "K")
+        yield f"Largest temperature of {of}", text, name, of_model
 
 
 def _explain(table: Table, words: Sequence[str]) -> None:
@@ -307,7 +309,9 @@ def _converged(summary: Mapping[str, Any]) -> str:
 def _model_bar(summary: Mapping[str, Any], name: str) -> str:
     """Model uncertainty of a figure [%]; empty where there is none."""
     error = summary.get(f"{name}_model_error")
-    return "" if error is None else f"{error * 100:.2g}"
+    if error is None:
+        return ""
+    return UNKNOWN if error == inf else f"{error * 100:.2g}"
 
 
 def _at_worst(summaries: Sequence[Mapping[str, Any]]) -> LeftOut:

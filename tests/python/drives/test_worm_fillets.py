@@ -1,6 +1,7 @@
 """Fillets of worm and wheel: where they begin, what they take away, and which do not fit."""
 
-from math import atan, cos, pi, radians, sin, sqrt, tan
+from dataclasses import replace
+from math import atan, cos, pi, radians, sin, tan
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from pyworm.drives.zi_worm.fillets import form_radius
 from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Helicoid
 from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
+from pyworm.drives.zi_worm.tooth_form import worm_thickness
 
 UNIT = {
     "centre_distance": 0.1,
@@ -142,18 +144,26 @@ def steep(profile, threads, diameter_factor, pressure_angle):
 def test_the_usual_fillet_fits_between_threads_of_a_large_lead_angle(
     profile, threads, factor, angle
 ):
-    """Their axial pressure angle is larger than the normal one: tan alpha_x = tan alpha_n / cos gamma."""
+    """Two of 1 / 0.8 of its radius fill the root, the axial section of the flank being as it is."""
     of = steep(profile, threads, factor, angle)
-    if profile in ("ZI", "ZN"):
-        axial = atan(tan(radians(angle)) * sqrt(1 + (threads / factor) ** 2))
-        half = (pi / 4 - 1.2 * tan(axial)) * of.module
-        fits = 0.8 * half * cos(axial) / (1 - sin(axial))
-        assert of.worm_fillet_radius == pytest.approx(min(0.2 * of.module, fits))
     gears = drawn_gears(with_swivel(of)[0])
-    assert gears.worm.fillet_radius == of.worm_fillet_radius
+    assert gears.worm.fillet_radius == of.worm_fillet_radius <= 0.2 * of.module
+    if of.worm_fillet_radius == 0:
+        assert worm_thickness(gears, gears.worm.root_radius) >= pi * of.module
+    elif of.worm_fillet_radius < 0.2 * of.module:
+        full, flank = of.worm_fillet_radius / 0.8, gears.worm_flank
+        radius = form_radius(flank, gears.worm.root_radius, full, gears.worm.tip_radius)
+        rise = (flank.axial_profile(radius + 1e-8) - flank.axial_profile(radius - 1e-8)) / 2e-8
+        assert radius - gears.worm.root_radius == pytest.approx(full * (1 - sin(atan(rise))))
+        half = (pi * of.module - worm_thickness(gears, radius)) / 2
+        assert full * cos(atan(rise)) == pytest.approx(half)
 
 
-def test_threads_whose_space_closes_above_the_root_are_refused_by_that():
-    """It is the depth of the thread that does not fit, not the fillet, which nobody gave."""
+def test_a_space_that_closes_above_the_root_is_warned_of_and_has_no_fillet():
+    """It is the depth of the thread that does not fit, not a fillet, which nobody gave."""
+    of = steep("ZC2", 6, 9.0, 23)
+    assert of.worm_fillet_radius == 0
+    (said,) = (one for one in drawn_gears(with_swivel(of)[0]).warnings if "root" in one)
+    assert said.startswith("worm.root_diameter leaves no room: both flanks of the space")
     with pytest.raises(ValueError, match=r"^worm\.root_diameter leaves no room"):
-        with_swivel(steep("ZC2", 6, 9.0, 23))
+        with_swivel(replace(of, worm_fillet_radius=0.1e-3))

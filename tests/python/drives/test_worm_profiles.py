@@ -14,7 +14,7 @@ from pyworm.drives.zi_worm.drawing import completed
 from pyworm.drives.zi_worm.drawing_checks import check_drawing
 from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.gears import ZiWormGears
-from pyworm.drives.zi_worm.hob_setting import drawn_gears
+from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
 from pyworm.formulas.ruled_helicoid import RuledHelicoid
 from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
 
@@ -263,13 +263,53 @@ def test_a_concave_worm_runs_through_the_whole_chain():
     assert 0.05e-6 < solution.figures.film_min.value < 2e-6
 
 
+def drawn(profile, threads, teeth, factor, distance, pressure_angle=20.0, **sizes):
+    """A drawing of these numbers, and its worm and wheel."""
+    shift = sizes.pop("shift", 0.0)
+    module = distance / (shift + (factor + teeth) / 2)
+    given = {"centre_distance": distance, "threads": threads, "teeth": teeth, "module": module}
+    given |= {"diameter_factor": factor, "pressure_angle": radians(pressure_angle)}
+    of = completed(given | sizes, profile)[0]
+    check_drawing(of)
+    return of, drawn_gears(with_swivel(of)[0])
+
+
+def test_a_disc_that_undercuts_below_the_root_takes_nothing():
+    """4/77 at a lead angle of 23.2 deg: the edge of what a disc of 500 mm grinds lies below the root."""
+    of, made = drawn("ZK", 4, 77, 9.34, 0.248)
+    assert made.worm_flank.start_radius < of.worm_root_diameter / 2 < made.worm_tooth.form_radius
+    assert not any("undercut" in one for one in made.warnings)
+
+
+@pytest.mark.parametrize(
+    ("threads", "teeth", "factor", "distance"), [(5, 34, 8.15, 0.161), (6, 49, 8.89, 0.0907)]
+)
+def test_a_worm_that_its_disc_undercuts_is_computed_as_that_of_involutes_is(
+    threads, teeth, factor, distance
+):
+    """At 31.5 and 34 deg the flank begins above the root, near the base cylinder of ZI, which is higher."""
+    of, made = drawn("ZK", threads, teeth, factor, distance)
+    involutes = drawn("ZI", threads, teeth, factor, distance)[1]
+    begins, base = made.worm_flank.start_radius, involutes.worm_flank.start_radius
+    assert of.worm_root_diameter / 2 < 0.95 * base < begins < base
+    assert 1 / made.pitch == pytest.approx(1 / involutes.pitch, rel=0.1)
+    for one in (made, involutes):
+        (said,) = (line for line in one.warnings if line.startswith("worm: it is undercut"))
+        assert f"its flank begins on a diameter of {2e3 * one.worm_flank.start_radius:.4g}" in said
+        assert "diameter_factor" in said
+
+
+def test_concave_worms_of_a_small_shift_are_computed():
+    """x of 0.275 and 0.252 at 25.5 and 27.8 deg: hobs and usual fillets fit where flanks are followed."""
+    assert 1 / drawn("ZC", 5, 40, 10.5, 0.297, 23.0, shift=0.27478)[1].pitch > 1.5
+    assert 1 / drawn("ZC2", 6, 75, 11.4, 0.0682, 23.0, shift=0.25215)[1].pitch > 1.5
+
+
 def test_a_disc_that_leaves_no_flank_is_refused_with_what_would_be_right():
-    given = {"centre_distance": 0.248, "threads": 4, "teeth": 77, "module": 5.75e-3}
-    given |= {"diameter_factor": 9.34, "pressure_angle": radians(20)}
-    of = completed(given, "ZK")[0]
     sentence = (
-        r"^worm\.disc_diameter and pressure_angle do not fit: for the worm a disc of 500 mm leaves no flank "
-        r".* at its lead angle of 23\.2 deg; a smaller disc, "
+        r"^worm\.disc_diameter, worm\.arc_radius and pressure_angle do not fit: for the worm a disc of 41 mm "
+        r"leaves no flank from 40 to 51\.2 mm .* at its lead angle of 16\.7 deg; a larger worm\.disc_"
     )
+    disc = {"worm_disc_diameter": 41e-3, "worm_arc_radius": 12e-3}
     with pytest.raises(ValueError, match=sentence):
-        check_drawing(of)
+        drawn("ZC", 3, 40, 10.0, 0.102, 10.0, shift=0.5, **disc)

@@ -1,6 +1,6 @@
 """Flanks that a disc grinds, ZK and ZC."""
 
-from math import atan, cos, inf, pi, radians, sin, tan
+from math import acos, asin, atan, cos, inf, pi, radians, sin, tan
 
 import numpy as np
 import pytest
@@ -31,12 +31,13 @@ def test_the_disc_touches_where_a_screw_moves_it_along_itself(arc):
     (x, y, z), on_disc = flank.ground(way)
     assert np.abs(x * on_disc[1] - y * on_disc[0] + flank.screw * on_disc[2]).max() < 1e-12
     radius, polar = np.hypot(x, y), np.arctan2(y, x)
-    swept = flank.point(radius, polar)
+    parameter = flank.at_radius(radius)
+    swept = flank.point(parameter, polar)
     turned = (
         z - swept[2]
     ) / flank.screw  # a point of the flank is moved into that of the disc by a screw
     assert np.abs(turned).max() < 1e-12
-    assert flank.normal(radius, polar) == pytest.approx(np.stack(on_disc), abs=1e-9)
+    assert flank.normal(parameter, polar) == pytest.approx(np.stack(on_disc), abs=1e-9)
 
 
 @pytest.mark.parametrize("arc", [inf, 6 * MODULE])
@@ -106,7 +107,46 @@ def test_an_arc_makes_the_thread_hollow():
 
 
 def test_a_disc_too_hollow_for_its_thread_is_refused():
-    with pytest.raises(
-        ValueError, match=r"a disc of 400 mm leaves no flank from 24\.8 to 45\.6 mm"
-    ):
-        ground(arc=1.5 * MODULE)
+    with pytest.raises(ValueError, match=r"a disc of 400 mm leaves no flank from 36 to 45\.6 mm"):
+        ground(arc=MODULE)
+
+
+def test_a_flank_begins_at_its_edge_of_regression():
+    """In the limit of a plane that is the base cylinder of the involute, which is known in closed form.
+
+    Its slope changes from there as (r - r_0)^(1/2); a smaller disc leaves more of the flank.
+    """
+    threads = 5
+    lead_angle = atan(threads / FACTOR)
+    base_angle = acos(cos(lead_angle) * cos(ANGLE))
+    base_radius = MODULE * threads / 2 / tan(base_angle)
+    flanks = [ground(radius, threads=threads) for radius in (0.1, 0.25, 1.0, 1e5)]
+    edges = np.array([flank.edge for flank in flanks])
+    assert np.all(np.diff(edges) > 0) and edges[-1] == pytest.approx(base_radius, rel=1e-6)
+    plane = involute(pi * MODULE * threads, lead_angle, ANGLE)
+    radii = base_radius + 1e-5, REFERENCE + MODULE
+    assert apart(flanks[-1], plane, REFERENCE, radii) < 1e-9
+    for flank in flanks:
+        assert flank.undercut and flank.edge > flank.inner_radius
+        _, (by_u, _, rise), _ = flank.curve(
+            flank.at_radius(flank.edge + 1e-5 * np.array([1, 4, 16]))
+        )
+        assert np.divide(*np.diff(rise / by_u)[::-1]) == pytest.approx(2, rel=0.1)
+
+
+def test_an_edge_below_the_root_takes_nothing_of_the_flank():
+    """Radii are searched to below the root, where the edge may lie."""
+    flank = ground(0.25, threads=4, factor=9.34)
+    assert flank.inner_radius < flank.start_radius < (9.34 / 2 - 1.2) * MODULE
+
+
+@pytest.mark.parametrize("oversize", np.linspace(0.0, 0.25, 6))
+def test_the_profile_is_followed_along_one_branch(oversize):
+    """A hollow disc's envelope turns beyond the tip; the pressure angle falls outwards all the way."""
+    reference = 61e-3 * (1 + oversize)
+    lead_angle = asin(5 * 11.6e-3 * cos(radians(25.5)) / 2 / reference)
+    disc = Disc(0.25, 16.5e-3, radians(23), 70e-3)
+    screw = reference * tan(lead_angle)
+    flank = DiscHelicoid(disc, reference, screw, reference - 17.5e-3, reference + 18.6e-3)
+    angles = [flank.pressure_angle(at) for at in np.linspace(*flank.bounds, 25)]
+    assert np.all(np.diff(angles) < 0)

@@ -37,6 +37,7 @@ def test_an_unresolved_spike_is_a_lower_bound_everywhere():
     assert rows["Accuracy asked for"] == "1 % of minimum film, central film"
     assert with_bars("1 K", inf, 0.1) == "≥ 1 K ± 10 % (model) (error not known)"
     assert with_bars("1 K", 0.02) == "1 K ± 2 %"
+    assert with_bars("1 K", 0.02, inf) == "1 K ± 2 % ± unknown (model)"
 
 
 def test_the_console_shows_the_bound_and_what_is_accurate():

@@ -39,6 +39,24 @@ from pyworm.solver.solution import Estimate
 CASES = Path(__file__).parents[3] / "cases"
 
 
+def test_a_model_uncertainty_without_a_bound_makes_that_of_the_loss_unknown():
+    """Where no power is lost it is nothing, so that there is no NaN; tables have the word, not "inf"."""
+    result = cycle_result(PHASES)
+    figures = result.solutions[2].figures
+    unknown = replace(figures, power_loss=replace(figures.power_loss, model=np.inf))
+    solutions = list(result.solutions)
+    solutions[2] = replace(solutions[2], figures=unknown)
+    cycle = drive_cycle(replace(result, solutions=tuple(solutions)))
+    assert cycle.loss.model_error == np.inf and cycle.loss.efficiency_model_error == np.inf
+    assert np.isfinite(cycle.loss.error)
+    said = "".join(
+        text
+        for column in loss_table(cycle, NoStandard("none"), None).columns
+        for text in column.cells
+    )
+    assert said.count("± unknown (model)") == 4 and "inf" not in said
+
+
 @pytest.mark.parametrize("driver", ("worm", "wheel"))
 def test_loss_and_efficiency_are_those_of_the_integrals(driver):
     loss = drive_cycle(cycle_result(PHASES, driver)).loss
