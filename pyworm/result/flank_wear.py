@@ -155,8 +155,11 @@ def _rough_phases(result: Result) -> list[Solution]:
 def _solved(result: Result) -> list[Solution]:
     solved = _rough_phases(result)
     if len(solved) < FEWEST_PHASES:
+        listed = ", ".join(f"{one.phase:g}" for one in solved) or "none"
         raise ValueError(
-            f"{len(solved)} phases converged with simulated roughness; wear needs {FEWEST_PHASES} or more"
+            f"operation.phases: of those solved {len(solved)} converged with simulated roughness ({listed}); "
+            f"wear needs {FEWEST_PHASES} or more, at which the teeth carry load: give more of them, or "
+            "others by --phase"
         )
     return sorted(solved, key=phase_of)
 

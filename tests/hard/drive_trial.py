@@ -280,7 +280,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "report": ("report", "OUT/result.nc", "--case", "CASE", "--out", "OUT/report.html"),
     "explore": ("explore", "OUT/result.nc", "--out", "OUT/explore.html"),
     "wear": ("wear", "CASE", "--json", "--hours", "1", "--tolerance", "50",
-             "--phase", "0.3", "0.5", "0.7", "--out", "OUT/wear"),
+             "--phase", "0.4", "0.5", "0.6", "--out", "OUT/wear"),
 }  # fmt: skip
 """Commands that each drive is walked through, in this order; the later ones take what `run` leaves."""
 

@@ -67,6 +67,10 @@ MOST_STEPS, TRIAL_STEPS = 15, 4
 """Largest number of Newton steps of an instant whose film begins with the extrapolated ones, and the number
 after which its residual makes sense, or it begins with the steady film: steps in a lost film cost most."""
 
+EACH_TRIED = 4
+"""Number of steps from each of which a solve is tried to begin with a steady film; beyond, each is twice as
+far: a contact without steady films costs a few solves of them, not one a step."""
+
 MOST_HALVINGS = 4
 """Largest number of halvings of a time step whose film is not found."""
 
@@ -314,15 +318,26 @@ def _begun(
     """
     if course.life.at(steps[0].seconds).separation is not None:
         return steps[1:], None, [_at_rest(course, steps[0])], 0
-    for number, step in enumerate(steps):
+    for number in _beginnings([step.seconds for step in steps], wanted):
         try:
-            level, taken = steady_level(course, step)
+            level, taken = steady_level(course, steps[number])
         except LostError:
-            if step.seconds >= wanted:
+            if steps[number].seconds >= wanted:
                 raise
         else:
             return steps[number:], level, [], taken
     raise LostError(_failed(wanted))
+
+
+def _beginnings(instants: Sequence[float], wanted: float) -> Iterator[int]:
+    """Numbers of the instants at which to begin, in turn: twice as far each, up to the first one wanted."""
+    last = next((number for number, at in enumerate(instants) if at >= wanted), len(instants) - 1)
+    yield from range(min(EACH_TRIED, last))
+    number = EACH_TRIED
+    while number < last:
+        yield number
+        number *= 2
+    yield last
 
 
 def _at_rest(course: Course, step: Step) -> Instant:

@@ -3,6 +3,7 @@
 import json
 import os
 import pickle
+import shutil
 import subprocess
 import sys
 import threading
@@ -55,8 +56,7 @@ def case(tmp_path):
 NO_HOME = {"HOME": "/nonexistent/home", "XDG_CACHE_HOME": None, "MPLCONFIGDIR": None}
 FULL_HOME = {"HOME": "/proc", "XDG_CACHE_HOME": "/proc/cache"}  # where nothing can be made
 ASCII = {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
-# Turkish has an i without a dot and a comma in numbers; where it is not installed this is C again
-LATIN = {"LC_ALL": "tr_TR.UTF-8", "PYTHONIOENCODING": "latin-1", "PYTHONUTF8": "0"}
+LATIN = {"LC_ALL": "C.UTF-8", "PYTHONIOENCODING": "latin-1", "PYTHONUTF8": "0"}
 
 
 COMMANDS = (
@@ -87,6 +87,46 @@ def test_every_command_works_in_odd_surroundings(case, odd):
     assert done.stderr.split(b"\n")[-2] == b"[0, 0, 0, 0, 0, 0, 0]", done.stderr
     assert "Stößel µ 潤滑" in (case / "out/report.html").read_text(encoding="utf-8")
     assert "Stößel µ 潤滑" in (case / "out/explore.html").read_text(encoding="utf-8")
+
+
+TURKISH = """
+import locale
+locale.setlocale(locale.LC_ALL, "")
+assert locale.localeconv()["decimal_point"] == ",", locale.setlocale(locale.LC_ALL)
+"""
+"""What a program of which pyworm is a part may have done: all of the C library speaks its language."""
+
+
+@pytest.fixture(params=["UTF-8", "ISO-8859-9"])
+def turkish(request, tmp_path_factory):
+    """Environment of Turkish: an i without a dot, a comma in numbers, and a character set of its own.
+
+    Locales of the machine are not touched: this one is made in a directory.
+    """
+    if shutil.which("localedef") is None:
+        pytest.skip("no localedef on this machine")
+    locales, charset = tmp_path_factory.mktemp("locales"), request.param
+    name = f"tr_TR.{charset}"
+    # it warns of what a character set lacks, and exits with 1 then, but writes the locale (--force)
+    words = ("localedef", "--force", "-i", "tr_TR", "-f", charset, str(locales / name))
+    made = subprocess.run(words, capture_output=True, text=True, check=False)
+    if not (locales / name / "LC_NUMERIC").is_file():
+        pytest.skip(f"localedef makes no {name} here: {made.stderr.strip()[-200:]}")
+    return {"LC_ALL": name, "LOCPATH": str(locales), "PYTHONUTF8": "0"}
+
+
+def test_every_command_works_in_turkish(case, turkish):
+    commands = json.dumps([list(map(str, words)) for words in COMMANDS])
+    done = in_process("-c", TURKISH + ALL, commands, directory=case, **turkish)
+    assert b"Traceback" not in done.stderr, done.stderr
+    assert done.stderr.split(b"\n")[-2] == b"[0, 0, 0, 0, 0, 0, 0]", done.stderr
+    said = (case / "out/report.html").read_text(encoding="utf-8")
+    assert "Stößel µ 潤滑" in said
+    (figures,) = open_result(case / "out/result.nc").solutions
+    plain = in_process("-m", "pyworm.cli", *COMMANDS[2][:-1], "plain", directory=case)
+    assert plain.returncode == 0, plain.stderr
+    (others,) = open_result(case / "plain/result.nc").solutions
+    assert figures.figures == others.figures
 
 
 def test_a_user_without_a_home_has_a_cache(monkeypatch, tmp_path):

@@ -7,12 +7,14 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from full_disk import Disk, files, refusals
 
 import pyworm
 from pyworm.batch import wear_run
 from pyworm.batch.task import Task
 from pyworm.batch.wear_run import STATE, WearPlan, WearRun
 from pyworm.cli.main import main
+from pyworm.cli.shared import FAILED
 from pyworm.plots.wear import draw_wear
 from pyworm.result.flank_wear import FlankGrid, Pass
 
@@ -282,3 +284,35 @@ def test_wear_is_of_worm_drives(capsys):
     other = DATA.parents[2] / "cases" / "spur_pair.toml"
     assert main(["wear", str(other), "--hours", "10"]) == 2
     assert "of worm drives only" in capsys.readouterr().err
+
+
+def on_a_full_disk(room, out, capsys):
+    """What `wear` leaves of a directory and says where no file can be longer than so many bytes."""
+    out.mkdir()
+    (out / "wear.png").write_bytes(b"of an earlier run")
+    with Disk(room):
+        code = main(["wear", str(DATA), "--hours", "50", "--out", str(out)])
+    after = files(out)
+    assert not [path for path in after if path.suffix == ".part"]
+    assert after[out / "wear.png"] == b"of an earlier run"
+    return code, after, refusals(capsys.readouterr().err)
+
+
+@pytest.mark.parametrize("room", [0, 1000])
+def test_a_full_disk_ends_wear_with_its_state_named(contacts, tmp_path, capsys, room):
+    code, after, said = on_a_full_disk(room, tmp_path / "out", capsys)
+    assert code == FAILED and len(after) == 1
+    assert STATE in said[-1] and "File too large" in said[-1], said
+
+
+def test_where_the_state_fits_and_the_picture_does_not_wear_is_known(contacts, tmp_path, capsys):
+    code, after, said = on_a_full_disk(20_000, tmp_path / "out", capsys)
+    assert code == FAILED and tmp_path / "out" / STATE in after
+    assert "wear.png: cannot be written (File too large)" in said[-1], said
+
+
+@pytest.mark.long
+def test_a_full_disk_ends_wear_of_contacts_that_are_solved(tmp_path, capsys):
+    code, after, said = on_a_full_disk(1000, tmp_path / "out", capsys)
+    assert code == FAILED and len(after) == 1
+    assert str(tmp_path / "out") in said[-1] and "File too large" in said[-1], said

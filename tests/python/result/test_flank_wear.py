@@ -88,6 +88,16 @@ def test_a_tip_that_touches_stays_where_it_is():
     assert faces[-0.4] == pytest.approx(0.0, abs=1e-12) and faces[1.4] == pytest.approx(1e-3)
 
 
+def test_too_few_phases_for_wear_are_named_with_what_is_needed():
+    made = SimpleNamespace(
+        solutions=[SimpleNamespace(converged=True, fields={"asperity_pressure"}, phase=0.5)]
+    )
+    with pytest.raises(ValueError) as refused:
+        flank_wear.flank_grid(made)
+    assert str(refused.value).startswith("operation.phases: of those solved 1 converged")
+    assert "(0.5); wear needs 3 or more" in str(refused.value)
+
+
 def test_without_a_curve_of_the_load_the_pass_ends_with_the_solved_phases():
     assert [phase for phase, _ in _whole_mesh([0.2, 0.8], [layer(0), layer(1)], None)] == [0.2, 0.8]
 

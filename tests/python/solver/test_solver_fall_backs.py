@@ -1,6 +1,7 @@
 """What the solver does where a step, a past or its own cache fails."""
 
 from dataclasses import replace
+from math import log2
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -21,6 +22,7 @@ from pyworm.solver.transient import lifts, transient
 from pyworm.solver.transient import march as march_module
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import LostError
+from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Rates
 
 
@@ -158,6 +160,31 @@ def test_films_before_one_that_is_lost_are_kept_with_the_reason(accelerated, mon
     found = march_module.march(course, 0, 0.0, [accelerated.past.seconds])
     assert found.lost == "no film" and found.rates == {}
     assert 1 < len(found.moments) < 9
+
+
+def test_a_life_without_steady_films_is_given_up_after_a_few(accelerated, monkeypatch):
+    """A contact whose steady film is not found costs most; one is not sought at each of a hundred steps."""
+    course, tried = course_of(accelerated.past.life, planned(accelerated)), []
+
+    def none(course, step):
+        tried.append(step.seconds)
+        return lost()
+
+    monkeypatch.setattr(march_module, "steady_level", none)
+    with pytest.raises(march_module.LostError):
+        march_module.march(course, 2, 0.0, [accelerated.past.seconds])
+    steps = steps_of(course, 2, 0.0, accelerated.past.seconds)
+    assert len(tried) <= 5 + log2(len(steps)) < len(steps) / 4
+    assert tried[:4] == [step.seconds for step in steps[:4]]
+    assert tried[-1] >= accelerated.past.seconds > tried[-2]
+
+
+@pytest.mark.parametrize(
+    ("count", "wanted", "tried"),
+    [(1, 5, [0]), (9, 3, [0, 1, 2, 3]), (99, 40, [0, 1, 2, 3, 4, 8, 16, 32, 40])],
+)
+def test_a_solve_begins_within_half_of_what_comes_before(count, wanted, tried):
+    assert list(march_module._beginnings(range(count), wanted)) == tried
 
 
 def test_a_step_that_is_lost_is_halved(accelerated, monkeypatch):
