@@ -57,18 +57,20 @@ def _run(options: argparse.Namespace) -> int:
     case = load(options.case)
     directory = options.out or Path("results") / case.name
     check_writable(directory)
-    tasks: Sequence[Task] = planned_tasks(case, options)
+    planned: Sequence[Task] = planned_tasks(case, options)
     warn_of_unusual(case)
 
     from pyworm.batch.case_run import RESULT_NAME, NothingSolvedError
     from pyworm.batch.drive_iteration import run_balanced
+    from pyworm.batch.overrun import overrun, processor_seconds
     from pyworm.io.console import progress_bar
 
+    began = processor_seconds()
     with batch_executor(options) as executor:
         try:
             with progress_bar() as progress:
                 how = executor, progress, say, options.fields == "full"
-                result, tasks = run_balanced(case, tasks, directory, *how)
+                result, tasks = run_balanced(case, planned, directory, *how)
         except NothingSolvedError as error:
             if options.json:
                 told = {"case": case.name, "scenes": [], "failed": error.reasons}
@@ -84,6 +86,28 @@ def _run(options: argparse.Namespace) -> int:
         drawers = None if options.scheduler else executor
         pictures = _pictures(result, directory, options.pictures, drawers)
         table = _table_of_lives(result, directory)
+    _show_files(case, tasks, result, options, directory, pictures, table)
+    if not options.scheduler and (
+        why := overrun(case, planned, result, processor_seconds() - began)
+    ):
+        say(f"{case.name}: {why.sentence}")
+    if result.shortfall is None:
+        return CONVERGED
+    return end_with(f"{case.name}: {result.shortfall}", NOT_CONVERGED)
+
+
+def _show_files(
+    case: Case,
+    tasks: Sequence,
+    result: "Result",
+    options: argparse.Namespace,
+    directory: Path,
+    pictures: Sequence[str],
+    table: Path | None,
+) -> None:
+    """Show which files a run has left; under `--json` beside all that it found."""
+    from pyworm.batch.case_run import RESULT_NAME
+
     if options.json:
         files = {
             "results": str(directory / RESULT_NAME),
@@ -96,9 +120,6 @@ def _run(options: argparse.Namespace) -> int:
         put(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
         if table is not None:
             put(f"Life      {table}: figures with error bars at every instant")
-    if result.shortfall is None:
-        return CONVERGED
-    return end_with(f"{case.name}: {result.shortfall}", NOT_CONVERGED)
 
 
 def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:

@@ -201,7 +201,8 @@ class GridSequence:
     def _solution(self, reason: str) -> Solution:
         """The solution on the last grid."""
         scene, plan, level = self._scene, self._plan, self._level
-        cost = self._stopwatch.cost(level.film)
+        solves = 0 if self._rates is None else len(self._rates.found)
+        cost = replace(self._stopwatch.cost(level.film), transient_solves=solves)
         outcome = self._solver.outcome(level)
         figures = self._estimates()
         if outcome.flaw is not None:

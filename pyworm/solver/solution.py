@@ -133,11 +133,19 @@ class Cost:
         Processor time of the film solve, in padded FFT convolutions on the finest grid.
     unit_seconds : float
         Processor time of one such convolution [s].
+    transient_solves : int
+        Transient solves of its life whose rates of change its film took; 0 of a steady film.
     """
 
     seconds: float
     convolutions: float
     unit_seconds: float = 0.0
+    transient_solves: int = 0
+
+    @property
+    def processor_seconds(self) -> float:
+        """Processor time of the film solve [s]."""
+        return self.convolutions * self.unit_seconds
 
 
 DATASETS = ("fields", "history", "profile", "life")

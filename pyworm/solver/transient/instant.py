@@ -12,6 +12,11 @@ from pyworm.scene.contact import Array
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.transient.differences import weights
 
+FALL = 0.5
+"""Least pressure of a first guess, over the last one. Where a smaller window cuts off the oil that flanks
+press out, pressures extrapolated to nothing rupture the film, and Newton's iteration wets it again node by
+node."""
+
 
 @dataclass(frozen=True)
 class Instant:
@@ -53,7 +58,8 @@ def instant_of(level: Level, seconds: float) -> Instant:
 def extrapolated(before: Sequence[Instant], seconds: float) -> InitialGuess:
     """A film extrapolated from those at earlier times, the latest first; only where that bears pressure.
 
-    Temperatures are the latest: those of far nodes settle slowly, and extrapolated they run away.
+    Pressures fall to no less than `FALL` of the latest. Temperatures are the latest: those of far nodes
+    settle slowly, and extrapolated they run away.
     """
     latest = before[0].state
     of, _ = weights([one.seconds for one in before], seconds)
@@ -62,8 +68,9 @@ def extrapolated(before: Sequence[Instant], seconds: float) -> InitialGuess:
         parts = zip(of, before, strict=True)
         return np.asarray(sum(weight * getattr(one.state, name) for weight, one in parts))
 
-    pressure = np.where(latest.pressure > 0, np.maximum(onward("pressure"), 0.0), 0.0)
-    oil = np.where(
-        present(latest.oil, "pressure of the oil") > 0, np.maximum(onward("oil"), 0.0), 0.0
+    oil = present(latest.oil, "pressure of the oil")
+    pressure, oil = (
+        np.where(last > 0, np.maximum(onward(name), FALL * last), 0.0)
+        for name, last in (("pressure", latest.pressure), ("oil", oil))
     )
     return InitialGuess(pressure, float(onward("rigid_film")), latest.rise, oil)

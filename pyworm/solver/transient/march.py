@@ -412,10 +412,9 @@ def _onward(
     if not held:
         contact = replace(contact, separation=None)
     grid = course.grid(seconds, step.refinement)
-    if course.films_form(seconds):
-        before = before[:1]
-    implicit, *earlier = backward_weights([seconds, *(one.seconds for one in before)])
-    explicit = sum(of * one.content for of, one in zip(earlier, before, strict=True))
+    used = _differenced(course, seconds, before)
+    implicit, *earlier = backward_weights([seconds, *(one.seconds for one in used)])
+    explicit = sum(of * one.content for of, one in zip(earlier, used, strict=True))
     rise = None
     if heat:
         rise = remembered_rise(heat, contact, grid, course.grid(seconds, 0), seconds, mesh.turning)
@@ -436,6 +435,11 @@ def _onward(
             level = _beside(contact, course, grid, solver)
             taken += len(lead(level, *tolerances))
     return _sound(level, seconds), taken
+
+
+def _differenced(course: Course, seconds: float, before: Sequence[Instant]) -> Sequence[Instant]:
+    """Films from which the rate of change at a time follows: the last alone while films form (`FORMING`)."""
+    return before[:1] if course.come_together(seconds) else before
 
 
 def contact_at(course: Course, seconds: float) -> Scene | LineScene:

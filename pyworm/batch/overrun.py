@@ -1,0 +1,109 @@
+"""Why a run took far more processor time than was expected of it."""
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import prod
+
+from pyworm.batch.expected_run import ExpectedRun, expected_run
+from pyworm.batch.task import Task
+from pyworm.case.case import Case
+from pyworm.io.format import duration
+from pyworm.planning.expected_work import solves_of_life
+from pyworm.result.result import Result
+from pyworm.solver.cost.expected_time import Expectation
+from pyworm.solver.solution import Solution
+
+FACTOR = 2.0
+"""Processor time over that expected from which a run says why it took so long."""
+
+SHORTEST = 30.0
+"""Processor time of a run up to which nothing is said [s]: start, writing and pictures are not expected."""
+
+MORE = 1.5
+"""Nodes of a contact's finest grid, and Newton steps, over those expected from which they are named: grids
+are refined fourfold, and numbers expected are means."""
+
+
+@dataclass(frozen=True)
+class Overrun:
+    """Processor time of a run that took far more than was expected.
+
+    Attributes
+    ----------
+    taken, expected : float
+        Processor time taken, and expected [s].
+    reasons : tuple of str
+        Contacts that took most beyond what was expected of each, and why.
+    """
+
+    taken: float
+    expected: float
+    reasons: tuple[str, ...]
+
+    @property
+    def sentence(self) -> str:
+        """What took so long, in one sentence."""
+        why = "; ".join(self.reasons) or "the search for what the case leaves open took more passes"
+        taken, expected = duration(self.taken), duration(self.expected)
+        return f"took {taken} of processor time where {expected} were expected: {why}"
+
+
+def processor_seconds() -> float:
+    """Processor time of this process and of those of its own that have ended [s]."""
+    times = os.times()
+    return times.user + times.system + times.children_user + times.children_system
+
+
+def overrun(case: Case, tasks: Sequence[Task], result: Result, taken: float) -> Overrun | None:
+    """Why a run took so long; None of one that did not.
+
+    Parameters
+    ----------
+    case, tasks : Case, sequence of Task
+        The case and its tasks before the run.
+    result : Result
+        What it found.
+    taken : float
+        Its processor time [s].
+    """
+    if taken <= SHORTEST:
+        return None
+    expected = expected_run(case, tasks)
+    whole = expected.once + expected.search
+    if taken <= FACTOR * whole:
+        return None
+    return Overrun(taken, whole, tuple(_reasons(tasks, result, expected)))
+
+
+def _reasons(tasks: Sequence[Task], result: Result, expected: ExpectedRun) -> list[str]:
+    """Contacts that took more than twice what was expected of each, the longest first."""
+    solved = {solution.name: solution for solution in result.solutions}
+    beyond = [
+        (solution.cost.processor_seconds - of.seconds, task, solution, of)
+        for task, of in zip(tasks, expected.each, strict=True)
+        if (solution := solved.get(task.scene.name)) is not None
+        and solution.cost.processor_seconds > FACTOR * of.seconds
+    ]
+    beyond.sort(key=lambda one: -one[0])
+    return [_reason(task, solution, of) for _, task, solution, of in beyond]
+
+
+def _reason(task: Task, solution: Solution, expected: Expectation) -> str:
+    """Why one contact took so long."""
+    times = f"{duration(solution.cost.processor_seconds)}, {duration(expected.seconds)} expected"
+    more = []
+    solves, usual = solution.cost.transient_solves, solves_of_life(task.accuracy)
+    if solves > usual:
+        more.append(f"{solves} transient solves, {usual} expected")
+    history = solution.history
+    nodes = prod(
+        int(history[name].values[-1]) for name in ("points_x", "points_y") if name in history
+    )
+    if nodes > MORE * task.plan.work.finest:
+        more.append(f"a finest grid of {nodes:,} nodes, {task.plan.work.finest:,.0f} expected")
+    steps = history.sizes["iteration"]
+    if steps > MORE * task.plan.work.steps:
+        more.append(f"{steps} Newton steps, {task.plan.work.steps:.0f} expected")
+    more = more or ["each Newton step took longer than when this machine was measured"]
+    return f"{solution.name} ({times}: {', '.join(more)})"
