@@ -20,6 +20,7 @@ from pyworm.drives.zi_worm import tooth_pair_life
 from pyworm.planning.target import FILMS, HEAT_FIGURES
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import march
+from pyworm.solver.transient.moments import until
 from pyworm.solver.transient.transient import Rates, transient
 
 CASE = "cases/zi_drive.toml"
@@ -79,9 +80,10 @@ def stored_heat() -> None:
     found = march(course, 1, 0.0, [scene.past.seconds for scene in scenes])
     names = (*FILMS, "friction_coefficient", *HEAT_FIGURES)
     for scene, plan in zip(scenes, plans, strict=True):
-        rate = found.rates[scene.past.seconds]
+        at = scene.past.seconds
+        rate, moments = found.rates[at], (until(found.moments, at),)
         stored, steady = (
-            transient(plan.simplified(scene), plan, Rates((one,))).level.read().figures
+            transient(plan.simplified(scene), plan, Rates((one,), moments)).level.read().figures
             for one in (rate, replace(rate, warming=None, pressing=None))
         )
         told = ", ".join(f"{name} {stored[name] / steady[name] - 1:+.3%}" for name in names)

@@ -5,15 +5,15 @@ import os
 import subprocess
 import sys
 import tomllib
-from collections import defaultdict
 from pathlib import Path
 
 import pytest
 from handlers import REACHED, all_branches, all_handlers
 
 TESTS = Path(__file__).parent
-LISTED = tomllib.loads((TESTS.parent / "support/branches.toml").read_text("utf-8"))
-BRANCHES: dict[str, str] = LISTED["taken"]
+BRANCHES: dict[str, str] = tomllib.loads(
+    (TESTS.parent / "support/branches.toml").read_text("utf-8")
+)
 
 MADE_BY = {
     "batch/case_run.py _collected OSError":
@@ -157,38 +157,37 @@ def test_each_fall_back_names_a_test_that_makes_it_happen():
         assert name in {of.name for of in defined if isinstance(of, ast.FunctionDef)}, node
 
 
-MOST_ASIDE = 19
-
-
 def test_each_branch_on_a_failure_names_a_test_that_takes_it():
-    """Those aside have none yet: that list may become shorter, never longer."""
-    named = [
-        name.removesuffix(": yes").removesuffix(": no") for name in (*BRANCHES, *LISTED["aside"])
-    ]
+    named = [name.removesuffix(": yes").removesuffix(": no") for name in BRANCHES]
     assert sorted(named) == sorted(all_branches())
-    assert len(LISTED["aside"]) <= MOST_ASIDE
     for node in set(BRANCHES.values()):
         file, name = node.split("::")
         defined = ast.parse((TESTS / file).read_text()).body
         assert name in {of.name for of in defined if isinstance(of, ast.FunctionDef)}, node
 
 
-def _by_test_file() -> dict[str, dict[str, str]]:
-    files = defaultdict(dict)
-    for name, node in (MADE_BY | BRANCHES).items():
-        if name not in ELSEWHERE:
-            files[node.split("::")[0]][name] = node
-    return dict(files)
+NAMED = {name: node for name, node in (MADE_BY | BRANCHES).items() if name not in ELSEWHERE}
+"""Fall-backs that a test reaches in its own process -> that test."""
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("file", sorted(_by_test_file()))
-def test_the_named_tests_reach_their_fall_backs(file, tmp_path):
-    wanted, told = _by_test_file()[file], tmp_path / "reached.txt"
-    nodes = [str(TESTS / node) for node in sorted(set(wanted.values()))]
+@pytest.fixture(scope="module")
+def reached(tmp_path_factory):
+    """Each fall-back that the named tests reached, with the file of the test; all of them run once."""
+    told = tmp_path_factory.mktemp("fall_backs") / "reached.txt"
+    nodes = [str(TESTS / node) for node in sorted(set(NAMED.values()))]
     run = [sys.executable, "-m", "pytest", "-q", "-m", "", "-p", "handlers", *nodes]
     paths = os.pathsep.join((str(TESTS.parent / "support"), os.environ.get("PYTHONPATH", "")))
     environment = os.environ | {REACHED: str(told), "PYTHONPATH": paths}
-    subprocess.run(run, cwd=TESTS.parents[1], env=environment, check=True, capture_output=True)
-    reached = {line.split("\t")[0] for line in told.read_text().splitlines()}
-    assert set(wanted) <= reached
+    done = subprocess.run(
+        run, cwd=TESTS.parents[1], env=environment, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout
+    rows = (line.split("\t") for line in told.read_text().splitlines())
+    return {(name, test.partition("::")[0].removeprefix("tests/python/")) for name, test in rows}
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("file", sorted({node.partition("::")[0] for node in NAMED.values()}))
+def test_the_named_tests_reach_their_fall_backs(file, reached):
+    wanted = {(name, file) for name, node in NAMED.items() if node.startswith(f"{file}::")}
+    assert wanted <= reached

@@ -215,7 +215,7 @@ class Rates:
     found : tuple of RateOfChange
         The rates, the finest last.
     moments : tuple of tuple of Moment
-        What each of the solves through the whole part found up to that time.
+        What each of the solves through the whole part, at least the first, found up to that time.
     since : float
         Time of the scene before, after which they are kept [s].
     flaw : str or None
@@ -336,7 +336,7 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
 
 def _turned_round(scene: Scene | LineScene, solves: Sequence[Sequence[Moment]]) -> bool:
     """Whether the entrainment has turned round while oil went the last `WARM_UP` lengths of the contact."""
-    moments = until(solves[-1], recent(scene).seconds) if solves else ()
+    moments = until(solves[-1], recent(scene).seconds)
     length, way = WARM_UP * 2 * predicted(scene).half_width, 0.0
     for after, before in pairwise(reversed(moments)):
         if np.dot(before.entrainment, moments[-1].entrainment) < 0:
@@ -353,13 +353,11 @@ def _life(
     rates: Rates,
     readings: Sequence[Reading],
     turned: bool,
-) -> PlainDataset | None:
-    """The film up to now since the scene before, one instant at least; None where the solves found none.
+) -> PlainDataset:
+    """The film up to now since the scene before, one instant at least.
 
     It is that of the solves through the whole part, whose curves go on from one scene to the next.
     """
-    if not (rates.moments and rates.moments[-1]):
-        return None
     since = min(rates.since, nextafter(rates.moments[-1][-1].seconds, -inf))
     kind = plan.work.kind
     heat = scene.oil.heat

@@ -102,6 +102,20 @@ def test_the_worm_loses_its_share_of_the_same_work(case, contacts, tmp_path):
     assert last.worm_depth_max_m == pytest.approx(depth.max())
 
 
+def test_bodies_without_a_density_weigh_as_steel_and_bronze_do(contacts, tmp_path):
+    """As oil without heat allows: here the worm has one, and the wheel 8.8 g/cm3."""
+    text = (
+        DATA.read_text().replace('"7850 kg/m^3"', '"7700 kg/m^3"').replace('density = "8800', "# ")
+    )
+    model = (DATA.parents[2] / "cases/ellipse10_across.toml").read_text()
+    oil = model[model.index("[oil]") :].partition("[numerics]")[0]
+    head, _, rest = text.partition("[oil]")
+    (tmp_path / "unit.toml").write_text(head + oil + rest[rest.index("[worm_rating]") :])
+    *_, last = wear(pyworm.load(tmp_path / "unit.toml"), tmp_path, 10.0)
+    assert last.mass_kg == pytest.approx(last.volume_m3 * 41 * 8800)
+    assert last.worm_mass_kg == pytest.approx(last.worm_volume_m3 * 2 * 7700)
+
+
 def test_backlash_is_what_the_wheel_stays_behind_at_its_reference_circle(case, contacts, tmp_path):
     first, *_, last = wear(case, tmp_path)
     assert first.backlash_m == 0

@@ -4,9 +4,12 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from test_transient import ball, lived
 
 import pyworm
+from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.expected_work import STEPS_A_TRANSIT, solves_of_life
+from pyworm.planning.prediction import predicted
 from pyworm.solver.cost.expected_motion import course_if_any, motion
 from pyworm.solver.cost.expected_time import Expectation, together
 from pyworm.solver.transient import transient as transient_module
@@ -93,6 +96,21 @@ def test_where_no_further_solve_is_to_be_had_the_film_goes_on_with_the_last(monk
     rates = transient_module.rates_at_present(scene, plan)
     further = transient_module.finer(scene, plan, rates)
     assert further.finest and further.found == rates.found
+
+
+def test_a_further_solve_is_made_where_those_before_leave_too_much_error(monkeypatch):
+    """Two steps a transit, of which two solves leave more than their part of 4 %, and the third does not."""
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 2)
+    transit = predicted(as_line(ball())).transit
+    scene = lived(lambda back: as_line(ball(1 + 0.8 * np.sin(5 - back / transit))))
+    plan = pyworm.plan(scene, 0.04, "isothermal,squeeze", ("film",))
+    rates = transient_module.rates_at_present(scene, plan)
+    further = transient_module.finer(scene, plan, rates)
+    coarse, fine = (
+        transient_module.transient(plan.simplified(scene), plan, of) for of in (rates, further)
+    )
+    assert coarse.coarse and fine.flaw is None
+    assert pyworm.solve(scene, plan, rates=rates).converged
 
 
 def test_a_steady_film_has_none():

@@ -197,6 +197,15 @@ def test_pressures_of_single_nodes_do_not_jump_to_and_fro_without_end(tmp_path):
     assert "largest grid" in solution.stop_reason
 
 
+def test_a_film_that_is_found_neither_cold_nor_hot_is_left_with_the_reason(tmp_path):
+    """Cold it is several times as thick as warm, and far from a Newtonian one under 32 times its stresses."""
+    one = trial(DRAWS["thermal"](36, 26267).tables, "drawn", tmp_path, "all", BriefTrial)
+    (solution,) = one.solved().solutions
+    assert not solution.converged
+    assert solution.stop_reason.startswith("no film was found whose stresses and temperatures")
+    assert solution.figures.film_min.error == np.inf
+
+
 def test_a_restarted_film_keeps_its_outline_and_carries_its_load():
     scene = stability.scene_of(ISOTHERMAL["M200-L20"])
     size = scales(scene)

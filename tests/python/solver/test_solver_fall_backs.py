@@ -87,12 +87,22 @@ def test_no_lift_is_known_of_films_that_are_not_found(accelerated, monkeypatch):
     assert lifts.steady_lift(course, seconds) is None
 
 
+@pytest.mark.parametrize(("module", "name"), [(transient, "march"), (march_module, "_onward")])
 def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are(
-    accelerated, monkeypatch
+    accelerated, monkeypatch, module, name
 ):
-    monkeypatch.setattr(transient, "march", lost)
+    """Whether it finds none from which to begin, or loses its film on the way."""
+    monkeypatch.setattr(module, name, lost)
     rates = Rates(("coarse",))
     assert transient.finer(accelerated, planned(accelerated), rates) == replace(rates, finest=True)
+
+
+def test_a_transient_solve_that_loses_its_film_on_the_way_leaves_the_reason(
+    accelerated, monkeypatch
+):
+    monkeypatch.setattr(march_module, "_onward", lost)
+    rates = transient.rates_at_present(accelerated, planned(accelerated))
+    assert rates == Rates((), flaw="no film")
 
 
 @pytest.mark.parametrize("status, raised", [(NO_DESCENT, False), (NO_MEMORY, True)])

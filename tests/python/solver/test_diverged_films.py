@@ -1,0 +1,207 @@
+"""What the solver does with films that diverge; the kernel is made to lose what contacts at hand keep."""
+
+from dataclasses import replace
+from importlib import import_module
+
+import numpy as np
+import pytest
+from contacts import INLET, ball, roller
+
+import pyworm
+from pyworm.kernel.core import NOT_CONVERGED, KernelError
+from pyworm.kernel.film import Balance, Film
+from pyworm.solver import arrival_uncertainty, grid_sequence
+from pyworm.solver.contact import FIRMEST, ContactSolver
+from pyworm.solver.line.contact import LineContactSolver
+from pyworm.solver.newton import lead
+from pyworm.solver.point.contact import PointContactSolver
+
+ACCURACY = 0.2
+
+DRY_CONTACT = import_module("pyworm.kernel.dry_contact")
+
+
+@pytest.fixture
+def diverging(monkeypatch):
+    """Makes Newton's iteration diverge at once on the films for which a condition holds; counts them."""
+    lost = []
+
+    def make(condition):
+        step = Film.step
+
+        def diverged(film, forcing):
+            if not condition(film):
+                return step(film, forcing)
+            lost.append(film)
+            waves = 1 + 0.9 * np.cos(np.pi * np.arange(film.pressure.shape[0]))
+            film.pressure = np.asfortranarray((film.pressure.T * waves).T)
+            film.balance = Balance(1e3, 0.0)
+            raise KernelError(NOT_CONVERGED)
+
+        monkeypatch.setattr(Film, "step", diverged)
+        return lost
+
+    return make
+
+
+def on_grid(shape, number):
+    """Whether a film is that of the grid of this number among those of a shape, from 1."""
+    films = []
+
+    def is_it(film):
+        if film.pressure.shape == shape and film not in films:
+            films.append(film)
+        return film in films[number - 1 : number]
+
+    return is_it
+
+
+def agree(one, other):
+    """Whether the films of two solutions agree within their error bars."""
+    return all(
+        getattr(one.figures, name).agrees_with(getattr(other.figures, name))
+        for name in ("film_min", "film_central")
+    )
+
+
+def settled(*levels):
+    """Central films of levels, each settled first."""
+    for level in levels:
+        lead(level, 1e-6, 1e-5)
+    return [level.read().film_central for level in levels]
+
+
+def finer(grid, times):
+    for _ in range(times):
+        grid = grid.finer()
+    return grid
+
+
+def test_a_film_that_is_lost_on_its_first_grid_begins_again_on_the_next(diverging):
+    scene = ball()
+    plan = pyworm.plan(scene, ACCURACY, "isothermal")
+    usual = pyworm.solve(scene, plan)
+    shapes = [grid.shape for grid in plan.grids]
+    lost = diverging(on_grid(shapes[-1], shapes.count(shapes[-1])))
+    solution = pyworm.solve(scene, plan)
+    assert lost and solution.converged, solution.stop_reason
+    assert agree(solution, usual)
+
+
+def test_no_film_in_the_wider_window_is_no_error_bar(diverging):
+    """Two finer grids are tried; a window error that nothing shows is infinite."""
+    scene = roller()
+    plan = pyworm.plan(scene, ACCURACY, "isothermal")
+    wider = {finer(plan.wider_grids[-1], times).shape for times in range(3)}
+    narrow = {finer(plan.grids[-1], times).shape for times in range(3)}
+    assert not wider & narrow
+    diverging(lambda film: film.pressure.shape in wider)
+    solution = pyworm.solve(scene, plan)
+    assert not solution.converged
+    assert solution.stop_reason == grid_sequence.NO_WIDER_FILM
+    assert solution.figures.film_min.error == np.inf
+    assert solution.fields["film"].shape == finer(plan.grids[-1], 2).shape
+
+
+def test_a_wider_window_that_is_lost_from_the_narrower_film_is_solved_for_itself(diverging):
+    scene = ball()
+    plan = pyworm.plan(scene, ACCURACY, "isothermal,shear-thinning")
+    solver = PointContactSolver(plan.simplified(scene), plan)
+    narrow, _ = solver.begin(plan.grids)
+    usual, _ = solver.in_wider_window(plan.wider_grids, narrow)
+    lost = diverging(lambda film: bool(film.levels) and not was_lost)
+    was_lost = lost
+    wider, _ = solver.in_wider_window(plan.wider_grids, narrow)
+    assert lost
+    films = settled(usual, wider)
+    assert films[1] == pytest.approx(films[0], rel=1e-4)
+
+
+def stresses_of(monkeypatch):
+    """Factors of the stresses that a solver's films are sheared with."""
+    factors = []
+    shear = ContactSolver._shear
+
+    def noted(solver, level, stresses=1.0):
+        factors.append(stresses)
+        shear(solver, level, stresses)
+
+    monkeypatch.setattr(ContactSolver, "_shear", noted)
+    return factors
+
+
+def hot_roller():
+    scene = roller()
+    plan = pyworm.plan(scene, ACCURACY, "all")
+    return scene, plan, LineContactSolver(plan.simplified(scene), plan)
+
+
+def test_a_film_that_is_lost_as_it_is_heated_is_heated_under_larger_stresses(
+    diverging, monkeypatch
+):
+    """And softened to its own law, where it is the film that is found without."""
+    _, plan, solver = hot_roller()
+    usual, _ = solver.begin(plan.grids)
+    factors = stresses_of(monkeypatch)
+    lost = diverging(lambda film: film.heated and max(factors) < 4)
+    level, _ = solver.begin(plan.grids)
+    assert len(lost) == 2
+    assert 4 in factors and factors[-1] == 1
+    assert not level.lost()
+    films = settled(usual, level)
+    assert films[1] == pytest.approx(films[0], rel=1e-4)
+
+
+def test_a_film_that_no_stresses_bear_heated_is_left_under_its_own_law(diverging, monkeypatch):
+    scene, plan, _ = hot_roller()
+    factors = stresses_of(monkeypatch)
+    diverging(lambda film: film.heated)
+    solution = pyworm.solve(scene, plan)
+    assert max(factors) == FIRMEST and factors[-1] == 1
+    assert not solution.converged
+    assert "no film was found" in solution.stop_reason or "residual" in solution.stop_reason
+
+
+def test_a_finer_grid_that_larger_stresses_do_not_reach_begins_again(diverging):
+    """From the dry contact, where neither the coarser film nor those of larger stresses lead to a film."""
+    scene = ball()
+    plan = pyworm.plan(scene, ACCURACY, "all")
+    solver = PointContactSolver(plan.simplified(scene), plan)
+    level, _ = solver.begin(plan.grids)
+    settled(level)
+    usual, _ = solver.refined(level)
+    solver._guesses = lambda level: iter(())
+    lost = diverging(on_grid(level.grid.finer().shape, 1))
+    finer, _ = solver.refined(level)
+    assert lost and finer.film not in lost
+    films = settled(usual, finer)
+    assert films[1] == pytest.approx(films[0], rel=1e-4)
+
+
+def test_a_dry_contact_that_does_not_converge_is_the_reason(monkeypatch):
+    """Films converge without it, but the figures beside the dry contact's are not to be trusted."""
+    scene = ball()
+    plan = pyworm.plan(scene, ACCURACY, "isothermal")
+    monkeypatch.setattr(DRY_CONTACT, "_MOST_DRY_ITERATIONS", 1)
+    solution = pyworm.solve(scene, plan)
+    assert not solution.converged
+    assert solution.stop_reason == "the dry contact did not converge"
+
+
+def test_a_film_that_does_not_follow_its_bodies_has_no_model_uncertainty(monkeypatch):
+    """It is unbounded; the film stays as it was."""
+    scene = roller()
+    warmer = tuple(
+        replace(body, bulk_temperature=INLET + rise)
+        for body, rise in zip(scene.bodies, (6.0, 11.0), strict=True)
+    )
+    scene = replace(scene, bodies=warmer)
+    plan = pyworm.plan(scene, ACCURACY, "all")
+    usual = pyworm.solve(scene, plan)
+    monkeypatch.setattr(arrival_uncertainty, "MOST_STEPS", 0)
+    solution = pyworm.solve(scene, plan)
+    assert np.isfinite(usual.figures.film_central.model)
+    assert solution.figures.film_central.model == np.inf
+    assert solution.figures.film_central.value == pytest.approx(
+        usual.figures.film_central.value, rel=1e-3
+    )
