@@ -126,11 +126,16 @@ class Row:
 
     def case(self) -> Case:
         """The reference gear of this row."""
-        data = tomllib.loads(REFERENCE)
-        data["bodies"]["wheel"]["material"] = self.wheel
-        data["oil"]["name"] = OILS[self.oil]
-        data["operation"]["worm_speed"] = f"{self.speed} rpm"
-        return case_of(data, "reference_gear", Path())
+        return _case_of(self)
+
+
+@cache
+def _case_of(row: Row) -> Case:
+    data = tomllib.loads(REFERENCE)
+    data["bodies"]["wheel"]["material"] = row.wheel
+    data["oil"]["name"] = OILS[row.oil]
+    data["operation"]["worm_speed"] = f"{row.speed} rpm"
+    return case_of(data, "reference_gear", Path())
 
 
 ROWS = tuple(

@@ -74,6 +74,11 @@ def coarse_patterns(monkeypatch) -> None:
     monkeypatch.setattr(contact_pattern, "PHASES", np.linspace(-0.2, 1.2, 29))
 
 
+def without_allowed_errors(monkeypatch) -> None:
+    """No allowed errors of the assembly, each of which takes tens of dry contacts, in tests of all else."""
+    monkeypatch.setattr(drive, "tolerances", lambda drive: ())
+
+
 def coarse_springs(monkeypatch) -> None:
     """Fewer phases and loads for the compliance of tooth pairs, in tests that do not ask for its accuracy."""
     monkeypatch.setattr(tooth_compliance, "SPRING_PHASES", np.linspace(-0.2, 1.2, 15))

@@ -418,6 +418,10 @@ class ZiWormDrive(ZiWormGears, Drive):
 
     def loaded_cycle(self) -> "xr.Dataset":
         """Loads, levers and speeds of a tooth pair over its cycle under load."""
+        return self._loaded_cycle
+
+    @cached_property
+    def _loaded_cycle(self) -> "xr.Dataset":
         return loaded_cycle_data(self, BEYOND if isinstance(self.load, Transmission) else 0.0)
 
     def varied(self, name: str, change: float) -> "ZiWormDrive":

@@ -35,7 +35,7 @@ CHEAP = ("--accuracy", "30%", "--effects", "isothermal", "--json")
 
 
 @settings(
-    max_examples=300,
+    max_examples=150,
     deadline=None,
     derandomize=True,
     database=None,

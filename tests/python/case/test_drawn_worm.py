@@ -9,7 +9,7 @@ from typing import get_args
 
 import numpy as np
 import pytest
-from zi_drives import coarse_springs
+from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
 from pyworm.case.bodies import BodyTable
 from pyworm.case.case import case_again, case_of
@@ -24,9 +24,11 @@ TEXT = (ROOT / "cases/worm_drawing.toml").read_text()
 
 @pytest.fixture(scope="module", autouse=True)
 def coarse():
-    """Fewer dry contacts for the load sharing."""
+    """Fewer dry contacts for the load sharing and fewer places of patterns; no allowed errors."""
     with pytest.MonkeyPatch.context() as patch:
         coarse_springs(patch)
+        coarse_patterns(patch)
+        without_allowed_errors(patch)
         yield
 
 

@@ -8,6 +8,7 @@ from unittest.mock import Mock
 
 import pytest
 from synthetic_solution import make_hot_worm
+from zi_drives import without_allowed_errors
 
 import pyworm
 import pyworm.batch.task
@@ -304,6 +305,7 @@ def test_plot_draws_the_pictures_again(tmp_path, capsys, solved):
 
 
 def test_check_shows_the_plan_and_solves_nothing(tmp_path, capsys, monkeypatch):
+    without_allowed_errors(monkeypatch)
     monkeypatch.chdir(tmp_path)
     assert main(["check", DRIVE]) == CONVERGED
     said = capsys.readouterr().out
@@ -317,7 +319,8 @@ def test_check_shows_the_plan_and_solves_nothing(tmp_path, capsys, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_check_prints_one_json_object(capsys):
+def test_check_prints_one_json_object(capsys, monkeypatch):
+    without_allowed_errors(monkeypatch)
     assert main(["check", DRIVE, "--phase", "0.25", "0.75", "--json"]) == CONVERGED
     content = json.loads(capsys.readouterr().out)
     of_run = {"expected_seconds", "expected_seconds_of_search"}

@@ -6,7 +6,7 @@ import tomllib
 
 import pytest
 from refusals import refusal
-from zi_drives import coarse_patterns, coarse_springs
+from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
 import pyworm
 from pyworm.case.new_worm import LIGHT, PHASES, loaded_phases
@@ -32,8 +32,9 @@ UNIT = {
 
 @pytest.fixture(autouse=True)
 def coarse(monkeypatch):
-    """Fewer places, phases and loads for patterns and load sharing."""
+    """Fewer places, phases and loads for patterns and load sharing; no allowed errors."""
     coarse_patterns(monkeypatch)
+    without_allowed_errors(monkeypatch)
     coarse_springs(monkeypatch)
 
 

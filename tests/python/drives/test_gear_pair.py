@@ -515,10 +515,9 @@ def test_run_solves_the_line_of_action_and_draws_it(tmp_path, capsys):
 @pytest.fixture(scope="module")
 def solved(increaser):
     scenes = [increaser.scene(phase) for phase in (0.87, 0.13)]
-    # full films, as the formulas have them
-    solutions = tuple(
-        pyworm.solve(scene, pyworm.plan(scene, 0.05, "auto,-roughness")) for scene in scenes
-    )
+    # full steady films, as the formulas have them
+    effects = "auto,-roughness,-squeeze"
+    solutions = tuple(pyworm.solve(scene, pyworm.plan(scene, 0.05, effects)) for scene in scenes)
     return Result("increaser", {}, solutions, increaser.cycle_data(), {})
 
 

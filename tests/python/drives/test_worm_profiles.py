@@ -7,7 +7,7 @@ from math import atan, cos, degrees, hypot, radians, tan
 import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
-from zi_drives import sharif
+from zi_drives import coarse_patterns, sharif, without_allowed_errors
 
 import pyworm
 from pyworm.drives.zi_worm.drawing import completed
@@ -239,8 +239,10 @@ def test_a_drawing_gives_the_axial_angle_of_za_and_the_normal_one_of_others():
     assert 1e-4 < abs(found - 20) < 0.1
 
 
-def test_a_concave_worm_runs_through_the_whole_chain():
+def test_a_concave_worm_runs_through_the_whole_chain(monkeypatch):
     """From a drawing to a film."""
+    coarse_patterns(monkeypatch)
+    without_allowed_errors(monkeypatch)
     of, like = drawing("ZC"), sharif()
     drive = ZiWormDrive(
         worm=of.worm,

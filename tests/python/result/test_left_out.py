@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from swept_cycle import PHASES, cycle_result
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
+from zi_drives import without_allowed_errors
 
 import pyworm
 from pyworm.batch import drive_iteration
@@ -228,7 +229,8 @@ def test_rate_opens_with_the_lubrication(capsys):
     assert said["lubrication"] == "mixed" and 1 < said["lambda_central"] < 3
 
 
-def test_check_shows_what_the_plan_leaves_out(capsys):
+def test_check_shows_what_the_plan_leaves_out(capsys, monkeypatch):
+    without_allowed_errors(monkeypatch)
     line = ["check", str(CASES / "zi_sharif_2001.toml"), "--phase", "0.5"]
     assert main(line) == 0
     shown = capsys.readouterr().out

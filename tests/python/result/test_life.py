@@ -15,6 +15,7 @@ import pyworm
 from pyworm.batch.case_run import run
 from pyworm.batch.task import Task
 from pyworm.cli.main import main
+from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.plots.draw import draw
 from pyworm.plots.life_animation import WRITERS
 from pyworm.result.life import as_csv, lives
@@ -107,10 +108,11 @@ def test_a_contact_with_a_past_tells_its_figures_over_time(tmp_path, capsys):
     assert abs(of.figures["film_min"][-1] - present["film_min_m"]) <= bar
 
 
-def test_phases_of_one_life_hold_it_together(tmp_path):
+def test_phases_of_one_life_hold_it_together(tmp_path, monkeypatch):
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
     case = pyworm.load("cases/spur_pair.toml")
     tasks = [
-        Task(case, place, 0.05, "isothermal,squeeze", ("film",))
+        Task(case, place, 0.2, "isothermal,squeeze", ("film",))
         for place in case.places(phase=[0.6, 0.65])
     ]
     (life,) = lives(run(case, tasks, tmp_path))

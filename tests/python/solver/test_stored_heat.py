@@ -12,6 +12,7 @@ from pyworm.kernel.interpolation import at_levels, level_positions
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil, OilHeat
 from pyworm.materials.viscosity_density import Barus, Density
+from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.planning.grid import Grid
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
@@ -106,7 +107,8 @@ def test_wide_gaps_store_nothing():
     assert np.all(prompt * late < step) and np.all(np.diff(prompt[np.argsort(film)]) <= 1e-12)
 
 
-def test_a_film_that_hardly_changes_is_the_steady_one_with_the_heat_that_oil_stores():
+def test_a_film_that_hardly_changes_is_the_steady_one_with_the_heat_that_oil_stores(monkeypatch):
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
     scene = pyworm.load("cases/roller_ref.toml").scene(section="left", phase=0.5, station=0.5)
     films = [
         pyworm.solve(scene, pyworm.plan(scene, 0.05, f"all,{motion}squeeze", ("film",))).figures
