@@ -25,6 +25,7 @@ from pyworm.cli.shared import (
     drawn_pictures,
     end_with,
     planned_tasks,
+    warn_of_refusals,
     warn_of_unusual,
 )
 
@@ -59,6 +60,7 @@ def _run(options: argparse.Namespace) -> int:
     check_writable(directory)
     planned: Sequence[Task] = planned_tasks(case, options)
     warn_of_unusual(case)
+    warn_of_refusals(planned)
 
     from pyworm.batch.case_run import RESULT_NAME, NothingSolvedError
     from pyworm.batch.drive_iteration import run_balanced

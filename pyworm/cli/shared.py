@@ -16,6 +16,7 @@ from pyworm.io.terminal import say
 from pyworm.scene.index import PLACE_NAMES
 
 if TYPE_CHECKING:
+    from pyworm.batch.task import Task
     from pyworm.result.result import Result
     from pyworm.scene.index import Place
 
@@ -70,6 +71,16 @@ def warn_of_unusual(case: Case) -> None:
     """Print the warnings of a case."""
     for warning in case.warnings:
         say(f"warning: {warning}")
+
+
+def warn_of_refusals(tasks: Sequence["Task"]) -> None:
+    """Say, before anything is solved, which films the largest grid will not bring, each reason once."""
+    reasons: dict[str, list[str]] = {}
+    for task in tasks:
+        if task.plan.refusal is not None:
+            reasons.setdefault(task.plan.refusal, []).append(task.scene.name)
+    for reason, names in reasons.items():
+        say(f"warning: {', '.join(names)}: will not be as accurate as asked: {reason}")
 
 
 def opened_result(path: Path) -> "Result":

@@ -1,12 +1,14 @@
 """Films that the largest grid allowed cannot bring are refused before any grid is refined."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from circular_contact import circular
 
 import pyworm
+from pyworm.cli.shared import warn_of_refusals
 from pyworm.planning.expected_work import WORTHLESS, expected_work
 from pyworm.planning.target import FIGURES
 from pyworm.report.console.scenes import plan_table
@@ -81,3 +83,13 @@ def test_what_is_refused_is_expected_to_take_no_longer_than_its_first_grids():
     assert plan.work.needed > 2 * plan.largest_grid
     table = plan_table(scene, plan, Expectation(1.0, 100.0))
     assert "Will not converge" in list(table.columns[0].cells)
+
+
+def test_it_is_told_once_before_anything_is_solved(capsys):
+    scene, easy = slow(), circular(20, 10)
+    plans = [(scene, pyworm.plan(scene, 0.1)), (easy, pyworm.plan(easy, 0.1))]
+    warn_of_refusals([SimpleNamespace(scene=of, plan=plan) for of, plan in [*plans, plans[0]]])
+    said = capsys.readouterr().err
+    assert said.count("will not be as accurate as asked") == 1
+    assert f"{scene.name}, {scene.name}: " in said
+    assert plans[0][1].refusal in said.replace("\n", " ")
