@@ -56,8 +56,9 @@ MOST_NODES = dict.fromkeys(("thermal-line", "warm-line"), 20_000) | {
 FINER = dict.fromkeys(JUDGED_DRAWS, 0.6) | {"isothermal": 0.3}
 """Spacing of the truth's last grid over the solution's."""
 
-MOST_LEVELS = 13
-"""Levels across a heated film of the truth."""
+LEVELS = dict.fromkeys(JUDGED_DRAWS, 13) | dict.fromkeys(("thermal-line", "warm-line"), 17)
+"""Levels across a heated film of the truth. What two fewer change is part of how far that of a line may be
+off; levels of points cost too much for another."""
 
 LEFT = 2**-1.5
 """Share of a film's error by its window that is left when the reach is doubled (`docs/theory/film.md`)."""
@@ -148,6 +149,7 @@ def truth(scene: pyworm.Scene, plan: Plan, spacing: float, kind: str) -> Truth:
     first = min(wide.keys() & near.keys(), default=None)
     if first is None or len(wide) < 2:
         return {}
+    by_levels = left_by_levels(scene, plan, 1.1 * plan.grids[-1].dx / 2**first, near[first])
     ends = [near[first], wide[first]]
     for grids in farther(plan) if plan.model.heated else ():
         if len(ends) < 3 or grids[-1].nodes * 4**first < FAR_NODES:
@@ -162,8 +164,22 @@ def truth(scene: pyworm.Scene, plan: Plan, spacing: float, kind: str) -> Truth:
         seen = ends if name in HEAT_FIGURES else ends[:2]
         values = [reading.figures[name] for reading in seen]
         rest = rest_of(values, name)
-        found[name] = fine.value + values[-1] + rest - values[1], fine.error + abs(rest) / 2
+        unsure = fine.error + abs(rest) / 2 + by_levels.get(name, 0.0)
+        found[name] = fine.value + values[-1] + rest - values[1], unsure
     return found
+
+
+def left_by_levels(
+    scene: pyworm.Scene, plan: Plan, spacing: float, here: Reading
+) -> dict[str, float]:
+    """Change of each figure of a heated line by its last two levels across the film; nothing of others."""
+    if not (plan.model.heated and isinstance(plan.grids[-1], LineGrid)):
+        return {}
+    fewer = refined(scene, with_levels(plan, plan.model.levels - 2), plan.grids, spacing, inf)
+    if not fewer:
+        return dict.fromkeys(here.figures, inf)
+    *_, before = fewer.values()
+    return {name: abs(value - before.figures[name]) for name, value in here.figures.items()}
 
 
 def within(readings: dict[int, Reading]) -> Truth:
@@ -184,9 +200,14 @@ def truth_of(task: Task, solution: pyworm.Solution, kind: str) -> Truth:
     # temperatures of films that hardly warm are settled too
     exact = replace(exact, aim=replace(exact.aim, warmth=0.0))
     if exact.model.heated:
-        exact = replace(exact, model=replace(exact.model, levels=MOST_LEVELS))
+        exact = with_levels(exact, LEVELS[kind])
     x = solution.fields.x.values
     return truth(exact.simplified(task.scene), exact, float(x[1] - x[0]), kind)
+
+
+def with_levels(plan: Plan, levels: int) -> Plan:
+    """The plan with a number of levels across the film."""
+    return replace(plan, model=replace(plan.model, levels=levels))
 
 
 def judged(scene: str, kind: str, drawn: Drawn, truths: dict[str, Truth]) -> Iterator[dict]:

@@ -4,7 +4,7 @@ The procedure is that of `docs/theory/film.md`: settle the film on a grid; compa
 estimate the errors; stop, or halve the spacing.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, replace
 from math import inf
 from typing import Any, cast
@@ -14,16 +14,17 @@ from pyworm.kernel.core import NO_MEMORY, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid, twice_as_far
 from pyworm.planning.plan import Plan
+from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.accuracy_met import is_converged
 from pyworm.solver.convergence_history import convergence_history
-from pyworm.solver.error_estimate import Reading
+from pyworm.solver.error_estimate import Reading, change, changes, largest_of_films
 from pyworm.solver.estimates import estimates
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.levels_across import UNJUDGED, enough_levels, is_hot
+from pyworm.solver.levels_across import MOVED, UNJUDGED, EnoughLevels, enough_levels, is_hot
 from pyworm.solver.memory import NoMemoryError, shortage
 from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, settle
 from pyworm.solver.prospect import refusal
@@ -32,7 +33,13 @@ from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import TELLING, film_is_sound, stop_reason, with_wider_bars
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient.transient import Rates, transient
-from pyworm.solver.window_limit import WindowLimit, by_warmth, in_this_window, in_wider_window
+from pyworm.solver.window_limit import (
+    WindowLimit,
+    by_warmth,
+    in_this_window,
+    in_wider_window,
+    with_falls,
+)
 
 DOMAIN_FRACTION = 0.25
 """Window error of the films, as a fraction of the accuracy, above which the wider window is taken."""
@@ -90,6 +97,7 @@ class GridSequence:
         self._window: dict[str, WindowLimit] = {}
         self._uncertainties: dict[str, float] = {}
         self._levels_errors: dict[str, float] | None = None
+        self._judged: Reading | None = None
         self._unjudged = False
         self._steps: list[NewtonStep] = []
         self._unsettled = self._refinements = self._widenings = 0
@@ -153,7 +161,7 @@ class GridSequence:
             plan, self._readings, self._solver.convergence.orders, self._level.grid.finer()
         )
         if film_is_sound(self._level, self._settled, plan):
-            if self._levels_errors is None:
+            if not self._levels_are_judged():
                 self._add_levels()
                 plan = self._plan
             if not self._uncertainties:
@@ -164,26 +172,36 @@ class GridSequence:
             self._level, self._settled, self._estimates(), self._unsettled, plan
         )
 
+    def _levels_are_judged(self) -> bool:
+        """Whether the error by the levels across the film is known, on a grid whose film is like this one."""
+        if self._levels_errors is None or self._judged is None:
+            return self._levels_errors is not None
+        return largest_of_films(change(self._judged, self._settled.reading)) <= MOVED
+
     def _add_levels(self) -> None:
         """Give the film more levels across it if it is so hot that the planned ones may not do.
 
         Where no film with more levels is found the next grids are tried, before which no error is known.
         """
-        figures = self._settled.reading.figures
-        if not (self._plan.model.heated and is_hot(self._scene, figures)):
+        here = self._settled.reading
+        if not (self._plan.model.heated and is_hot(self._scene, here.figures)):
             self._levels_errors = {}
             return
-        found = enough_levels(self._plan, self._level, self._settled, self._transient)
+        film = EnoughLevels(self._plan, self._solver, self._level, self._settled, {})
+        found = enough_levels(film, self._transient, again=self._judged is not None)
         if found is None:
-            self._unjudged = self._refinements < MOST_RETRIES
-            if not self._unjudged:
-                self._levels_errors = dict.fromkeys(figures, UNJUDGED)
+            if self._judged is None:
+                self._unjudged = self._refinements < MOST_RETRIES
+                known = None if self._unjudged else dict.fromkeys(here.figures, UNJUDGED)
+                self._levels_errors = known
+            self._judged = None if self._unjudged else here
             return
         self._unjudged = False
-        self._plan, self._solver, self._level = found.plan, found.solver, found.level
-        self._steps += found.settled.steps
-        self._settled, self._readings = found.settled, [found.settled.reading]
-        self._levels_errors = found.errors
+        if found.level is not self._level:
+            self._plan, self._solver, self._level = found.plan, found.solver, found.level
+            self._steps += found.settled.steps
+            self._settled, self._readings = found.settled, [found.settled.reading]
+        self._levels_errors, self._judged = found.errors, self._settled.reading
 
     def _refine(self) -> str | None:
         """Halve the spacing and settle the film; returns the reason if that is not possible, or None."""
@@ -253,14 +271,15 @@ class GridSequence:
             return None
         self._tell("wider window", 1 - 0.7 ** (self._refinements + 1))
         try:
-            wider, settled = self._in_wider_window()
+            wider, settled = self._in_wider_window(plan.wider_grids)
+            seen = self._falls_seen(settled.reading)
         except KernelError as error:
             return _lack_of_memory(error)
         if not film_is_sound(wider, settled, plan):
             return None if self._refinements < MOST_RETRIES else NO_WIDER_FILM
         here = self._settled.reading
         algebra = {name: of + settled.algebra[name] for name, of in self._settled.algebra.items()}
-        pair = here, settled.reading, solver.convergence, algebra
+        pair = here, settled.reading, with_falls(solver.convergence, seen), algebra
         cut_off = solver.cut_off(self._level, wider)
         near, far = in_this_window(*pair), in_wider_window(*pair, cut_off)
         if self._level.holds_all_pressure():
@@ -297,9 +316,25 @@ class GridSequence:
         self._widenings += 1
         return True
 
-    def _in_wider_window(self) -> tuple[Level, Settled]:
-        """Solve the plan's wider window on a grid of the same spacing."""
-        *_, grid = grids = self._plan.wider_grids
+    def _falls_seen(self, wider: Reading) -> dict[str, float]:
+        """Ratio of a temperature's changes from window to window of a heated line, from a third one.
+
+        `wider` are the figures in the second. Empty of other contacts. Falls of a film that is not found make
+        error bars wider.
+        """
+        narrow, wide = self._plan.grids[0], self._plan.wider_grids[0]
+        if not (isinstance(narrow, LineGrid) and isinstance(wide, LineGrid)):
+            return {}
+        if not self._plan.model.heated:
+            return {}
+        _, settled = self._in_wider_window((twice_as_far(narrow, wide),))
+        first = changes(self._settled.reading, wider)
+        second = changes(wider, settled.reading)
+        return {name: abs(second[name] / first[name]) for name in HEAT_FIGURES if first[name] != 0}
+
+    def _in_wider_window(self, grids: Sequence[Grid | LineGrid]) -> tuple[Level, Settled]:
+        """Solve a wider window on a grid of the same spacing."""
+        *_, grid = grids
         for _ in range(self._refinements):
             grid = grid.finer()
         self.check_memory(grid)

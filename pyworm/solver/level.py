@@ -223,6 +223,10 @@ class Level(ABC):
         carried: float = float(self.film.pressure.sum()) * self.grid.cell
         return carried
 
+    def rigid_film_on(self, grid: Any, pressure: Array) -> float:
+        """Rigid film [m] on another grid, with this film's pressure there, for the same film thickness."""
+        return float(self.film.rigid_film)
+
     def state(self) -> InitialGuess:
         """Pressure, rigid film and temperature at present."""
         film = self.film

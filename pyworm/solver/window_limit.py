@@ -1,7 +1,7 @@
 """Figures in the limit of endless windows, and their window errors."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.solver.error_estimate import Convergence, Reading, changes
@@ -55,6 +55,31 @@ def in_wider_window(
     """
     change = {name: of - cut_off.get(name, 0.0) for name, of in changes(this, wider).items()}
     return _limits(change, convergence, algebra, seen=1.0)
+
+
+SLOWEST = 0.85
+"""Largest ratio of changes from window to window that is believed to go on: later ones fall faster."""
+
+
+def with_falls(convergence: Convergence, falls: Mapping[str, float]) -> Convergence:
+    """The convergence with what an endless window adds to some figures by how their changes fall.
+
+    Bodies of different temperatures that exchange heat through a thin film warm slowly: from one window to
+    one of twice the reach their temperatures may change by 0.9 of what they changed by before, where 0.6
+    would be left of a rise by the oil's own heat.
+
+    Parameters
+    ----------
+    convergence : Convergence
+        How figures change with the reach; its largest change stands where changes fall faster.
+    falls : mapping
+        Ratio of the changes of some figures over three windows [-].
+    """
+    window = dict(convergence.window)
+    for name, fall in falls.items():
+        least, most = window[name]
+        window[name] = least, max(most, 1 / (1 - min(fall, SLOWEST)))
+    return replace(convergence, window=window)
 
 
 def by_warmth(

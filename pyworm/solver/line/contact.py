@@ -62,7 +62,8 @@ CONVERGENCE = Convergence(ORDERS, LEFT, dict.fromkeys(ORDERS, (1.0, 1.7)))
 
 # That of a film that warms falls with the reach itself, or up to its power 1.4: 1 / (1 - 2^-1) = 2 and 1.61.
 # Temperatures rise far before the contact and are not extrapolated: of 24 lines, warm or not, up to 2.4 times
-# what doubling the reach changes were left (`benchmarks/accuracy/error_bars.py`, seed 11).
+# what doubling the reach changes were left (`benchmarks/accuracy/error_bars.py`, seed 11), more where a third
+# window shows it (`window_limit.with_falls`).
 HEATED_CONVERGENCE = Convergence(
     ORDERS,
     LEFT,

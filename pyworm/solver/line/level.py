@@ -1,12 +1,14 @@
 """The film of a line contact on the grids of its nested iteration."""
 
 from dataclasses import dataclass
+from math import log, pi
 from typing import ClassVar
 
 import numpy as np
 
 from pyworm import kernel
 from pyworm.planning.line_grid import LineGrid
+from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales
 from pyworm.scene.waves import opening
@@ -31,6 +33,20 @@ class LineLevel(Level):
     def conduction_errors(self) -> dict[str, float]:
         """No errors: Jaeger's line source is exact for a body of uniform velocity."""
         return {}
+
+    def rigid_film_on(self, grid: LineGrid, pressure: Array) -> float:
+        """Rigid film [m] on another grid: deflections are those relative to a grid's length away.
+
+        A strip under a line load deflects by its logarithm (`fortran/elastic/half_plane.f90`), so that the
+        rigid film of the same film changes with that length by micrometres.
+        """
+
+        def of_datum(on: LineGrid, under: Array) -> float:
+            load = float(under.sum()) * on.dx
+            return 4 * load / (pi * self.scene.bending_modulus) * log((on.nodes - 1) * on.dx)
+
+        here = self.film.rigid_film + of_datum(self.grid, self.film.pressure)
+        return here - of_datum(grid, pressure)
 
 
 def first_level(

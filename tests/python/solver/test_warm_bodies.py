@@ -15,6 +15,7 @@ from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.target import HEAT_FIGURES
+from pyworm.solver import grid_sequence, levels_across
 
 OIL = Oil(
     Barus(0.05, 28e-9),
@@ -137,3 +138,47 @@ def test_a_hot_film_gets_the_levels_that_it_needs():
     exact = solved(scene, 0.02, model=replace(plan.model, levels=17)).figures.friction_coefficient
     assert own.on_grid == pytest.approx(exact.on_grid, rel=own.error)
     assert own.on_grid == pytest.approx(exact.on_grid, rel=0.005)
+
+
+def test_where_more_levels_have_no_film_the_last_that_had_one_stays(monkeypatch):
+    """Not even one that is known well enough to judge it by."""
+    monkeypatch.setattr(levels_across, "_as_judged_by", lambda further, last: None)
+    sound = levels_across.film_is_sound
+    monkeypatch.setattr(
+        levels_across,
+        "film_is_sound",
+        lambda level, settled, plan: plan.model.levels <= 9 and sound(level, settled, plan),
+    )
+    found = []
+
+    def recorded(*given, **more):
+        found.append(levels_across.enough_levels(*given, **more))
+        return found[-1]
+
+    monkeypatch.setattr(grid_sequence, "enough_levels", recorded)
+    solved(hot_line(), 0.02)
+    assert found[0].plan.model.levels == 9
+    assert found[0].errors["film_central"] > 0
+
+
+def drawn_line(number, seed):
+    return case_of(warm_line(number, seed).tables, "warm line", Path()).scene()
+
+
+def test_temperatures_that_windows_change_slowly_are_within_their_error_bars():
+    """Bodies exchange heat through a film of 30 nm: a window changes them by 0.9 of the one before."""
+    coarse, fine = (solved(drawn_line(6, 55117), accuracy).figures for accuracy in (0.02, 0.005))
+    for name in HEAT_FIGURES:
+        one, other = getattr(coarse, name), getattr(fine, name)
+        allowed = sum(of.error * (of.value - of.datum) for of in (one, other))
+        assert abs(one.value - other.value) <= allowed, name
+
+
+def test_levels_are_judged_on_grids_that_resolve_the_film():
+    """On the first grid, whose film is 22 % too thin, two levels more change it by a third of that."""
+    coarse, fine = (solved(drawn_line(10, 90210), accuracy).figures for accuracy in (0.02, 0.002))
+    assert fine.film_central.error <= 0.002
+    for name in ("film_central", "friction_coefficient", "power_loss"):
+        one, other = getattr(coarse, name), getattr(fine, name)
+        assert one.value == pytest.approx(other.value, rel=one.error + other.error), name
+        assert one.approximation > 3e-4, name

@@ -4,7 +4,7 @@ import pytest
 
 from pyworm.planning.target import FIGURES
 from pyworm.solver.error_estimate import Convergence, Left, Peak, Reading
-from pyworm.solver.window_limit import in_this_window, in_wider_window
+from pyworm.solver.window_limit import SLOWEST, in_this_window, in_wider_window, with_falls
 
 CONVERGENCE = Convergence(
     dict.fromkeys(FIGURES, 2.0), {"film_min": Left(0.5, 0.5)}, dict.fromkeys(FIGURES, (1.5, 2.5))
@@ -56,3 +56,14 @@ def test_what_a_window_cuts_off_is_no_sign_of_more_to_come():
     far = in_wider_window(reading(1.0), reading(1.25), CONVERGENCE, EXACT, cut)
     assert far["film_min"].rest == far["film_min"].error == pytest.approx(0.0)
     assert far["film_central"].error == pytest.approx(1.5 * 0.01)
+
+
+@pytest.mark.parametrize(("fall", "most"), [(0.3, 2.5), (0.8, 5.0), (1.2, 1 / (1 - SLOWEST))])
+def test_a_slower_fall_that_is_seen_counts(fall, most):
+    convergence = with_falls(CONVERGENCE, {"film_central": fall})
+    near = in_this_window(reading(1.0), reading(1.25), convergence, EXACT)
+    assert near["film_central"].error == pytest.approx(most * 0.2)
+    assert (
+        near["film_min"]
+        == in_this_window(reading(1.0), reading(1.25), CONVERGENCE, EXACT)["film_min"]
+    )
