@@ -24,25 +24,44 @@ def part():
     return course, part_at(course, scene.past.seconds).begin, scene.past.seconds
 
 
-def test_a_step_whose_film_is_not_found_is_halved(part, monkeypatch):
+def test_a_step_across_a_jump_has_a_film(part, monkeypatch):
+    """It begins with the steady film of the new load, since the extrapolated one makes no sense."""
     course, begin, wanted = part
-    onward, lost = march_module._onward, []
+    beside, asked = march_module._beside, []
 
-    def counted(course, step, *state):
-        try:
-            return onward(course, step, *state)
-        except LostError:
-            lost.append(step.seconds)
-            raise
+    def counted(*given):
+        asked.append(given)
+        return beside(*given)
 
-    monkeypatch.setattr(march_module, "_onward", counted)
+    monkeypatch.setattr(march_module, "_beside", counted)
     found = march(course, 0, begin, [wanted])
     assert found.lost is None
     assert wanted in found.rates
     loads = [one.load for one in found.moments]
     jump = max(after / before for before, after in pairwise(loads))
     assert jump > 1.3  # the load per length
-    assert lost
+    assert len(asked) > 1  # the first film is steady
+
+
+def test_a_step_whose_film_is_not_found_is_halved(part, monkeypatch):
+    course, begin, wanted = part
+    onward, lost, later = march_module._onward, [], []
+
+    def lost_once(course, step, before, *state):
+        if not lost and step.seconds > course.instant(begin + 0.1):
+            lost.append((before[0].seconds, step.seconds))
+            with monkeypatch.context() as exacting:
+                exacting.setattr(march_module, "LOST", 0.0)  # no film is met so well
+                return onward(course, step, before, *state)
+        if lost:
+            later.append(step.seconds)
+        return onward(course, step, before, *state)
+
+    monkeypatch.setattr(march_module, "_onward", lost_once)
+    found = march(course, 0, begin, [wanted])
+    assert found.lost is None
+    ((before, after),) = lost
+    assert later[:2] == pytest.approx([(before + after) / 2, after])
 
 
 def test_a_step_is_halved_so_often_only(part, monkeypatch):
