@@ -46,9 +46,9 @@ class BodyTable(Table):
 
     material: Annotated[str, AfterValidator(solids.named_material)] | None = None
     finish: Annotated[str, AfterValidator(_finish)] | None = None
-    modulus_by_temperature: tuple[tuple[units.Temperature, units.Modulus], ...] = ()
+    modulus_by_temperature: tuple[tuple[units.MaterialTemperature, units.Modulus], ...] = ()
     youngs_modulus: units.Modulus  # after the other, which is at fault where it is missing
-    temperature_limit: units.Temperature | None = None
+    temperature_limit: units.MaterialTemperature | None = None
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
     density: units.MassDensity | None = None
     conductivity: units.Conductivity | None = None

@@ -342,6 +342,18 @@ Temperature = Annotated[
 ]
 """From the glass of thin oils to where the hottest ones decompose; as a rule where oils flow and last."""
 
+MaterialTemperature = Annotated[
+    float,
+    quantity(
+        "a temperature of a material",
+        "K",
+        "120 degC",
+        possible=("-110 degC", "1500 degC"),
+        usual=("-60 degC", "600 degC"),
+    ),
+]
+"""At which a solid has some property, or up to which it is used: solids bear more than oils do."""
+
 ScuffingTemperature = Annotated[
     float,
     quantity(

@@ -99,7 +99,7 @@ class Body:
         "roughness": units.Roughness,
         "lay": units.Tilt,
         "hardness": units.Hardness,
-        "temperature_limit": units.Temperature,
+        "temperature_limit": units.MaterialTemperature,
     }
 
     def __post_init__(self) -> None:

@@ -23,8 +23,8 @@ class SolidTable(BaseModel):
 
     aliases: tuple[str, ...]
     youngs_modulus: units.Modulus | None = None
-    modulus_by_temperature: tuple[tuple[units.Temperature, units.Modulus], ...] = ()
-    temperature_limit: units.Temperature | None = None
+    modulus_by_temperature: tuple[tuple[units.MaterialTemperature, units.Modulus], ...] = ()
+    temperature_limit: units.MaterialTemperature | None = None
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
     density: units.MassDensity
     conductivity: units.Conductivity

@@ -30,7 +30,14 @@ from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, settle
 from pyworm.solver.prospect import refusal
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
 from pyworm.solver.solution import Estimate, Figures, Solution
-from pyworm.solver.stop_reason import TELLING, film_is_sound, stop_reason, with_wider_bars
+from pyworm.solver.stop_reason import (
+    MOST_LOST_ON_EDGE,
+    MOST_UNSETTLED,
+    TELLING,
+    film_is_sound,
+    stop_reason,
+    with_wider_bars,
+)
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient.transient import Rates, transient
 from pyworm.solver.window_limit import (
@@ -169,7 +176,12 @@ class GridSequence:
             if reason is None and plan.wider_grids and not self._window:
                 reason = self._compare_windows()
         return reason or stop_reason(
-            self._level, self._settled, self._estimates(), self._unsettled, plan
+            self._level,
+            self._settled,
+            self._estimates(),
+            self._unsettled,
+            self._most_unsettled,
+            plan,
         )
 
     def _levels_are_judged(self) -> bool:
@@ -177,6 +189,13 @@ class GridSequence:
         if self._levels_errors is None or self._judged is None:
             return self._levels_errors is not None
         return largest_of_films(change(self._judged, self._settled.reading)) <= MOVED
+
+    @property
+    def _most_unsettled(self) -> int:
+        """Number of grids that may miss the tolerance."""
+        lost = self._unsettled >= MOST_LOST_ON_EDGE and self._readings
+        on_edge = lost and rests_on_edge(self._solver.outcome(self._level).fields)
+        return MOST_LOST_ON_EDGE if on_edge else MOST_UNSETTLED
 
     def _add_levels(self) -> None:
         """Give the film more levels across it if it is so hot that the planned ones may not do.

@@ -13,7 +13,8 @@ LEAST_RATIO = 0.3
 
 CURE = (
     "; the load rests on a sharp edge of the surfaces, where pressure has no bound: ease the edge, as tip "
-    "relief of teeth does (tip_relief, tip_relief_length)"
+    "relief of teeth does (tip_relief, tip_relief_length), or keep the contact within the surfaces, by more "
+    "crowning or less load"
 )
 """Advice that a stop reason adds then."""
 

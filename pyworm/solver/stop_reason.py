@@ -24,6 +24,10 @@ MOST_UNSETTLED = 3
 """Number of grids of the figures that may miss the tolerance: some are too coarse for the pressure gradients
 of a film with a limiting stress."""
 
+MOST_LOST_ON_EDGE = 2
+"""The same of films that coarser grids had, where the load rests on a sharp edge: on finer grids the pressure
+there is higher, and each costs four times the one before."""
+
 
 def with_wider_bars(
     reason: str, estimates: Mapping[str, Estimate], figures: Mapping[str, float], plan: Plan
@@ -57,6 +61,7 @@ def stop_reason(
     settled: Settled,
     estimates: Mapping[str, Estimate],
     unsettled: int,
+    most_unsettled: int,
     plan: Plan,
 ) -> str | None:
     """Reason why the sequence ends on a level, or None if a finer grid follows.
@@ -69,8 +74,8 @@ def stop_reason(
         Figures on it.
     estimates : mapping
         The figures with their error bars.
-    unsettled : int
-        Number of grids so far that missed the tolerance.
+    unsettled, most_unsettled : int
+        Number of grids so far that missed the tolerance, and how many may.
     plan : Plan
         Accuracy, tolerance and largest grid.
     """
@@ -91,7 +96,7 @@ def stop_reason(
         if plan.aim.worst(grids, figures) <= domain:
             return f"{left}: bodies exchange heat far out"
     last = level.grid.finer().nodes > plan.largest_grid
-    if not met and (last or unsettled >= MOST_UNSETTLED):
+    if not met and (last or unsettled >= most_unsettled):
         return _not_met(level, plan)
     beyond = spike_stays(settled.reading, level.grid, plan.largest_grid)
     if met and resolved and beyond and _accurate_but_for_spike(plan, estimates, figures):

@@ -8,6 +8,7 @@ import pytest
 from refusals import changed
 from zi_drives import coarse_patterns, coarse_springs
 
+import pyworm
 from pyworm.case.case import case_again, case_of
 from pyworm.cli.main import main
 from pyworm.io.input_error import CaseError
@@ -79,6 +80,14 @@ def test_a_plastic_wheel_is_rated_line_by_line():
     assert not {"film_m", "friction", "efficiency", "wear_depth_m"} & figures.keys()
     assert made["S_M"].value == pytest.approx(250 / figures["bulk_temperature_C"])
     assert any("ISO/TS 14521, DIN 3996" in of for of in left)
+
+
+def test_a_limit_that_plastics_have_is_nothing_unusual(recwarn):
+    """PEEK is used up to 250 degC, more than any oil."""
+    made = case('material = "PEEK"')
+    assert made.drive.bodies[1].temperature_limit == pytest.approx(523.15)
+    pyworm.plan(made.scene(phase=0.5), accuracy=0.2)
+    assert not [one for one in recwarn if "temperature_limit" in str(one.message)]
 
 
 def test_the_rated_material_gives_the_limit_of_constants_without_a_name():

@@ -4,6 +4,7 @@ import json
 import re
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -25,6 +26,7 @@ from pyworm.report.page.figures import glance_rows
 from pyworm.result.flank_map import flank_map
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
+from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -216,6 +218,21 @@ def test_a_load_on_a_sharp_edge_is_distinguished_from_one_within_the_surfaces(ki
     assert not rests_on_edge(fields((x < 0.7).astype(int)))
     assert rests_on_edge(fields((x < 0.3).astype(int)))
     assert not rests_on_edge(make_line_solution().fields)
+
+
+@pytest.mark.parametrize(
+    ("lost", "found", "edge", "most"),
+    [(2, 1, 0.3, 2), (1, 1, 0.3, 3), (2, 0, 0.3, 3), (2, 1, 0.7, 3)],
+)
+def test_a_film_lost_on_a_sharp_edge_is_sought_on_fewer_grids(lost, found, edge, most):
+    """Only where a coarser grid had it, and the load does rest on the edge."""
+    x = np.linspace(-1, 1, 41)
+    pressure = np.sqrt(np.maximum(1 - (x / 0.6) ** 2, 0)) * (x < edge)
+    fields = xr.Dataset({"covered": ("x", (x < edge).astype(int)), "pressure": ("x", pressure)})
+    sequence = object.__new__(GridSequence)
+    sequence._unsettled, sequence._readings, sequence._level = lost, ["found"] * found, None
+    sequence._solver = SimpleNamespace(outcome=lambda level: SimpleNamespace(fields=fields))
+    assert sequence._most_unsettled == most
 
 
 def test_the_solver_says_that_a_sharp_edge_is_the_cause():
