@@ -7,6 +7,7 @@ command came to is kept in a file for each, so that the suite resumes; it holds 
 
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -33,6 +34,11 @@ ACCURACIES = ("5 %", "10 %")
 
 LONGEST = 3600.0
 """Time after which a command is stopped and is out of time [s]."""
+
+PROGRAM_ERROR = re.compile(
+    r"\b(?:Name|UnboundLocal|Type|Attribute|Key|Index|Assertion|Import|Recursion|ZeroDivision|Overflow)Error\b.*"
+)
+"""What no reason of a contact says: an exception that a batch has caught in place of a traceback."""
 
 PROGRAM = (sys.executable, "-m", "pyworm.cli")
 
@@ -166,6 +172,8 @@ def _flaws(code: int, error: str, limit: float) -> Iterator[str]:
     lines = error.splitlines()
     if any(line.startswith("Traceback") for line in lines):
         yield f"a traceback: {lines[-1]:.200}"
+    elif slip := PROGRAM_ERROR.search(error):
+        yield f"an error of the program as a reason: {slip[0]:.200}"
     elif strange := [line for line in lines if line and not line.startswith("pyworm: ")]:
         yield f"a line that is no message: {strange[0]:.200}"
     if code in (FAILED, NOT_CONVERGED) and not lines:

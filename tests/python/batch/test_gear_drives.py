@@ -123,6 +123,11 @@ def program(monkeypatch):
         ),
         ("1 / 0", "broken", "a traceback: ZeroDivisionError"),
         ("import sys; sys.exit(3)", "broken", "exit code 3 without a reason"),
+        (
+            "import sys; print('pyworm: p1: NameError: name', file=sys.stderr); sys.exit(3)",
+            "broken",
+            "an error of the program as a reason: NameError: name",
+        ),
         ("import sys; sys.exit(7)", "broken", "exit code 7"),
         ("import os; os.abort()", "broken", "exit code -6"),
         ("import warnings; warnings.warn('odd'); print('{}')", "broken", "a line that is no mess"),

@@ -307,6 +307,15 @@ def test_concave_worms_of_a_small_shift_are_computed():
     assert 1 / drawn("ZC2", 6, 75, 11.4, 0.0682, 23.0, shift=0.25215)[1].pitch > 1.5
 
 
+def test_a_hob_of_another_base_pitch_is_refused_by_a_key_of_the_drawing():
+    """A drawing has neither the lead nor the base radius of a hob, and ZK no base cylinder at all."""
+    of, other = drawing("ZK"), replace(drawing("ZK"), pressure_angle=radians(26))
+    with pytest.raises(
+        ValueError, match=r"^hob\.oversize of 1\.6 mm gives the hob a normal base pitch of"
+    ):
+        ZiWormGears(worm=of.worm, wheel=of.wheel, hob=other.hob, centre_distance=of.centre_distance)
+
+
 def test_a_disc_that_leaves_no_flank_is_refused_with_what_would_be_right():
     sentence = (
         r"^worm\.disc_diameter, worm\.arc_radius and pressure_angle do not fit: for the worm a disc of 41 mm "
