@@ -61,7 +61,7 @@ def reference(tmp_path_factory):
     return tasks, bits(store, tasks)
 
 
-@pytest.mark.parametrize("processes", [1, 2, 3])
+@pytest.mark.parametrize("processes", [1, pytest.param(2, marks=pytest.mark.long), 3])
 def test_order_and_number_of_processes_do_not_change_a_bit(reference, tmp_path, processes):
     tasks, expected = reference
     store = Store(tmp_path / "scenes", fields=True)

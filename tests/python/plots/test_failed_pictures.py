@@ -183,7 +183,13 @@ def _replace_picture(name, picture):
 
 
 @pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="needs Linux's /proc")
-@pytest.mark.parametrize("left", [0, 1_000_000, 4_000_000, 16_000_000, 38_500_000, 290_000_000])
+@pytest.mark.parametrize(
+    "left",
+    [
+        *(0, 4_000_000, 290_000_000),
+        *(pytest.param(of, marks=pytest.mark.long) for of in (1_000_000, 16_000_000, 38_500_000)),
+    ],
+)
 def test_little_memory_while_drawing_costs_no_figure(tmp_path, left):
     """With a few MB left libraries crash; with 39 they did where they were loaded."""
     command = [sys.executable, "-c", SHORT, str(left), *RUN, "--out", str(tmp_path)]

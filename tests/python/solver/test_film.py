@@ -56,7 +56,9 @@ def test_films_with_the_oil_supply_not_cut_off(m, lubricant, central, minimum):
     assert solution.figures.film_min.value / unit == pytest.approx(minimum, rel=0.02)
 
 
-@pytest.mark.parametrize(("m", "lubricant"), [(100, 10), (2, 2), (140, 4.3)])
+@pytest.mark.parametrize(
+    ("m", "lubricant"), [(100, 10), pytest.param(2, 2, marks=pytest.mark.long), (140, 4.3)]
+)
 def test_error_bar_holds_against_a_much_finer_grid(m, lubricant):
     scene = circular(m, lubricant)
     rough = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.03)).figures
@@ -153,7 +155,9 @@ def test_rigid_isoviscous_sphere():
     assert solution.figures.film_min_kind == "middle"
 
 
-@pytest.mark.parametrize(("m", "lubricant"), [(0.5, 0.5), (2, 2)])
+@pytest.mark.parametrize(
+    ("m", "lubricant"), [(0.5, 0.5), pytest.param(2, 2, marks=pytest.mark.long)]
+)
 def test_the_error_by_the_window_of_light_contacts_holds_against_a_much_larger_one(m, lubricant):
     """Of a thick film much of the load lies far out, and what lies beyond the windows is a closed form."""
     scene = circular(m, lubricant)

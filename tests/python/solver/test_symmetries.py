@@ -12,6 +12,7 @@ import pytest
 from symmetric_contacts import VIEWS, View, ellipse, line, seen
 
 import pyworm
+from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.scene.life import Life, Past
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import march
@@ -35,6 +36,7 @@ SAME = 5e-7
 ACCURACY = 0.2
 
 LINE_VIEWS = [name for name, view in VIEWS.items() if view.axes[1] == (0, 1)]
+
 
 LAYERS = {line: 5e-7, ellipse: 3e-7}
 """Layer of oil by which each contact is starved [m]."""
@@ -82,7 +84,8 @@ def test_a_starved_ellipse(name):
 
 
 @pytest.mark.parametrize("name", LINE_VIEWS)
-def test_a_line_contact_whose_entrainment_reverses(name):
+def test_a_line_contact_whose_entrainment_reverses(name, monkeypatch):
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
     own = coarse_figures(line, "own")
     assert coarse_figures(line, name) == pytest.approx(own, rel=SAME)
 

@@ -67,8 +67,8 @@ def test_a_contact_without_change_is_steady_in_rotating_axes_too(turn):
         return np.array([[cos(angle), sin(angle), 0], [-sin(angle), cos(angle), 0], [0, 0, 1]])
 
     contact = lived(lambda back: ball(angle=-rate * back), axes)
-    transient = solved(contact, "isothermal,squeeze", accuracy=0.03)
-    assert films(transient) == pytest.approx(films(solved(ball(), accuracy=0.03)), rel=0.004)
+    transient = solved(contact, "isothermal,squeeze")
+    assert films(transient) == pytest.approx(films(solved(ball())), rel=0.004)
 
 
 def test_the_start_of_a_transient_is_forgotten():
