@@ -55,7 +55,7 @@ ORDERS = dict.fromkeys(ALL, 2.0)
 # promises no limit.
 LEFT = {
     "film_min": Left(0.25, 0.125, limit=0.7, least=0.18),
-    "film_central": Left(0.07, 0.035, limit=0.5),
+    "film_central": Left(0.1, 0.05, limit=0.5),
     "friction_coefficient": Left(0.17, 0.085, limit=0.7),
     "power_loss": Left(0.25, 0.125),
     **dict.fromkeys(ROUGH_FIGURES, Left(0.25, 0.125)),

@@ -36,7 +36,13 @@ from pyworm.solver.transient.heat_memory import (
 )
 from pyworm.solver.transient.instant import Instant, extrapolated, instant_of
 from pyworm.solver.transient.moments import Moment, moment
-from pyworm.solver.transient.moving_grid import at_places, each_at_places, seen_from, slopes
+from pyworm.solver.transient.moving_grid import (
+    at_places,
+    each_at_places,
+    means_about,
+    seen_from,
+    slopes,
+)
 from pyworm.solver.transient.time_steps import Step, steps_of
 
 BEFORE = 3
@@ -46,13 +52,14 @@ TOLERANCE = 0.06
 """Residual of the films over the square of the time step in transits: half the step halves what Newton's
 iteration leaves in a rate of change."""
 
-WRITTEN = 0.1
-"""Tolerance of a written course over that of a tooth pair's.
+SETTLED = 0.1
+"""Tolerance of other courses over that where surfaces come together.
 
 A film with a given rate of change sums up along the flow what that is off by, and the residual is a share of
 the flow far out, where gaps are tens of films high. Under a load that rises fourfold and falls back within a
 transit (M = 1000) such films were off by 5 % with the whole tolerance, by 0.5 % with a tenth, at a fifth more
-time. A tooth pair's first solve (`cases/zi_drive.toml` up to phase 0.3) moves by 6 %, as much as its bar."""
+time. Where surfaces come together films are thick for long, and tell no difference beyond their bars: up to
+phase 0.3 the first solve of `cases/zi_drive.toml` moves by 6 %."""
 
 WARMING = 1e-2
 """Last change of their temperatures over the largest rise. The heat of the instants is steady and keeps no
@@ -113,7 +120,7 @@ class RateOfChange:
 
     def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, a `solver.level.TransientTerm`."""
-        return 0.0, at_places(self.grid, self.rate, grid)
+        return 0.0, means_about(self.grid, self.rate, grid)
 
     def remembered(self, grid: Grid | LineGrid) -> Array | None:
         """What both surfaces are warmer by at nodes of a grid [K]."""
@@ -457,7 +464,7 @@ def contact_at(course: Course, seconds: float) -> Scene | LineScene:
 
 def _tolerances(course: Course, step: Step) -> tuple[float, float]:
     """Residual and warming to which films are solved."""
-    share = WRITTEN if course.life.kinks else 1.0
+    share = 1.0 if course.approach is not None else SETTLED
     return share * TOLERANCE * course.step(step.refinement) ** 2, WARMING
 
 

@@ -124,6 +124,31 @@ def at_places(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Ar
     return at_places
 
 
+def means_about(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Array:
+    """Means of a field over the cells about the nodes of another grid; beyond its own grid it is constant.
+
+    What a film sums up along the flow is kept so, also by cells far larger than what they hold: after a
+    reversal values at the nodes of a grid eleven times as coarse left a film 19 % too thin.
+    """
+    if isinstance(grid, LineGrid):
+        return _means_along(grid.x, field, other.x, other.dx, 0)
+    if isinstance(other, LineGrid):
+        raise TypeError("a field over x and y has no values on a line grid")
+    along_x = _means_along(grid.x, field, other.x, other.dx, 0)
+    return _means_along(grid.y, along_x, other.y, other.dy, 1)
+
+
+def _means_along(places: Array, field: Array, nodes: Array, width: float, axis: int) -> Array:
+    """Means of a field along one axis over intervals of a width about some nodes."""
+    integral = scipy.interpolate.CubicSpline(places, field, axis=axis).antiderivative()
+    faces = np.append(nodes - width / 2, nodes[-1] + width / 2)
+    within = np.clip(faces, places[0], places[-1])
+    ends = np.take(field, [0, -1], axis)
+    beyond = np.stack([np.minimum(faces - within, 0.0), np.maximum(faces - within, 0.0)])
+    outside = np.moveaxis(np.tensordot(beyond, ends, axes=(0, axis)), 0, axis)
+    return np.diff(integral(within) + outside, axis=axis) / width
+
+
 def each_at_places(grid: Grid | LineGrid, fields: Array, other: Grid | LineGrid) -> Array:
     """The same of several fields along the last axis."""
     return np.stack([at_places(grid, of, other) for of in np.moveaxis(fields, -1, 0)], axis=-1)

@@ -3,13 +3,17 @@
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import pyworm
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import lead, settle
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import _beside, contact_at, march, steady_level
+from pyworm.solver.transient.moving_grid import means_about
 from pyworm.solver.transient.time_steps import Step
 from pyworm.solver.transient.transient import part_at
 
@@ -70,3 +74,20 @@ def test_solves_of_a_struck_contact_agree_in_its_minimum_film_thickness():
         level = SOLVERS[type(scene)](simple, plan, rate).with_rate(level)
         films.append(settle(level, plan.tolerance, plan.aim, 0.001).reading.film_min)
     assert films[0] == pytest.approx(films[1], rel=0.03)
+
+
+def test_a_rate_keeps_its_sum_on_a_grid_far_coarser_than_its_features():
+    fine, coarse = LineGrid(0.01, -200, 401), LineGrid(0.16, -13, 27)
+    dent = np.exp(-(((fine.x - 0.08) / 0.03) ** 2))
+    means = means_about(fine, dent, coarse)
+    assert means.sum() * coarse.dx == pytest.approx(0.03 * np.sqrt(np.pi), rel=1e-6)
+    # half of it lies to each side of the face at 0.08
+    assert means[13] == pytest.approx(means[14], rel=1e-6)
+
+
+def test_a_rate_over_two_directions_keeps_its_sum_and_goes_on_beyond_its_grid():
+    fine, coarse = Grid(-2.0, -1.0, 0.02, 0.01, 201, 201), Grid(-4.0, -2.0, 0.4, 0.25, 21, 17)
+    x, y = fine.mesh()
+    means = means_about(fine, np.exp(-((x / 0.1) ** 2) - ((y - 0.3) / 0.05) ** 2), coarse)
+    assert means.sum() * 0.4 * 0.25 == pytest.approx(0.1 * 0.05 * np.pi, rel=1e-6)
+    assert means_about(fine, 1.0 + 0.0 * x, coarse) == pytest.approx(1.0)
