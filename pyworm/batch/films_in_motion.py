@@ -123,14 +123,17 @@ def solve_lives(
 
 def rates_for(task: Task, directory: Path) -> Rates | None:
     """Rates of change of a task's film that were left for it; None where there are not all."""
-    found, moments, since = [], [], -inf
+    found: list[RateOfChange] = []
+    moments: list[tuple[Moment, ...]] = []
+    since = -inf
     for refinement in range(solves_of_life(task.accuracy)):
         try:
             left = kept(directory / _file(task.key, refinement), _left)
         except (OSError, DamagedError):
             return None
-        if isinstance(left, str):
-            return Rates((), flaw=left)
+        if isinstance(left, str):  # what coarser solves found is better than nothing
+            flaw = None if found else left
+            return Rates(tuple(found), tuple(moments), since, flaw, finest=True)
         rate, moment, since = left
         found.append(rate)
         moments.append(moment)

@@ -146,7 +146,8 @@ def _means_along(places: Array, field: Array, nodes: Array, width: float, axis: 
     ends = np.take(field, [0, -1], axis)
     beyond = np.stack([np.minimum(faces - within, 0.0), np.maximum(faces - within, 0.0)])
     outside = np.moveaxis(np.tensordot(beyond, ends, axes=(0, axis)), 0, axis)
-    return np.diff(integral(within) + outside, axis=axis) / width
+    means: Array = np.diff(integral(within) + outside, axis=axis) / width
+    return means
 
 
 def each_at_places(grid: Grid | LineGrid, fields: Array, other: Grid | LineGrid) -> Array:

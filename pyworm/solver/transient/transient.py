@@ -268,13 +268,16 @@ def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
         for refinement in range(solves_of_life(plan.accuracy)):
             found = march(course, refinement, begin, [past.seconds])
             if past.seconds not in found.rates:  # finer ones would cost more, and be of no use
-                return Rates((), flaw=found.lost)
+                break
             marches.append(found)
     except (LostError, ValueError) as reason:  # of no contact in motion, or of a film
         return Rates((), flaw=str(reason))
+    if not marches:
+        return Rates((), flaw=found.lost)
     return Rates(
         tuple(one.rates[past.seconds] for one in marches),
         tuple(until(one.moments, past.seconds) for one in marches),
+        finest=past.seconds not in found.rates,
     )
 
 

@@ -105,6 +105,25 @@ def test_a_transient_solve_that_loses_its_film_on_the_way_leaves_the_reason(
     assert rates == Rates((), flaw="no film")
 
 
+def test_what_coarser_transient_solves_found_is_kept_where_the_next_loses_its_film(
+    accelerated, monkeypatch
+):
+    """Else a finer request would end with a steady film where a coarser one has that in motion."""
+    solved = transient.march
+
+    def lost_when_fine(course, refinement, *given):
+        found = solved(course, 0, *given)
+        return found if refinement == 0 else replace(found, rates={}, lost="no film")
+
+    monkeypatch.setattr(transient, "march", lost_when_fine)
+    plan = planned(accelerated)
+    monkeypatch.setattr(transient, "solves_of_life", lambda accuracy: 2)
+    rates = transient.rates_at_present(accelerated, plan)
+    assert len(rates.found) == len(rates.moments) == 1
+    assert rates.finest
+    assert rates.flaw is None
+
+
 @pytest.mark.parametrize("status, raised", [(NO_DESCENT, False), (NO_MEMORY, True)])
 def test_a_newton_step_that_does_not_descend_is_none_and_other_failures_are_raised(status, raised):
     def step(forcing):
