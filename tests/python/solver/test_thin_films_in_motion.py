@@ -9,10 +9,17 @@ import pytest
 import pyworm
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
+from pyworm.planning.plan import first_grids_of
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import lead, settle
 from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import _beside, contact_at, march, steady_level
+from pyworm.solver.transient.march import (
+    _beside,
+    _moved,
+    contact_at,
+    march,
+    steady_level,
+)
 from pyworm.solver.transient.moving_grid import means_about
 from pyworm.solver.transient.time_steps import Step
 from pyworm.solver.transient.transient import part_at
@@ -33,6 +40,20 @@ def test_a_steady_film_keeps_its_thickness_on_a_grid_of_another_length():
     film = steady_level(course, Step(0.0, 0))[0].read().film_central
     steady = pyworm.solve(first, pyworm.plan(first, 0.05)).figures.film_central
     assert film == pytest.approx(steady.value, rel=0.03)
+
+
+def test_a_moved_film_begins_with_its_thickness():
+    """On a grid of the same nodes and some more, from whose length away deflections are counted."""
+    scene = pyworm.load(DATA / "unloaded_line.toml").scene()
+    course = course_of(scene.past.life, pyworm.plan(scene, 0.05, "isothermal,squeeze"))
+    contact = contact_at(course, 0.0)
+    solver = SOLVERS[type(contact)](contact, course.plan)
+    level, _ = solver.begin(first_grids_of(contact, course.plan))
+    here = level.grid
+    grid = replace(here, first=here.first - 40, nodes=here.nodes + 80)
+    moved = solver.on_grid(grid, _moved(level, grid))
+    # unmoved its datum is 1.4 um off; the pressure beyond the first window counts for 15 nm
+    assert moved.read().film_central == pytest.approx(level.read().film_central, abs=50e-9)
 
 
 def test_a_rough_film_moves_to_a_grid_that_fits_it_badly():
