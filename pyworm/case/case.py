@@ -156,6 +156,12 @@ class Case(Shown):
         return tuple(phase for phase in phases if 0 <= phase <= 1 and self.drive.idle(phase))
 
     @property
+    def phases_under_load(self) -> tuple[float, ...]:
+        """Tenths of the mesh cycle at which its drive's contact carries load; empty without a drive."""
+        tenths = [number / 10 for number in range(1, 10)] if self.drive is not None else []
+        return _without(self.idle_phases(tenths), tenths)
+
+    @property
     def slide_roll_ratios(self) -> tuple[float, ...]:
         """Slide-roll ratios of a traction curve; empty where velocities are given, or a drive."""
         tables = self.tables

@@ -100,11 +100,21 @@ def opened_result(path: Path) -> "Result":
 
 
 def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[Place, ...]":
-    """Places that the options ask for; phases without load, which are left out, are named."""
+    """Places that the options ask for; phases without load, which are left out, are named.
+
+    CaseError where none of them is under load.
+    """
     phases = options.phase or ()
-    idle = case.idle_phases(phases)
-    if 0 < len(idle) < len(phases):
-        words = ", ".join(f"{phase:g}" for phase in idle)
+    asked = phases or case.mesh_places.get("phase", ())
+    idle = case.idle_phases(asked)
+    words = ", ".join(f"{phase:g}" for phase in idle)
+    if idle and len(idle) == len(asked):
+        key = "--phase" if phases else "operation.phases"
+        some = f"it carries some at {', '.join(f'{phase:g}' for phase in case.phases_under_load)}"
+        raise CaseError(
+            f"{case.name}: {key} {words}: neighbouring teeth carry all of the load; {some}"
+        )
+    if phases and idle:
         say(f"warning: --phase {words}: neighbouring teeth carry all of the load; not solved")
     return case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
 
