@@ -15,6 +15,8 @@ from pyworm.io.input_error import CaseError
 from pyworm.ratings.rated_case import asked_of, not_rated, ratings
 from pyworm.result.headline import opening
 from pyworm.scene.scales import scales
+from pyworm.solver.newton import lead
+from pyworm.solver.point import contact
 
 DRIVE = (Path(__file__).parents[2] / "data" / "worm_rated.toml").read_text()
 BRONZE = 'material = "CuSn12Ni2-C-GZ"'
@@ -119,6 +121,31 @@ def test_no_wear_of_bronze_is_taken_for_a_plastic_wheel(tmp_path, capsys):
     assert "--coefficient is missing" in capsys.readouterr().err
     assert main([*words, "--calibrate"]) == 2
     assert "PEEK is not covered by the worm-gear standard" in capsys.readouterr().err
+
+
+def begun(lifts, monkeypatch):
+    """The film of a soft wheel on the last of its first grids, begun with some lifts."""
+    monkeypatch.setattr(contact, "LIFTS", lifts)
+    scene = case('material = "PEEK"').drive.scene(0.5)
+    plan = pyworm.plan(scene, 0.2, "isothermal,shear-thinning")
+    level, steps = contact.PointContactSolver(plan.simplified(scene), plan).begin(plan.grids)
+    return level, len(steps) + len(lead(level, plan.tolerance))
+
+
+def test_a_film_that_a_flank_ends_under_is_found_from_a_thicker_one(monkeypatch):
+    """Where none is found from the expected one."""
+    lifts = contact.LIFTS
+    lost, _ = begun((), monkeypatch)
+    level, _ = begun(lifts, monkeypatch)
+    assert lost.lost() and not level.lost()
+    assert 1e-7 < level.read().figures["film_min"] < 2e-6
+
+
+def test_where_no_thicker_film_leads_to_one_the_first_attempt_stays(monkeypatch):
+    lost, steps = begun((), monkeypatch)
+    again, more = begun((0.0,), monkeypatch)
+    assert again.lost() and more > steps
+    assert again.read().figures == pytest.approx(lost.read().figures, rel=1e-6)
 
 
 @pytest.mark.long
