@@ -24,6 +24,12 @@ MORE = 1.5
 """Nodes of a contact's finest grid, and Newton steps, over those expected from which they are named: grids
 are refined fourfold, and numbers expected are means."""
 
+SHARED = (
+    "no contact by itself; the rest are transient solves that several share and the search for what the case "
+    "leaves open"
+)
+"""Where a run's time went of which no contact took far more than was expected of it."""
+
 
 @dataclass(frozen=True)
 class Overrun:
@@ -44,7 +50,7 @@ class Overrun:
     @property
     def sentence(self) -> str:
         """What took so long, in one sentence."""
-        why = "; ".join(self.reasons) or "the search for what the case leaves open took more passes"
+        why = "; ".join(self.reasons) or SHARED
         taken, expected = duration(self.taken), duration(self.expected)
         return f"took {taken} of processor time where {expected} were expected: {why}"
 

@@ -158,8 +158,9 @@ class Case(Shown):
     @property
     def phases_under_load(self) -> tuple[float, ...]:
         """Tenths of the mesh cycle at which its drive's contact carries load; empty without a drive."""
-        tenths = [number / 10 for number in range(1, 10)] if self.drive is not None else []
-        return _without(self.idle_phases(tenths), tenths)
+        if self.drive is None:
+            return ()
+        return tuple(tenth / 10 for tenth in range(1, 10) if not self.drive.idle(tenth / 10))
 
     @property
     def slide_roll_ratios(self) -> tuple[float, ...]:

@@ -110,9 +110,10 @@ def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[Place, ...]
     words = ", ".join(f"{phase:g}" for phase in idle)
     if idle and len(idle) == len(asked):
         key = "--phase" if phases else "operation.phases"
-        some = f"it carries some at {', '.join(f'{phase:g}' for phase in case.phases_under_load)}"
+        loaded = ", ".join(f"{phase:g}" for phase in case.phases_under_load) or "none of its tenths"
         raise CaseError(
-            f"{case.name}: {key} {words}: neighbouring teeth carry all of the load; {some}"
+            f"{case.name}: {key} {words}: neighbouring teeth carry all of the load; "
+            f"the pair carries some at {loaded}"
         )
     if phases and idle:
         say(f"warning: --phase {words}: neighbouring teeth carry all of the load; not solved")

@@ -70,10 +70,10 @@ def test_more_transient_solves_than_expected_are_the_reason(run):
     assert "3 transient solves, 1 expected" in reason
 
 
-def test_a_search_of_many_passes_is_the_reason_where_no_contact_is(run):
+def test_what_contacts_share_is_the_reason_where_none_of_them_is(run):
     case, tasks, solutions = run
     usual = Solved([taking(solution, 1e-9) for solution in solutions])
-    assert "more passes" in overrun(case, tasks, usual, LONG).sentence
+    assert "no contact by itself; the rest" in overrun(case, tasks, usual, LONG).sentence
 
 
 def test_the_command_tells_it(monkeypatch, tmp_path, capsys):

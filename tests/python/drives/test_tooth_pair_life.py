@@ -112,7 +112,7 @@ def test_of_several_phases_those_without_load_are_left_out(undercut, capsys):
     assert capsys.readouterr().err == said
     options.phase = [0.3]
     with pytest.raises(
-        CaseError, match=r"--phase 0.3: .* carry all of the load; it carries some at 0.1, "
+        CaseError, match=r"--phase 0.3: .* carry all of the load; the pair carries some at 0.1, "
     ):
         wanted_places(undercut, options)
     with pytest.raises(CaseError, match="carries no load there"):
