@@ -10,7 +10,7 @@ from pyworm.case.table import Count, Number, NumberOrZero, Phase, PositiveNumber
 from pyworm.drives.gear_pair.design import LinearRelief
 from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.drives.gear_pair.film_formulas import Surfaces
-from pyworm.drives.gear_pair.involute import Gear, InvolutePair, ToothSystem
+from pyworm.drives.gear_pair.gears import Gear, InvolutePair, ToothSystem
 from pyworm.io import units
 
 

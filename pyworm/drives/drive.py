@@ -2,13 +2,11 @@
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from functools import cached_property
 from typing import Any, ClassVar
 
 from pyworm.drives.duty import Duty
 from pyworm.drives.hob_setup import HobSetup
-from pyworm.drives.lubrication import Bath, Jets, OilBrought, OiledTeeth, oil_brought
+from pyworm.drives.lubrication import Lubricated
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.shape import Space
@@ -17,7 +15,6 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.materials.body import Body
-from pyworm.materials.oil import Oil
 from pyworm.scene.contact import BODIES
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
@@ -27,7 +24,7 @@ AllowedErrors = dict[str, dict[str, float | str]]
 """Entry of `[drive.assembly]` -> from where to where, in the unit of the key, and what limits it."""
 
 
-class Drive(ABC):
+class Drive(Lubricated, ABC):
     """A machine with lubricated contacts, which it makes and never solves.
 
     A drive implements `scene` and `cycle_data`; all else has a default here.
@@ -42,17 +39,13 @@ class Drive(ABC):
         Assumptions of its loads and its geometry, a sentence each.
     warnings : tuple of str
         Unusual properties that change its contacts, a sentence each, beginning with a key of `[drive]`.
-    oil : Oil
-        The oil.
-    lubrication : Bath, Jets or None
-        How oil comes to its teeth; None where that is not known, and there is enough.
+    bodies : tuple of Body
+        Body 1 and body 2.
     """
 
     body_names: ClassVar[tuple[str, str]] = BODIES
     rated_as: ClassVar[type[Duty] | None] = None
-    oil: Oil
     bodies: tuple[Body, Body]
-    lubrication: Bath | Jets | None = None
 
     @property
     def assumptions(self) -> tuple[str, ...]:
@@ -90,33 +83,6 @@ class Drive(ABC):
     def sections(self) -> Mapping[str, Any]:
         """Sections of its worm by name; empty of a worm that is one."""
         return {}
-
-    def oiled_teeth(self) -> OiledTeeth | None:
-        """Its teeth as they carry oil; None where that is not known."""
-        return None
-
-    @cached_property
-    def oil_brought(self) -> OilBrought | None:
-        """The oil that its lubrication brings; None where that is not known.
-
-        Raises
-        ------
-        ValueError
-            No such lubrication is possible; the sentence begins with a key of `[lubrication]`.
-        """
-        if self.lubrication is None:
-            return None
-        teeth = self.oiled_teeth()
-        if teeth is None:
-            raise ValueError("method: how the teeth of this kind of drive carry oil is not known")
-        return oil_brought(self.lubrication, teeth, self.oil)
-
-    @property
-    def oil_supplied(self) -> Oil:
-        """The oil with the layer that arrives at its contacts, where that is known."""
-        if self.oil_brought is None:
-            return self.oil
-        return replace(self.oil, supply=self.oil_brought.layer)
 
     @property
     def all_assumptions(self) -> tuple[str, ...]:

@@ -4,7 +4,8 @@ A bath leaves a layer on the flanks that dip, which drains until they mesh; jets
 that pass. Rules of practice (R. Errichello, Lubrication of Gears, part 3) judge depth, speed and flow.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from math import pi
 from typing import Literal
 
@@ -140,6 +141,48 @@ def oil_brought(by: Bath | Jets, teeth: OiledTeeth, oil: Oil) -> OilBrought:
         A bath deeper than the body that dips.
     """
     return _by_bath(by, teeth, oil) if isinstance(by, Bath) else _by_jets(by, teeth, oil)
+
+
+class Lubricated:
+    """What meshes in oil, and the oil that its contacts get.
+
+    Attributes
+    ----------
+    oil : Oil
+        The oil.
+    lubrication : Bath, Jets or None
+        How oil comes to its teeth; None where that is not known, and there is enough.
+    """
+
+    oil: Oil
+    lubrication: Bath | Jets | None = None
+
+    def oiled_teeth(self) -> OiledTeeth | None:
+        """Its teeth as they carry oil; None where that is not known."""
+        return None
+
+    @cached_property
+    def oil_brought(self) -> OilBrought | None:
+        """The oil that its lubrication brings; None where that is not known.
+
+        Raises
+        ------
+        ValueError
+            No such lubrication is possible; the sentence begins with a key of `[lubrication]`.
+        """
+        if self.lubrication is None:
+            return None
+        teeth = self.oiled_teeth()
+        if teeth is None:
+            raise ValueError("method: how the teeth of this kind of drive carry oil is not known")
+        return oil_brought(self.lubrication, teeth, self.oil)
+
+    @property
+    def oil_supplied(self) -> Oil:
+        """The oil with the layer that arrives at its contacts, where that is known."""
+        if self.oil_brought is None:
+            return self.oil
+        return replace(self.oil, supply=self.oil_brought.layer)
 
 
 def _by_bath(bath: Bath, teeth: OiledTeeth, oil: Oil) -> OilBrought:

@@ -1,104 +1,44 @@
-"""A pair of involute gears on parallel axes: from the design table to tooth contacts and their scenes.
-
-Lengths in m, angles in rad. The pinion is body 1, the gear body 2, whichever drives. The mesh cycle is that
-of one pair of teeth in the middle of the face, counted along the pinion's tooth as its roll angle is: phase 0
-at the start of its active profile (SAP), low on the tooth, 1 at the end (EAP), its tip. Where the pinion
-drives, contact runs that way; where the gear drives (a speed increaser), it runs from 1 to 0.
-"""
+"""The drive of a pair of involute gears: what it answers of its mesh."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
-from math import cos, pi, sin
-
-import numpy as np
 
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty
-from pyworm.drives.gear_pair.checks import check_drive
-from pyworm.drives.gear_pair.contacts import Array, ToothContacts
+from pyworm.drives.gear_pair.checks import check_gears, check_mesh
 from pyworm.drives.gear_pair.dataset import line_of_action_data, with_friction
-from pyworm.drives.gear_pair.design import ContactKind, Driver, LinearRelief
 from pyworm.drives.gear_pair.duty import gear_pair_duty
-from pyworm.drives.gear_pair.film_formulas import GearRating, Surfaces, rate
-from pyworm.drives.gear_pair.gap import Flank, GearGap, GearSection
-from pyworm.drives.gear_pair.involute import InvolutePair
-from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
+from pyworm.drives.gear_pair.mesh import GearPairMesh
 from pyworm.drives.gear_pair.mesh_loss import gear_mesh_loss
 from pyworm.drives.gear_pair.misalignment import gear_misalignment
 from pyworm.drives.gear_pair.shapes import in_space
-from pyworm.drives.lubrication import Bath, Jets, OiledBody, OiledTeeth
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.misalignment import Misalignment
 from pyworm.drives.shape import Space
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
-from pyworm.materials.body import Body, reduced_modulus
-from pyworm.materials.oil import Oil
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
-from pyworm.scene.point import RigidMotion, Scene
-
-CYCLE_POINTS = 401
-"""Number of phases of the closed forms; the ends of single contact are added, twice."""
+from pyworm.scene.point import Scene
 
 
 @dataclass(frozen=True)
-class GearPairDrive(Drive):
-    """A pair of gears at one operating point.
+class GearPairDrive(GearPairMesh, Drive):
+    """A pair of gears at one operating point; attributes as of `GearPairMesh`.
 
-    Attributes
-    ----------
-    teeth : InvolutePair
-        The gears.
-    driver : str
-        "pinion" (a speed reducer) or "gear" (a speed increaser).
-    pinion_speed : float
-        Speed of the pinion [rad/s].
-    power : float
-        Power through the mesh [W].
-    bodies : tuple of Body
-        Pinion and gear.
-    oil : Oil
-        The oil.
-    load_factor : float
-        Load over that of the power, by shocks, dynamics and uneven distribution over the face: the product
-        of the K factors of ISO 6336 or AGMA 2101 [-].
-    load_sharing : str
-        How contact lines share the load (`LoadSharing`).
-    contact : str
-        Kind of the scenes: "line", or "point" of the whole crowned face.
-    tip_relief : tuple of LinearRelief
-        Tip relief of pinion and gear in the gaps of scenes; load sharing ignores it.
-    lead_crowning : float
-        Lead crowning: height removed from both flanks together at the ends of the face [m].
-    surfaces : Surfaces or None
-        Further input of the closed forms of friction and scuffing; None if not known.
-    lubrication : Bath, Jets or None
-        How oil comes to their teeth; None where there is assumed to be enough.
+    Raises
+    ------
+    ValueError
+        If the gears do not mesh, or cannot be run so; the message begins with the key that is wrong.
     """
 
     body_names = "pinion", "gear"
     rated_as = GearPairDuty
 
-    teeth: InvolutePair
-    driver: Driver
-    pinion_speed: float
-    power: float
-    bodies: tuple[Body, Body]
-    oil: Oil
-    load_factor: float = 1.0
-    load_sharing: SharingRule = "ramp"
-    contact: ContactKind = "line"
-    tip_relief: tuple[LinearRelief, LinearRelief] = (LinearRelief(), LinearRelief())
-    lead_crowning: float = 0.0
-    surfaces: Surfaces | None = None
-    lubrication: Bath | Jets | None = None
-
     def __post_init__(self) -> None:
-        check_drive(self)
-        self.sharing  # noqa: B018  a rule that does not hold for these gears is refused here
+        check_gears(self.teeth)
+        check_mesh(self)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
@@ -109,190 +49,13 @@ class GearPairDrive(Drive):
             "factor.",
         )
 
-    @cached_property
-    def sharing(self) -> LoadSharing:
-        """Sharing of the normal force among contact lines."""
-        return LoadSharing(self.teeth, self.load_sharing)
-
-    @property
-    def gear_speed(self) -> float:
-        """Speed of the gear [rad/s]."""
-        return self.pinion_speed / self.teeth.ratio
-
-    @property
-    def pinion_torque(self) -> float:
-        """Torque on the pinion [N m]."""
-        return self.power / self.pinion_speed
-
-    @property
-    def normal_force(self) -> float:
-        """Force along the normal of the flanks [N], without friction, times the load factor."""
-        arm = self.teeth.cylinders[0].base * cos(self.teeth.system.base_helix_angle)
-        return self.load_factor * self.pinion_torque / arm
-
-    @property
-    def pitch_line_velocity(self) -> float:
-        """Velocity of the pitch circles [m/s]."""
-        return self.pinion_speed * self.teeth.cylinders[0].pitch
-
-    @property
-    def reduced_modulus(self) -> float:
-        """Reduced modulus E' of the two gears [Pa]."""
-        return reduced_modulus(*self.bodies)
-
-    def phase_of(self, pinion_length: float) -> float:
-        """Phase at which the pinion has this radius of curvature [m], such as that of `teeth.pitch_point`."""
-        return (pinion_length - self.teeth.start) / self.teeth.path_length
-
-    def contacts(self, phase: float | Array) -> ToothContacts:
-        """The tooth contacts at phases of the mesh cycle, 0 to 1.
-
-        Raises
-        ------
-        ValueError
-            If a phase is out of contact.
-        """
-        phase = np.asarray(phase, float)
-        if not np.all((phase >= 0) & (phase <= 1)):
-            worst = float(phase.flat[np.argmax(np.abs(phase - 0.5))])
-            raise ValueError(f"phase is {worst:.6g}; a tooth pair touches from phase 0 to phase 1")
-        teeth = self.teeth
-        tilt = cos(teeth.system.base_helix_angle)
-        pinion = teeth.start + phase * teeth.path_length
-        # At the very ends the sum may round to beyond them, where nothing is in contact.
-        pinion = np.clip(pinion, teeth.start, teeth.end)
-        gear = teeth.base_tangent - pinion
-        before = pinion < teeth.pitch_point
-        return ToothContacts(
-            phase=phase,
-            pinion_length=pinion,
-            gear_length=gear,
-            roll_angle=pinion / teeth.cylinders[0].base,
-            pinion_radius=pinion / tilt,
-            gear_radius=gear / tilt,
-            radius=pinion * gear / (teeth.base_tangent * tilt),
-            pinion_velocity=self.pinion_speed * pinion,
-            gear_velocity=self.gear_speed * gear,
-            unit_load=self.normal_force * self.sharing.per_length(pinion),
-            load_share=self.sharing.of_line(pinion),
-            line_length=self.sharing.line_length(pinion),
-            approach=before if self.driver == "pinion" else ~before,
-        )
-
-    def gap(self, phase: float) -> GearGap:
-        """Undeformed gap of the pair of teeth over the tangent plane."""
-        teeth = self.teeth
-        contact = self.contacts(phase)
-        pinion, gear = (
-            Flank(
-                base=size.base,
-                length=float(length),
-                helix=teeth.system.base_helix_angle,
-                form_length=size.form_length,
-                tip_length=size.tip_length,
-                relief=relief.amount,
-                relief_length=relief.length,
-            )
-            for size, length, relief in zip(
-                teeth.cylinders,
-                (contact.pinion_length, contact.gear_length),
-                self.tip_relief,
-                strict=True,
-            )
-        )
-        return GearGap(pinion, gear, teeth.face_width, self.lead_crowning)
-
     def scene(self, phase: float) -> LineScene | Scene:
         """The lubricated contact at a phase; a line contact is that of the middle of the face.
 
         Body 1 is the pinion, x runs to its tip, y along the contact line.
         """
-        at = self._line if self.contact == "line" else self._point
         base_speed = self.pinion_speed * self.teeth.cylinders[0].base
-        return ToothLife(at, base_speed / self.teeth.path_length).at(phase)
-
-    def _line(self, phase: float) -> LineScene:
-        contact = self.contacts(phase)
-        return LineScene(
-            name=_name(phase),
-            gap=GearSection(self.gap(phase)),
-            radius=float(contact.radius),
-            velocities=(float(contact.pinion_velocity), float(contact.gear_velocity)),
-            load=float(contact.unit_load),
-            bodies=self.bodies,
-            oil=self.oil_supplied,
-            phase=phase,
-        )
-
-    def _point(self, phase: float) -> Scene:
-        """The scene of the whole face; surfaces spin by their rotation's component along the normal.
-
-        What the height of the flank over the plane adds to their velocities is neglected: relative to
-        them it is that height over the radius of curvature.
-        """
-        contact = self.contacts(phase)
-        helix = self.teeth.system.base_helix_angle
-        along = self.teeth.face_width**2 / (8 * self.lead_crowning * cos(helix) ** 2)
-        return Scene(
-            name=_name(phase),
-            gap=self.gap(phase),
-            radii=(float(contact.radius), along),
-            motions=(
-                RigidMotion(float(contact.pinion_velocity), 0.0, -self.pinion_speed * sin(helix)),
-                RigidMotion(float(contact.gear_velocity), 0.0, self.gear_speed * sin(helix)),
-            ),
-            load=float(self.normal_force * contact.load_share),
-            bodies=self.bodies,
-            oil=self.oil_supplied,
-            phase=phase,
-        )
-
-    def oiled_teeth(self) -> OiledTeeth:
-        """Pinion and gear as they carry oil."""
-        speeds = self.pinion_speed, self.gear_speed
-        return OiledTeeth(
-            bodies={
-                name: OiledBody(gear.tip, gear.tip - gear.root, speed)
-                for name, gear, speed in zip(
-                    self.body_names, self.teeth.cylinders, speeds, strict=True
-                )
-            },
-            face_width=self.teeth.face_width,
-            rate=self.pinion_speed * self.teeth.pinion.teeth / (2 * pi),
-            power=self.power,
-        )
-
-    def cycle_phases(self) -> Array:
-        """Phases from 0 to 1 with both sides of the ends of single contact, where the load may jump."""
-        ends = (self.phase_of(self.teeth.lowest_single), self.phase_of(self.teeth.highest_single))
-        sides = [end + side for end in ends for side in (-1e-9, 1e-9) if 0 < end < 1]
-        return np.sort(np.concatenate([np.linspace(0, 1, CYCLE_POINTS), sides]))
-
-    @property
-    def loss_factor(self) -> float:
-        """H_V [-]: power loss of the mesh over power and a constant coefficient of friction.
-
-        It is the mean over the mesh cycle of load times sliding, with the load of the middle on every slice
-        of the face, which is exact for spur gears. Ohlendorf's closed form is that of uniform sharing.
-        """
-        contacts = self.contacts(self.cycle_phases())
-        system = self.teeth.system
-        slice_of_line = self.teeth.face_width / cos(system.base_helix_angle)
-        rubbed = contacts.unit_load * np.abs(contacts.sliding) / (self.load_factor * self.power)
-        return float(
-            np.trapezoid(rubbed, contacts.pinion_length) * slice_of_line / system.base_pitch
-        )
-
-    def friction_load_factor(self, contacts: ToothContacts, friction: float) -> Array:
-        """Normal load with friction over that without, at the same torque of the driver [-].
-
-        It is 1 / (1 -+ mu rho / (r_b cos beta_b)) of the driver: in approach the faster tip of the driven
-        gear drags its root along (-), which raises the load; in recess its tip is held back (+).
-        """
-        base = self.teeth.cylinders[0 if self.driver == "pinion" else 1].base
-        length = contacts.pinion_length if self.driver == "pinion" else contacts.gear_length
-        arm = length / (base * cos(self.teeth.system.base_helix_angle))
-        return 1 / (1 - friction * arm * np.where(contacts.approach, 1.0, -1.0))
+        return ToothLife(self.scene_at, base_speed / self.teeth.path_length).at(phase)
 
     def in_space(self, places: Sequence[Place]) -> Space:
         """Some teeth of both gears."""
@@ -313,10 +76,6 @@ class GearPairDrive(Drive):
         """The gears as input of ratings by standards."""
         return gear_pair_duty(self)
 
-    def rating(self, contacts: ToothContacts) -> GearRating:
-        """Film, specific film and contact temperature by closed forms at these contacts."""
-        return rate(contacts, self.bodies, self.oil, self.surfaces)
-
     def cycle_data(self) -> "xr.Dataset":
         """The line of action with its closed forms, for the result."""
         contacts = self.contacts(self.cycle_phases())
@@ -334,7 +93,3 @@ class GearPairDrive(Drive):
             return data
         friction = self.surfaces.friction_coefficient
         return with_friction(data, friction, self.friction_load_factor(contacts, friction))
-
-
-def _name(phase: float) -> str:
-    return f"phase {phase:.3g}"

@@ -1,29 +1,25 @@
 """A pair of involute gears as input of ratings by standards."""
 
-from typing import TYPE_CHECKING
-
 from pyworm.drives.duty import GearPairDuty, LineOfAction
 from pyworm.drives.gear_pair.film_formulas import contact_coefficient, mean_bulk_temperature
-
-if TYPE_CHECKING:
-    from pyworm.drives.gear_pair.drive import GearPairDrive
+from pyworm.drives.gear_pair.mesh import GearPairMesh
 
 
-def gear_pair_duty(drive: "GearPairDrive") -> GearPairDuty:
+def gear_pair_duty(mesh: GearPairMesh) -> GearPairDuty:
     """The gears of a drive at its operating point."""
-    contacts = drive.contacts(drive.cycle_phases())
-    rated, surfaces = drive.rating(contacts), drive.surfaces
-    pinion, gear = drive.bodies
-    cold, rough = drive.oil.heat is None, None
+    contacts = mesh.contacts(mesh.cycle_phases())
+    rated, surfaces = mesh.rating(contacts), mesh.surfaces
+    pinion, gear = mesh.bodies
+    cold, rough = mesh.oil.heat is None, None
     if pinion.roughness is not None and gear.roughness is not None:
         rough = pinion.roughness, gear.roughness
     return GearPairDuty(
-        centre_distance=drive.teeth.centre_distance,
-        power=drive.power,
-        pitch_line_velocity=drive.pitch_line_velocity,
-        loss_factor=drive.loss_factor,
-        reduced_modulus=drive.reduced_modulus,
-        oil=drive.oil,
+        centre_distance=mesh.teeth.centre_distance,
+        power=mesh.power,
+        pitch_line_velocity=mesh.pitch_line_velocity,
+        loss_factor=mesh.loss_factor,
+        reduced_modulus=mesh.reduced_modulus,
+        oil=mesh.oil,
         line_of_action=LineOfAction(
             phase=contacts.phase,
             radius=contacts.radius,
@@ -35,7 +31,7 @@ def gear_pair_duty(drive: "GearPairDrive") -> GearPairDuty:
             flash_temperature=rated.flash_temperature,
             contact_temperature=rated.contact_temperature,
         ),
-        bulk_temperature=None if cold else mean_bulk_temperature(drive.bodies),
+        bulk_temperature=None if cold else mean_bulk_temperature(mesh.bodies),
         effusivities=None if cold else (contact_coefficient(pinion), contact_coefficient(gear)),
         roughness=rough,
         friction=None if surfaces is None else surfaces.friction_coefficient,

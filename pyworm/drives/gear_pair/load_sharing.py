@@ -28,7 +28,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from pyworm.drives.gear_pair.involute import InvolutePair
+from pyworm.drives.gear_pair.gears import InvolutePair
 
 Array = np.ndarray
 SharingRule = Literal["ramp", "uniform", "elastic"]

@@ -1,39 +1,36 @@
 """Loss between the teeth of a gear pair, by the friction of some contacts of its line of action."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pyworm.drives.gear_pair.mesh import GearPairMesh
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
 
-if TYPE_CHECKING:
-    from pyworm.drives.gear_pair.drive import GearPairDrive
 
-
-def gear_mesh_loss(drive: "GearPairDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+def gear_mesh_loss(mesh: GearPairMesh, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
     """Loss by the loss factor and the mean friction; None for fewer than two phases."""
     if len(contacts) < 2:
         return None
-    friction = _mean_friction(drive, contacts)
+    friction = _mean_friction(mesh, contacts)
     return MeshLoss(
-        power=drive.power,
-        loss=drive.power * drive.loss_factor * friction,
+        power=mesh.power,
+        loss=mesh.power * mesh.loss_factor * friction,
         friction=friction,
         error=max(one.error for one in contacts),
-        words=f"loss factor H_V = {drive.loss_factor:.4f}, friction interpolated between the solved phases",
+        words=f"loss factor H_V = {mesh.loss_factor:.4f}, friction interpolated between the solved phases",
         model=largest_model(contacts),
     )
 
 
-def _mean_friction(drive: "GearPairDrive", contacts: Sequence[ContactLoss]) -> float:
+def _mean_friction(mesh: GearPairMesh, contacts: Sequence[ContactLoss]) -> float:
     """Mean friction, weighted by load times sliding along the line of action [-].
 
     Friction between the contacts is interpolated, beyond the last ones constant.
     """
     known = sorted((one.phase, one.friction) for one in contacts)
-    phases = drive.cycle_phases()
-    all_of_them = drive.contacts(phases)
+    phases = mesh.cycle_phases()
+    all_of_them = mesh.contacts(phases)
     weight = all_of_them.unit_load * np.abs(all_of_them.sliding)
     at, frictions = zip(*known, strict=True)
     friction = np.interp(phases, at, frictions)

@@ -2,14 +2,11 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
+from pyworm.drives.gear_pair.mesh import GearPairMesh
 from pyworm.drives.misalignment import Misalignment, MountingError
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-
-if TYPE_CHECKING:
-    from pyworm.drives.gear_pair.drive import GearPairDrive
 
 LEAD_ERROR = 10e-6
 """Deviation of the flank lines over the face width [m]."""
@@ -26,13 +23,11 @@ METHOD = (
 )
 
 
-def gear_misalignment(
-    drive: "GearPairDrive", contacts: Sequence[Scene | LineScene]
-) -> Misalignment:
+def gear_misalignment(mesh: GearPairMesh, contacts: Sequence[Scene | LineScene]) -> Misalignment:
     """Line contacts under a load that grows linearly over the face; none for scenes of whole faces."""
     if not all(isinstance(contact, LineScene) for contact in contacts):
         return Misalignment(METHOD)
-    mean = drive.normal_force / drive.teeth.face_width
+    mean = mesh.normal_force / mesh.teeth.face_width
     excess = MESH_STIFFNESS * LEAD_ERROR / (2 * mean)
     factor = 1 + excess if excess <= 1 else 2 * excess**0.5
     uneven = MountingError(

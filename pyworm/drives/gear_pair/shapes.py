@@ -13,7 +13,7 @@ from math import atan2, cos, pi, sin, tan
 
 import numpy as np
 
-from pyworm.drives.gear_pair.involute import InvolutePair
+from pyworm.drives.gear_pair.gears import InvolutePair
 from pyworm.drives.shape import Shape, Space
 
 Array = np.ndarray

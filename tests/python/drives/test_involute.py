@@ -8,7 +8,8 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from pyworm.drives.gear_pair.involute import (
+from pyworm.drives.gear_pair.checks import check_gears
+from pyworm.drives.gear_pair.gears import (
     Gear,
     InvolutePair,
     ToothSystem,
@@ -46,10 +47,12 @@ def pairs(draw, spur=False):
     tight = inverse_involute(value)
     distance = (z1 + z2) * system.transverse_module / 2 * cos(angle) / cos(tight)
     width = system.module * draw(st.floats(3, 25))
+    pair = InvolutePair(system, Gear(z1, x1), Gear(z2, x2), distance * (1 + 1e-9), width)
     try:
-        return InvolutePair(system, Gear(z1, x1), Gear(z2, x2), distance * (1 + 1e-9), width)
+        check_gears(pair)
     except ValueError:
         assume(False)
+    return pair
 
 
 # ------------------------------------------------------------------------- examples of others
@@ -257,20 +260,23 @@ def changed(part, **values):
 )  # fmt: skip
 def test_gears_that_do_not_mesh_are_refused(change, sentence):
     with pytest.raises(ValueError) as refusal:
-        replace(FZG_C, **change)
+        check_gears(replace(FZG_C, **change))
     assert sentence in str(refusal.value)
 
 
 def test_interference_is_distinguished_from_undercut():
     """A gear of long teeth digs below where the involute of a small pinion begins, not into its root."""
     system = ToothSystem(4e-3, radians(20))
+    pair = InvolutePair(system, Gear(20), Gear(100, addendum=1.2), 240e-3, 40e-3)
     with pytest.raises(ValueError, match=r"gear.addendum .* \(interference\)"):
-        InvolutePair(system, Gear(20), Gear(100, addendum=1.2), 240e-3, 40e-3)
+        check_gears(pair)
 
 
 def test_the_advised_profile_shift_is_enough():
     small = replace(FZG_C.pinion, profile_shift=0.07)
-    assert replace(FZG_C, pinion=small).cylinders[0].form_length > 0
+    pair = replace(FZG_C, pinion=small)
+    check_gears(pair)
+    assert pair.cylinders[0].form_length > 0
 
 
 def test_a_contact_ratio_of_two_has_no_ramp():

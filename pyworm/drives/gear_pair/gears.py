@@ -11,8 +11,6 @@ from math import acos, asin, atan, cos, pi, sin, sqrt, tan
 
 import scipy
 
-from pyworm.drives.gear_pair.involute_checks import check_pair
-
 
 def involute(angle: float) -> float:
     """inv(angle) = tan(angle) - angle, the polar angle of an involute [rad]."""
@@ -140,11 +138,6 @@ class InvolutePair:
         Distance a of the axes [m].
     face_width : float
         Common face width b [m].
-
-    Raises
-    ------
-    ValueError
-        If they do not mesh; the message begins with the key that is wrong.
     """
 
     system: ToothSystem
@@ -152,9 +145,6 @@ class InvolutePair:
     gear: Gear
     centre_distance: float
     face_width: float
-
-    def __post_init__(self) -> None:
-        check_pair(self)
 
     @property
     def ratio(self) -> float:
