@@ -1,20 +1,36 @@
 """Checks of the input of a roller drive; each refusal begins with the key that is wrong."""
 
 from math import degrees, pi
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from pyworm.drives.roller_worm.drive import RollerWormDrive
+from pyworm.drives.roller_worm.gears import RollerGears
+from pyworm.drives.roller_worm.section import WormSection
 
 FARTHEST = 80.0
 """Largest wheel angle at which a section may end [deg]."""
 
 
-def check_drive(drive: "RollerWormDrive") -> None:
+CHECKED = (61, 17)
+"""Numbers of wheel angles and places along the roller at which undercut is checked."""
+
+
+def check_gears(gears: RollerGears) -> None:
+    """Refuse worm and rollers that do not fit each other, and sections without a flank everywhere.
+
+    Raises
+    ------
+    ValueError
+        If they are such.
+    """
+    _check_sizes(gears)
+    for section in gears.sections.values():
+        check_section(section)
+
+
+def _check_sizes(gears: RollerGears) -> None:
     """Refuse sizes that do not fit each other."""
-    worm, rollers, profile = drive.worm, drive.rollers, drive.rollers.profile
+    worm, rollers, profile = gears.worm, gears.rollers, gears.rollers.profile
     if not 0 < worm.throat_coefficient < 2:
         raise ValueError(
             f"worm.throat_coefficient is {worm.throat_coefficient:g}; the throat must lie between the axes, "
@@ -31,16 +47,48 @@ def check_drive(drive: "RollerWormDrive") -> None:
                 f"worm.{name} is {getattr(worm, name) * 1e3:.4g} mm; it must not be above half the rollers' "
                 f"length, {profile.length * 5e2:.4g} mm"
             )
-    if np.cos(rollers.tilt) * worm.dedendum >= drive.throat_radius:
+    if np.cos(rollers.tilt) * worm.dedendum >= gears.throat_radius:
         raise ValueError(
             f"worm.dedendum is {worm.dedendum * 1e3:.4g} mm; it must stay below the throat's radius, "
-            f"{drive.throat_radius * 1e3:.4g} mm"
+            f"{gears.throat_radius * 1e3:.4g} mm"
         )
     thick = 2 * float(np.max(profile(np.array([-worm.addendum, 0.0]))[0]))
-    inner = drive.centre_distance - drive.throat_radius - np.cos(rollers.tilt) * worm.addendum
+    inner = gears.centre_distance - gears.throat_radius - np.cos(rollers.tilt) * worm.addendum
     apart = 2 * inner * np.sin(pi / rollers.count)
     if not thick < apart:
         raise ValueError(
             f"rollers.radius is {profile.radius * 1e3:.4g} mm; {rollers.count} rollers stand only "
             f"{apart * 1e3:.4g} mm apart at the thread's tip, which leaves no thread between them"
+        )
+
+
+def check_section(section: WormSection) -> None:
+    """Refuse a section whose flank does not exist everywhere.
+
+    Raises
+    ------
+    ValueError
+        If the flank is undercut, the rollers do not touch it, or it is shorter than a contact line.
+    """
+    angles = np.linspace(section.first, section.last, CHECKED[0])
+    places = np.linspace(section.lowest, section.highest, CHECKED[1])[:, None]
+    contact = section.envelope.contact(places, angles)
+    missing, gone = ~np.isfinite(contact.theta), ~(contact.limit > 0)
+    for bad, what in ((missing, "is not touched"), (gone, "is undercut")):
+        if bad.any():
+            where = np.abs(contact.wheel_angle[bad])
+            place = contact.place[bad][np.argmin(where)]
+            fraction = np.mean(bad)
+            raise ValueError(
+                f"worm: the {section.name} section's flank {what} by {fraction:.0%} of the bearing "
+                f"length, from {degrees(where.min()):.1f} to {degrees(where.max()):.1f} deg of wheel "
+                f"angle, first at {place * 1e3:.2f} mm from the rollers' middle; give the rollers other "
+                "tilt, height, radius or length, or the worm a larger throat or other angles"
+            )
+    before, after = section.faces
+    ends = section.along(np.array([section.lowest, section.highest]), section.last)
+    if not after - before > abs(ends[1] - ends[0]):
+        raise ValueError(
+            f"worm.outer_angle is {degrees(max(abs(section.first), abs(section.last))):.4g} deg; the section "
+            "is then shorter than the rollers, a larger angle is needed"
         )

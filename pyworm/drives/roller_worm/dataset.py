@@ -1,18 +1,16 @@
 """Dataset of a roller enveloping worm drive for pictures and tables."""
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from pyworm.drives.roller_worm.load_sharing import lever
+from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.formulas.film_atlas import reciprocal_alpha
 from pyworm.formulas.regimes import REGIMES
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.variables import describe
-
-if TYPE_CHECKING:
-    from pyworm.drives.roller_worm.drive import RollerWormDrive
 
 KIND = "roller-worm"
 
@@ -23,7 +21,7 @@ STATIONS = np.linspace(0.02, 0.98, 9)
 """Fractions of the contact line at which it is sampled; at its ends the contact line has no length."""
 
 SWEEP, ACROSS = 240, 5
-"""Points along and across a section's flank in the picture of the drive."""
+"""Points along and across a section's flank in the picture of the mesh."""
 
 VARIED = {
     "roller_radius": np.array([0.6, 0.8, 1.0, 1.2, 1.4]),
@@ -35,24 +33,24 @@ TILTS = np.radians([0.0, 15.0, 30.0, 45.0, 60.0])
 """Tilts of the rollers' axes in the sensitivity of the film [rad]."""
 
 
-def roller_cycle_data(drive: "RollerWormDrive") -> "xr.Dataset":
+def roller_cycle_data(mesh: RollerMesh) -> "xr.Dataset":
     """The mesh cycle of both sections.
 
     Parameters
     ----------
-    drive : RollerWormDrive
-        The drive.
+    mesh : RollerMesh
+        The mesh.
     """
     return describe(
         xr.Dataset(
             {
-                **_contact_lines(drive),
-                **_flanks(drive),
-                **_lines_in_mesh(drive),
-                **_sensitivity(drive),
+                **_contact_lines(mesh),
+                **_flanks(mesh),
+                **_lines_in_mesh(mesh),
+                **_sensitivity(mesh),
             },
             coords={
-                "section": list(drive.sections),
+                "section": list(mesh.sections),
                 "phase": PHASES,
                 "station": STATIONS,
                 "regime": list(REGIMES),
@@ -61,9 +59,9 @@ def roller_cycle_data(drive: "RollerWormDrive") -> "xr.Dataset":
             },
             attrs={
                 "drive": KIND,
-                "roller_pitch": float(2 * np.pi / drive.rollers.count),
-                "rollers": drive.rollers.count,
-                "alpha_ratio": reciprocal_alpha(drive.oil.viscosity, drive.oil.viscosity.alpha),
+                "roller_pitch": float(2 * np.pi / mesh.rollers.count),
+                "rollers": mesh.rollers.count,
+                "alpha_ratio": reciprocal_alpha(mesh.oil.viscosity, mesh.oil.viscosity.alpha),
             },
         )
     )
@@ -105,11 +103,11 @@ _BY_REGIME = {
 """Name -> films by the formula of each regime at the stations of a contact line."""
 
 
-def _contact_lines(drive: "RollerWormDrive") -> dict[str, tuple]:
+def _contact_lines(mesh: RollerMesh) -> dict[str, tuple]:
     """Variables of a roller's contact line over both sections."""
     states = [
-        [drive.state(name, float(phase), STATIONS.tolist()) for phase in PHASES]
-        for name in drive.sections
+        [mesh.state(name, float(phase), STATIONS.tolist()) for phase in PHASES]
+        for name in mesh.sections
     ]
     tables: tuple[tuple[dict[str, Callable[[Any], Any]], tuple[str, ...]], ...] = (
         (_OF_A_LINE, ("section", "phase")),
@@ -123,18 +121,18 @@ def _contact_lines(drive: "RollerWormDrive") -> dict[str, tuple]:
     }
 
 
-def _flanks(drive: "RollerWormDrive") -> dict[str, tuple]:
+def _flanks(mesh: RollerMesh) -> dict[str, tuple]:
     """Both sections' flanks in the worm's frame, and the rollers at that position of the worm."""
     flanks, rollers = [], []
-    for section in drive.sections.values():
+    for section in mesh.sections.values():
         angles = np.linspace(section.first, section.last, SWEEP)
         places = np.linspace(section.lowest, section.highest, ACROSS)[:, None]
         flanks.append(np.moveaxis(section.envelope.worm_point(places, angles + 0 * places), 0, -1))
-    envelope, profile = section.envelope, drive.rollers.profile
+    envelope, profile = section.envelope, mesh.rollers.profile
     along = np.linspace(-profile.length / 2, profile.length / 2, ACROSS)
     round_ = np.linspace(0, 2 * np.pi, 25)
     radius = profile(along)[0] - profile.relief(along)
-    for angle in 2 * np.pi / drive.rollers.count * np.arange(drive.rollers.count):
+    for angle in 2 * np.pi / mesh.rollers.count * np.arange(mesh.rollers.count):
         going, side, axis, middle = (vector[:, None, None] for vector in envelope.axes(angle))
         out = np.cos(round_) * going + np.sin(round_) * side
         surface = middle + along[:, None] * axis + radius[:, None] * out
@@ -145,15 +143,15 @@ def _flanks(drive: "RollerWormDrive") -> dict[str, tuple]:
     }
 
 
-def _lines_in_mesh(drive: "RollerWormDrive") -> dict[str, tuple]:
+def _lines_in_mesh(mesh: RollerMesh) -> dict[str, tuple]:
     """Contact lines of all rollers in mesh at the position of the worm in `_flanks`."""
     lines, names, forces = [], [], []
     fraction = np.linspace(0, 1, ACROSS)[:, None]
-    for name in drive.sections:
-        shared = drive.shared(name, 0.0)
+    for name in mesh.sections:
+        shared = mesh.shared(name, 0.0)
         contact = shared.section.line(shared.wheel_angles, fraction)
         lines += list(np.moveaxis(contact.point, 0, -1).transpose(1, 0, 2))
-        names += [list(drive.sections).index(name)] * len(shared.forces)
+        names += [list(mesh.sections).index(name)] * len(shared.forces)
         forces += list(shared.forces)
     return {
         "contact_line": (("line", "across", "axis"), np.array(lines)),
@@ -162,27 +160,27 @@ def _lines_in_mesh(drive: "RollerWormDrive") -> dict[str, tuple]:
     }
 
 
-def _sensitivity(drive: "RollerWormDrive") -> dict[str, tuple]:
-    """Least closed-form film of entry and exit under changed design values; NaN where there is no drive."""
+def _sensitivity(mesh: RollerMesh) -> dict[str, tuple]:
+    """Least closed-form film of entry and exit under changed design values; NaN where there is no mesh."""
     varied = [
         *(
             [(name, value * factor) for factor in factors]
             for (name, factors), value in zip(
                 VARIED.items(),
-                (drive.rollers.profile.radius, drive.worm.throat_coefficient),
+                (mesh.rollers.profile.radius, mesh.worm.throat_coefficient),
                 strict=True,
             )
         ),
         [("tilt", tilt) for tilt in TILTS],
     ]
-    films = np.full((len(varied), len(TILTS), len(drive.sections), 2), np.nan)
+    films = np.full((len(varied), len(TILTS), len(mesh.sections), 2), np.nan)
     for number, row in enumerate(varied):
         for step, (name, value) in enumerate(row):
             try:
-                other = drive.varied(name, value)
+                other = mesh.varied(name, value)
             except ValueError:  # undercut, or rollers too thick
                 continue
-            for place, section in enumerate(drive.sections):
+            for place, section in enumerate(mesh.sections):
                 for end, phase in enumerate((0.0, 1.0)):
                     films[number, step, place, end] = np.min(
                         other.state(section, phase, STATIONS.tolist()).films.minimum

@@ -6,15 +6,12 @@ it is interpolated, beyond the last ones constant; likewise between stations alo
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
+from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.io.present import present
-
-if TYPE_CHECKING:
-    from pyworm.drives.roller_worm.drive import RollerWormDrive
 
 FEWEST_PHASES = 3
 """Least number of solved phases of each section that carries load."""
@@ -23,24 +20,24 @@ SAMPLES = np.linspace(0.0, 1.0, 201)
 """Fractions at which what is interpolated is averaged."""
 
 
-def roller_mesh_loss(drive: "RollerWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+def roller_mesh_loss(mesh: RollerMesh, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
     """Loss of all rollers in mesh; None for too few phases of a section that carries load."""
     loss = 0.0
-    for name, section in drive.sections.items():
-        if drive.wheel_torque(name) == 0:
+    for name, section in mesh.sections.items():
+        if mesh.wheel_torque(name) == 0:
             continue
         here = [one for one in contacts if one.section == name]
         phases = sorted({one.phase for one in here})
         if len(phases) < FEWEST_PHASES:
             return None
         of_a_roller = [
-            _of_a_roller(drive, [one for one in here if one.phase == phase]) for phase in phases
+            _of_a_roller(mesh, [one for one in here if one.phase == phase]) for phase in phases
         ]
-        in_mesh = abs(section.last - section.first) * drive.rollers.count / (2 * np.pi)
+        in_mesh = abs(section.last - section.first) * mesh.rollers.count / (2 * np.pi)
         loss += in_mesh * _mean(phases, of_a_roller)
-    braced = ", braced by the preload" if drive.preload else ""
+    braced = ", braced by the preload" if mesh.preload else ""
     return MeshLoss(
-        power=drive.torque * drive.speed,
+        power=mesh.torque * mesh.speed,
         loss=loss,
         friction=float(
             np.average([one.friction for one in contacts], weights=[one.load for one in contacts])
@@ -52,11 +49,11 @@ def roller_mesh_loss(drive: "RollerWormDrive", contacts: Sequence[ContactLoss]) 
     )
 
 
-def _of_a_roller(drive: "RollerWormDrive", contacts: Sequence[ContactLoss]) -> float:
+def _of_a_roller(mesh: RollerMesh, contacts: Sequence[ContactLoss]) -> float:
     """Power that a roller loses at a phase [W], from its whole contact or from stations of its line."""
     if contacts[0].station is None:
         return contacts[0].power
-    line = drive.state(present(contacts[0].section, "section"), contacts[0].phase, [0.5])
+    line = mesh.state(present(contacts[0].section, "section"), contacts[0].phase, [0.5])
     along = sorted((one.station, one.power) for one in contacts)
     return line.length * _mean(*zip(*along, strict=True))
 

@@ -7,7 +7,7 @@ and after that part of its length still touches.
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import ceil, degrees, floor, pi
+from math import ceil, floor, pi
 
 import numpy as np
 
@@ -21,9 +21,6 @@ ROUNDING = 1e-15
 
 _QUARTERS = ((floor, pi / 2), (ceil, -pi / 2))
 """Rounding and bound by which the rollers on the worm's side of the wheel are counted."""
-
-CHECKED = (61, 17)
-"""Numbers of wheel angles and places along the roller at which undercut is checked."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +62,7 @@ class WormSection:
     @cached_property
     def faces(self) -> tuple[float, float]:
         """Ends of the section along the worm's axis [m]."""
-        first, last = (self._along(self.middle, angle) for angle in (self.first, self.last))
+        first, last = (self.along(self.middle, angle) for angle in (self.first, self.last))
         return float(first), float(last)
 
     def wheel_angle(self, phase: Array | float) -> Array:
@@ -82,7 +79,7 @@ class WormSection:
         low, high = (np.full(phi.shape, end) for end in (self.lowest, self.highest))
         before, after = self.faces
         for face, wanted in ((before, 1), (after, -1)):
-            outside = [wanted * (self._along(end, phi) - face) < 0 for end in (low, high)]
+            outside = [wanted * (self.along(end, phi) - face) < 0 for end in (low, high)]
             if not (outside[0] ^ outside[1]).any() and not (outside[0] & outside[1]).any():
                 continue
             cut = self._cut(face, phi, low, high)
@@ -119,38 +116,7 @@ class WormSection:
         low, high = span
         return self.envelope.contact(low + fraction * (high - low), wheel_angle)
 
-    def check(self) -> None:
-        """Refuse a section whose flank does not exist everywhere.
-
-        Raises
-        ------
-        ValueError
-            If the flank is undercut, the rollers do not touch it, or it is shorter than a contact line.
-        """
-        angles = np.linspace(self.first, self.last, CHECKED[0])
-        places = np.linspace(self.lowest, self.highest, CHECKED[1])[:, None]
-        contact = self.envelope.contact(places, angles)
-        missing, gone = ~np.isfinite(contact.theta), ~(contact.limit > 0)
-        for bad, what in ((missing, "is not touched"), (gone, "is undercut")):
-            if bad.any():
-                where = np.abs(contact.wheel_angle[bad])
-                place = contact.place[bad][np.argmin(where)]
-                fraction = np.mean(bad)
-                raise ValueError(
-                    f"worm: the {self.name} section's flank {what} by {fraction:.0%} of the bearing "
-                    f"length, from {degrees(where.min()):.1f} to {degrees(where.max()):.1f} deg of wheel "
-                    f"angle, first at {place * 1e3:.2f} mm from the rollers' middle; give the rollers other "
-                    "tilt, height, radius or length, or the worm a larger throat or other angles"
-                )
-        before, after = self.faces
-        ends = self._along(np.array([self.lowest, self.highest]), self.last)
-        if not after - before > abs(ends[1] - ends[0]):
-            raise ValueError(
-                f"worm.outer_angle is {degrees(max(abs(self.first), abs(self.last))):.4g} deg; the section "
-                "is then shorter than the rollers, a larger angle is needed"
-            )
-
-    def _along(self, place: Array | float, wheel_angle: Array | float) -> Array:
+    def along(self, place: Array | float, wheel_angle: Array | float) -> Array:
         """Place along the worm's axis of contacts [m]."""
         along: Array = self.envelope.point(place, wheel_angle)[0]
         return along
@@ -158,14 +124,14 @@ class WormSection:
     def _cut(self, face: float, wheel_angle: Array, low: Array, high: Array) -> Array:
         """Intersection of a face with contact lines, which are nearly straight, by secants from both ends."""
         one, other = low, high
-        off_one, off_other = (self._along(end, wheel_angle) - face for end in (low, high))
+        off_one, off_other = (self.along(end, wheel_angle) - face for end in (low, high))
         with np.errstate(divide="ignore", invalid="ignore"):
             for _ in range(SECANTS):
                 new = other - off_other * (other - one) / (off_other - off_one)
                 settled = ~np.isfinite(new)
                 one, off_one = other, off_other
                 other = np.clip(np.where(settled, other, new), low, high)
-                off_other = self._along(other, wheel_angle) - face
+                off_other = self.along(other, wheel_angle) - face
                 if np.all(np.abs(off_other) <= ROUNDING):
                     break
         return other

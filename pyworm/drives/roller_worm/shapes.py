@@ -2,17 +2,14 @@
 
 from collections.abc import Sequence
 from math import pi
-from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.section import WormSection
 from pyworm.drives.shape import Shape, Space
 from pyworm.io.present import present
 from pyworm.scene.index import Place
-
-if TYPE_CHECKING:
-    from pyworm.drives.roller_worm.drive import RollerWormDrive
 
 Array = np.ndarray
 
@@ -31,24 +28,24 @@ DRAWN = (
 )
 
 
-def in_space(drive: "RollerWormDrive", places: Sequence[Place]) -> Space:
+def in_space(mesh: RollerMesh, places: Sequence[Place]) -> Space:
     """Both flanks of the worm and the rollers about it.
 
     Parameters
     ----------
-    drive : RollerWormDrive
-        The drive.
+    mesh : RollerMesh
+        The mesh.
     places : sequence of Place
         Sections and phases for the turns.
     """
-    sections = [drive.sections[present(of.section, "section")] for of in places]
+    sections = [mesh.sections[present(of.section, "section")] for of in places]
     phases = [present(of.phase, "phase") for of in places]
     angles = [float(of.wheel_angle(phase)) for of, phase in zip(sections, phases, strict=True)]
-    flanks = (_flank(drive, of, np.array(angles)) for of in drive.sections.values())
+    flanks = (_flank(mesh, of, np.array(angles)) for of in mesh.sections.values())
     return Space(
-        shapes=(*flanks, _rollers(drive, np.array(angles))),
+        shapes=(*flanks, _rollers(mesh, np.array(angles))),
         view=np.eye(3),
-        size=1.5 * drive.centre_distance,
+        size=1.5 * mesh.centre_distance,
         drawn=DRAWN,
         lines=tuple(
             section.line(np.array(angle), np.linspace(0, 1, ALONG)).point.T
@@ -57,12 +54,12 @@ def in_space(drive: "RollerWormDrive", places: Sequence[Place]) -> Space:
     )
 
 
-def _flank(drive: "RollerWormDrive", section: WormSection, angles: Array) -> Shape:
-    envelope, turns = section.envelope, drive.worm.hand * drive.ratio * angles
-    count = round(ANGLES * drive.ratio * (section.last - section.first) / (2 * pi)) + 2
+def _flank(mesh: RollerMesh, section: WormSection, angles: Array) -> Shape:
+    envelope, turns = section.envelope, mesh.worm.hand * mesh.ratio * angles
+    count = round(ANGLES * mesh.ratio * (section.last - section.first) / (2 * pi)) + 2
     along = np.linspace(section.lowest, section.highest, HEIGHTS)[:, None]
     points = envelope.worm_point(along, np.linspace(section.first, section.last, count))
-    threads = drive.worm.threads
+    threads = mesh.worm.threads
     return Shape(
         body=1,
         axis_point=envelope.worm_centre,
@@ -73,8 +70,8 @@ def _flank(drive: "RollerWormDrive", section: WormSection, angles: Array) -> Sha
     )
 
 
-def _rollers(drive: "RollerWormDrive", angles: Array) -> Shape:
-    (section, *_), profile = drive.sections.values(), drive.rollers.profile
+def _rollers(mesh: RollerMesh, angles: Array) -> Shape:
+    (section, *_), profile = mesh.sections.values(), mesh.rollers.profile
     going, side, axis, middle = section.envelope.axes(np.array(0.0))
     ends = np.array([-0.5, 0.0, 0.5]) * profile.length
     radii = profile(ends)[0]

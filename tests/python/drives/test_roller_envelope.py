@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from roller_sections import CENTRE_DISTANCE, ROLLERS, envelope, section
 
+from pyworm.drives.roller_worm.checks import check_section
 from pyworm.drives.roller_worm.envelope import RollerEnvelope, dot
 from pyworm.drives.roller_worm.load_sharing import lever, worm_lever
 from pyworm.drives.roller_worm.profile import RollerProfile
@@ -234,7 +235,7 @@ def test_right_and_left_section_are_mirrored():
 def test_undercut_is_reported_and_real():
     part = section(tilt=pi / 2, inner=10.0)
     with pytest.raises(ValueError, match=r"left section's flank is undercut by .* of wheel angle"):
-        part.check()
+        check_section(part)
     flank = part.envelope
     place, angle = 4e-3, radians(30)
     assert flank.contact(place, angle).limit < 0
@@ -246,7 +247,7 @@ def test_undercut_is_reported_and_real():
 def test_the_reference_section_is_whole(name):
     """No roller, on its way, cuts away what another place of it has left, and no undercut is told."""
     part = section(name)
-    part.check()
+    check_section(part)
     swing = np.linspace(-0.02, 0.02, 81)
     for place in (part.lowest, 0.0, part.highest):
         for angle in np.linspace(part.first, part.last, 5):

@@ -1,0 +1,246 @@
+"""The mesh of rollers and worm: loads, motion and films along contact lines, and their scenes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from pyworm.drives.lubrication import Bath, Jets, Lubricated, OiledBody, OiledTeeth
+from pyworm.drives.remembered import remembered
+from pyworm.drives.roller_worm.envelope import Array, LineContact
+from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films
+from pyworm.drives.roller_worm.gap import ContactFrame, RollerGap, RollerMotion
+from pyworm.drives.roller_worm.gears import RollerGears
+from pyworm.drives.roller_worm.load_sharing import Compliance, SharedLoad, share, slices
+from pyworm.drives.roller_worm.motion import (
+    FilmTraction,
+    LineMotion,
+    Spinning,
+    line_motion,
+    roller_speed,
+)
+from pyworm.drives.roller_worm.section import WormSection
+from pyworm.drives.torque_sharing import Sharing
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Oil
+from pyworm.scene.line import LineScene, Parabola
+from pyworm.scene.point import Scene
+
+
+@dataclass(frozen=True)
+class LineState:
+    """One roller at one instant: contacts along its line, with load, motion and closed-form films.
+
+    Attributes
+    ----------
+    section : WormSection
+        The worm's section.
+    shared : SharedLoad
+        The load of all rollers at that instant.
+    force : float
+        The roller's normal load [N].
+    length : float
+        Length of its contact line [m].
+    contact : LineContact
+        Contacts at the stations asked for, (stations,).
+    load : ndarray
+        Load for each length [N/m].
+    motion : LineMotion
+        Velocities.
+    films : ClosedFilms
+        Films by formulas.
+    """
+
+    section: WormSection
+    shared: SharedLoad
+    force: float
+    length: float
+    contact: LineContact
+    load: Array
+    motion: LineMotion
+    films: ClosedFilms
+
+
+@dataclass(frozen=True)
+class RollerMesh(RollerGears, Lubricated):
+    """Worm and rollers at a speed and a torque.
+
+    Attributes
+    ----------
+    speed : float
+        Speed of the worm [rad/s].
+    torque : float
+        Torque of the worm [N m].
+    preload : float
+        Torque about the wheel's axis by which the sections are braced against each other, the only torque
+        of the idling one [N m]; 0 where that one touches without load.
+    sharing : str
+        "elastic" or "equal" (`pyworm.drives.roller_worm.load_sharing`).
+    rolling : str
+        "free", "locked" or "rolling" (`pyworm.drives.roller_worm.motion`).
+    bodies : tuple of Body
+        Worm and rollers.
+    oil : Oil
+        The oil.
+    lubrication : Bath, Jets or None
+        How oil comes to its rollers; None where there is assumed to be enough.
+    """
+
+    speed: float
+    torque: float
+    preload: float
+    sharing: Sharing
+    rolling: Spinning
+    bodies: tuple[Body, Body]
+    oil: Oil
+    lubrication: Bath | Jets | None = None
+
+    @property
+    def wheel_speed(self) -> float:
+        """Speed of the wheel [rad/s]."""
+        return self.speed / self.ratio
+
+    @property
+    def compliance(self) -> Compliance:
+        """Compliance of rollers, pins and thread."""
+        return Compliance(self.bodies, self.rollers.stiffness)
+
+    def wheel_torque(self, section: str) -> float:
+        """Torque between a section and the wheel [N m], about the wheel's axis.
+
+        The idling section carries the preload; the driving one that and, without friction, the worm's torque
+        times the ratio.
+        """
+        return self.preload + (self.ratio * self.torque if section == "left" else 0.0)
+
+    @remembered
+    def shared(self, section: str, wheel_angle: float) -> SharedLoad:
+        """Loads of a section's rollers while one of them is at a wheel angle [rad]."""
+        part = self.sections[section]
+        torque = self.wheel_torque(section)
+        return share(part, self.compliance, wheel_angle, torque, self.sharing)
+
+    def state(self, section: str, phase: float, stations: Sequence[float]) -> LineState:
+        """State of a roller at a phase of a section, at fractions of its contact line from 0 to 1."""
+        return self._state(section, phase, tuple(stations))
+
+    @remembered
+    def _state(self, section: str, phase: float, stations: tuple[float, ...]) -> LineState:
+        part = self.sections[section]
+        angle = float(part.wheel_angle(phase))
+        shared = self.shared(section, angle)
+        roller = shared.roller(angle)
+        contact = part.line(np.array(angle), np.array(stations))
+        load = shared.load(contact, roller)
+        motion = line_motion(
+            part.envelope, contact, self.wheel_speed, self._turning(section, angle)
+        )
+        return LineState(
+            section=part,
+            shared=shared,
+            force=float(shared.forces[roller]),
+            length=float(shared.lengths[roller]),
+            contact=contact,
+            load=load,
+            motion=motion,
+            films=closed_films(contact.curvature, load, motion, self.bodies, self.oil),
+        )
+
+    @remembered
+    def _turning(self, section: str, wheel_angle: float) -> float:
+        """Speed of a roller about its own axis [rad/s]."""
+        part, shared = self.sections[section], self.shared(section, wheel_angle)
+        line, lengths = slices(part, np.array(wheel_angle))
+        return roller_speed(
+            part.envelope,
+            line,
+            lengths,
+            shared.load(line, shared.roller(wheel_angle)),
+            self.wheel_speed,
+            self.rolling,
+            FilmTraction(self.oil, self.bodies),
+            self.rollers.pin,
+        )
+
+    def scene_at(self, section: str, phase: float, station: float | None) -> LineScene | Scene:
+        """The lubricated contact of a roller, or at a fraction of its contact line, without its past."""
+        if station is None:
+            return self._whole(section, phase)
+        return self._station(section, phase, station)
+
+    def _station(self, section: str, phase: float, station: float) -> LineScene:
+        """The line contact at a fraction of a contact line."""
+        state = self.state(section, phase, [station])
+        load = float(state.load[0])
+        if not load > 0:
+            raise ValueError(f"station {station:g} of the contact line carries no load")
+        radius = 1 / float(state.contact.curvature[0])
+        return LineScene(
+            name=f"{section}, phase {phase:.3g}, station {station:.3g}",
+            gap=Parabola(radius),
+            radius=radius,
+            velocities=(float(state.motion.worm[0, 0]), float(state.motion.roller[0, 0])),
+            load=load,
+            bodies=self.bodies,
+            oil=self.oil_supplied,
+            phase=phase,
+            section=section,
+            station=station,
+        )
+
+    def _whole(self, section: str, phase: float) -> Scene:
+        """The scene of a contact line with its ends, about its point of least crown relief."""
+        crown = self.rollers.profile.crown
+        if crown is None:
+            raise ValueError("a contact line with its ends needs rollers with a crown")
+        part = self.sections[section]
+        low, high = part.span(np.array(part.wheel_angle(phase)))
+        station = float(np.clip(-low / (high - low), 0.0, 1.0))
+        state = self.state(section, phase, [station])
+        contact, motion = _only(state.contact), state.motion
+        frame = ContactFrame(part, contact, motion.x_axis[:, 0], motion.y_axis[:, 0])
+        wheel = np.array([0.0, 0.0, -self.wheel_speed])
+        _, _, axis, _ = part.envelope.axes(contact.wheel_angle)
+        turns = (
+            part.envelope.worm_turn * self.wheel_speed,
+            wheel + float(motion.roller_speed[0]) * axis,
+        )
+        of_worm, of_roller = (
+            RollerMotion(frame, u * frame.x_axis + v * frame.y_axis, turn)
+            for (u, v), turn in zip((motion.worm[:, 0], motion.roller[:, 0]), turns, strict=True)
+        )
+        # along the line: the parabola that falls as far as the crown at the ends of the bearing length
+        end = max(part.highest, -part.lowest)
+        along = end**2 / (2 * float(crown(np.array(end))))
+        return Scene(
+            name=f"{section}, phase {phase:.3g}",
+            gap=RollerGap(frame),
+            radii=(1 / float(contact.curvature), along),
+            motions=(of_worm, of_roller),
+            load=state.force,
+            bodies=self.bodies,
+            oil=self.oil_supplied,
+            phase=phase,
+            section=section,
+        )
+
+    def oiled_teeth(self) -> OiledTeeth:
+        """Worm and rollers as they carry oil; the rollers stand out from their wheel by the worm's depth."""
+        worm, length = self.worm, self.rollers.profile.length
+        depth = worm.addendum + worm.dedendum
+        middles = self.centre_distance - self.throat_radius
+        return OiledTeeth(
+            bodies={
+                "worm": OiledBody(self.throat_radius + worm.addendum, depth, self.speed),
+                "rollers": OiledBody(middles + worm.dedendum, depth, self.wheel_speed),
+            },
+            face_width=length,
+            rate=self.speed * worm.threads / (2 * pi),
+            power=self.speed * self.torque,
+        )
+
+
+def _only(contact: LineContact) -> LineContact:
+    """The single contact of an array of one."""
+    return LineContact(**{name: part[..., 0] for name, part in vars(contact).items()})
