@@ -16,7 +16,7 @@ from pyworm.case.zi_worm import (
     deviations_of,
 )
 from pyworm.drives.zi_worm.design import Design, Hand
-from pyworm.drives.zi_worm.drawing import Drawing, completed
+from pyworm.drives.zi_worm.drawing import Drawing
 from pyworm.drives.zi_worm.drawing_checks import (
     DERIVED,
     check_drawing,
@@ -26,6 +26,7 @@ from pyworm.drives.zi_worm.drawing_checks import (
 )
 from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.hob_setting import with_swivel
+from pyworm.drives.zi_worm.usual_values import completed
 from pyworm.formulas.worm_profiles import PROFILES, Profile
 from pyworm.io import units
 from pyworm.io.present import present

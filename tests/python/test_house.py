@@ -88,19 +88,11 @@ def _module(name: str) -> str:
 
 
 def test_modules_do_not_import_each_other_in_a_circle():
-    """Late imports and those for types alone (`TYPE_CHECKING`) count too.
-
-    Only within the folder of a drive a part, such as its checks, may name the whole that it belongs to.
-    """
-    imported = {}
-    for file in sorted(PACKAGE.rglob("*.py")):
-        module = file.relative_to(PACKAGE).with_suffix("").as_posix()
-        own_drive = "/".join(module.split("/")[:2]) if module.count("/") == 2 else None
-        imported[module] = {
-            name
-            for name in map(_module, _imports(file))
-            if not (module.startswith("drives/") and name.rpartition("/")[0] == own_drive)
-        }
+    """Late imports and those for types alone (`TYPE_CHECKING`) count too."""
+    imported = {
+        file.relative_to(PACKAGE).with_suffix("").as_posix(): set(map(_module, _imports(file)))
+        for file in sorted(PACKAGE.rglob("*.py"))
+    }
     order = tuple(TopologicalSorter(imported).static_order())  # CycleError names the circle
     assert len(order) > 250
 

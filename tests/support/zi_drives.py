@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from pyworm.drives.zi_worm import contact_pattern, drive, tooth_compliance
+from pyworm.drives.zi_worm import contact_pattern, drive, flank_grid, mesh, tooth_compliance
 from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
 from pyworm.drives.zi_worm.drive import ZiWormDrive
 from pyworm.drives.zi_worm.mesh_springs import mesh_springs
@@ -69,8 +69,8 @@ def changed(table, **entries):
 
 def coarse_patterns(monkeypatch) -> None:
     """Fewer places and phases for contact patterns, in tests of what follows from them."""
-    monkeypatch.setattr(contact_pattern, "FACE_PLACES", 25)
-    monkeypatch.setattr(contact_pattern, "HEIGHT_PLACES", 9)
+    monkeypatch.setattr(flank_grid, "FACE_PLACES", 25)
+    monkeypatch.setattr(flank_grid, "HEIGHT_PLACES", 9)
     monkeypatch.setattr(contact_pattern, "PHASES", np.linspace(-0.2, 1.2, 29))
 
 
@@ -84,4 +84,4 @@ def coarse_springs(monkeypatch) -> None:
     monkeypatch.setattr(tooth_compliance, "SPRING_PHASES", np.linspace(-0.2, 1.2, 15))
     monkeypatch.setattr(tooth_compliance, "LOAD_SHARES", np.array([0.02, 0.3, 1.0]))
     # a cache of its own: these must not be taken for others
-    monkeypatch.setattr(drive, "mesh_springs", lru_cache(maxsize=2)(mesh_springs.__wrapped__))
+    monkeypatch.setattr(mesh, "mesh_springs", lru_cache(maxsize=2)(mesh_springs.__wrapped__))

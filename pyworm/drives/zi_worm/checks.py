@@ -7,14 +7,13 @@ axial pitch must agree with them within a table's rounding.
 from collections.abc import Mapping
 from dataclasses import fields
 from math import atan2, degrees, isfinite, pi
-from typing import TYPE_CHECKING
 
+from pyworm.drives.zi_worm.design import Hob, Worm
+from pyworm.drives.zi_worm.deviation_checks import check_deviations
+from pyworm.drives.zi_worm.fillet_checks import check_fillets
+from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.size_checks import check_sizes
 from pyworm.io.present import present
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.design import Hob, Worm
-    from pyworm.drives.zi_worm.gears import ZiWormGears
 
 TABLE_ROUNDING = 1e-3
 """Relative disagreement of redundant table entries (four digits each) taken as rounding."""
@@ -23,18 +22,39 @@ BASE_PITCH_MISMATCH = 0.01
 """Relative difference of normal base pitches above which worm and wheel cannot mesh in turn."""
 
 
-def check_gears(gears: "ZiWormGears") -> None:
+def check_gears(gears: ZiWormGears) -> None:
     """Refuse a design table whose worm and wheel do not mesh.
 
     Raises
     ------
     ValueError
-        If they do not mesh.
+        If they do not mesh; the message begins with the key that is wrong.
     """
     _check_numbers(gears)
     check_sizes(gears)
     _check_table(gears)
     _check_fit(gears)
+    check_fillets(gears)
+    gears.cycle  # noqa: B018  gears whose teeth do not touch are refused here
+    check_deviations(gears)
+
+
+def check_play(gears: ZiWormGears) -> None:
+    """Refuse teeth that errors of the assembly leave no play: they cannot be assembled.
+
+    Raises
+    ------
+    ValueError
+        The sentence begins with the table at fault.
+    """
+    left, backlash = gears.play, gears.wheel.backlash
+    if left is None or backlash is None or left >= 0 or gears.aligned:
+        return
+    raise ValueError(
+        f"assembly: with {gears.errors_in_words} the teeth jam: of the backlash of "
+        f"{backlash * 1e3:.3g} mm, {-left * 1e3:.3g} mm are missing; smaller errors or a larger "
+        "backlash are needed"
+    )
 
 
 def check_values(entries: Mapping[str, float], signed: frozenset[str] = frozenset()) -> None:
@@ -52,7 +72,7 @@ def check_values(entries: Mapping[str, float], signed: frozenset[str] = frozense
             raise ValueError(f"{key} is {value:.6g}; it must be positive")
 
 
-def _check_numbers(gears: "ZiWormGears") -> None:
+def _check_numbers(gears: ZiWormGears) -> None:
     """Refuse counts and sizes of the design table that are not finite, or not positive where they must be."""
     entries: dict[str, float] = {
         f"{part}.{field.name}": getattr(getattr(gears, part), field.name)
@@ -71,7 +91,7 @@ def _check_numbers(gears: "ZiWormGears") -> None:
             raise ValueError(f"{key} is {entries[key]:.6g}; a whole number is needed")
 
 
-def _check_table(gears: "ZiWormGears") -> None:
+def _check_table(gears: ZiWormGears) -> None:
     """Refuse redundant entries that disagree beyond the table's rounding."""
     for name, screw in (("worm", gears.worm), ("hob", gears.hob)):
         pitch = screw.lead / gears.worm.threads
@@ -122,7 +142,7 @@ def _check_table(gears: "ZiWormGears") -> None:
         )
 
 
-def _check_base(name: str, screw: "Worm | Hob") -> None:
+def _check_base(name: str, screw: Worm | Hob) -> None:
     """Refuse a base lead angle of an involute helicoid that its lead and its base radius do not make."""
     radius = present(screw.base_radius, f"{name}.base_radius")
     given = present(screw.base_lead_angle, f"{name}.base_lead_angle")
@@ -141,7 +161,7 @@ def _check_base(name: str, screw: "Worm | Hob") -> None:
         )
 
 
-def _check_fit(gears: "ZiWormGears") -> None:
+def _check_fit(gears: ZiWormGears) -> None:
     """Refuse worm, wheel and hob that do not engage, and tips that touch roots."""
     worm, wheel, hob = gears.worm, gears.wheel, gears.hob
     floor = hob.centre_distance - hob.tip_radius

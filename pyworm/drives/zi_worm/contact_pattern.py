@@ -9,24 +9,18 @@ thickness is pressed off, or marked, where the separation is less (as shops judg
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeVar
+from typing import Self, TypeVar
 
 import numpy as np
 
+from pyworm.drives.zi_worm.flank_grid import FlankGrid
 from pyworm.drives.zi_worm.gap import surface_points
+from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.mesh_cycle import ToothContact
-from pyworm.drives.zi_worm.tooth import wheel_radius
-from pyworm.drives.zi_worm.tooth_outline import flank_places
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.gears import ZiWormGears
 
 THICKNESS = 6e-6
 """Usual thickness of marking compound [m]."""
-
-FACE_PLACES, HEIGHT_PLACES = 41, 15
-"""Places along the face and over the height."""
 
 PHASES = np.linspace(-0.3, 1.3, 61)
 """Phases at which the pair is looked at; the ends of the face touch before and after the middle.
@@ -45,9 +39,6 @@ STRIDE = 3
 FAR = 1.0
 """Gap of teeth that do not face each other [m]."""
 
-REACHED = 1e-6
-"""Distance from its place below which a place of the flank is found [m]."""
-
 
 @dataclass(frozen=True)
 class ContactPattern:
@@ -64,6 +55,13 @@ class ContactPattern:
     face: Array
     radius: Array
     separation: Array
+
+    @classmethod
+    def of_least(cls, grid: FlankGrid, least: Array) -> Self:
+        """The pattern of places by their least separations [m], infinite where none was met, (places,)."""
+        known = grid.found & np.isfinite(least)
+        separation = np.where(known, np.maximum(least, 0.0), np.nan)
+        return cls(grid.face, grid.radius, separation.reshape(grid.face.shape))
 
     @cached_property
     def area(self) -> Array:
@@ -88,48 +86,6 @@ class ContactPattern:
 
 
 @dataclass(frozen=True)
-class FlankGrid:
-    """Places of a wheel's flank, whatever worm it meets.
-
-    Attributes
-    ----------
-    face, radius : ndarray
-        Places along the face from its middle, and distances from the wheel's axis [m], (height, face).
-    q : ndarray
-        Parameters of the flank there, (parameters, places).
-    found : ndarray
-        Whether the flank reaches there, (places,).
-    """
-
-    face: Array
-    radius: Array
-    q: Array
-    found: Array
-
-    def pattern(self, least: Array) -> ContactPattern:
-        """The pattern of places by their least separations [m], infinite where none was met, (places,)."""
-        known = self.found & np.isfinite(least)
-        separation = np.where(known, np.maximum(least, 0.0), np.nan)
-        return ContactPattern(self.face, self.radius, separation.reshape(self.face.shape))
-
-
-def flank_grid(gears: "ZiWormGears") -> FlankGrid:
-    """Places between tip and root, from one end of the face to the other."""
-    tooth, flank = gears.wheel_tooth, gears.wheel_flank
-    half = gears.wheel.face_width / 2
-    face, part = np.meshgrid(
-        np.linspace(-half, half, FACE_PLACES), np.linspace(0.0, 1.0, HEIGHT_PLACES)
-    )
-    root = tooth.root(face)
-    radius = root + part * (tooth.tip(face) - root)
-    target = np.stack([radius.ravel(), face.ravel()])
-    q = flank_places(flank, gears.within, target, tooth.hob_form_radius)
-    cut = flank.cut_point(*q)
-    found = np.abs(np.stack([wheel_radius(cut), cut[1]]) - target).max(axis=0) < REACHED
-    return FlankGrid(face, radius, q, found)
-
-
-@dataclass(frozen=True)
 class Met:
     """Places of a flank that lie over the worm's at an instant.
 
@@ -149,7 +105,7 @@ class Met:
     gap: Array
 
 
-def met(gears: "ZiWormGears", grid: FlankGrid, contact: ToothContact) -> Met:
+def met(gears: ZiWormGears, grid: FlankGrid, contact: ToothContact) -> Met:
     """The places of a grid that lie over the worm's flank at a contact."""
     point = gears.wheel_flank.point(*grid.q, wheel_angle=contact.wheel_angle)
     near = np.flatnonzero(_inside(gears, point) > -NEAR)
@@ -162,16 +118,16 @@ def met(gears: "ZiWormGears", grid: FlankGrid, contact: ToothContact) -> Met:
     return Met(near[over], x[over], y[over], gap[over])
 
 
-def contact_pattern(gears: "ZiWormGears", grid: FlankGrid) -> ContactPattern:
+def contact_pattern(gears: ZiWormGears, grid: FlankGrid) -> ContactPattern:
     """The pattern without load of the flank that the worm drives, at places of its wheel."""
     least = np.full(grid.found.shape, np.inf)
     for phase, lag in zip(PHASES, _behind(gears), strict=True):
         at = met(gears, grid, gears.cycle.contact(float(phase)))
         least[at.which] = np.minimum(least[at.which], at.gap + lag)
-    return grid.pattern(least)
+    return ContactPattern.of_least(grid, least)
 
 
-GearsT = TypeVar("GearsT", bound="ZiWormGears")
+GearsT = TypeVar("GearsT", bound=ZiWormGears)
 """Gears, or their drive."""
 
 PatternOf = Callable[[GearsT, FlankGrid], ContactPattern]
@@ -206,13 +162,13 @@ def both_flanks(
     return own, ContactPattern(*(part[:, ::-1] for part in parts))
 
 
-def _inside(gears: "ZiWormGears", point: Array) -> Array:
+def _inside(gears: ZiWormGears, point: Array) -> Array:
     """How far points (3, ...) are between the cylinders of the worm [m]."""
     inside: Array = np.min(np.stack(list(gears.worm_tooth.margins(point).values())), axis=0)
     return inside
 
 
-def _behind(gears: "ZiWormGears") -> Array:
+def _behind(gears: ZiWormGears) -> Array:
     """How far a pair stands back along its normal at `PHASES` while the leading one holds the wheel [m].
 
     Where a flank has deviations a pair leads, or is led, by the place that touches first.
@@ -232,7 +188,7 @@ def _behind(gears: "ZiWormGears") -> Array:
     return np.where(np.isfinite(leading), lever * (leading - own), np.inf)
 
 
-def _first_gaps(gears: "ZiWormGears") -> Array:
+def _first_gaps(gears: ZiWormGears) -> Array:
     """Least gap of the flanks at `PHASES` [m].
 
     It is zero, at the contact point, where there are no deviations, and negative where misaligned flanks

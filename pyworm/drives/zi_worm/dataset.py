@@ -7,6 +7,7 @@ import numpy as np
 
 from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern
 from pyworm.drives.zi_worm.load_sharing import SharedLoad, Transmission
+from pyworm.drives.zi_worm.mesh import ZiWormMesh
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, described
@@ -84,33 +85,33 @@ LOADED_PHASES = 101
 """Number of phases of the loads of the tooth pairs, for curves and integrals over the cycle."""
 
 
-def loaded_cycle_data(drive: Any, beyond: float) -> "xr.Dataset":
+def loaded_cycle_data(mesh: ZiWormMesh, beyond: float) -> "xr.Dataset":
     """Loads, levers and speeds of a tooth pair over its cycle under load.
 
     Parameters
     ----------
-    drive : ZiWormDrive
-        The drive.
+    mesh : ZiWormMesh
+        The mesh.
     beyond : float
         Phases before and after the mesh cycle in which a pair may carry load.
     """
     phases = np.linspace(-beyond, 1 + beyond, LOADED_PHASES)
-    arms = drive.arms(phases)
-    shared = [drive.shared(float(phase)) for phase in phases]
+    arms = mesh.arms(phases)
+    shared = [mesh.shared(float(phase)) for phase in phases]
     dry = {}
-    if drive.unlifted is not None:
-        unlifted = [drive.unlifted.shared(float(phase)) for phase in phases]
+    if mesh.unlifted is not None:
+        unlifted = [mesh.unlifted.shared(float(phase)) for phase in phases]
         dry = {"dry_tooth_load": ("load_phase", _loads(unlifted, phases))}
-    rim = drive.wheel_flank.cut_point(*drive.rim)
+    rim = mesh.wheel_flank.cut_point(*mesh.rim)
     warm = {}
-    if drive.oil.heat is not None:
-        worm, wheel = (body.bulk_temperature for body in drive.bodies)
+    if mesh.oil.heat is not None:
+        worm, wheel = (body.bulk_temperature for body in mesh.bodies)
         warm = {
-            "sump_temperature": drive.oil.heat.inlet_temperature,
+            "sump_temperature": mesh.oil.heat.inlet_temperature,
             "worm_temperature": worm,
             "wheel_temperature": wheel,
         }
-    given = drive.load
+    given = mesh.load
     asked = (
         {"torque": given.torque, "torque_shaft": given.shaft}
         if isinstance(given, Transmission)
@@ -122,7 +123,7 @@ def loaded_cycle_data(drive: Any, beyond: float) -> "xr.Dataset":
                 "tooth_load": ("load_phase", _loads(shared, phases)),
                 **dry,
                 "wheel_turn": ("load_phase", np.array([one.turn for one in shared])),
-                "sliding_speed": ("load_phase", np.linalg.norm(drive.sliding(phases), axis=0)),
+                "sliding_speed": ("load_phase", np.linalg.norm(mesh.sliding(phases), axis=0)),
                 "lever": ("load_phase", arms.wheel_normal),
                 "sliding_lever": ("load_phase", arms.wheel_sliding),
                 "rim_face": ("rim", rim[1]),
@@ -131,11 +132,11 @@ def loaded_cycle_data(drive: Any, beyond: float) -> "xr.Dataset":
             coords={"load_phase": phases},
             attrs={
                 "drive": KIND,
-                "pitch": drive.pitch,
-                "worm_speed": drive.speed,
-                "wheel_speed": drive.speed * drive.cycle.speed_ratio,
-                "driver": drive.driver,
-                "friction_assumed": drive.friction,
+                "pitch": mesh.pitch,
+                "worm_speed": mesh.speed,
+                "wheel_speed": mesh.speed * mesh.cycle.speed_ratio,
+                "driver": mesh.driver,
+                "friction_assumed": mesh.friction,
                 **asked,
                 **warm,
             },

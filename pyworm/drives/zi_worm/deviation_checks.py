@@ -4,12 +4,10 @@ Each refusal begins with the key that is wrong.
 """
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.gears import ZiWormGears
+from pyworm.drives.zi_worm.gears import ZiWormGears
 
 LARGEST = 0.05
 """Largest difference of deviations of a flank over the module."""
@@ -24,7 +22,7 @@ REACH = 0.9
 """Part of half of the face that deviations must reach over; those of the ends are hard to measure."""
 
 
-def check_deviations(gears: "ZiWormGears") -> None:
+def check_deviations(gears: ZiWormGears) -> None:
     """Refuse deviations of other units, or of other places than the flank's.
 
     Raises
@@ -46,7 +44,7 @@ def check_deviations(gears: "ZiWormGears") -> None:
     _check_worm(gears)
 
 
-def _check_wheel(gears: "ZiWormGears") -> None:
+def _check_wheel(gears: ZiWormGears) -> None:
     """Refuse deviations of the wheel beside its flank."""
     wheel = gears.wheel
     if wheel.deviations is None:
@@ -60,7 +58,7 @@ def _check_wheel(gears: "ZiWormGears") -> None:
     _check_radii("wheel", wheel.deviations.radius, wheel.throat_radius, gears.module)
 
 
-def _check_worm(gears: "ZiWormGears") -> None:
+def _check_worm(gears: ZiWormGears) -> None:
     """Refuse deviations of the worm beside the part of its threads that meets the wheel."""
     worm = gears.worm
     if worm.deviations is None:

@@ -1,44 +1,18 @@
-"""Flanks of worm and wheel by their design tables: involutes in closed form, all others as points."""
+"""Flanks of worm and wheel, involutes in closed form and all others as points, and how they touch."""
 
 from pyworm.drives.zi_worm.contact_curve import ContactCurve
 from pyworm.drives.zi_worm.contact_path import ContactPath
-from pyworm.drives.zi_worm.design import Hob, Worm
 from pyworm.drives.zi_worm.helicoid import Helicoid
 from pyworm.drives.zi_worm.line_of_action import lines_of_action
 from pyworm.drives.zi_worm.meshing import WheelFlank
 from pyworm.drives.zi_worm.swept_helicoid import SweptHelicoid
 from pyworm.drives.zi_worm.swept_wheel import SweptWheel
-from pyworm.io.present import present
 
 WormSurface = Helicoid | SweptHelicoid
+"""Flank of a worm or a hob."""
 
 WheelSurface = WheelFlank | SweptWheel
-
-Seat = tuple[float, float, float]
-"""Centre distance [m], turn about X [rad] and shift along the wheel's axis [m]."""
-
-
-def worm_of(screw: Worm | Hob, size: float, seat: Seat) -> WormSurface:
-    """The helicoid of a worm or a hob at its place.
-
-    Parameters
-    ----------
-    screw : Worm or Hob
-        Its design table.
-    size : float
-        A length of the drive, such as the reference radius [m].
-    seat : tuple of float
-        Its place.
-    """
-    if screw.generator is None:
-        return Helicoid(present(screw.base_radius, "base_radius"), screw.lead, *seat)
-    return SweptHelicoid(screw.generator, size, *seat)
-
-
-def wheel_of(hob: Hob, size: float, ratio: float) -> WheelSurface:
-    """The flank that a hob cuts, with threads / teeth as the ratio."""
-    cutter = worm_of(hob, size, (hob.centre_distance, hob.swivel, hob.axial_shift))
-    return WheelFlank(cutter, ratio) if isinstance(cutter, Helicoid) else SweptWheel(cutter, ratio)
+"""Flank of a wheel."""
 
 
 def contact_paths(

@@ -10,42 +10,22 @@ from typing import Any, Self
 
 import numpy as np
 
-from pyworm.drives.zi_worm.checks import check_gears
-from pyworm.drives.zi_worm.contact_pattern import (
-    ContactPattern,
-    FlankGrid,
-    both_flanks,
-    contact_pattern,
-    flank_grid,
-)
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly, Hob, Wheel, Worm
-from pyworm.drives.zi_worm.deviation_checks import check_deviations
+from pyworm.drives.zi_worm.designed_flanks import wheel_of, worm_of
 from pyworm.drives.zi_worm.deviations import FlankDeviations
 from pyworm.drives.zi_worm.edge_contact import EdgeContact
-from pyworm.drives.zi_worm.fillets import (
-    check_fillets,
-    fillet_warnings,
-    hob_form_radius,
-    worm_form_radius,
-)
 from pyworm.drives.zi_worm.first_touch import FirstTouch, first_touch
-from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths, wheel_of, worm_of
+from pyworm.drives.zi_worm.flank_grid import FlankGrid, flank_grid
+from pyworm.drives.zi_worm.flanks import WheelSurface, WormSurface, contact_paths
 from pyworm.drives.zi_worm.gap import ToothGap, surface_points
 from pyworm.drives.zi_worm.helicoid import Array
-from pyworm.drives.zi_worm.interference import Interference, deepest
+from pyworm.drives.zi_worm.interference import PHASES, Interference, deepest
 from pyworm.drives.zi_worm.mesh_cycle import MeshCycle, ToothContact, find_mesh_cycle
 from pyworm.drives.zi_worm.meshing import turned
-from pyworm.drives.zi_worm.play import circumferential_play
 from pyworm.drives.zi_worm.seen_path import SeenPath
+from pyworm.drives.zi_worm.thread_section import form_radius
 from pyworm.drives.zi_worm.tooth import WheelTooth, WormTooth, wheel_radius
-from pyworm.drives.zi_worm.tooth_form import tooth_form_warnings
 from pyworm.drives.zi_worm.tooth_outline import RimmedFlank, ToothOutline, flank_outline
-
-PITCH_WARNED = 5e-6
-"""Difference of normal base pitches [m] that gives a warning; tables of four digits leave up to 3 um."""
-
-USUAL_SHIFT = 1.0
-"""Profile shift beyond which a drawing gives a warning."""
 
 TURNS = 2
 """Corrections of the turn of a wheel by which misaligned flanks touch; each leaves its square."""
@@ -69,11 +49,6 @@ class ZiWormGears:
         Distance of worm and wheel axes [m].
     assembly : Assembly
         Errors of the assembly.
-
-    Raises
-    ------
-    ValueError
-        If they do not mesh; the message begins with the key that is wrong.
     """
 
     worm: Worm
@@ -81,12 +56,6 @@ class ZiWormGears:
     hob: Hob
     centre_distance: float
     assembly: Assembly = AS_DESIGNED
-
-    def __post_init__(self) -> None:
-        check_gears(self)
-        check_fillets(self)
-        self.cycle  # noqa: B018  gears whose teeth do not touch are refused here
-        check_deviations(self)
 
     @property
     def base_pitches(self) -> tuple[float, float]:
@@ -109,54 +78,10 @@ class ZiWormGears:
         return self.reference_radius, self.reference_radius + oversize
 
     @property
-    def warnings(self) -> tuple[str, ...]:
-        """Warnings, a sentence each: base pitch, profile shift, contact ratio, pointed teeth, fillets."""
-        return (
-            *self._pitch_warnings(),
-            *self._shift_warnings(),
-            *self._ratio_warnings(),
-            *(() if self.edge_contact is None else (self.edge_contact.warning,)),
-            *tooth_form_warnings(self),
-            *fillet_warnings(self),
-        )
-
-    @property
     def profile_shift(self) -> float:
         """Profile shift of the wheel over the module [-]."""
         plain = self.reference_radius + self.wheel_reference_radius
         return (self.centre_distance - plain) / self.module
-
-    def _shift_warnings(self) -> tuple[str, ...]:
-        """The warning about a large profile shift."""
-        if abs(self.profile_shift) <= USUAL_SHIFT or self.worm.reference_radius is None:
-            return ()
-        return (
-            f"centre_distance is {self.centre_distance * 1e3:.5g} mm, which asks for a profile shift of "
-            f"{self.profile_shift:.3g}; up to {USUAL_SHIFT:g} in either direction is usual",
-        )
-
-    def _ratio_warnings(self) -> tuple[str, ...]:
-        """The warning about a contact ratio below 1."""
-        if self.pitch <= 1:
-            return ()
-        return (
-            f"wheel: its contact ratio is {1 / self.pitch:.2f}, below 1: a pair of teeth parts before the "
-            "next one meets; another place of the contact (drive.hob, drive.assembly), taller teeth or "
-            "more of them are needed",
-        )
-
-    def _pitch_warnings(self) -> tuple[str, ...]:
-        """The warning about a hob of another base pitch than the worm's."""
-        worm, hob = self.base_pitches
-        apart = hob - worm
-        if abs(apart) <= PITCH_WARNED or self.worm.generator is not None:
-            return ()
-        return (
-            f"hob.lead and hob.base_radius give a normal base pitch of {hob * 1e3:.4f} mm, "
-            f"{abs(apart) * 1e6:.1f} um {'more' if apart > 0 else 'less'} than the worm's "
-            f"{worm * 1e3:.4f} mm: each tooth pair meets that far off its neighbours and carries most of the "
-            "load at one end of its mesh; equal base pitches, lead x cos(base_lead_angle), share it evenly",
-        )
 
     @property
     def deviating(self) -> dict[str, FlankDeviations]:
@@ -224,7 +149,8 @@ class ZiWormGears:
     def _thread_of(self, flank: WormSurface) -> WormTooth:
         """Boundaries of the thread with a flank."""
         worm = self.worm
-        size = worm_form_radius(worm, flank), worm.tip_radius
+        form = form_radius(flank, worm.root_radius, worm.fillet_radius, worm.tip_radius)
+        size = form, worm.tip_radius
         return WormTooth(flank, *size, worm.tip_relief, worm.deviations)
 
     @cached_property
@@ -232,8 +158,8 @@ class ZiWormGears:
         """Boundaries of the wheel's tooth."""
         wheel = self.wheel
         size = wheel.face_width, wheel.tip_radius, wheel.throat_radius
-        hob = self.wheel_flank.hob
-        reach = self.hob.tip_radius, hob_form_radius(self.wheel, self.hob, hob)
+        hob, tip = self.wheel_flank.hob, self.hob.tip_radius
+        reach = tip, form_radius(hob, tip, wheel.fillet_radius, self.hob.root_radius)
         return WheelTooth(
             hob, *size, *reach, wheel.tip_relief, wheel.groove_radius, wheel.deviations
         )
@@ -349,8 +275,27 @@ class ZiWormGears:
 
     @cached_property
     def play(self) -> float | None:
-        """Play on the wheel's reference circle [m], negative of teeth that jam; None if unknown."""
-        return circumferential_play(self)
+        """Play on the wheel's reference circle as assembled [m], negative of teeth that jam; None if unknown.
+
+        The backlash as designed, less how far each flank turns the wheel ahead of where it is without errors
+        of the assembly: by its contact point, and by how far it stands off that where the flanks touch at an
+        edge.
+        """
+        backlash = self.wheel.backlash
+        if backlash is None or (self.aligned and self.edge_contact is None):
+            return backlash
+        ahead = self._turned_ahead() + self.turned._turned_ahead()
+        return backlash - self.wheel_reference_radius * ahead
+
+    def _turned_ahead(self) -> float:
+        """How far the driven flank turns the wheel ahead of where it is without errors of assembly [rad]."""
+        ahead = self.cycle.absolute_error - self.aligned_cycle.absolute_error
+        pitch = 2 * pi / self.wheel.teeth
+        ahead -= pitch * round(ahead / pitch)  # another pair of teeth is as good
+        lever = float(abs(self.cycle.lever))
+        touches = (self.first_touch(self.cycle.contact(phase)) for phase in PHASES)
+        least = min((touch.gap for touch in touches if touch is not None), default=0.0)
+        return ahead - least / lever
 
     def first_touch(self, contact: ToothContact) -> FirstTouch | None:
         """Where worm and wheel without load touch first as a contact holds them."""
@@ -359,17 +304,7 @@ class ZiWormGears:
     @cached_property
     def flank_grid(self) -> FlankGrid:
         """Places of the wheel's flank at which patterns are found."""
-        return flank_grid(self)
-
-    @cached_property
-    def driven_pattern(self) -> ContactPattern:
-        """Contact pattern without load of the flank that the worm drives."""
-        return contact_pattern(self, self.flank_grid)
-
-    @cached_property
-    def patterns(self) -> tuple[ContactPattern, ContactPattern]:
-        """Contact patterns without load, of the flank that the worm drives and of the other one."""
-        return both_flanks(self, contact_pattern)
+        return flank_grid(self.wheel_tooth, self.wheel_flank, self.within)
 
     @cached_property
     def turned(self) -> Self:

@@ -4,6 +4,7 @@ from dataclasses import replace
 from functools import lru_cache
 from math import degrees
 
+from pyworm.drives.zi_worm.checks import check_gears
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly
 from pyworm.drives.zi_worm.drawing import Drawing
 from pyworm.drives.zi_worm.gears import ZiWormGears
@@ -64,11 +65,19 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
 
 
 def drawn_gears(of: Drawing, assembly: Assembly = AS_DESIGNED) -> ZiWormGears:
-    """Worm and wheel of a drawing, as cut and assembled."""
-    return ZiWormGears(
+    """Worm and wheel of a drawing, as cut and assembled.
+
+    Raises
+    ------
+    ValueError
+        If they do not mesh.
+    """
+    gears = ZiWormGears(
         worm=of.worm,
         wheel=of.wheel,
         hob=of.hob,
         centre_distance=of.centre_distance,
         assembly=assembly,
     )
+    check_gears(gears)
+    return gears

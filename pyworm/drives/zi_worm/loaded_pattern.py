@@ -7,21 +7,18 @@ bears none, the wheel's turn under the load of the others brings it nearer by le
 (`load_sharing`). Films, which lift the flanks by a tenth of the compound's thickness, are left out.
 """
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 import scipy
 
 from pyworm import kernel
-from pyworm.drives.zi_worm.contact_pattern import ContactPattern, FlankGrid, Met, met
+from pyworm.drives.zi_worm.contact_pattern import ContactPattern, Met, met
+from pyworm.drives.zi_worm.flank_grid import FlankGrid
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.load_sharing import SharedLoad
+from pyworm.drives.zi_worm.mesh import ZiWormMesh
 from pyworm.drives.zi_worm.mesh_cycle import ToothContact
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND, PlacedGap, placed_gap
 from pyworm.materials.body import reduced_modulus
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.drive import ZiWormDrive
 
 PHASES = np.linspace(-BEYOND, 1 + BEYOND, 38)
 """Phases at which the pair is looked at; contacts under load are wider than what they move between two."""
@@ -33,33 +30,33 @@ LUMP = 6
 """Cells along each side whose pressure acts as one force on places beyond the window of the contact."""
 
 
-def loaded_pattern(drive: "ZiWormDrive", grid: FlankGrid) -> ContactPattern:
+def loaded_pattern(mesh: ZiWormMesh, grid: FlankGrid) -> ContactPattern:
     """The pattern under load of the flank that the worm drives, at places of its wheel."""
     least = np.full(grid.found.shape, np.inf)
     for phase in PHASES:
-        contact, shared = drive.cycle.contact(float(phase)), drive.shared(float(phase))
-        at = met(drive, grid, contact)
-        nearer = _nearer(drive, contact, shared, at)
+        contact, shared = mesh.cycle.contact(float(phase)), mesh.shared(float(phase))
+        at = met(mesh, grid, contact)
+        nearer = _nearer(mesh, contact, shared, at)
         least[at.which] = np.minimum(least[at.which], at.gap - nearer)
-    return grid.pattern(least)
+    return ContactPattern.of_least(grid, least)
 
 
-def _nearer(drive: "ZiWormDrive", contact: ToothContact, shared: SharedLoad, at: Met) -> Array:
+def _nearer(mesh: ZiWormMesh, contact: ToothContact, shared: SharedLoad, at: Met) -> Array:
     """How much nearer the flanks are at places than without load [m]; -inf where they do not approach."""
-    load, modulus = shared.force(contact.phase), reduced_modulus(*drive.bodies)
+    load, modulus = shared.force(contact.phase), reduced_modulus(*mesh.bodies)
     if load > 0:
-        radii = drive.cycle.contact(float(np.clip(contact.phase, 0, 1))).radii
-        whole, face = float(shared.forces.sum()), drive.wheel.face_width
-        middle = drive.touching_place(contact)
-        placed = placed_gap(drive.gap(contact), radii, whole, modulus, face, CELLS, middle)
+        radii = mesh.cycle.contact(float(np.clip(contact.phase, 0, 1))).radii
+        whole, face = float(shared.forces.sum()), mesh.wheel.face_width
+        middle = mesh.touching_place(contact)
+        placed = placed_gap(mesh.gap(contact), radii, whole, modulus, face, CELLS, middle)
         if placed is None:  # no tooth there to carry it
             return np.full(at.x.shape, -np.inf)
         dry = placed.pressed(load, modulus, placed.covered.astype(float))
         return dry.approach - deflection(placed, dry.pressure, modulus, at.x, at.y)
     if shared.turn == 0:
         return np.full(at.x.shape, -np.inf)
-    ahead = drive.cycle.transmission_error(np.array([contact.phase]))[0]
-    lever = drive.arms(np.array([contact.phase])).wheel_normal[0]
+    ahead = mesh.cycle.transmission_error(np.array([contact.phase]))[0]
+    lever = mesh.arms(np.array([contact.phase])).wheel_normal[0]
     return np.full(at.x.shape, lever * (shared.turn + ahead))
 
 

@@ -1,32 +1,46 @@
 """Loss between the teeth of a ZI worm drive, by the friction of some contacts of its mesh cycle."""
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
 
 import numpy as np
 
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
 from pyworm.drives.tooth_loss import FEWEST_PHASES, cycle_loss
 from pyworm.drives.zi_worm.load_sharing import Transmission
+from pyworm.drives.zi_worm.mesh import ZiWormMesh
+from pyworm.io.on_demand import xarray as xr
 
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.drive import ZiWormDrive
-
-
-def worm_mesh_loss(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
-    """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""
-    if isinstance(drive.load, Transmission):
-        return _of_shared_torque(drive, contacts)
-    return _of_given_load(drive, drive.load, contacts)
+LoadedCycle = Callable[[], "xr.Dataset"]
 
 
-def _of_shared_torque(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+def worm_mesh_loss(
+    mesh: ZiWormMesh, loaded_cycle: LoadedCycle, contacts: Sequence[ContactLoss]
+) -> MeshLoss | None:
+    """Loss of all teeth in mesh; None for too few phases of teeth that share a torque.
+
+    Parameters
+    ----------
+    mesh : ZiWormMesh
+        The mesh.
+    loaded_cycle : callable
+        Gives the loads, levers and speeds over the mesh cycle (`loaded_cycle_data`), where they are needed.
+    contacts : sequence of ContactLoss
+        Losses of contacts that were solved.
+    """
+    if isinstance(mesh.load, Transmission):
+        return _of_shared_torque(mesh, loaded_cycle, contacts)
+    return _of_given_load(mesh, mesh.load, contacts)
+
+
+def _of_shared_torque(
+    mesh: ZiWormMesh, loaded_cycle: LoadedCycle, contacts: Sequence[ContactLoss]
+) -> MeshLoss | None:
     if len(contacts) < FEWEST_PHASES:
         return None
-    loss = cycle_loss(drive.loaded_cycle(), sorted(contacts, key=lambda one: one.phase))
-    driven = loss.worm_torque * drive.speed
+    loss = cycle_loss(loaded_cycle(), sorted(contacts, key=lambda one: one.phase))
+    driven = loss.worm_torque * mesh.speed
     return MeshLoss(
-        power=driven if drive.driver == "worm" else driven + loss.power,
+        power=driven if mesh.driver == "worm" else driven + loss.power,
         loss=loss.power,
         friction=loss.friction,
         error=loss.error / loss.power,
@@ -35,11 +49,11 @@ def _of_shared_torque(drive: "ZiWormDrive", contacts: Sequence[ContactLoss]) -> 
     )
 
 
-def _of_given_load(drive: "ZiWormDrive", load: float, contacts: Sequence[ContactLoss]) -> MeshLoss:
+def _of_given_load(mesh: ZiWormMesh, load: float, contacts: Sequence[ContactLoss]) -> MeshLoss:
     """Loss where the load of a tooth is given [N], times the mean number of teeth in contact."""
-    teeth = drive.mean_teeth_in_contact
+    teeth = mesh.mean_teeth_in_contact
     loss = float(np.mean([one.power for one in contacts])) * teeth
-    output = load * drive.load_arm * teeth * drive.speed * drive.ratio
+    output = load * mesh.load_arm * teeth * mesh.speed * mesh.ratio
     return MeshLoss(
         power=output + loss,
         loss=loss,

@@ -2,13 +2,10 @@
 
 from dataclasses import dataclass, field
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 from pyworm.drives.zi_worm.design import Assembly, Hob, Wheel, Worm
+from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.tooth_compliance import ToothSprings, tooth_springs
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.gears import ZiWormGears
 
 
 @dataclass(frozen=True)
@@ -30,10 +27,10 @@ class MeshedTeeth:
     parts: tuple[Worm, Wheel, Hob]
     distance: float
     mounted: Assembly
-    gears: "ZiWormGears" = field(compare=False)
+    gears: ZiWormGears = field(compare=False)
 
     @classmethod
-    def of(cls, gears: "ZiWormGears") -> "MeshedTeeth":
+    def of(cls, gears: ZiWormGears) -> "MeshedTeeth":
         """The teeth of gears, or of a drive."""
         parts = gears.worm, gears.wheel, gears.hob
         return cls(parts, gears.centre_distance, gears.mounted, gears)

@@ -1,18 +1,15 @@
 """Contacts of a ZI drive under errors of mounting, which move them and change their curvature."""
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pyworm.drives.misalignment import DryContact, Misalignment, MountingError
+from pyworm.drives.zi_worm.checks import check_play
 from pyworm.drives.zi_worm.dry_contact import dry_contact_of
-from pyworm.drives.zi_worm.play import check_play
+from pyworm.drives.zi_worm.mesh import ZiWormMesh
 from pyworm.io.present import present
 from pyworm.scene.point import Scene
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.drive import ZiWormDrive
 
 SHIFT = 0.1e-3
 """Error of a distance [m]."""
@@ -35,43 +32,43 @@ METHOD = (
 )
 
 
-def worm_misalignment(drive: "ZiWormDrive", contacts: Sequence[Scene]) -> Misalignment:
+def worm_misalignment(mesh: ZiWormMesh, contacts: Sequence[Scene]) -> Misalignment:
     """The contacts under each error of the assembly, in both directions."""
     errors = tuple(
-        _mounted(drive, label.format(by * 1e3), entry, by, contacts)
+        _mounted(mesh, label.format(by * 1e3), entry, by, contacts)
         for label, entry, size in ERRORS
         for by in (-size, size)
     )
-    return Misalignment(METHOD, errors, _dry(drive, contacts))
+    return Misalignment(METHOD, errors, _dry(mesh, contacts))
 
 
-def _dry(drive: "ZiWormDrive", contacts: Sequence[Scene]) -> tuple[DryContact, ...]:
-    return tuple(dry_contact_of(drive, of.load, present(of.phase, "phase")) for of in contacts)
+def _dry(mesh: ZiWormMesh, contacts: Sequence[Scene]) -> tuple[DryContact, ...]:
+    return tuple(dry_contact_of(mesh, of.load, present(of.phase, "phase")) for of in contacts)
 
 
 def _mounted(
-    drive: "ZiWormDrive", label: str, entry: str, by: float, contacts: Sequence[Scene]
+    mesh: ZiWormMesh, label: str, entry: str, by: float, contacts: Sequence[Scene]
 ) -> MountingError:
     try:
-        other = drive.varied(entry, by)
+        other = mesh.varied(entry, by)
         check_play(other)
         dry = _dry(other, contacts)
         moved = tuple(other.scene_under(of.load, present(of.phase, "phase")) for of in contacts)
     except ValueError:
         return MountingError(label, (), "the teeth jam, or no longer reach each other")
-    note = _movement(drive, other, moved[0].load)
+    note = _movement(mesh, other, moved[0].load)
     edges = [f"{of.phase:g}" for of, one in zip(contacts, dry, strict=True) if one.at_edge]
     if edges:
         note += f"; on an edge at phase {', '.join(edges)}"
     return MountingError(label, moved, note, dry)
 
 
-def _movement(drive: "ZiWormDrive", other: "ZiWormDrive", load: float) -> str:
+def _movement(mesh: ZiWormMesh, other: ZiWormMesh, load: float) -> str:
     """Movement of the contact at mid-mesh under a load [N], in words."""
-    before, after = (dry_contact_of(of, load) for of in (drive, other))
+    before, after = (dry_contact_of(of, load) for of in (mesh, other))
     faces = [
         float(of.flank_place(dry.contact, np.array([dry.x]), np.array([dry.y]))[0][0])
-        for of, dry in ((drive, before), (other, after))
+        for of, dry in ((mesh, before), (other, after))
     ]
     moved = f"at mid-mesh the contact moves {(faces[1] - faces[0]) * 1e3:+.1f} mm along the wheel's axis"
     if after.at_edge:

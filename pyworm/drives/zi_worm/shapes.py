@@ -6,16 +6,12 @@ screw. A contact point, which lies on it, says where on the axis it stands.
 
 from collections.abc import Sequence
 from math import pi
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pyworm.drives.shape import Shape, Space
-from pyworm.drives.zi_worm.contact_pattern import flank_grid
+from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Array
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.gears import ZiWormGears
 
 HEIGHTS = 7
 """Points from the root of the thread to its tip."""
@@ -35,7 +31,7 @@ DRAWN = (
 )
 
 
-def in_space(gears: "ZiWormGears", phases: Sequence[float]) -> Space:
+def in_space(gears: ZiWormGears, phases: Sequence[float]) -> Space:
     """The thread that drives and the flank of the wheel that it drives.
 
     Parameters
@@ -60,7 +56,7 @@ def in_space(gears: "ZiWormGears", phases: Sequence[float]) -> Space:
     return Space((worm, wheel), view, 0.5 * gears.centre_distance, DRAWN)
 
 
-def thread(gears: "ZiWormGears") -> Array:
+def thread(gears: ZiWormGears) -> Array:
     """Points of the driving flank at worm angle zero, (heights, angles, 3) [m]."""
     flank, tooth = gears.worm_flank, gears.worm_tooth
     radius = np.linspace(tooth.start_radius, tooth.tip_radius, HEIGHTS)
@@ -84,8 +80,8 @@ def thread(gears: "ZiWormGears") -> Array:
     return np.moveaxis(flank.axis_point[:, None, None] + np.tensordot(flank.axes, at, 1), 0, -1)
 
 
-def _wheel(gears: "ZiWormGears", angles: Array) -> Shape:
-    grid, flank = flank_grid(gears), gears.wheel_flank
+def _wheel(gears: ZiWormGears, angles: Array) -> Shape:
+    grid, flank = gears.flank_grid, gears.wheel_flank
     points = np.where(grid.found, flank.point(*grid.q), np.nan)
     around = 2 * pi * np.array([one for one in range(-TEETH, TEETH + 1) if one]) / gears.wheel.teeth
     return Shape(

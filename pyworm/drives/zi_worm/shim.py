@@ -6,15 +6,12 @@ secant method for the middle of the marked part.
 """
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from pyworm.drives.shim import Shim
 from pyworm.drives.zi_worm.contact_pattern import ContactPattern, both_flanks, contact_pattern
 from pyworm.drives.zi_worm.design import AS_DESIGNED
+from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.wanted_pattern import TOLERANCES, mark_of
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.gears import ZiWormGears
 
 DIFFERENCE = 0.02e-3
 """Shift of the wheel for the first slope [m]."""
@@ -25,13 +22,19 @@ LONGEST = 0.5e-3
 MOST_STEPS = 10
 
 
-def found_shim(gears: "ZiWormGears", wanted: float | None = None) -> Shim:
+def found_shim(
+    gears: ZiWormGears,
+    patterns: tuple[ContactPattern, ContactPattern],
+    wanted: float | None = None,
+) -> Shim:
     """The shim for a place of the pattern.
 
     Parameters
     ----------
     gears : ZiWormGears
         Worm and wheel with their errors of assembly.
+    patterns : tuple of ContactPattern
+        Their patterns without load, of the flank that the worm drives and of the other one.
     wanted : float or None
         Wanted middle of the marked part along the face [m]; None for that without errors of assembly.
     """
@@ -45,7 +48,7 @@ def found_shim(gears: "ZiWormGears", wanted: float | None = None) -> Shim:
         except ValueError:  # worm and wheel do not touch
             return None
 
-    before = middle(gears.patterns[0])
+    before = middle(patterns[0])
     if wanted is None:
         wanted = middle(contact_pattern(replace(gears, assembly=AS_DESIGNED), gears.flank_grid))
     shift, face, slope = 0.0, before, _slope(replace(gears, assembly=AS_DESIGNED))
@@ -63,19 +66,19 @@ def found_shim(gears: "ZiWormGears", wanted: float | None = None) -> Shim:
         wanted=wanted,
         before=before,
         after=face,
-        other_before=middle(gears.patterns[1]),
+        other_before=middle(patterns[1]),
         other_after=middle(both_flanks(shimmed(gears, shift), contact_pattern, gears)[1]),
         reached=abs(face - wanted) <= TOLERANCES["face"],
     )
 
 
-def shimmed(gears: "ZiWormGears", shift: float) -> "ZiWormGears":
+def shimmed(gears: ZiWormGears, shift: float) -> ZiWormGears:
     """The gears with the wheel shifted along its axis [m]."""
     assembly = gears.assembly
     return replace(gears, assembly=replace(assembly, axial_shift=assembly.axial_shift - shift))
 
 
-def _slope(gears: "ZiWormGears") -> float:
+def _slope(gears: ZiWormGears) -> float:
     """Way of the contact at mid-mesh along the face by the shift of the wheel; of aligned flanks.
 
     That of misaligned ones stays at the edge where they touch.

@@ -4,10 +4,8 @@ Each refusal begins with the key that is wrong; the sizes are compared with thos
 """
 
 from math import pi
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.gears import ZiWormGears
+from pyworm.drives.zi_worm.gears import ZiWormGears
 
 TALLEST = 4.0
 """Largest height of a thread or a tooth over the axial module; usual ones have 2.2."""
@@ -16,7 +14,7 @@ LOWEST = 1.8
 """Least height of a usual one over the axial module."""
 
 
-def check_sizes(gears: "ZiWormGears") -> None:
+def check_sizes(gears: ZiWormGears) -> None:
     """Refuse sizes that belong to another key, or to none.
 
     Raises
@@ -29,7 +27,7 @@ def check_sizes(gears: "ZiWormGears") -> None:
     _check_wheel(gears)
 
 
-def _check_counts(gears: "ZiWormGears") -> None:
+def _check_counts(gears: ZiWormGears) -> None:
     """Refuse a worm of as many threads as its wheel has teeth."""
     threads, teeth = gears.worm.threads, gears.wheel.teeth
     if threads >= teeth:
@@ -39,7 +37,7 @@ def _check_counts(gears: "ZiWormGears") -> None:
         )
 
 
-def _check_threads(gears: "ZiWormGears") -> None:
+def _check_threads(gears: ZiWormGears) -> None:
     """Refuse diameters of the threads of worm or hob, and a hob smaller than the worm."""
     module = gears.worm.axial_pitch / pi
     tallest = TALLEST * module
@@ -59,7 +57,7 @@ def _check_threads(gears: "ZiWormGears") -> None:
         )
 
 
-def _check_wheel(gears: "ZiWormGears") -> None:
+def _check_wheel(gears: ZiWormGears) -> None:
     """Refuse a throat that is not about the worm, a tip far above it, and a face wider than the worm."""
     worm, wheel, distance = gears.worm, gears.wheel, gears.centre_distance
     if worm.tip_radius <= worm.root_radius:

@@ -8,15 +8,13 @@ the wheel crowning vanishes and the contact moves to an edge, towards it the pla
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
 import scipy
 
 from pyworm.drives.zi_worm.design import AS_DESIGNED, Assembly
 from pyworm.drives.zi_worm.dry_contact import dry_contact_of
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.zi_worm.mesh import ZiWormMesh
 
 RISE = 1.2
 """Allowed pressure over that without errors [-], assumed without a source: that of the same contact under a
@@ -72,20 +70,20 @@ class Tolerance:
         }
 
 
-def tolerances(drive: "ZiWormDrive") -> tuple[Tolerance, ...]:
+def tolerances(mesh: ZiWormMesh) -> tuple[Tolerance, ...]:
     """The errors that a drive allows, each alone, under its load at mid-mesh without errors."""
-    designed = replace(drive, assembly=AS_DESIGNED)
+    designed = replace(mesh, assembly=AS_DESIGNED)
     load = designed.mid_mesh_load
     allowed = RISE * dry_contact_of(designed, load).pressure_max
     return tuple(_tolerance(designed, load, allowed, entry) for entry in ENTRIES)
 
 
-def _tolerance(drive: "ZiWormDrive", load: float, allowed: float, entry: str) -> Tolerance:
+def _tolerance(mesh: ZiWormMesh, load: float, allowed: float, entry: str) -> Tolerance:
     # a tilt moves the ends of the face by as much as a shift does
-    unit = drive.module / (drive.wheel.face_width / 2 if entry == "shaft_angle" else 1.0)
+    unit = mesh.module / (mesh.wheel.face_width / 2 if entry == "shaft_angle" else 1.0)
 
-    def off(error: float) -> "ZiWormDrive":
-        return replace(drive, assembly=Assembly(**{entry: error * unit}))
+    def off(error: float) -> ZiWormMesh:
+        return replace(mesh, assembly=Assembly(**{entry: error * unit}))
 
     def pressure(error: float) -> float:
         """Pressure over the allowed one, less 1; large where the flanks do not reach each other."""
@@ -97,7 +95,7 @@ def _tolerance(drive: "ZiWormDrive", load: float, allowed: float, entry: str) ->
     def jammed(error: float) -> float:
         """Missing play over the module; large where a tip touches a root."""
         try:
-            return -(off(error).play or 0.0) / drive.module
+            return -(off(error).play or 0.0) / mesh.module
         except ValueError:
             return BEYOND
 

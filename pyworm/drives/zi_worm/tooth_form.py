@@ -6,17 +6,14 @@ along the face changes its sign.
 
 from collections.abc import Iterator
 from math import pi
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyworm.drives.zi_worm.flanks import WormSurface
+from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Array
+from pyworm.drives.zi_worm.thread_section import thread_thickness
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.drives.zi_worm.tooth_outline import flank_places
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.gears import ZiWormGears
 
 FACE_PLACES = 21
 """Places along the face at which the wheel tooth's thickness is found; an odd number has the middle."""
@@ -25,25 +22,14 @@ REACHED = 1e-5
 """Distance from a boundary at which the flank has reached it [m]."""
 
 
-def worm_thickness(gears: "ZiWormGears", radius: float) -> float:
+def worm_thickness(gears: ZiWormGears, radius: float) -> float:
     """Axial thickness of the thread on a cylinder [m]; as usual half the pitch on the reference one."""
     known = gears.worm.thickness
     there = pi / 2 * gears.module if known is None else known
     return thread_thickness(gears.worm_flank, radius, gears.reference_radius, there)
 
 
-def thread_thickness(flank: WormSurface, radius: float, reference: float, there: float) -> float:
-    """Axial thickness on a cylinder [m] of a thread with a thickness on another one, `there` [m].
-
-    Below the beginning of the flank it is that at the beginning.
-    """
-    grown, at_reference = (
-        flank.axial_profile(max(at, flank.start_radius)) for at in (radius, reference)
-    )
-    return there - 2 * (grown - at_reference)
-
-
-def wheel_thickness(gears: "ZiWormGears") -> float:
+def wheel_thickness(gears: ZiWormGears) -> float:
     """Thickness of the wheel's tooth on its reference circle in the mid-plane [m].
 
     There it rolls with the worm's cylinder of the radius that is left of the centre distance: both
@@ -54,7 +40,7 @@ def wheel_thickness(gears: "ZiWormGears") -> float:
     return pi * gears.module - taken
 
 
-def wheel_tip_thickness(gears: "ZiWormGears") -> tuple[Array, Array]:
+def wheel_tip_thickness(gears: ZiWormGears) -> tuple[Array, Array]:
     """Places along the face [m] and thickness of the wheel's tooth at its tip there [m].
 
     It is negative where the flanks meet below the tip, not a number where the flank does not reach it.
@@ -73,14 +59,14 @@ def wheel_tip_thickness(gears: "ZiWormGears") -> tuple[Array, Array]:
     return along, target[0, :-1] * (wheel_thickness(gears) / reference + grown)
 
 
-def flank_start(gears: "ZiWormGears") -> float:
+def flank_start(gears: ZiWormGears) -> float:
     """Radius in the mid-plane from which the wheel's tooth has its flank [m]; a fillet is below it."""
     target = np.array([[float(gears.wheel_tooth.root(np.zeros(1))[0])], [0.0]])
     q = flank_places(gears.wheel_flank, gears.within, target, gears.wheel_tooth.hob_form_radius)
     return float(wheel_radius(gears.wheel_flank.cut_point(*q))[0])
 
 
-def undercut(gears: "ZiWormGears") -> float:
+def undercut(gears: ZiWormGears) -> float:
     """How far the hob's flank reaches beyond the edge of its envelope [m]; zero without undercut."""
     cut = gears.wheel_flank.cut_point(*gears.rim)
     margins = np.stack(list(gears.wheel_tooth.margins(cut).values())).min(axis=0)
@@ -89,7 +75,7 @@ def undercut(gears: "ZiWormGears") -> float:
     return float(np.max(beyond, where=ended, initial=0.0))
 
 
-def tooth_form_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
+def tooth_form_warnings(gears: ZiWormGears) -> tuple[str, ...]:
     """A sentence each for an undercut and a pointed thread, a pointed and an undercut tooth."""
     said = list(_thread_undercut(gears))
     tip = worm_thickness(gears, gears.worm.tip_radius)
@@ -117,7 +103,7 @@ def tooth_form_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
     return tuple(said)
 
 
-def _thread_undercut(gears: "ZiWormGears") -> Iterator[str]:
+def _thread_undercut(gears: ZiWormGears) -> Iterator[str]:
     """The sentence about a thread whose flank ends above where the tip of the wheel reaches."""
     start = gears.worm_flank.start_radius
     reached = gears.axes_distance - gears.wheel.throat_radius

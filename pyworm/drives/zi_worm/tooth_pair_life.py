@@ -13,14 +13,14 @@ share where that is more: oil carries load before dry flanks would touch.
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 import scipy
 
 from pyworm.drives.tooth_life import ToothLife
-from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.drives.zi_worm.load_sharing import Transmission
+from pyworm.drives.zi_worm.mesh import ZiWormMesh
+from pyworm.drives.zi_worm.mesh_cycle import ToothContact
 from pyworm.drives.zi_worm.tooth_compliance import BEYOND
 from pyworm.io.present import present
 from pyworm.scene.point import Scene
@@ -38,40 +38,30 @@ LATE = 0.25
 goes from it."""
 
 
-def tooth_life(
-    drive: Any, scene_at: Callable[[float], Scene], axes_at: Callable[[float], Array]
-) -> ToothLife:
+def tooth_life(mesh: ZiWormMesh) -> ToothLife:
     """The life of a tooth pair; under a given load, with equal shares or without others it begins under load.
 
     So it does where the flanks end, in a cusp that the hob leaves, before they would come together.
-
-    Parameters
-    ----------
-    drive : ZiWormDrive
-        The drive.
-    scene_at, axes_at : callable
-        Phase -> contact under its share of the load, and its axes.
     """
-    others = drive.pitch <= 1
-    shared = others and isinstance(drive.load, Transmission) and drive.load.sharing == "elastic"
-    pair = _Pair(drive, scene_at) if shared else None
+    others = mesh.pitch <= 1
+    shared = others and isinstance(mesh.load, Transmission) and mesh.load.sharing == "elastic"
+    pair = _Pair(mesh) if shared else None
     if pair is None or not pair.approaches:
-        return ToothLife(scene_at, drive.phases_per_second, axes_at)
+        return ToothLife(mesh.scene_at, mesh.phases_per_second, mesh.contact_axes)
     ends = {"before": -pair.begin, "after": pair.parted - 1, "touch": pair.touch}
-    return ToothLife(pair.scene, drive.phases_per_second, axes_at, **ends)
+    return ToothLife(pair.scene, mesh.phases_per_second, mesh.contact_axes, **ends)
 
 
 @dataclass(frozen=True)
 class _Pair:
     """A tooth pair over the part of the mesh cycle that is past, in the sense in which the drive turns."""
 
-    drive: Any
-    scene_at: Callable[[float], Scene]
+    mesh: ZiWormMesh
 
     @cached_property
     def touch(self) -> float:
         """Load from which on it is given [N]."""
-        return TOUCH * float(self.drive.springs.loads[-1])
+        return TOUCH * float(self.mesh.springs.loads[-1])
 
     @cached_property
     def met(self) -> float | None:
@@ -100,15 +90,13 @@ class _Pair:
     @cached_property
     def begin(self) -> float:
         """The same where the flanks are `APART`."""
-        first = self.drive.springs.phases[0 if self._turned(0.0) == 0 else -1]
-        film = scales(self.drive.scene_of(self._contact(self._first), self.touch)).film
+        first = self.mesh.springs.phases[0 if self._turned(0.0) == 0 else -1]
+        film = scales(self.mesh.scene_of(self._contact(self._first), self.touch)).film
 
         def nearer(past: float) -> float:
             phase = self._turned(past)
-            nearer: float = (
-                self.drive.springs.at(phase).separation + self._separation(phase) - APART * film
-            )
-            return nearer
+            spring = self.mesh.springs.at(phase)
+            return spring.separation + self._separation(phase) - APART * film
 
         earliest = self._turned(float(first))
         return self._where(nearer, earliest, self._first) or earliest
@@ -116,29 +104,27 @@ class _Pair:
     def scene(self, phase: float) -> Scene:
         """The contact at a phase of its life: its flanks' separation, or its load."""
         if self._turned(phase) >= self._first:
-            return self.scene_at(phase)
-        contact = self.drive.contact_beyond(phase)
+            return self.mesh.scene_at(phase)
+        contact = self.mesh.contact_beyond(phase)
         apart = self._separation(phase)
-        scene: Scene = self.drive.scene_of(contact, self.touch)
-        return replace(scene, separation=apart)
+        return replace(self.mesh.scene_of(contact, self.touch), separation=apart)
 
     def _turned(self, phase: float) -> float:
         """Part of the mesh cycle that is past at a phase, and the phase where a part is past."""
-        return phase if self.drive.phases_per_second > 0 else 1 - phase
+        return phase if self.mesh.phases_per_second > 0 else 1 - phase
 
-    def _contact(self, past: float) -> Any:
-        return self.drive.contact_beyond(self._turned(past))
+    def _contact(self, past: float) -> ToothContact:
+        return self.mesh.contact_beyond(self._turned(past))
 
     def _excess(self, past: float) -> float:
-        excess: float = self.drive.normal_load(self._turned(past)) - self.touch
-        return excess
+        return self.mesh.normal_load(self._turned(past)) - self.touch
 
     def _separation(self, phase: float) -> float:
         """Equation 1 [m]."""
         at = np.array([phase])
-        ahead = self.drive.cycle.transmission_error(at)[0]
-        lever = self.drive.arms(at).wheel_normal[0]
-        return float(-lever * (self.drive.shared(phase).turn + ahead))
+        ahead = self.mesh.cycle.transmission_error(at)[0]
+        lever = self.mesh.arms(at).wheel_normal[0]
+        return float(-lever * (self.mesh.shared(phase).turn + ahead))
 
     @staticmethod
     def _where(of: Callable[[float], float], first: float, last: float) -> float | None:

@@ -6,22 +6,22 @@ the flanks themselves, which differ from straight ones at large lead angles and 
 
 from collections.abc import Callable
 from math import cos, pi
-from typing import TYPE_CHECKING
 
 import scipy
 
-from pyworm.drives.zi_worm.fillets import USUAL, axial_angle, form_radius
-from pyworm.drives.zi_worm.flanks import WormSurface, worm_of
-from pyworm.drives.zi_worm.tooth_form import thread_thickness
+from pyworm.drives.zi_worm.designed_flanks import worm_of
+from pyworm.drives.zi_worm.drawing import Drawing
+from pyworm.drives.zi_worm.flanks import WormSurface
+from pyworm.drives.zi_worm.thread_section import axial_angle, form_radius, thread_thickness
 
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.drawing import Drawing
+USUAL = 0.2
+"""Usual radius over the axial module: its height, 0.2 (1 - sin alpha) modules, is within the clearance."""
 
 ROOM = 0.8
 """Usual radius over that of a full rounding, at most."""
 
 
-def fitting_fillets(of: "Drawing") -> tuple[float, float]:
+def fitting_fillets(of: Drawing) -> tuple[float, float]:
     """Radii [m] of the worm's fillet and of the rounded edge of the hob's tip.
 
     They are zero where the flanks of a thread meet before its root or its tip, so that nothing fits.

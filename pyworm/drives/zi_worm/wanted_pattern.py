@@ -8,17 +8,15 @@ on the pattern without load (`contact_pattern`), its edge blurred so that place 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees, nan, radians
-from typing import TYPE_CHECKING, Generic
+from typing import Generic, TypeVar
 
 import numpy as np
 
 from pyworm.drives.hob_setup import HobSetup, Row
-from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern, GearsT
+from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern, contact_pattern
+from pyworm.drives.zi_worm.dry_contact import mid_mesh_contact
 from pyworm.drives.zi_worm.helicoid import Array
-from pyworm.drives.zi_worm.sensitivity import mid_mesh_contact
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.zi_worm.mesh import ZiWormMesh
 
 BLUR = 0.2
 """Width of the blurred edge over the thickness of the compound."""
@@ -64,46 +62,56 @@ def mark_of(pattern: ContactPattern, thickness: float = THICKNESS) -> Mark:
     return Mark(float((weight * pattern.face).sum() / weight.sum()), float(weight.sum() / known))
 
 
+MeshT = TypeVar("MeshT", bound=ZiWormMesh)
+"""A mesh, or its drive."""
+
+
 @dataclass(frozen=True)
-class Setting(Generic[GearsT]):
+class Setting(Generic[MeshT]):
     """A set-up of the hob and its pattern.
 
     Attributes
     ----------
-    gears : ZiWormGears
-        Worm and wheel with that set-up; a drive where one was given.
+    mesh : ZiWormMesh
+        The mesh with that set-up; a drive where one was given.
     mark : Mark
-        Its pattern.
+        Its pattern without load.
     reached : bool
         Whether the pattern is the wanted one.
     """
 
-    gears: GearsT
+    mesh: MeshT
     mark: Mark
-    reached: bool
+    reached: bool = False
+
+    @classmethod
+    def of(cls, mesh: MeshT) -> "Setting[MeshT]":
+        """The present set-up of a mesh."""
+        rigid = mesh.rigid
+        return cls(mesh, mark_of(contact_pattern(rigid, rigid.flank_grid)))
 
 
-Misses = Callable[[Setting[GearsT]], Array]
+Misses = Callable[[Setting[MeshT]], Array]
 """What a set-up misses of what is wanted, in tolerances."""
 
 
-def found_setting(gears: GearsT, wanted: dict[str, float]) -> Setting[GearsT]:
+def found_setting(mesh: MeshT, wanted: dict[str, float]) -> Setting[MeshT]:
     """The set-up nearest to the present one whose pattern has a wanted place, or size, or both.
 
     Parameters
     ----------
-    gears : ZiWormGears
-        Worm and wheel, or their drive, as they are.
+    mesh : ZiWormMesh
+        The mesh, or its drive, as it is.
     wanted : dict
         `face` [m], `size` [-], or both, as in `Mark`.
     """
 
-    def misses(of: Setting[GearsT]) -> Array:
+    def misses(of: Setting[MeshT]) -> Array:
         return np.array(
             [(getattr(of.mark, name) - to) / TOLERANCES[name] for name, to in wanted.items()]
         )
 
-    now = Setting(gears, mark_of(gears.driven_pattern), reached=False)
+    now = Setting.of(mesh)
     for _ in range(MOST_STEPS):
         if np.abs(misses(now)).max() <= 1:
             return replace(now, reached=True)
@@ -114,7 +122,7 @@ def found_setting(gears: GearsT, wanted: dict[str, float]) -> Setting[GearsT]:
     return now
 
 
-def _newton_step(now: Setting[GearsT], misses: Misses[GearsT]) -> Change:
+def _newton_step(now: Setting[MeshT], misses: Misses[MeshT]) -> Change:
     """The least change of the set-up by which the misses would vanish if they were linear in it."""
     missed = misses(now)
     columns = []
@@ -127,7 +135,7 @@ def _newton_step(now: Setting[GearsT], misses: Misses[GearsT]) -> Change:
     return dict(zip(USUAL_CHANGES, change, strict=True))
 
 
-def _nearer(now: Setting[GearsT], change: Change, misses: Misses[GearsT]) -> Setting[GearsT] | None:
+def _nearer(now: Setting[MeshT], change: Change, misses: Misses[MeshT]) -> Setting[MeshT] | None:
     """The set-up a part of the change away that misses by less; None without.
 
     The worm must not cut in, and a pair of teeth not part before the next one meets.
@@ -137,35 +145,35 @@ def _nearer(now: Setting[GearsT], change: Change, misses: Misses[GearsT]) -> Set
         tried = _changed(now, {entry: part * by for entry, by in change.items()})
         if tried is None or not np.linalg.norm(misses(tried)) < least:
             continue
-        if tried.gears.pitch <= 1 and tried.gears.edge_contact is None:
+        if tried.mesh.pitch <= 1 and tried.mesh.edge_contact is None:
             return tried
     return None
 
 
-def _changed(now: Setting[GearsT], change: Change) -> Setting[GearsT] | None:
+def _changed(now: Setting[MeshT], change: Change) -> Setting[MeshT] | None:
     """A changed set-up; None where worm and wheel do not touch."""
-    hob = now.gears.hob
+    hob = now.mesh.hob
     entries = {
         entry: getattr(hob, entry) + by * USUAL_CHANGES[entry] for entry, by in change.items()
     }
     try:
-        made = replace(now.gears, hob=replace(hob, **entries))
-        return Setting(made, mark_of(made.driven_pattern), reached=False)
+        return Setting.of(replace(now.mesh, hob=replace(hob, **entries)))
     except ValueError:
         return None
 
 
-def set_up(drive: "ZiWormDrive", wanted: dict[str, float]) -> HobSetup:
+def set_up(mesh: ZiWormMesh, wanted: dict[str, float]) -> HobSetup:
     """The hob's set-up of a drive, and the one found for a wanted pattern; arguments of `found_setting`."""
     if not wanted:
-        return HobSetup(_row(drive))
-    found = found_setting(drive, wanted)
-    return HobSetup(_row(drive), _row(found.gears), found.reached)
+        return HobSetup(_row(Setting.of(mesh)))
+    found = found_setting(mesh, wanted)
+    return HobSetup(_row(Setting.of(mesh)), _row(found), found.reached)
 
 
-def _row(drive: "ZiWormDrive") -> Row:
-    hob, mark = drive.hob, mark_of(drive.driven_pattern)
-    contact = mid_mesh_contact(drive, drive.mid_mesh_load)
+def _row(setting: Setting[ZiWormMesh]) -> Row:
+    mesh, mark = setting.mesh, setting.mark
+    hob = mesh.hob
+    contact = mid_mesh_contact(mesh, mesh.mid_mesh_load)
     return {
         "hob_swivel_deg": degrees(hob.swivel),
         "hob_axial_shift_m": hob.axial_shift,

@@ -9,16 +9,11 @@ no other influence of first order.
 
 from dataclasses import dataclass, replace
 from math import hypot, inf, sqrt
-from typing import TYPE_CHECKING
 
-import numpy as np
-
-from pyworm.drives.zi_worm.design import Assembly
+from pyworm.drives.zi_worm.design import Assembly, Worm
+from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Array
 from pyworm.formulas.beam import bending, second_moment
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.drive import ZiWormDrive
 
 LARGEST = 0.1
 """Deflection over the module above which worm and wheel no longer mesh as designed."""
@@ -104,27 +99,50 @@ class BentShaft:
         )
 
 
-def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
-    """The shaft under the forces of a drive whose own shaft is rigid.
+@dataclass(frozen=True)
+class MeshForce:
+    """The mean force of the teeth in mesh.
+
+    Attributes
+    ----------
+    point : ndarray
+        Where it acts on the worm in the drive frame, (3,) [m].
+    force : ndarray
+        The force, (3,) [N].
+    """
+
+    point: Array
+    force: Array
+
+
+def bent_shaft(
+    shaft: WormShaft, gears: ZiWormGears, mean: MeshForce, youngs_modulus: float
+) -> BentShaft:
+    """The shaft under the mean force of the mesh.
+
+    Parameters
+    ----------
+    shaft : WormShaft
+        The shaft.
+    gears : ZiWormGears
+        Worm and wheel as on a rigid shaft.
+    mean : MeshForce
+        Force of the wheel's teeth on the worm.
+    youngs_modulus : float
+        Of the shaft [Pa].
 
     Raises
     ------
     ValueError
         If a bearing lies where the wheel is, or the shaft bends by more than a tenth of the module.
     """
-    _check_bearings(drive, shaft)
-    diameter = 2 * drive.worm.root_radius if shaft.diameter is None else shaft.diameter
-    if diameter > 2 * drive.worm.tip_radius:
-        raise ValueError(
-            f"shaft.diameter is {diameter * 1e3:.4g} mm, thicker than the worm's tip, "
-            f"{2e3 * drive.worm.tip_radius:.4g} mm; that of a uniform shaft which bends as much is wanted, "
-            f"as a rule near the worm's root diameter, {2e3 * drive.worm.root_radius:.4g} mm"
-        )
-    point, force = mesh_force(drive)
-    arm = point - drive.worm_flank.axis_point
+    _check_bearings(gears, shaft)
+    diameter = _diameter(shaft, gears.worm)
+    force = mean.force
+    arm = mean.point - gears.worm_flank.axis_point
     before = shaft.bearing_span / 2 - shaft.bearing_offset + arm[2]
     beyond = shaft.bearing_span - before
-    rigidity = drive.bodies[0].youngs_modulus * second_moment(diameter)
+    rigidity = youngs_modulus * second_moment(diameter)
     radial, lateral = (
         bending(
             force[side],
@@ -147,17 +165,37 @@ def bent_shaft(drive: "ZiWormDrive", shaft: WormShaft) -> BentShaft:
             hypot(radial.reactions[1], lateral.reactions[1]),
         ),
     )
-    if bent.deflection > LARGEST * drive.module:
-        raise ValueError(_too_soft(drive, shaft, diameter, bent.deflection))
+    if bent.deflection > LARGEST * gears.module:
+        own = bent.deflection
+        if shaft.bearing_stiffness < inf:
+            stiff = replace(shaft, bearing_stiffness=inf)
+            own = bent_shaft(stiff, gears, mean, youngs_modulus).deflection
+        raise ValueError(_too_soft(gears, shaft, diameter, (bent.deflection, own)))
     return bent
 
 
-def _too_soft(drive: "ZiWormDrive", shaft: WormShaft, diameter: float, deflection: float) -> str:
-    """The sentence about a shaft that bends too much, or whose bearings yield too much."""
-    most = f"worms of this module may move {LARGEST * drive.module * 1e3:.2g} mm at most"
+def _diameter(shaft: WormShaft, worm: Worm) -> float:
+    """Diameter of a shaft [m], if it is not given the worm's root diameter; one above the tip is refused."""
+    diameter = 2 * worm.root_radius if shaft.diameter is None else shaft.diameter
+    if diameter > 2 * worm.tip_radius:
+        raise ValueError(
+            f"shaft.diameter is {diameter * 1e3:.4g} mm, thicker than the worm's tip, "
+            f"{2e3 * worm.tip_radius:.4g} mm; that of a uniform shaft which bends as much is wanted, "
+            f"as a rule near the worm's root diameter, {2e3 * worm.root_radius:.4g} mm"
+        )
+    return diameter
+
+
+def _too_soft(
+    gears: ZiWormGears, shaft: WormShaft, diameter: float, deflections: tuple[float, float]
+) -> str:
+    """The sentence about a shaft that bends too much, or whose bearings yield too much.
+
+    The deflections [m] are that of the mesh and that by the shaft itself.
+    """
+    deflection, own = deflections
+    most = f"worms of this module may move {LARGEST * gears.module * 1e3:.2g} mm at most"
     if shaft.bearing_stiffness < inf:
-        stiff = replace(shaft, bearing_stiffness=inf)
-        own = bent_shaft(drive, stiff).deflection
         return (
             f"shaft.bearing_stiffness is {shaft.bearing_stiffness * 1e-6:.3g} N/um, with which the mesh "
             f"moves {deflection * 1e3:.3g} mm under the load, {own * 1e3:.2g} mm of it by the shaft itself; "
@@ -170,11 +208,11 @@ def _too_soft(drive: "ZiWormDrive", shaft: WormShaft, diameter: float, deflectio
     )
 
 
-def _check_bearings(drive: "ZiWormDrive", shaft: WormShaft) -> None:
+def _check_bearings(gears: ZiWormGears, shaft: WormShaft) -> None:
     """Refuse bearings within the part of the worm that the wheel's teeth reach into."""
     nearest = shaft.bearing_span / 2 - abs(shaft.bearing_offset)
-    below = max(drive.centre_distance - drive.worm.tip_radius, 0.0)
-    reach = sqrt(max(drive.wheel.throat_radius**2 - below**2, 0.0))
+    below = max(gears.centre_distance - gears.worm.tip_radius, 0.0)
+    reach = sqrt(max(gears.wheel.throat_radius**2 - below**2, 0.0))
     if nearest < reach:
         raise ValueError(
             f"shaft.bearing_span is {shaft.bearing_span * 1e3:.4g} mm, which leaves {nearest * 1e3:.4g} mm "
@@ -182,13 +220,3 @@ def _check_bearings(drive: "ZiWormDrive", shaft: WormShaft) -> None:
             f"{reach * 1e3:.4g} mm from there, and the bearings lie beyond, {2 * reach * 1e3:.4g} mm apart "
             "or more; is it half of the span?"
         )
-
-
-def mesh_force(drive: "ZiWormDrive") -> tuple[Array, Array]:
-    """Where the teeth in mesh act on the worm [m] and with which force [N], each (3,) in the drive frame."""
-    middle = np.array([0.5])
-    point, normal = drive.cycle.points(middle)[:, 0], drive.cycle.normals(middle)[:, 0]
-    sliding = drive.sliding(middle)[:, 0]
-    wheel = float(drive.arms(middle).of("wheel", drive.friction)[0])
-    load = drive.wheel_torque / wheel
-    return point, -load * (normal + drive.friction * sliding / np.linalg.norm(sliding))

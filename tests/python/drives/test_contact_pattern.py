@@ -167,7 +167,8 @@ def test_a_load_widens_the_pattern_by_what_the_flanks_yield(coarse, monkeypatch)
 
 
 def test_a_shim_takes_a_shift_of_the_worm_back(drive, coarse):
-    shim = found_shim(sharif(assembly=Assembly(axial_shift=0.1e-3)))
+    shifted = sharif(assembly=Assembly(axial_shift=0.1e-3))
+    shim = found_shim(shifted, shifted.patterns)
     assert shim.reached and shim.before > shim.wanted + 1e-3
     assert shim.shift == pytest.approx(0.1e-3, abs=0.01e-3)
     assert shim.other_before - shim.other_after > 1e-3

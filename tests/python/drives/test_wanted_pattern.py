@@ -44,7 +44,7 @@ def test_what_cannot_be_reached_is_the_nearest(drive, monkeypatch):
     found = found_setting(drive, {"size": 0.9})
     assert not found.reached
     assert before.size < found.mark.size < 0.9
-    assert found.gears.interference is None
+    assert found.mesh.interference is None
 
 
 def test_the_command_prints_a_hob_that_marks_so(tmp_path, capsys, monkeypatch):

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 import scipy
 
-from pyworm.drives.zi_worm.drawing import Drawing, completed
-from pyworm.drives.zi_worm.fillets import form_radius
+from pyworm.drives.zi_worm.drawing import Drawing
+from pyworm.drives.zi_worm.gear_warnings import gear_warnings
 from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.helicoid import Helicoid
 from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
+from pyworm.drives.zi_worm.thread_section import form_radius
 from pyworm.drives.zi_worm.tooth_form import worm_thickness
+from pyworm.drives.zi_worm.usual_values import completed
 
 UNIT = {
     "centre_distance": 0.1,
@@ -88,11 +90,11 @@ def test_fillets_within_the_clearance_leave_the_path_of_contact():
     assert plain.worm_tooth.form_radius == 15.2e-3
     assert plain.wheel_tooth.hob_form_radius == plain.hob.tip_radius
     assert (usual.cycle.begin, usual.cycle.end) == (plain.cycle.begin, plain.cycle.end)
-    assert usual.warnings == plain.warnings == ()
+    assert gear_warnings(usual) == gear_warnings(plain) == ()
     assert usual.flank_grid.found.sum() < plain.flank_grid.found.sum()
     assert large.cycle.begin_boundary == "worm root"
     assert abs(large.cycle.worm_rotation) < abs(plain.cycle.worm_rotation)
-    (said,) = large.warnings
+    (said,) = gear_warnings(large)
     assert said.startswith(
         "worm.fillet_radius is 1.6 mm; the fillet begins on a diameter of 32.56 mm"
     )
@@ -100,7 +102,7 @@ def test_fillets_within_the_clearance_leave_the_path_of_contact():
 
 
 def test_a_tip_that_reaches_below_a_form_diameter_is_told():
-    (said,) = filleted(0, 1.3e-3).warnings
+    (said,) = gear_warnings(filleted(0, 1.3e-3))
     assert said.startswith("wheel.fillet_radius is 1.3 mm")
     assert "the tip of the worm, which reaches to 152 mm, may touch it" in said
 
@@ -163,7 +165,7 @@ def test_a_space_that_closes_above_the_root_is_warned_of_and_has_no_fillet():
     """It is the depth of the thread that does not fit, not a fillet, which nobody gave."""
     of = steep("ZC2", 6, 9.0, 23)
     assert of.worm_fillet_radius == 0
-    (said,) = (one for one in drawn_gears(with_swivel(of)[0]).warnings if "root" in one)
+    (said,) = (one for one in gear_warnings(drawn_gears(with_swivel(of)[0])) if "root" in one)
     assert said.startswith("worm.root_diameter leaves no room: both flanks of the space")
     with pytest.raises(ValueError, match=r"^worm\.root_diameter leaves no room"):
         with_swivel(replace(of, worm_fillet_radius=0.1e-3))

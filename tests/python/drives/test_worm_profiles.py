@@ -10,11 +10,13 @@ from scipy.optimize import brentq, minimize_scalar
 from zi_drives import coarse_patterns, sharif, without_allowed_errors
 
 import pyworm
-from pyworm.drives.zi_worm.drawing import completed
+from pyworm.drives.zi_worm.checks import check_gears
 from pyworm.drives.zi_worm.drawing_checks import check_drawing
 from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.zi_worm.gear_warnings import gear_warnings
 from pyworm.drives.zi_worm.gears import ZiWormGears
 from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
+from pyworm.drives.zi_worm.usual_values import completed
 from pyworm.formulas.ruled_helicoid import RuledHelicoid
 from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
 
@@ -280,7 +282,7 @@ def test_a_disc_that_undercuts_below_the_root_takes_nothing():
     """4/77 at a lead angle of 23.2 deg: the edge of what a disc of 500 mm grinds lies below the root."""
     of, made = drawn("ZK", 4, 77, 9.34, 0.248)
     assert made.worm_flank.start_radius < of.worm_root_diameter / 2 < made.worm_tooth.form_radius
-    assert not any("undercut" in one for one in made.warnings)
+    assert not any("undercut" in one for one in gear_warnings(made))
 
 
 @pytest.mark.parametrize(
@@ -296,7 +298,7 @@ def test_a_worm_that_its_disc_undercuts_is_computed_as_that_of_involutes_is(
     assert of.worm_root_diameter / 2 < 0.95 * base < begins < base
     assert 1 / made.pitch == pytest.approx(1 / involutes.pitch, rel=0.1)
     for one in (made, involutes):
-        (said,) = (line for line in one.warnings if line.startswith("worm: it is undercut"))
+        (said,) = (line for line in gear_warnings(one) if line.startswith("worm: it is undercut"))
         assert f"its flank begins on a diameter of {2e3 * one.worm_flank.start_radius:.4g}" in said
         assert "diameter_factor" in said
 
@@ -310,10 +312,13 @@ def test_concave_worms_of_a_small_shift_are_computed():
 def test_a_hob_of_another_base_pitch_is_refused_by_a_key_of_the_drawing():
     """A drawing has neither the lead nor the base radius of a hob, and ZK no base cylinder at all."""
     of, other = drawing("ZK"), replace(drawing("ZK"), pressure_angle=radians(26))
+    apart = ZiWormGears(
+        worm=of.worm, wheel=of.wheel, hob=other.hob, centre_distance=of.centre_distance
+    )
     with pytest.raises(
         ValueError, match=r"^hob\.oversize of 1\.6 mm gives the hob a normal base pitch of"
     ):
-        ZiWormGears(worm=of.worm, wheel=of.wheel, hob=other.hob, centre_distance=of.centre_distance)
+        check_gears(apart)
 
 
 def test_a_disc_that_leaves_no_flank_is_refused_with_what_would_be_right():

@@ -8,7 +8,7 @@ import pytest
 from zi_drives import changed, sharif
 
 from pyworm.drives.zi_worm.design import Design
-from pyworm.drives.zi_worm.drawing import completed
+from pyworm.drives.zi_worm.gear_warnings import gear_warnings
 from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.zi_worm.tooth import wheel_radius
 from pyworm.drives.zi_worm.tooth_form import (
@@ -18,6 +18,7 @@ from pyworm.drives.zi_worm.tooth_form import (
     worm_thickness,
 )
 from pyworm.drives.zi_worm.tooth_outline import flank_places
+from pyworm.drives.zi_worm.usual_values import completed
 from pyworm.materials.body import Body
 from pyworm.materials.topography import Topography
 
@@ -181,10 +182,10 @@ def test_pointed_threads_and_teeth_are_told():
         )[0]
     )
     assert worm_thickness(far, 23.5e-3) < 0
-    assert any(one.startswith("worm: its threads are pointed") for one in far.warnings)
+    assert any(one.startswith("worm: its threads are pointed") for one in gear_warnings(far))
     thin = drawn_gears(with_swivel(drawing(worm_thickness=9.9e-3))[0])
     assert np.nanmin(wheel_tip_thickness(thin)[1]) < 0
-    assert any(one.startswith("wheel: its teeth are pointed") for one in thin.warnings)
+    assert any(one.startswith("wheel: its teeth are pointed") for one in gear_warnings(thin))
 
 
 def test_the_groove_of_the_throat_is_where_the_drawing_has_it():

@@ -49,7 +49,7 @@ def test_the_film_between_flanks_that_come_together_takes_the_load_over(drive, e
 
 
 def test_a_steady_film_at_the_beginning_of_the_cycle_is_forgotten_and_too_thin_until_then(drive):
-    steady = ToothLife(drive._scene, drive.phases_per_second, drive._axes)
+    steady = ToothLife(drive.scene_at, drive.phases_per_second, drive.contact_axes)
     films = []
     for life in (drive.life, steady):
         moments = marched(drive, life, 0.3)

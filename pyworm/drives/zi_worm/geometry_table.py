@@ -1,18 +1,16 @@
 """A worm drive as its drawing would have it, with what follows for mesh, hob and contact pattern."""
 
+from collections.abc import Sequence
 from math import atan2, cos, degrees
-from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pyworm.drives.zi_worm.contact_pattern import THICKNESS
-from pyworm.drives.zi_worm.design import AS_DESIGNED
+from pyworm.drives.zi_worm.contact_pattern import THICKNESS, ContactPattern
+from pyworm.drives.zi_worm.mesh import ZiWormMesh
+from pyworm.drives.zi_worm.tolerances import Tolerance
 from pyworm.drives.zi_worm.tooth_form import flank_start, wheel_thickness, worm_thickness
 from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.drive import ZiWormDrive
 
 Described = dict[str, float | str]
 
@@ -28,41 +26,34 @@ SIGNED = (
 """What of the geometry stands on the page to sign."""
 
 
-def _geometry(drive: "ZiWormDrive") -> Described:
+def _geometry(mesh: ZiWormMesh) -> Described:
     """Geometry of worm and wheel as designed."""
-    ratio: Described = {"contact_ratio": drive.mean_teeth_in_contact}
-    return _gear(drive) | _worm(drive) | _wheel(drive) | _clearances(drive) | ratio
+    ratio: Described = {"contact_ratio": mesh.mean_teeth_in_contact}
+    return _gear(mesh) | _worm(mesh) | _wheel(mesh) | _clearances(mesh) | ratio
 
 
-def signed_geometry(drive: "ZiWormDrive") -> Described:
+def signed_geometry(mesh: ZiWormMesh) -> Described:
     """Geometry for the page to sign; keys end in their unit."""
-    found = _geometry(drive)
+    found = _geometry(mesh)
     return {key: found[key] for key in SIGNED if key in found}
 
 
-def described_drive(drive: "ZiWormDrive") -> Described:
-    """Geometry of worm, wheel and hob, and the mesh, of a drive as assembled; keys end in their unit."""
-    return (
-        _geometry(drive)
-        | _hob(drive)
-        | _mesh(drive)
-        | _shaft(drive)
-        | _pattern(drive)
-        | _tolerances(drive)
-    )
+def described_mesh(mesh: ZiWormMesh) -> Described:
+    """Geometry of worm, wheel and hob, the mesh as assembled and the shaft; keys end in their unit."""
+    return _geometry(mesh) | _hob(mesh) | _mesh(mesh) | _shaft(mesh)
 
 
-def _gear(drive: "ZiWormDrive") -> Described:
+def _gear(mesh: ZiWormMesh) -> Described:
     return {
-        "profile": drive.worm.profile,
-        "hand": drive.hand,
-        "threads": drive.worm.threads,
-        "teeth": drive.wheel.teeth,
-        "gear_ratio": drive.wheel.teeth / drive.worm.threads,
-        "centre_distance_m": drive.centre_distance,
-        "module_m": drive.module,
-        "diameter_factor": 2 * drive.reference_radius / drive.module,
-        "profile_shift": drive.profile_shift,
+        "profile": mesh.worm.profile,
+        "hand": mesh.hand,
+        "threads": mesh.worm.threads,
+        "teeth": mesh.wheel.teeth,
+        "gear_ratio": mesh.wheel.teeth / mesh.worm.threads,
+        "centre_distance_m": mesh.centre_distance,
+        "module_m": mesh.module,
+        "diameter_factor": 2 * mesh.reference_radius / mesh.module,
+        "profile_shift": mesh.profile_shift,
     }
 
 
@@ -70,13 +61,13 @@ def _lead_angle(lead: float, radius: float) -> float:
     return atan2(lead, 2 * np.pi * radius)
 
 
-def _worm(drive: "ZiWormDrive") -> Described:
-    worm, radius, flank = drive.worm, drive.reference_radius, drive.worm_flank
+def _worm(mesh: ZiWormMesh) -> Described:
+    worm, radius, flank = mesh.worm, mesh.reference_radius, mesh.worm_flank
     lead_angle = _lead_angle(worm.lead, radius)
     normal = flank.pressure_angle(radius)
     own = own_pressure_angle(worm.profile, worm.generator, lead_angle, normal)
     about: Described = {
-        "normal_module_m": drive.module * cos(lead_angle),
+        "normal_module_m": mesh.module * cos(lead_angle),
         "pressure_angle_deg": degrees(own),
         "pressure_angle_of": PRESSURE_ANGLE_PLACES[worm.profile],
         "normal_pressure_angle_deg": degrees(normal),
@@ -85,10 +76,10 @@ def _worm(drive: "ZiWormDrive") -> Described:
         "worm_reference_diameter_m": 2 * radius,
         "worm_tip_diameter_m": 2 * worm.tip_radius,
         "worm_root_diameter_m": 2 * worm.root_radius,
-        "worm_flank_from_diameter_m": 2 * drive.worm_tooth.start_radius,
+        "worm_flank_from_diameter_m": 2 * mesh.worm_tooth.start_radius,
         "worm_fillet_radius_m": worm.fillet_radius,
-        "worm_thickness_m": worm_thickness(drive, radius),
-        "worm_tip_thickness_m": worm_thickness(drive, worm.tip_radius),
+        "worm_thickness_m": worm_thickness(mesh, radius),
+        "worm_tip_thickness_m": worm_thickness(mesh, worm.tip_radius),
     }
     if worm.base_radius is not None:
         about |= {
@@ -99,29 +90,29 @@ def _worm(drive: "ZiWormDrive") -> Described:
     return about
 
 
-def _wheel(drive: "ZiWormDrive") -> Described:
-    wheel, hob = drive.wheel, drive.hob
+def _wheel(mesh: ZiWormMesh) -> Described:
+    wheel, hob = mesh.wheel, mesh.hob
     about: Described = {
-        "wheel_reference_diameter_m": 2 * drive.wheel_reference_radius,
+        "wheel_reference_diameter_m": 2 * mesh.wheel_reference_radius,
         "wheel_throat_diameter_m": 2 * wheel.throat_radius,
         "wheel_outside_diameter_m": 2 * wheel.tip_radius,
         "wheel_root_diameter_m": 2 * (hob.centre_distance - hob.tip_radius),
-        "wheel_flank_from_diameter_m": 2 * flank_start(drive),
+        "wheel_flank_from_diameter_m": 2 * flank_start(mesh),
         "wheel_fillet_radius_m": wheel.fillet_radius,
         "wheel_groove_radius_m": hob.centre_distance - wheel.throat_radius
         if wheel.groove_radius is None
         else wheel.groove_radius,
         "wheel_face_width_m": wheel.face_width,
-        "wheel_thickness_m": wheel_thickness(drive),
+        "wheel_thickness_m": wheel_thickness(mesh),
     }
     if wheel.backlash is not None:
         about["backlash_m"] = wheel.backlash
     return about
 
 
-def _clearances(drive: "ZiWormDrive") -> Described:
+def _clearances(mesh: ZiWormMesh) -> Described:
     """From the tips of the one to the roots of the other, on the line of centres."""
-    distance, worm, wheel, hob = drive.centre_distance, drive.worm, drive.wheel, drive.hob
+    distance, worm, wheel, hob = mesh.centre_distance, mesh.worm, mesh.wheel, mesh.hob
     root = hob.centre_distance - hob.tip_radius
     return {
         "worm_tip_clearance_m": distance - worm.tip_radius - root,
@@ -129,13 +120,13 @@ def _clearances(drive: "ZiWormDrive") -> Described:
     }
 
 
-def _hob(drive: "ZiWormDrive") -> Described:
-    hob, flank = drive.hob, drive.wheel_flank.hob
-    worm, cut = drive.base_pitches
+def _hob(mesh: ZiWormMesh) -> Described:
+    hob, flank = mesh.hob, mesh.wheel_flank.hob
+    worm, cut = mesh.base_pitches
     about: Described = {
-        "hob_oversize_m": 2 * (hob.centre_distance - drive.centre_distance),
+        "hob_oversize_m": 2 * (hob.centre_distance - mesh.centre_distance),
         "hob_tip_diameter_m": 2 * hob.tip_radius,
-        "hob_normal_pressure_angle_deg": degrees(flank.pressure_angle(drive.reference_radii[1])),
+        "hob_normal_pressure_angle_deg": degrees(flank.pressure_angle(mesh.reference_radii[1])),
         "hob_lead_m": hob.lead,
         "hob_centre_distance_m": hob.centre_distance,
         "hob_swivel_deg": degrees(hob.swivel),
@@ -151,30 +142,30 @@ def _hob(drive: "ZiWormDrive") -> Described:
     return about
 
 
-def _mesh(drive: "ZiWormDrive") -> Described:
-    path = [drive.cycle.contact(phase) for phase in (0.0, 0.5, 1.0)]
-    faces, radii = np.transpose([drive.flank_place(of, np.zeros(()), np.zeros(())) for of in path])
-    lead_angle = _lead_angle(drive.worm.lead, drive.reference_radius)
+def _mesh(mesh: ZiWormMesh) -> Described:
+    path = [mesh.cycle.contact(phase) for phase in (0.0, 0.5, 1.0)]
+    faces, radii = np.transpose([mesh.flank_place(of, np.zeros(()), np.zeros(())) for of in path])
+    lead_angle = _lead_angle(mesh.worm.lead, mesh.reference_radius)
     return {
-        "mesh_begins_at": drive.cycle.begin_boundary,
-        "mesh_ends_at": drive.cycle.end_boundary,
+        "mesh_begins_at": mesh.cycle.begin_boundary,
+        "mesh_ends_at": mesh.cycle.end_boundary,
         "pattern_along_face_m": float(faces[1]),
         "pattern_radius_m": float(radii[1]),
         "pattern_along_face_first_m": float(faces[0]),
         "pattern_along_face_last_m": float(faces[2]),
-        "sliding_speed_m_per_s": drive.reference_radius * drive.speed / cos(lead_angle),
-        "wheel_torque_N_m": drive.wheel_torque,
+        "sliding_speed_m_per_s": mesh.reference_radius * mesh.speed / cos(lead_angle),
+        "wheel_torque_N_m": mesh.wheel_torque,
     }
 
 
-def _shaft(drive: "ZiWormDrive") -> Described:
+def _shaft(mesh: ZiWormMesh) -> Described:
     """The bent shaft of the worm and the forces of its bearings."""
-    bent = drive.bent
+    bent = mesh.bent
     if bent is None:
         return {}
     return {
         "shaft_deflection_m": bent.deflection,
-        "shaft_deflection_limit_m": deflection_limit(drive.module),
+        "shaft_deflection_limit_m": deflection_limit(mesh.module),
         "shaft_deflection_away_m": bent.away,
         "shaft_deflection_to_leaving_side_m": bent.along,
         "shaft_tilt_deg": degrees(bent.tilt),
@@ -184,29 +175,22 @@ def _shaft(drive: "ZiWormDrive") -> Described:
     }
 
 
-def _pattern(drive: "ZiWormDrive") -> Described:
-    """What compound marks without load and under it, and the shim for errors of the assembly."""
+def described_patterns(unloaded: ContactPattern, loaded: ContactPattern) -> Described:
+    """What compound marks of the driven flank without load and under it."""
     about: Described = {"marking_thickness_m": THICKNESS}
-    for name, pattern in (
-        ("marking", drive.driven_pattern),
-        ("loaded_marking", drive.loaded_patterns[0]),
-    ):
+    for name, pattern in (("marking", unloaded), ("loaded_marking", loaded)):
         first, last = pattern.along_face()
         about |= {
             f"{name}_fraction": pattern.fraction(),
             f"{name}_along_face_first_m": first,
             f"{name}_along_face_last_m": last,
         }
-    if drive.assembly != AS_DESIGNED:
-        about["wheel_shim_to_leaving_side_m"] = drive.wheel_shim(None).shift
     return about
 
 
-def _tolerances(drive: "ZiWormDrive") -> Described:
-    """Play as assembled, and the errors of the assembly that the drive allows."""
-    about: Described = {}
-    if drive.play is not None:
-        about["play_as_assembled_m"] = drive.play
-    for one in drive.tolerances:
+def described_tolerances(play: float | None, tolerances: Sequence[Tolerance]) -> Described:
+    """Play as assembled [m], where it is known, and the errors of the assembly that are allowed."""
+    about: Described = {} if play is None else {"play_as_assembled_m": play}
+    for one in tolerances:
         about |= {f"allowed_{one.entry}_{key}": value for key, value in one.row.items()}
     return about

@@ -1,77 +1,18 @@
-"""Fillets at the roots of thread and tooth: where they end the flank, and whether there is room for them.
+"""Fillets at the roots of thread and tooth: whether there is room for them, and whether the mesh meets them.
 
 The worm's fillet is an arc in the axial section, tangent to the root cylinder and to the flank. The wheel's
 is left by the hob, whose tip has its edge rounded by such an arc, tangent to the tip cylinder and the flank.
 """
 
-from math import atan, cos, pi, sin, tan
-from typing import TYPE_CHECKING
+from math import cos, pi
 
-import scipy
-
-from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
-from pyworm.drives.zi_worm.flanks import WormSurface
-from pyworm.drives.zi_worm.tooth_form import thread_thickness, worm_thickness
-
-if TYPE_CHECKING:
-    from pyworm.drives.zi_worm.gears import ZiWormGears
-
-USUAL = 0.2
-"""Usual radius over the axial module: its height, 0.2 (1 - sin alpha) modules, is within the clearance."""
+from pyworm.drives.zi_worm.gears import ZiWormGears
+from pyworm.drives.zi_worm.thread_section import axial_angle, thread_thickness
+from pyworm.drives.zi_worm.tooth_form import worm_thickness
+from pyworm.drives.zi_worm.usual_fillets import USUAL
 
 
-def form_radius(flank: WormSurface, end: float, fillet: float, other_end: float) -> float:
-    """Radius of the cylinder on which a flank turns into an arc that ends it [m].
-
-    The arc's centre is `fillet` from the cylinder that ends the thread and from the flank:
-    r = end +- fillet (1 - sin alpha_x(r)), + at a root and - at a tip (closed for the straight flanks of ZA).
-
-    Parameters
-    ----------
-    flank : WormSurface
-        Flank of worm or hob.
-    end, other_end : float
-        Radii of the cylinder to which the arc is tangent, and of the thread's other one [m].
-    fillet : float
-        Radius of the arc [m]; without any the flank goes on to the end.
-
-    Raises
-    ------
-    ValueError
-        If the arc leaves no flank.
-    """
-    if fillet == 0:
-        return end
-    side = 1.0 if other_end > end else -1.0
-
-    def beyond(radius: float) -> float:
-        return side * (radius - end) - fillet * (1 - sin(axial_angle(flank, radius)))
-
-    start = max(flank.start_radius, min(end, other_end))
-    near, far = (start, other_end) if side > 0 else (end, start)
-    if beyond(near) >= 0:  # the arc meets what is below the base cylinder, where no flank is
-        return near
-    if beyond(far) <= 0:
-        raise ValueError("it leaves no flank")
-    return float(scipy.optimize.brentq(beyond, near, far, xtol=1e-15))
-
-
-def axial_angle(flank: WormSurface, radius: float) -> float:
-    """Pressure angle in the axial section [rad] on a cylinder [m]."""
-    return atan(tan(flank.pressure_angle(radius)) / cos(atan(flank.screw / radius)))
-
-
-def worm_form_radius(worm: Worm, flank: WormSurface) -> float:
-    """Radius from which a thread has its flank, above the fillet [m]."""
-    return form_radius(flank, worm.root_radius, worm.fillet_radius, worm.tip_radius)
-
-
-def hob_form_radius(wheel: Wheel, hob: Hob, flank: WormSurface) -> float:
-    """Radius up to which a hob has its flank, below the rounded edge of its tip [m]."""
-    return form_radius(flank, hob.tip_radius, wheel.fillet_radius, hob.root_radius)
-
-
-def check_fillets(gears: "ZiWormGears") -> None:
+def check_fillets(gears: ZiWormGears) -> None:
     """Refuse fillets that do not fit between the threads, or on the tip of the hob's.
 
     Raises
@@ -87,7 +28,7 @@ ROOMS = {"worm": "the space between the threads", "wheel": "the tip of the hob's
 """Where the fillets of a body, or what makes them, have to fit in pairs."""
 
 
-def _check_room(gears: "ZiWormGears", name: str) -> None:
+def _check_room(gears: ZiWormGears, name: str) -> None:
     """Refuse a body's fillet that leaves no flank, or two of which need more than there is [m]."""
     fillet = getattr(gears, name).fillet_radius
     flank = gears.worm_flank if name == "worm" else gears.wheel_flank.hob
@@ -111,12 +52,12 @@ def _check_room(gears: "ZiWormGears", name: str) -> None:
         )
 
 
-def _form_radius(gears: "ZiWormGears", name: str) -> float:
+def _form_radius(gears: ZiWormGears, name: str) -> float:
     """Radius of worm or hob at which the flank ends at a body's fillet, or without one at root or tip [m]."""
     return gears.worm_tooth.form_radius if name == "worm" else gears.wheel_tooth.hob_form_radius
 
 
-def _room(gears: "ZiWormGears", name: str, radius: float) -> float:
+def _room(gears: ZiWormGears, name: str, radius: float) -> float:
     """Axial width of what two fillets of a body share, on a cylinder of worm or hob [m]."""
     if name == "worm":
         return pi * gears.module - worm_thickness(gears, radius)
@@ -131,7 +72,7 @@ def _closed(name: str, radius: float) -> str:
     )
 
 
-def _hob_thickness(gears: "ZiWormGears", radius: float) -> float:
+def _hob_thickness(gears: ZiWormGears, radius: float) -> float:
     """Axial thickness of the hob's thread on a cylinder [m]: the worm's and the backlash that it cuts."""
     flank, (own, reference) = gears.wheel_flank.hob, gears.reference_radii
     there = worm_thickness(gears, own) + (gears.wheel.backlash or 0.0)
@@ -139,7 +80,7 @@ def _hob_thickness(gears: "ZiWormGears", radius: float) -> float:
     return thread_thickness(flank, radius, reference, there)
 
 
-def fillet_warnings(gears: "ZiWormGears") -> tuple[str, ...]:
+def fillet_warnings(gears: ZiWormGears) -> tuple[str, ...]:
     """A sentence for each fillet into which the path of contact, or the other tip in the mid-plane, runs."""
     distance, hob, thread = gears.axes_distance, gears.hob, gears.worm_tooth
     from_worm = thread.form_radius if thread.form_radius > gears.worm_flank.start_radius else 0.0
