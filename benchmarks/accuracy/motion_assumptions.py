@@ -16,7 +16,7 @@ import numpy as np
 
 import pyworm
 from pyworm.drives.tooth_life import ToothLife
-from pyworm.drives.zi_worm import tooth_pair_life
+from pyworm.drives.worm.loads import tooth_pair_motion as tooth_pair_life
 from pyworm.planning.target import FILMS, HEAT_FIGURES
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import march

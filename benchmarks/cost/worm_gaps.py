@@ -17,7 +17,7 @@ import numpy as np
 
 import pyworm
 from pyworm.case.case import Case, case_of
-from pyworm.formulas.worm_profiles import PROFILES
+from pyworm.drives.worm.flanks.worm_profiles import PROFILES
 
 NODES, TURNS = 257, 7
 

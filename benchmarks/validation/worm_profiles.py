@@ -20,7 +20,7 @@ from matplotlib.figure import Figure
 import pyworm
 from pyworm.case.case import case_of
 from pyworm.drives.mesh_loss import MeshLoss
-from pyworm.drives.zi_worm.drive import ZiWormDrive
+from pyworm.drives.worm.drive import WormDrive
 from pyworm.plots.layout import new_figure
 from pyworm.result.contact_loss import contact_losses
 from pyworm.solver.solution import Solution
@@ -74,7 +74,7 @@ class Mesh:
 
     Attributes
     ----------
-    drive : ZiWormDrive
+    drive : WormDrive
         The drive.
     solutions : tuple of Solution
         One for each of `PHASES`.
@@ -82,7 +82,7 @@ class Mesh:
         Of all teeth.
     """
 
-    drive: ZiWormDrive
+    drive: WormDrive
     solutions: tuple[Solution, ...]
     loss: MeshLoss
 

@@ -5,6 +5,7 @@ of drives are imported when their kind is asked for: most cases have one, and ea
 """
 
 from functools import cache
+from importlib import import_module
 from typing import Any, Literal
 
 from pydantic import BaseModel, create_model
@@ -12,8 +13,7 @@ from pydantic import BaseModel, create_model
 from pyworm.case.case_file import CaseTable
 from pyworm.case.contact import GapCase, LineCase, PointCase
 from pyworm.case.ratings import RatedCase
-from pyworm.drives.kinds import KINDS, module_of
-from pyworm.io.present import present
+from pyworm.drives.kinds import KINDS
 
 DRAWN = "worm"
 """A worm drive by its drawing is no drive of its own kind: it becomes the design table of one."""
@@ -25,18 +25,14 @@ CONTACTS: dict[str, type[CaseTable]] = {
 }
 
 SUBJECTS = {"drive": (DRAWN, *KINDS), "contact": tuple(CONTACTS)}
-"""Table of the subject of a case -> its kinds."""
+"""Table of the subject of a case -> its kinds; each kind of drive has its model in the module of its name."""
 
 
 def case_model(about: str, kind: str) -> type[CaseTable]:
     """Model of the case file about a kind of subject."""
     if about == "contact":
         return CONTACTS[kind]
-    if kind == DRAWN:
-        from pyworm.case.worm import DrawnWormCase
-
-        return DrawnWormCase
-    model: type[CaseTable] = present(module_of(kind, "pyworm.case"), f"the case of {kind}").CASE
+    model: type[CaseTable] = import_module(f"pyworm.case.{kind.replace('-', '_')}").CASE
     return model
 
 

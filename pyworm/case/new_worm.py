@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from pyworm.formulas.worm_profiles import PROFILES
+from pyworm.drives.worm.flanks.worm_profiles import PROFILES
 
 ASKED = {
     "centre_distance": ("centre distance", "100 mm"),
@@ -92,7 +92,7 @@ def new_worm_text(
     title : str
         Title of the case.
     taken : sequence of str
-        Usual values of the drive for what is not given (`ZiWormDrive.taken`), to stand as comments.
+        Usual values of the drive for what is not given (`WormDrive.taken`), to stand as comments.
     phases : sequence of float
         Phases to be solved.
     """

@@ -15,19 +15,19 @@ from pyworm.case.zi_worm import (
     WormDriveTable,
     deviations_of,
 )
-from pyworm.drives.zi_worm.design import Design, Hand
-from pyworm.drives.zi_worm.drawing import Drawing
-from pyworm.drives.zi_worm.drawing_checks import (
+from pyworm.drives.worm.drawing.design import Design, Hand
+from pyworm.drives.worm.drawing.drawing import Drawing
+from pyworm.drives.worm.drawing.drawing_checks import (
     DERIVED,
     check_drawing,
     check_given,
     check_profile,
     check_redundant,
 )
-from pyworm.drives.zi_worm.drive import ZiWormDrive
-from pyworm.drives.zi_worm.hob_setting import with_swivel
-from pyworm.drives.zi_worm.usual_values import completed
-from pyworm.formulas.worm_profiles import PROFILES, Profile
+from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.drives.worm.drive import WormDrive
+from pyworm.drives.worm.flanks.worm_profiles import PROFILES, Profile
+from pyworm.drives.worm.patterns.hob_setting import with_swivel
 from pyworm.io import units
 from pyworm.io.present import present
 
@@ -259,7 +259,7 @@ class DrawnWormCase(WormDriveCase):
 
     hob_life: ClassVar[tuple[float, ...]] = LIFE
 
-    def reground_drive(self, drive: ZiWormDrive, part: float) -> tuple[float, ZiWormDrive]:
+    def reground_drive(self, drive: WormDrive, part: float) -> tuple[float, WormDrive]:
         """Oversize [m] of a hob of which a part is left, and the drive with the wheel that it cuts.
 
         Raises

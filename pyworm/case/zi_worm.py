@@ -25,14 +25,13 @@ from pyworm.drives.besides_teeth import BesidesTeeth
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.torque_sharing import Sharing
-from pyworm.drives.zi_worm import tooth
-from pyworm.drives.zi_worm.design import Assembly, Design, Hob, Wheel, Worm
-from pyworm.drives.zi_worm.deviations import FlankDeviations
-from pyworm.drives.zi_worm.drive import ZiWormDrive
-from pyworm.drives.zi_worm.duty import geometry_of, operating_point
-from pyworm.drives.zi_worm.load_sharing import Shaft, Transmission
-from pyworm.drives.zi_worm.temperatures import Cooling, drive_temperatures
-from pyworm.drives.zi_worm.worm_shaft import WormShaft
+from pyworm.drives.worm.drawing.design import Assembly, Design, Hob, ParabolicRelief, Wheel, Worm
+from pyworm.drives.worm.drawing.deviations import FlankDeviations
+from pyworm.drives.worm.drive import WormDrive
+from pyworm.drives.worm.duty import geometry_of, operating_point
+from pyworm.drives.worm.loads.load_sharing import Shaft, Transmission
+from pyworm.drives.worm.loads.temperatures import Cooling, drive_temperatures
+from pyworm.drives.worm.loads.worm_shaft import WormShaft
 from pyworm.formulas.unknown import Unknown, attempt, known
 from pyworm.formulas.worm_curves import Lubrication
 from pyworm.formulas.worm_losses import other_losses
@@ -398,7 +397,7 @@ class WormDriveCase(RatedCase):
             return duty
         return replace(duty, wheel_temperature=duty.simulated_wheel_temperature)
 
-    def cooling_of(self, drive: ZiWormDrive) -> Cooling:
+    def cooling_of(self, drive: WormDrive) -> Cooling:
         """Cooling of the drive; losses besides the teeth are the worm standard's unless they are given."""
         table = present(self.cooling, "cooling")
         if table.other_loss is not None:
@@ -416,14 +415,14 @@ class WormDriveCase(RatedCase):
             table.worm_excess,
         )
 
-    def make_drive(self) -> ZiWormDrive:
+    def make_drive(self) -> WormDrive:
         """The drive of a case file about a worm."""
         oil = with_fitted_friction(self.oil.oil(), self.oil, self.bodies.worm, self.bodies.wheel)
         operation = self.operation
         design = self.drive.design()
         ratio = design.worm.threads / design.wheel.teeth
         speed = operation.worm_speed or operation.wheel_speed / ratio
-        drive = ZiWormDrive(
+        drive = WormDrive(
             worm=design.worm,
             wheel=design.wheel,
             hob=design.hob,
@@ -449,7 +448,7 @@ class WormDriveCase(RatedCase):
             return worm, wheel
         return worm, replace(wheel, temperature_limit=named_body(rated).temperature_limit)
 
-    def _balanced(self, drive: ZiWormDrive) -> ZiWormDrive:
+    def _balanced(self, drive: WormDrive) -> WormDrive:
         """The drive with bulk temperatures by the standard's balance of its loss, where none is given.
 
         Oil and material are those of the drive itself, so that a rating changes no contact. Where the
@@ -473,7 +472,7 @@ class WormDriveCase(RatedCase):
             ),
         )
 
-    def _by_standard(self, drive: ZiWormDrive) -> WormRating:
+    def _by_standard(self, drive: WormDrive) -> WormRating:
         """The drive by the standard, whatever it is rated for; ValueError of the load of one tooth."""
         load = drive.load
         if not isinstance(load, Transmission):
@@ -485,7 +484,7 @@ class WormDriveCase(RatedCase):
         under = conditions(bare, point, oil, torque, drive.speed, NOT_GIVEN)
         return WormRating(point.gear, under)
 
-    def _warm(self, drive: ZiWormDrive) -> ZiWormDrive:
+    def _warm(self, drive: WormDrive) -> WormDrive:
         """The drive with oil and bodies as warm as its losses make them."""
         loss = present(self.cooling, "cooling").tooth_loss
         if loss is None:
@@ -513,7 +512,7 @@ def deviations_of(part: Any) -> FlankDeviations | None:
 def _relieved(table: WormTable | WheelTable) -> dict[str, Any]:
     """Entries of a design table, its tip relief as one."""
     entries = dict(table)
-    relief = tooth.ParabolicRelief(entries.pop("tip_relief"), entries.pop("tip_relief_length"))
+    relief = ParabolicRelief(entries.pop("tip_relief"), entries.pop("tip_relief_length"))
     return entries | {"tip_relief": relief}
 
 

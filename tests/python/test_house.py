@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pyworm.drives.kinds import KINDS
+from pyworm.drives.kinds import KINDS, name_of
 
 PACKAGE = Path(__file__).parents[2] / "pyworm"
 
@@ -25,6 +25,12 @@ FLOORS = {
 }  # fmt: skip
 """Room -> its floor; a room imports nothing from above."""
 
+
+WORM_ROOMS = ("flanks", "drawing", "teeth", "loads", "patterns")
+"""Folders of the worm drive, from its flanks up to what its drive answers with."""
+
+FOLDERS = {name_of(kind) for kind in KINDS}
+"""Folders of the drives."""
 
 LONGEST = 60
 """Lines of a function."""
@@ -101,7 +107,7 @@ def _kinds_known(file: Path) -> Iterator[str]:
     """What a file imports of kinds of drives, and kinds that it names."""
     for name in _imports(file):
         parts = name.split(".")
-        if parts[:2] == ["pyworm", "drives"] and "".join(parts[2:3]).replace("_", "-") in KINDS:
+        if parts[:2] == ["pyworm", "drives"] and "".join(parts[2:3]) in FOLDERS:
             yield name
     for node in ast.walk(ast.parse(file.read_text())):
         if isinstance(node, ast.Constant) and node.value in KINDS:
@@ -120,11 +126,19 @@ def test_only_drives_and_case_files_know_kinds_of_drives():
 
 
 def test_a_drive_knows_no_other():
-    folders = {kind: PACKAGE / "drives" / kind.replace("-", "_") for kind in KINDS}
     for file in sorted((PACKAGE / "drives").rglob("*.py")):
-        own = {kind for kind, folder in folders.items() if file.is_relative_to(folder)}
+        own = {file.relative_to(PACKAGE / "drives").parts[0]}
         known = {name.split(".")[2] for name in _imports(file) if name.startswith("pyworm.drives.")}
-        assert not {name.replace("_", "-") for name in known} & set(KINDS) - own, file
+        assert not known & FOLDERS - own, file
+
+
+def test_rooms_of_the_worm_drive_import_those_before_them():
+    folder = PACKAGE / "drives" / "worm"
+    assert {path.name for path in folder.iterdir() if any(path.glob("*.py"))} == set(WORM_ROOMS)
+    for number, room in enumerate(WORM_ROOMS):
+        for file in sorted((folder / room).glob("*.py")):
+            within = [name for name in _imports(file) if name.startswith("pyworm.drives.worm.")]
+            assert {name.split(".")[3] for name in within} <= set(WORM_ROOMS[: number + 1]), file
 
 
 def test_no_function_is_longer_than_a_page():

@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 from scipy.interpolate import RegularGridInterpolator
 
-from pyworm.drives.zi_worm.dataset import mesh_cycle_data
+from pyworm.drives.worm.dataset import mesh_cycle_data
 from pyworm.formulas.film import line_groups, point_groups
 from pyworm.formulas.film_atlas import AtlasGroups, films, regime_measures
 from pyworm.formulas.hertz import hertz, hertz_line

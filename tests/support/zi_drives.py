@@ -5,10 +5,13 @@ from functools import lru_cache
 
 import numpy as np
 
-from pyworm.drives.zi_worm import contact_pattern, drive, flank_grid, mesh, tooth_compliance
-from pyworm.drives.zi_worm.design import Hob, Wheel, Worm
-from pyworm.drives.zi_worm.drive import ZiWormDrive
-from pyworm.drives.zi_worm.mesh_springs import mesh_springs
+from pyworm.drives.worm import drive
+from pyworm.drives.worm.drawing.design import Hob, Wheel, Worm
+from pyworm.drives.worm.drive import WormDrive
+from pyworm.drives.worm.loads import mesh, tooth_compliance
+from pyworm.drives.worm.loads.mesh_springs import mesh_springs
+from pyworm.drives.worm.patterns import contact_pattern
+from pyworm.drives.worm.teeth import flank_grid
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.materials.viscosity_density import Density, Roelands
@@ -31,7 +34,7 @@ HOB = Hob(
 )
 
 
-def sharif(**changes) -> ZiWormDrive:
+def sharif(**changes) -> WormDrive:
     """The drive of Sharif et al. (2001), Part 1, Tables 1 and 2, with some entries changed."""
     entries = {
         "worm": WORM,
@@ -43,10 +46,10 @@ def sharif(**changes) -> ZiWormDrive:
         "bodies": (Body(207e9, 0.3), Body(120e9, 0.35)),
         "oil": Oil(Roelands(0.227, 0.227), Density.dowson_higginson(1025.0)),
     }
-    return ZiWormDrive(**(entries | changes))
+    return WormDrive(**(entries | changes))
 
 
-def conjugate() -> ZiWormDrive:
+def conjugate() -> WormDrive:
     """The same worm with a wheel cut by its own likeness: line contact."""
     hob = Hob(
         tip_radius=50.81 * MM,

@@ -8,7 +8,10 @@ import pytest
 
 CASES = Path(__file__).parents[3] / "cases"
 
-SLOW = ("dask", "matplotlib", "pandas", "pyworm.drives.zi_worm", "scipy.optimize", "xarray")
+WORM = ("pyworm.drives.worm.drive", "pyworm.drives.worm.teeth")
+"""The worm drive; the names of its profiles, which `pyworm new` asks for, are in a room below these."""
+
+SLOW = ("dask", "matplotlib", "pandas", *WORM, "scipy.optimize", "xarray")
 
 PROGRAM = """
 import sys

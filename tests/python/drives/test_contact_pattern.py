@@ -7,17 +7,17 @@ import numpy as np
 import pytest
 from zi_drives import HOB, changed, coarse_patterns, conjugate, sharif
 
-from pyworm.drives.zi_worm import loaded_pattern as loaded
-from pyworm.drives.zi_worm.contact_pattern import both_flanks, contact_pattern
-from pyworm.drives.zi_worm.dataset import pattern_data
-from pyworm.drives.zi_worm.design import Assembly
-from pyworm.drives.zi_worm.gap import surface_points
-from pyworm.drives.zi_worm.loaded_pattern import deflection, loaded_pattern
-from pyworm.drives.zi_worm.shim import found_shim
-from pyworm.drives.zi_worm.tooth_compliance import PlacedGap
+from pyworm.drives.worm.dataset import pattern_data
+from pyworm.drives.worm.drawing.design import Assembly
+from pyworm.drives.worm.loads.tooth_compliance import PlacedGap
+from pyworm.drives.worm.patterns import loaded_pattern as loaded
+from pyworm.drives.worm.patterns.contact_pattern import both_flanks, contact_pattern
+from pyworm.drives.worm.patterns.loaded_pattern import deflection, loaded_pattern
+from pyworm.drives.worm.patterns.shim import found_shim
+from pyworm.drives.worm.teeth.gap import surface_points
 from pyworm.formulas.hertz import hertz
 from pyworm.materials.body import reduced_modulus
-from pyworm.plots.drives.zi_worm_pattern import draw_pattern
+from pyworm.plots.drives.worm_pattern import draw_pattern
 from pyworm.result.result import Result
 
 

@@ -8,6 +8,7 @@ from roller_sections import coarse_cycle
 from zi_drives import coarse_patterns
 
 import pyworm
+from pyworm.case.kinds import case_model
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty, WormDuty
 from pyworm.drives.kinds import KINDS, module_of
@@ -78,6 +79,8 @@ def test_a_machine_without_contacts_is_no_drive():
 
 
 def test_modules_are_found_by_the_kind_alone():
-    assert module_of("zi-worm", "pyworm.case").CASE.__name__ == "ZiWormCase"
+    assert module_of("zi-worm", "pyworm.plots.drives").__name__ == "pyworm.plots.drives.worm"
+    assert case_model("drive", "zi-worm").__name__ == "ZiWormCase"
+    assert case_model("drive", "worm").__name__ == "DrawnWormCase"
     assert module_of("gear-pair", "pyworm.report.console.drives") is None  # it prints no table
     assert module_of("picture", "pyworm.plots.drives") is None  # no kind of drive

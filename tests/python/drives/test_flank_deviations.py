@@ -9,8 +9,8 @@ import pytest
 from zi_drives import coarse_patterns, coarse_springs
 
 from pyworm.case.case import case_again, case_of
-from pyworm.drives.zi_worm.gap import surface_points
-from pyworm.drives.zi_worm.tooth import wheel_radius
+from pyworm.drives.worm.teeth.gap import surface_points
+from pyworm.drives.worm.teeth.tooth import wheel_radius
 from pyworm.io.input_error import CaseError
 
 CASES = Path(__file__).parents[3] / "cases"

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from pyworm.case.case import case_of
-from pyworm.drives.zi_worm.design import Assembly
-from pyworm.drives.zi_worm.dry_contact import dry_contact_of
-from pyworm.drives.zi_worm.gears import ZiWormGears
-from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
-from pyworm.drives.zi_worm.seen_path import SeenPath
-from pyworm.drives.zi_worm.tolerances import RISE
-from pyworm.drives.zi_worm.usual_values import completed
+from pyworm.drives.worm.drawing.design import Assembly
+from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.drives.worm.loads.dry_contact import dry_contact_of
+from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
+from pyworm.drives.worm.teeth.gears import WormGears
+from pyworm.drives.worm.teeth.seen_path import SeenPath
+from pyworm.drives.worm.tolerances import RISE
 from pyworm.io.input_error import CaseError
 
 MM = 1e-3
@@ -89,7 +89,7 @@ def test_a_shift_along_the_wheels_axis_costs_the_same_play_either_way(drive):
 def test_play_is_found_once_for_all_contacts_of_a_drive(drive, monkeypatch):
     """It takes seconds where the flanks touch at an edge, and a solution in time asks for many contacts."""
     asked = []
-    monkeypatch.setattr(ZiWormGears, "_turned_ahead", lambda gears: asked.append(gears) or 0.0)
+    monkeypatch.setattr(WormGears, "_turned_ahead", lambda gears: asked.append(gears) or 0.0)
     other = moved(drive, centre_distance=0.02 * MM)
     for phase in (0.4, 0.6):
         other.scene(phase)

@@ -12,8 +12,8 @@ import pyworm
 from pyworm.case.case import case_of
 from pyworm.cli.shared import wanted_places
 from pyworm.drives.tooth_life import ToothLife
-from pyworm.drives.zi_worm.sensitivity import sensitivity_data
-from pyworm.drives.zi_worm.tooth_pair_life import APART, TOUCH
+from pyworm.drives.worm.loads.tooth_pair_motion import APART, TOUCH
+from pyworm.drives.worm.sensitivity import sensitivity_data
 from pyworm.io.input_error import CaseError
 from pyworm.scene.scales import scales
 

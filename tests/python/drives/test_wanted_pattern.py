@@ -10,8 +10,8 @@ from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
 import pyworm
 from pyworm.cli.main import main
-from pyworm.drives.zi_worm import wanted_pattern
-from pyworm.drives.zi_worm.wanted_pattern import TOLERANCES, found_setting, mark_of
+from pyworm.drives.worm.patterns import hob_for_pattern as wanted_pattern
+from pyworm.drives.worm.patterns.hob_for_pattern import TOLERANCES, found_setting, mark_of
 
 CASES = Path(__file__).parents[3] / "cases"
 DRAWING = (CASES / "worm_drawing.toml").read_text()
@@ -75,7 +75,7 @@ def test_the_command_prints_a_hob_that_marks_so(tmp_path, capsys, monkeypatch):
 
 def test_the_command_tells_a_fitter_the_nearest_shim(tmp_path, capsys, monkeypatch):
     """A worm shifted to the entering side, where the other flank would touch at the end of the face only."""
-    monkeypatch.setattr("pyworm.drives.zi_worm.shim.MOST_STEPS", 1)
+    monkeypatch.setattr("pyworm.drives.worm.patterns.shim.MOST_STEPS", 1)
     path = tmp_path / "shifted.toml"
     text = (CASES / "zi_sharif_2001.toml").read_text()
     path.write_text(text + '\n[drive.assembly]\naxial_shift = "-0.05 mm"\n')

@@ -7,14 +7,14 @@ import numpy as np
 import pytest
 import scipy
 
-from pyworm.drives.zi_worm.drawing import Drawing
-from pyworm.drives.zi_worm.gear_warnings import gear_warnings
-from pyworm.drives.zi_worm.gears import ZiWormGears
-from pyworm.drives.zi_worm.helicoid import Helicoid
-from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
-from pyworm.drives.zi_worm.thread_section import form_radius
-from pyworm.drives.zi_worm.tooth_form import worm_thickness
-from pyworm.drives.zi_worm.usual_values import completed
+from pyworm.drives.worm.drawing.drawing import Drawing
+from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.drives.worm.flanks.helicoid import Helicoid
+from pyworm.drives.worm.flanks.thread_section import form_radius
+from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
+from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
+from pyworm.drives.worm.teeth.gears import WormGears
+from pyworm.drives.worm.teeth.tooth_form import worm_thickness
 
 UNIT = {
     "centre_distance": 0.1,
@@ -33,7 +33,7 @@ def drawing(**changes) -> Drawing:
     return completed(UNIT | changes)[0]
 
 
-def filleted(worm: float, wheel: float) -> ZiWormGears:
+def filleted(worm: float, wheel: float) -> WormGears:
     return drawn_gears(drawing(worm_fillet_radius=worm, wheel_fillet_radius=wheel))
 
 

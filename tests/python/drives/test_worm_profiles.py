@@ -10,15 +10,15 @@ from scipy.optimize import brentq, minimize_scalar
 from zi_drives import coarse_patterns, sharif, without_allowed_errors
 
 import pyworm
-from pyworm.drives.zi_worm.checks import check_gears
-from pyworm.drives.zi_worm.drawing_checks import check_drawing
-from pyworm.drives.zi_worm.drive import ZiWormDrive
-from pyworm.drives.zi_worm.gear_warnings import gear_warnings
-from pyworm.drives.zi_worm.gears import ZiWormGears
-from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
-from pyworm.drives.zi_worm.usual_values import completed
-from pyworm.formulas.ruled_helicoid import RuledHelicoid
-from pyworm.formulas.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
+from pyworm.drives.worm.drawing.drawing_checks import check_drawing
+from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.drives.worm.drive import WormDrive
+from pyworm.drives.worm.flanks.ruled_helicoid import RuledHelicoid
+from pyworm.drives.worm.flanks.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
+from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
+from pyworm.drives.worm.teeth.checks import check_gears
+from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
+from pyworm.drives.worm.teeth.gears import WormGears
 
 PROFILES = ("ZA", "ZN", "ZI", "ZK", "ZC", "ZC2")
 SHIFT = {"ZC": 0.5, "ZC2": 0.5}
@@ -58,7 +58,7 @@ def swept(screw):
 
 def test_the_general_meshing_of_an_involute_drive_is_its_closed_form():
     closed = gears("ZI")
-    general = ZiWormGears(
+    general = WormGears(
         worm=swept(closed.worm),
         wheel=closed.wheel,
         hob=swept(closed.hob),
@@ -246,7 +246,7 @@ def test_a_concave_worm_runs_through_the_whole_chain(monkeypatch):
     coarse_patterns(monkeypatch)
     without_allowed_errors(monkeypatch)
     of, like = drawing("ZC"), sharif()
-    drive = ZiWormDrive(
+    drive = WormDrive(
         worm=of.worm,
         wheel=of.wheel,
         hob=of.hob,
@@ -312,7 +312,7 @@ def test_concave_worms_of_a_small_shift_are_computed():
 def test_a_hob_of_another_base_pitch_is_refused_by_a_key_of_the_drawing():
     """A drawing has neither the lead nor the base radius of a hob, and ZK no base cylinder at all."""
     of, other = drawing("ZK"), replace(drawing("ZK"), pressure_angle=radians(26))
-    apart = ZiWormGears(
+    apart = WormGears(
         worm=of.worm, wheel=of.wheel, hob=other.hob, centre_distance=of.centre_distance
     )
     with pytest.raises(

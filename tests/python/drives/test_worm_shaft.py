@@ -11,7 +11,7 @@ from zi_drives import coarse_springs
 
 from pyworm.case.case import case_of
 from pyworm.case.ratings import WormRatingTable
-from pyworm.drives.zi_worm.worm_shaft import WormShaft
+from pyworm.drives.worm.loads.worm_shaft import WormShaft
 from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.worm_loads import rated_loads

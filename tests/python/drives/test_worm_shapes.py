@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 import pyworm
-from pyworm.drives.zi_worm.hob_setting import drawn_gears
-from pyworm.drives.zi_worm.meshing import turned
-from pyworm.drives.zi_worm.shapes import in_space
-from pyworm.drives.zi_worm.usual_values import completed
+from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.drives.worm.flanks.wheel_envelope import turned
+from pyworm.drives.worm.patterns.hob_setting import drawn_gears
+from pyworm.drives.worm.shapes import in_space
 
 CASES = Path(__file__).parents[3] / "cases"
 UNIT = {

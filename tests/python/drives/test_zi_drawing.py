@@ -7,18 +7,18 @@ import numpy as np
 import pytest
 from zi_drives import changed, sharif
 
-from pyworm.drives.zi_worm.design import Design
-from pyworm.drives.zi_worm.gear_warnings import gear_warnings
-from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
-from pyworm.drives.zi_worm.tooth import wheel_radius
-from pyworm.drives.zi_worm.tooth_form import (
+from pyworm.drives.worm.drawing.design import Design
+from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
+from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
+from pyworm.drives.worm.teeth.tooth import wheel_radius
+from pyworm.drives.worm.teeth.tooth_form import (
     tooth_form_warnings,
     wheel_thickness,
     wheel_tip_thickness,
     worm_thickness,
 )
-from pyworm.drives.zi_worm.tooth_outline import flank_places
-from pyworm.drives.zi_worm.usual_values import completed
+from pyworm.drives.worm.teeth.tooth_outline import flank_places
 from pyworm.materials.body import Body
 from pyworm.materials.topography import Topography
 
@@ -114,7 +114,7 @@ def test_a_steep_worm_gets_a_swivel_by_which_it_does_not_cut_into_its_wheel():
 
 
 def test_a_worm_that_no_swivel_fits_is_refused_with_the_least_cut(monkeypatch):
-    monkeypatch.setattr("pyworm.drives.zi_worm.hob_setting.FRACTIONS", (1.0, 0.99))
+    monkeypatch.setattr("pyworm.drives.worm.patterns.hob_setting.FRACTIONS", (1.0, 0.99))
     of, _ = completed(
         {"centre_distance": 0.16, "threads": 4, "teeth": 36, "module": 7e-3, "diameter_factor": 9.0}
     )

@@ -9,12 +9,12 @@ from scipy.optimize import brentq, root
 from zi_drives import WHEEL, WORM, changed, sharif
 
 import pyworm
-from pyworm.drives.zi_worm.gear_warnings import gear_warnings
-from pyworm.drives.zi_worm.hob_setting import drawn_gears, with_swivel
-from pyworm.drives.zi_worm.point_cache import PointCache
-from pyworm.drives.zi_worm.tooth import ParabolicRelief
-from pyworm.drives.zi_worm.tooth_form import flank_start
-from pyworm.drives.zi_worm.usual_values import completed
+from pyworm.drives.worm.drawing.design import ParabolicRelief
+from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.drives.worm.flanks.point_cache import PointCache
+from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
+from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
+from pyworm.drives.worm.teeth.tooth_form import flank_start
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
 DATA = Path(__file__).parents[2] / "data"

@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from zi_drives import sharif
 
-from pyworm.drives.zi_worm import tooth_compliance
-from pyworm.drives.zi_worm.load_sharing import Arms, Transmission, share
-from pyworm.drives.zi_worm.mesh_springs import mesh_springs
-from pyworm.drives.zi_worm.tooth_compliance import ToothSprings, tooth_springs
+from pyworm.drives.worm.loads import tooth_compliance
+from pyworm.drives.worm.loads.load_sharing import Arms, Transmission, share
+from pyworm.drives.worm.loads.mesh_springs import mesh_springs
+from pyworm.drives.worm.loads.tooth_compliance import ToothSprings, tooth_springs
 from pyworm.formulas.hertz import hertz
 from pyworm.scene.point import Paraboloid
 

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from zi_drives import DEGREE, HOB, MM, changed, conjugate, sharif
 
-from pyworm.drives.zi_worm.design import Assembly
-from pyworm.drives.zi_worm.helicoid import Helicoid
-from pyworm.drives.zi_worm.sensitivity import sensitivity_data
-from pyworm.report.console.drives.zi_worm import sensitivity_table
+from pyworm.drives.worm.drawing.design import Assembly
+from pyworm.drives.worm.flanks.helicoid import Helicoid
+from pyworm.drives.worm.sensitivity import sensitivity_data
+from pyworm.report.console.drives.worm import sensitivity_table
 
 
 def test_helicoid_is_the_involute_of_its_base_cylinder():

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from zi_drives import sharif
 
-from pyworm.drives.zi_worm.flank_height import TOLERANCE
-from pyworm.drives.zi_worm.smooth_mesh import on_mesh
+from pyworm.drives.worm.flanks.flank_height import TOLERANCE
+from pyworm.drives.worm.flanks.lagrange_interpolation import on_mesh
 
 
 def mesh(half_x, half_y, indexing):

@@ -41,7 +41,7 @@ from pyworm.plots.contact.pressure import draw_pressure
 from pyworm.plots.contact.profiles import draw_profiles
 from pyworm.plots.contact.temperature import draw_temperature
 from pyworm.plots.draw import draw
-from pyworm.plots.drives.zi_worm import draw_cycle
+from pyworm.plots.drives.worm import draw_cycle
 from pyworm.plots.layout import Window, contact_window, heading
 from pyworm.plots.overlays import draw_tooth
 from pyworm.plots.regimes import draw_chart, draw_regimes, numbers_of

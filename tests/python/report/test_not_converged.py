@@ -16,8 +16,8 @@ from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycl
 import pyworm
 from pyworm.cli.main import main
 from pyworm.plots.contact.film import draw_film
-from pyworm.plots.drives.zi_worm import draw_cycle
-from pyworm.plots.drives.zi_worm_flank import draw_flank
+from pyworm.plots.drives.worm import draw_cycle
+from pyworm.plots.drives.worm_flank import draw_flank
 from pyworm.plots.layout import heading
 from pyworm.ratings.rated_case import asked_of, ratings
 from pyworm.ratings.standard_loss import standard_loss

@@ -25,8 +25,8 @@ import pyworm
 from pyworm.batch import drive_iteration
 from pyworm.batch.task import Task
 from pyworm.drives.mesh_loss import MeshLoss
-from pyworm.drives.zi_worm import dataset
-from pyworm.plots.drives.zi_worm import CYCLE_PICTURES
+from pyworm.drives.worm import dataset
+from pyworm.plots.drives.worm import CYCLE_PICTURES
 from pyworm.ratings.mesh_loss import with_missing
 from pyworm.ratings.standard_loss import NoStandard
 from pyworm.report.console.mesh_cycle import cycle_table, loss_sentence, loss_table

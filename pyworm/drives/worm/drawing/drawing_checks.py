@@ -1,0 +1,359 @@
+"""Checks of a worm gear's drawing; each refusal begins with the key that is wrong.
+
+Values that follow from others are checked against them, within what drawings round.
+"""
+
+from collections.abc import Callable, Mapping
+from math import degrees, pi, radians
+
+from pyworm.drives.worm.drawing.drawing import Drawing, key_of
+from pyworm.drives.worm.flanks.worm_profiles import Profile
+from pyworm.io.present import present
+
+MOST_DISC = 1.0
+"""Largest diameter of a grinding disc [m]."""
+
+ROUNDING = 1e-3
+"""Relative disagreement of a redundant length taken as rounding."""
+
+ANGLE_ROUNDING = radians(0.05)
+"""Disagreement of a redundant angle taken as rounding [rad]."""
+
+SHIFT_ROUNDING = 0.005
+"""Disagreement of a redundant profile shift taken as rounding."""
+
+MOST_THREADS = 12
+"""Most threads of a worm; more wind so steeply that they make a pair of crossed gears."""
+
+PRESSURE_ANGLES = radians(10), radians(30)
+"""Pressure angles that worms have, each in the definition of its profile."""
+
+MOST_SHIFT = 1.5
+"""Largest profile shift in either direction; usual ones are within 0.5."""
+
+LARGEST_OVERSIZE = 0.25
+"""Largest oversize of a hob over the worm's reference diameter."""
+
+LEAST_OVERSIZE = 1e-3
+"""Least oversize of a hob, likewise: a smaller one leaves a line contact."""
+
+OF_PROFILES: dict[str, tuple[Profile, ...]] = {
+    "worm_base_diameter": ("ZI",),
+    "worm_disc_diameter": ("ZK", "ZC"),
+    "worm_arc_radius": ("ZC", "ZC2"),
+}
+"""Number of a drawing -> the profiles that have it."""
+
+DERIVED: dict[str, tuple[Callable[[Drawing], float], str]] = {
+    "profile_shift": (
+        lambda of: of.profile_shift,
+        "centre_distance, module, diameter_factor and teeth, a / m - (q + z2) / 2",
+    ),
+    "worm_reference_diameter": (lambda of: of.reference_diameter, "diameter_factor x module"),
+    "worm_axial_pitch": (lambda of: pi * of.module, "pi x module"),
+    "worm_lead": (lambda of: of.lead, "pi x module x threads"),
+    "worm_lead_angle": (lambda of: of.lead_angle, "tan = threads / diameter_factor"),
+    "worm_base_diameter": (lambda of: 2 * of.base_radius, "the base helix"),
+    "wheel_reference_diameter": (lambda of: of.wheel_reference_diameter, "teeth x module"),
+    "hob_reference_diameter": (
+        lambda of: of.reference_diameter + of.hob_oversize,
+        "the worm's reference diameter and hob.oversize",
+    ),
+}
+"""Number that follows from others -> how, and in words."""
+
+
+def check_given(given: Mapping[str, float | None]) -> None:
+    """Refuse counts, angles and a centre distance that no worm gear has, before usual values are taken.
+
+    Raises
+    ------
+    ValueError
+        If one is wrong.
+    """
+    threads, teeth, module, factor = (
+        present(given[key], f"drive.{key}")
+        for key in ("threads", "teeth", "module", "diameter_factor")
+    )
+    if threads >= teeth or threads > MOST_THREADS:
+        swapped = teeth <= MOST_THREADS and threads > teeth
+        right = f"swapped? threads = {teeth}, teeth = {threads}" if swapped else "such as 2"
+        raise ValueError(
+            f"threads is {threads} with {teeth} teeth; a worm has 1 to {MOST_THREADS} threads and fewer than "
+            f"its wheel has teeth, {right}"
+        )
+    angle = given.get("pressure_angle")
+    low, high = PRESSURE_ANGLES
+    if angle is not None and not low <= angle <= high:
+        raise ValueError(
+            f"pressure_angle is {degrees(angle):.4g} deg; worms have {degrees(low):g} to "
+            f'{degrees(high):g} deg, as a rule "20 deg"'
+        )
+    if not 4 <= factor <= 40:
+        meant = factor * module
+        raise ValueError(
+            f"diameter_factor is {factor:.4g}; worms have 4 to 40, reference diameter over module: here the "
+            f"worm's reference diameter would be {_mm(meant)}"
+        )
+
+
+def check_profile(profile: Profile, given: Mapping[str, float | None]) -> None:
+    """Refuse numbers of a grinding disc of a profile that has none, and a base cylinder of any but ZI.
+
+    Raises
+    ------
+    ValueError
+        If there is such a number.
+    """
+    for name, profiles in OF_PROFILES.items():
+        if given.get(name) is not None and profile not in profiles:
+            words = " and ".join(f'"{one}"' for one in profiles)
+            raise ValueError(f'{key_of(name)} belongs to profile {words}; profile is "{profile}"')
+
+
+def check_drawing(of: Drawing) -> None:
+    """Refuse a drawing of which no worm gear can be made.
+
+    Raises
+    ------
+    ValueError
+        If there is none.
+    """
+    _check_distance(of)
+    _check_worm(of)
+    _check_disc(of)
+    _check_wheel(of)
+    _check_engagement(of)
+    _check_hob(of)
+
+
+def check_redundant(of: Drawing, given: Mapping[str, float | None]) -> None:
+    """Refuse numbers of a drawing that contradict others.
+
+    Raises
+    ------
+    ValueError
+        If one does.
+    """
+    for name, (derive, words) in DERIVED.items():
+        value = given.get(name)
+        if value is None:
+            continue
+        right = derive(of)
+        allowed, shown = ROUNDING * right, "{:.6g} mm".format
+        scale = 1e3
+        if name == "profile_shift":
+            allowed, shown, scale = SHIFT_ROUNDING, "{:.4g}".format, 1.0
+        elif name.endswith("angle"):
+            allowed, shown, scale = ANGLE_ROUNDING, "{:.2f} deg".format, degrees(1.0)
+        if abs(value - right) > allowed:
+            raise ValueError(
+                f"{key_of(name)} is {shown(value * scale)}, but {words} give {shown(right * scale)}"
+                f"{_as_radius(name, value, right)}"
+            )
+
+
+def _mm(value: float) -> str:
+    return f"{value * 1e3:.5g} mm"
+
+
+def _as_radius(name: str, value: float, right: float) -> str:
+    """The question whether a diameter is a radius; empty where it is none."""
+    halved = name.endswith("diameter") and abs(2 * value / right - 1) < 0.02
+    return "; is it a radius? a diameter is wanted" if halved else ""
+
+
+def _check_distance(of: Drawing) -> None:
+    """Refuse a centre distance that asks for an impossible profile shift."""
+    if abs(of.profile_shift) <= MOST_SHIFT:
+        return
+    plain = of.module / 2 * (of.diameter_factor + of.teeth)
+    twice = abs(of.centre_distance / plain - 2) < 0.1
+    fitting = f"; a module of {_mm(of.module * of.centre_distance / plain)} would need none"
+    raise ValueError(
+        f"centre_distance is {_mm(of.centre_distance)}, which asks for a profile shift of "
+        f"{of.profile_shift:.3g}; module, diameter_factor and teeth make {_mm(plain)}, and shifts "
+        f"of up to one module are usual{'; is it twice the distance?' if twice else fitting}"
+    )
+
+
+def _check_between(name: str, value: float, low: float, high: float, why: str) -> None:
+    """Refuse a diameter outside an open range; a radius in its place is recognised."""
+    if low < value < high:
+        return
+    meant = "; is it a radius? a diameter is wanted" if low < 2 * value < high else ""
+    if low < value / 2 < high:
+        meant = f"; did you mean {_mm(value / 2)}?"
+    raise ValueError(
+        f"{key_of(name)} is {_mm(value)}; it must lie between {_mm(low)} and {_mm(high)}, "
+        f"{why}{meant}"
+    )
+
+
+def _check_worm(of: Drawing) -> None:
+    """Refuse a worm without addendum or dedendum, or without threads."""
+    reference, module = of.reference_diameter, of.module
+    _check_between(
+        "worm_tip_diameter",
+        of.worm_tip_diameter,
+        reference,
+        reference + 4 * module,
+        "above the reference diameter by twice the addendum, as a rule one module",
+    )
+    _check_between(
+        "worm_root_diameter",
+        of.worm_root_diameter,
+        reference - 4 * module,
+        reference,
+        "below the reference diameter by twice the dedendum, as a rule 1.2 modules",
+    )
+    pitch = pi * module
+    if not 0.2 * pitch < of.worm_thickness < 0.8 * pitch:
+        raise ValueError(
+            f"worm.thickness is {_mm(of.worm_thickness)}; the thread's axial thickness is about half "
+            f"the axial pitch, {_mm(pitch / 2)}"
+        )
+
+
+def _check_disc(of: Drawing) -> None:
+    """Refuse a grinding disc that is none, and a disc or an arc that leaves no flank."""
+    diameter, arc = of.worm_disc_diameter, of.worm_arc_radius
+    if diameter is not None and not of.reference_diameter <= diameter <= MOST_DISC:
+        raise ValueError(
+            f"worm.disc_diameter is {_mm(diameter)}; grinding discs are larger than the worm, "
+            f"{_mm(of.reference_diameter)}, and up to {_mm(MOST_DISC)}"
+        )
+    if arc is not None and not 3 * of.module <= arc <= 100 * of.module:
+        raise ValueError(
+            f"worm.arc_radius is {_mm(arc)}; the arc has 3 to 100 modules, as a rule 5 to "
+            f"7, {_mm(5 * of.module)} to {_mm(7 * of.module)}"
+        )
+    for part, make in (("worm", lambda: of.worm), ("hob", lambda: of.hob)):
+        try:
+            make()
+        except ValueError as error:
+            sizes = {"worm.disc_diameter": diameter, "worm.arc_radius": arc}
+            given = [name for name, size in sizes.items() if size is not None]
+            raise ValueError(
+                f"{', '.join(given)} and pressure_angle do not fit: for the {part} {error} at its lead angle "
+                f"of {degrees(of.lead_angle):.3g} deg; a larger {', '.join(given)}, pressure_angle or "
+                "diameter_factor, or fewer threads are needed"
+            ) from error
+
+
+def _check_wheel(of: Drawing) -> None:
+    """Refuse a wheel whose diameters do not follow each other, and a face that no worm spans."""
+    mean = 2 * of.centre_distance - of.reference_diameter
+    module, throat = of.module, of.wheel_throat_diameter
+    groove = of.centre_distance - mean / 2 - module
+    if abs(throat / 2 - groove) < 0.25 * module or abs(throat - groove) < 0.25 * module:
+        raise ValueError(
+            f"wheel.throat_diameter is {_mm(throat)}; that is the size of the throat's groove "
+            f"(wheel.groove_radius), the wheel's diameter at the throat is about {_mm(mean + 2 * module)}"
+        )
+    _check_between(
+        "wheel_throat_diameter",
+        throat,
+        mean,
+        mean + 4 * module,
+        "above 2 centre_distance - worm.reference_diameter by twice the addendum, as a rule one module",
+    )
+    _check_between(
+        "wheel_root_diameter",
+        of.wheel_root_diameter,
+        mean - 4 * module,
+        mean,
+        "below 2 centre_distance - worm.reference_diameter by twice the dedendum, as a rule 1.2 modules",
+    )
+    _check_between(
+        "wheel_outside_diameter",
+        of.wheel_outside_diameter,
+        throat * (1 - ROUNDING),
+        throat + 4 * module,
+        "not below the throat's diameter, as a rule one module above it",
+    )
+    widest = of.worm_tip_diameter
+    if not of.module < of.face_width <= widest:
+        raise ValueError(
+            f"face_width is {_mm(of.face_width)}; a wheel is narrower than its worm's tip diameter, "
+            f"{_mm(widest)}, about 2 m (0.5 + sqrt(q + 1)) = "
+            f"{_mm(2 * module * (0.5 + (of.diameter_factor + 1) ** 0.5))}"
+        )
+    smallest = of.centre_distance - throat / 2
+    if not 0.5 * smallest <= of.wheel_groove_radius <= 3 * smallest:
+        raise ValueError(
+            f"wheel.groove_radius is {_mm(of.wheel_groove_radius)}; the groove lies about the worm, with "
+            f"centre_distance - throat_diameter / 2 = {_mm(smallest)} as a rule"
+        )
+
+
+def _check_engagement(of: Drawing) -> None:
+    """Refuse tips that touch roots, and a backlash that is none."""
+    distance = of.centre_distance
+    for tip, root, key, other in (
+        (of.worm_tip_diameter, of.wheel_root_diameter, "worm.tip_diameter", "wheel.root_diameter"),
+        (
+            of.wheel_throat_diameter,
+            of.worm_root_diameter,
+            "wheel.throat_diameter",
+            "worm.root_diameter",
+        ),
+    ):
+        if tip + root >= 2 * distance:
+            raise ValueError(
+                f"{key} is {_mm(tip)}; with {other} of {_mm(root)} the tip touches the root, they "
+                f"must make less than twice centre_distance, {_mm(2 * distance)}"
+            )
+    if of.backlash >= of.module:
+        raise ValueError(
+            f"backlash is {_mm(of.backlash)}; it must be a small part of module, such as "
+            f"{_mm(0.03 * of.module)}"
+        )
+    for part, height in (
+        ("worm", of.worm_tip_diameter - of.worm_root_diameter),
+        ("wheel", of.wheel_throat_diameter - of.wheel_root_diameter),
+    ):
+        amount, length = (getattr(of, f"{part}_tip_relief{end}") for end in ("", "_length"))
+        if amount > 0 and not 0 < length < height / 2:
+            raise ValueError(
+                f"{part}.tip_relief_length is {_mm(length)}; it must lie between 0 and the tooth's "
+                f"height, {_mm(height / 2)}"
+            )
+
+
+def _check_hob(of: Drawing) -> None:
+    """Refuse a hob smaller than the worm, and one of another kind of number."""
+    largest = LARGEST_OVERSIZE * of.reference_diameter
+    if of.hob_oversize < 0:
+        raise ValueError(
+            f"hob.oversize is {_mm(of.hob_oversize)}; a hob smaller than the worm cuts a wheel that "
+            "touches it at both ends of the face, it must be zero or more, as a rule 2 % of "
+            f"worm.reference_diameter, {_mm(0.02 * of.reference_diameter)}"
+        )
+    least = LEAST_OVERSIZE * of.reference_diameter
+    if of.hob_oversize < least:
+        raise ValueError(
+            f"hob.oversize is {_mm(of.hob_oversize)}; a hob as large as the worm leaves a contact along a "
+            f"line, point contacts are computed, for which it must be {_mm(least)} or more, as a rule 2 % of "
+            f"worm.reference_diameter, {_mm(0.02 * of.reference_diameter)}"
+        )
+    if of.hob_oversize > largest:
+        raise ValueError(
+            f"hob.oversize is {_mm(of.hob_oversize)}; it is the hob's reference diameter beyond the worm's "
+            f"{_mm(of.reference_diameter)}, at most {_mm(largest)}"
+        )
+    usual = of.centre_distance + of.hob_oversize / 2
+    distance = of.hob_centre_distance or usual
+    if abs(distance - usual) > of.module / 2:
+        raise ValueError(
+            f"hob.centre_distance is {_mm(distance)}; it is the distance of the hob's "
+            f"axis from the wheel's, within half a module of {_mm(usual)}, centre_distance and half of "
+            "hob.oversize"
+        )
+    tip = of.hob.tip_radius
+    if 2 * tip < of.worm_tip_diameter:
+        raise ValueError(
+            f"hob.centre_distance is {_mm(of.hob.centre_distance)}; with wheel.root_diameter of "
+            f"{_mm(of.wheel_root_diameter)} the hob's tip diameter would be {_mm(2 * tip)}, below that of "
+            f"the worm, {_mm(of.worm_tip_diameter)}, whose tip would touch the root that the hob leaves"
+        )

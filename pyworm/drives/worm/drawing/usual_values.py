@@ -1,0 +1,133 @@
+"""Usual values of what a drawing leaves out, each of which is told.
+
+Sources: DIN 3975 for addenda, clearance, groove and face width (as handed on in textbooks, such as Niemann
+and Winter, Maschinenelemente III), Sharif et al. (2001) for the hob's oversize (1.64 mm on some 78 mm).
+Backlash, fillets and tip relief have none, nor has the grinding disc of ZK and ZC: values of the usual size.
+"""
+
+from collections.abc import Callable, Mapping
+from math import degrees, pi, sqrt
+from typing import Any
+
+from pyworm.drives.worm.drawing.drawing import CLEARANCE, Drawing, key_of
+from pyworm.drives.worm.drawing.usual_fillets import USUAL, fitting_fillets
+from pyworm.drives.worm.flanks.worm_profiles import Profile
+
+FILLETS = "worm_fillet_radius", "wheel_fillet_radius"
+"""Numbers of a drawing that follow, if they are not given, from the flanks (`usual_fillets`)."""
+
+Known = Mapping[str, float]
+"""Numbers of a drawing by their names in `Drawing`."""
+
+_FILLET = "0.2 modules or what fits, assumed without a source"
+_HOB_FILLET = f"{_FILLET}, from a rounded edge of the hob's tip"
+
+_USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
+    "pressure_angle": (lambda of: pi / 9, "as of most worms"),
+    "worm_tip_diameter": (
+        lambda of: of["module"] * (of["diameter_factor"] + 2),
+        "an addendum of one module",
+    ),
+    "worm_root_diameter": (
+        lambda of: of["module"] * (of["diameter_factor"] - 2 - 2 * CLEARANCE),
+        "a dedendum of 1.2 modules",
+    ),
+    "worm_thickness": (lambda of: pi / 2 * of["module"], "half the axial pitch"),
+    "wheel_throat_diameter": (
+        lambda of: _mean_diameter(of) + 2 * of["module"],
+        "one module beyond the worm's reference cylinder",
+    ),
+    "wheel_outside_diameter": (
+        lambda of: of["wheel_throat_diameter"] + of["module"],
+        "one module more than the throat",
+    ),
+    "wheel_root_diameter": (
+        lambda of: _mean_diameter(of) - 2 * (1 + CLEARANCE) * of["module"],
+        "1.2 modules within the worm's reference cylinder",
+    ),
+    "wheel_groove_radius": (
+        lambda of: of["centre_distance"] - of["wheel_throat_diameter"] / 2,
+        "concentric with the worm",
+    ),
+    "face_width": (
+        lambda of: 2 * of["module"] * (0.5 + sqrt(of["diameter_factor"] + 1)),
+        "2 m (0.5 + sqrt(q + 1))",
+    ),
+    "backlash": (lambda of: 0.03 * of["module"], "0.03 modules, assumed without a source"),
+    "worm_fillet_radius": (lambda of: 0.0, _FILLET),
+    "wheel_fillet_radius": (lambda of: 0.0, _HOB_FILLET),
+    "worm_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, assumed without a source"),
+    "worm_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
+    "wheel_tip_relief": (
+        lambda of: 0.004 * of["module"],
+        "0.004 modules, assumed without a source",
+    ),
+    "wheel_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
+    "hob_oversize": (
+        lambda of: 0.02 * of["module"] * of["diameter_factor"],
+        "2 % of the worm's reference diameter",
+    ),
+    "hob_axial_shift": (lambda of: 0.0, "in the middle of the face"),
+}
+"""Number of a drawing -> its usual value from those before it, and that in words; fillets follow from the
+flanks when all else is known."""
+
+_DISC = (lambda of: 0.5, "as of new grinding wheels")
+_ARC = (lambda of: 6 * of["module"], "six modules, of 5 to 7")
+
+_USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
+    "ZK": {"worm_disc_diameter": _DISC},
+    "ZC": {"worm_disc_diameter": _DISC, "worm_arc_radius": _ARC},
+    "ZC2": {"worm_arc_radius": _ARC},
+}
+"""Likewise for the profiles with a disc or an arc."""
+
+
+def _mean_diameter(of: Known) -> float:
+    """Diameter of the wheel at the worm's reference cylinder d_m2 = 2 a - d_m1 [m]."""
+    return 2 * of["centre_distance"] - of["diameter_factor"] * of["module"]
+
+
+def completed(
+    given: Mapping[str, float | None], profile: Profile = "ZI"
+) -> tuple[Drawing, tuple[str, ...]]:
+    """A drawing with usual values for what it does not give.
+
+    Parameters
+    ----------
+    given : mapping
+        Numbers by their names in `Drawing`, those that are left out None or absent.
+    profile : str
+        Form of the flanks.
+
+    Returns
+    -------
+    tuple of Drawing and tuple of str
+        The drawing, and a sentence that begins with the key for each value taken.
+    """
+    known: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
+    taken = {}
+    for name, (rule, words) in (_USUAL | _USUAL_OF.get(profile, {})).items():
+        if name not in known:
+            known[name] = rule(known)
+            taken[name] = words
+    if any(name in taken for name in FILLETS):
+        fits = _fitting(Drawing(**known, profile=profile))
+        known |= {name: fit for name, fit in zip(FILLETS, fits, strict=True) if name in taken}
+    assumed = (
+        f"{key_of(name)} = {_shown(name, known[name])}, {words}" for name, words in taken.items()
+    )
+    return Drawing(**known, profile=profile), tuple(assumed)
+
+
+def _fitting(of: Drawing) -> tuple[float, float]:
+    """Usual fillets of worm and wheel [m]; of a drawing without flanks, which is refused, by its module."""
+    try:
+        return fitting_fillets(of)
+    except ValueError:
+        return USUAL * of.module, USUAL * of.module
+
+
+def _shown(name: str, value: float) -> str:
+    """A number of a drawing in the unit of drawings."""
+    return f"{degrees(value):.5g} deg" if name.endswith("angle") else f"{value * 1e3:.5g} mm"

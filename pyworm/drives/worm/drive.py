@@ -1,0 +1,257 @@
+"""The worm drive: what it answers of its mesh, and what it assumes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, partial
+
+from pyworm.drives.drive import AllowedErrors, Drive
+from pyworm.drives.duty import WormDuty
+from pyworm.drives.hob_setup import HobSetup
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
+from pyworm.drives.misalignment import Misalignment
+from pyworm.drives.shape import Space
+from pyworm.drives.shim import Shim
+from pyworm.drives.tooth_life import ToothLife
+from pyworm.drives.worm.dataset import (
+    loaded_cycle_data,
+    mesh_cycle_data,
+    pattern_data,
+    tooth_data,
+)
+from pyworm.drives.worm.drawing.design import AS_DESIGNED
+from pyworm.drives.worm.duty import worm_duty
+from pyworm.drives.worm.geometry_table import (
+    described_mesh,
+    described_patterns,
+    described_tolerances,
+    signed_geometry,
+)
+from pyworm.drives.worm.loads.load_sharing import Transmission
+from pyworm.drives.worm.loads.mesh import WormMesh
+from pyworm.drives.worm.loads.tooth_compliance import BEYOND
+from pyworm.drives.worm.loads.tooth_pair_motion import tooth_life
+from pyworm.drives.worm.mesh_loss import worm_mesh_loss
+from pyworm.drives.worm.misalignment import worm_misalignment
+from pyworm.drives.worm.patterns.contact_pattern import ContactPattern, both_flanks, contact_pattern
+from pyworm.drives.worm.patterns.hob_for_pattern import set_up
+from pyworm.drives.worm.patterns.loaded_pattern import loaded_pattern
+from pyworm.drives.worm.patterns.shim import found_shim
+from pyworm.drives.worm.sensitivity import sensitivity_data
+from pyworm.drives.worm.shapes import in_space
+from pyworm.drives.worm.teeth.checks import check_gears, check_values
+from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
+from pyworm.drives.worm.tolerances import Tolerance, tolerances
+from pyworm.io.on_demand import xarray as xr
+from pyworm.io.plain_dataset import PlainDataset
+from pyworm.io.present import present
+from pyworm.scene.index import Place
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
+
+MIRRORED = (
+    "The left-hand worm is computed as its mirror image, a right-hand one that turns the other way: all "
+    "figures are the same, and pictures show the mirror image, the leaving side where it is in both."
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class WormDrive(WormMesh, Drive):
+    """A worm drive at one operating point; further attributes as of `WormMesh`.
+
+    Attributes
+    ----------
+    taken : tuple of str
+        Usual values that were taken where none was given, a sentence each that begins with the key.
+    warmth : str
+        Where the bulk temperatures of worm and wheel come from, a sentence; empty where they are given.
+
+    Raises
+    ------
+    ValueError
+        If worm and wheel do not mesh; the message begins with the key that is wrong.
+    """
+
+    body_names = "worm", "wheel"
+    rated_as = WormDuty
+
+    taken: tuple[str, ...] = ()
+    warmth: str = ""
+
+    def __post_init__(self) -> None:
+        given = {} if isinstance(self.load, Transmission) else {"load": self.load}
+        check_values({"speed": self.speed, **given})
+        check_gears(self)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings of the gears, and that of a worm that is softer than its wheel."""
+        found = gear_warnings(self)
+        worm, wheel = (body.hardness for body in self.bodies)
+        if worm is None or wheel is None or worm >= wheel:
+            return found
+        return (
+            *found,
+            f"worm has flanks of a hardness of {worm / 1e9:.3g} GPa, softer than the wheel's "
+            f"{wheel / 1e9:.3g} GPa; worms are the harder ones as a rule, are bodies.worm and bodies.wheel "
+            "swapped?",
+        )
+
+    @property
+    def assumptions(self) -> tuple[str, ...]:
+        """The load and its sharing, rigid teeth and shafts, the hand, and usual values taken."""
+        load = self.load
+        if isinstance(load, Transmission):
+            made = (
+                f"The teeth in mesh share {load.torque:.4g} N m of the {load.shaft} ({load.sharing} sharing, "
+                f"friction {load.friction:.2g} in the balance of torques"
+                f"{', with the lift of their films' if load.lifts else ''})."
+            )
+        else:
+            made = (
+                f"The load on the tooth, {load / 1e3:.4g} kN, is given and the same at every phase; "
+                "it is not shared among teeth."
+            )
+        return (
+            made,
+            self._bending,
+            *self._deviating,
+            *filter(None, (self.warmth,)),
+            *(() if self.edge_contact is None else (self.edge_contact.words,)),
+            *((MIRRORED,) if self.hand == "left" else ()),
+            *(f"Taken as usual: drive.{one}." for one in self.taken),
+        )
+
+    @property
+    def _bending(self) -> str:
+        """What bends, as an assumption."""
+        if self.bent is None:
+            return (
+                "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for "
+                "the contact itself."
+            )
+        bent = self.bent
+        return (
+            f"The worm's shaft bends {bent.deflection * 1e6:.3g} µm at the mesh under its mean forces, "
+            f"{bent.away * 1e6:.3g} µm of it away from the wheel, and tilts by {bent.tilt * 1e3:.3g} mrad; "
+            "contacts are those of the mesh so displaced. The wheel's shaft and teeth do not bend, but for "
+            "the contact itself. The limit of the deflection, 0.04 sqrt(m_x) mm, is the worm standard's from "
+            "memory, not compared with its text."
+        )
+
+    @property
+    def _deviating(self) -> tuple[str, ...]:
+        """Where deviations of the flanks hold, as assumptions; empty without any."""
+        where = {
+            "worm": "driving flank of each thread of the worm; its other flank is a helicoid",
+            "wheel": "driven flank of each tooth of the wheel; its other flank is as the hob cuts it",
+        }
+        return tuple(
+            f"The file's deviations differ by {deviations.spread * 1e6:.3g} µm over the {where[name]}."
+            for name, deviations in self.deviating.items()
+        )
+
+    def scene(self, phase: float) -> Scene:
+        """The lubricated contact at a phase of the mesh cycle: body 1 is the worm, body 2 the wheel."""
+        self.contact(phase)  # refuses other phases
+        return replace(self.scene_at(phase), past=self.life.past(phase))
+
+    @cached_property
+    def life(self) -> ToothLife:
+        """The life of a tooth pair, from flanks that come together to the last ones under load."""
+        return tooth_life(self)
+
+    @cached_property
+    def driven_pattern(self) -> ContactPattern:
+        """Contact pattern without load of the flank that the worm drives; nothing bends."""
+        if self.rigid is not self:
+            return self.rigid.driven_pattern
+        return contact_pattern(self, self.flank_grid)
+
+    @cached_property
+    def patterns(self) -> tuple[ContactPattern, ContactPattern]:
+        """Contact patterns without load, of that flank and of the wheel's other one; nothing bends."""
+        if self.rigid is not self:
+            return self.rigid.patterns
+        return both_flanks(self, contact_pattern)
+
+    @cached_property
+    def loaded_patterns(self) -> tuple[ContactPattern, ContactPattern]:
+        """Contact patterns under the load, of the flank that the worm drives and of the other one."""
+        return both_flanks(self, loaded_pattern)
+
+    def allowed_errors(self) -> AllowedErrors:
+        """Errors of the assembly that it allows, each alone."""
+        return {one.entry: one.row for one in self.tolerances}
+
+    @cached_property
+    def tolerances(self) -> tuple[Tolerance, ...]:
+        """Errors of the assembly that it allows, one at a time."""
+        return tolerances(self)
+
+    def cycle_data(self) -> "xr.Dataset":
+        """The mesh cycle for the result, without load and with it."""
+        parts = (
+            self.loaded_cycle(),
+            sensitivity_data(self),
+            pattern_data(self.patterns, self.loaded_patterns),
+        )
+        data = mesh_cycle_data(self.mesh_cycle())
+        for part in parts:
+            data = data.merge(part, combine_attrs="no_conflicts")
+        return data
+
+    def loaded_cycle(self) -> "xr.Dataset":
+        """Loads, levers and speeds of a tooth pair over its cycle under load."""
+        return self._loaded_cycle
+
+    @cached_property
+    def _loaded_cycle(self) -> "xr.Dataset":
+        return loaded_cycle_data(self, BEYOND if isinstance(self.load, Transmission) else 0.0)
+
+    def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
+        """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""
+        return worm_mesh_loss(self, self.loaded_cycle, contacts)
+
+    def hob_setup(self, wanted: dict[str, float]) -> HobSetup:
+        """The hob's set-up, and the one found for a wanted contact pattern."""
+        return set_up(self, wanted)
+
+    def wheel_shim(self, wanted: float | None) -> Shim:
+        """The shim under the wheel for a place of the pattern without load; of no errors where None."""
+        return found_shim(self.rigid, self.patterns, wanted)
+
+    def geometry(self) -> dict[str, float | str]:
+        """Diameters, lead, profile shift, backlash, clearances and contact ratio."""
+        return signed_geometry(self)
+
+    def described(self) -> dict[str, float | str]:
+        """The computed drawing, its kinematics and its pattern."""
+        parts = (
+            described_mesh(self),
+            described_patterns(self.driven_pattern, self.loaded_patterns[0]),
+            {}
+            if self.assembly == AS_DESIGNED
+            else {"wheel_shim_to_leaving_side_m": self.wheel_shim(None).shift},
+            described_tolerances(self.play, self.tolerances),
+        )
+        return dict(item for part in parts for item in part.items())
+
+    def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
+        """The same phases with each error of the assembly, one at a time."""
+        return worm_misalignment(self, [of for of in contacts if isinstance(of, Scene)])
+
+    def duty(self) -> WormDuty:
+        """The drive as input of ratings by standards of worm gears."""
+        return worm_duty(self)
+
+    def in_space(self, places: Sequence[Place]) -> Space:
+        """The thread that drives and the flank of the wheel that it drives."""
+        return in_space(self, [present(of.phase, "phase") for of in places])
+
+    def scene_data(self, scene: Scene | LineScene) -> PlainDataset:
+        """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""
+        if not isinstance(scene, Scene):
+            raise TypeError("the contacts of a worm drive are point contacts")
+        contact = self.contact(present(scene.phase, "phase"))
+        places = partial(self.flank_place, contact), partial(self.thread_place, contact)
+        return tooth_data(self.tooth_outline(contact), scene.gap, *places)

@@ -1,0 +1,102 @@
+"""Flanks whose axial section is a circular arc, as of ZC worms by the arc in the axial plane.
+
+DIN 3975 has such worms as ZC2 beside ZC1, which a disc of that arc grinds. The thread is concave: the centre
+of the arc, of a radius rho, lies in the space of the thread, and the flank at the reference radius r_m has
+the axial pressure angle alpha_x, tan(alpha_x) = tan(alpha_n) / cos(gamma). With r_c = r_m + rho sin(alpha_x)
+
+    z(r) = sqrt(rho^2 - (r_c - r)^2),    z' = (r_c - r) / z,    z'' = -rho^2 / z^3
+
+up to a constant. Lengths in m, angles in rad.
+"""
+
+from dataclasses import dataclass
+from math import atan, cos, pi, sin, tan
+
+import numpy as np
+
+from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGenerator
+
+
+@dataclass(frozen=True)
+class AxialArc(ScrewGenerator):
+    """A right-hand helicoid swept by an arc in the axial plane; the parameter is the radius.
+
+    Attributes
+    ----------
+    top : float
+        r_c, radius above which the flank would no longer rise [m].
+    arc_radius : float
+        rho [m].
+    screw : float
+        Advance per radian, lead / 2 pi [m].
+    lowest, highest : float
+        Radii between which the flank is used [m].
+
+    Raises
+    ------
+    ValueError
+        If the arc does not rise all the way between them.
+    """
+
+    top: float
+    arc_radius: float
+    screw: float
+    lowest: float
+    highest: float
+
+    def __post_init__(self) -> None:
+        bottom = self.top - self.arc_radius
+        if not bottom < self.lowest < self.highest < self.top:
+            raise ValueError(
+                f"the arc rises from a radius of {bottom * 1e3:.4g} mm to {self.top * 1e3:.4g} mm only, the "
+                f"flank from {self.lowest * 1e3:.4g} mm to {self.highest * 1e3:.4g} mm"
+            )
+
+    @property
+    def start_radius(self) -> float:
+        """Radius at which the flank begins [m]."""
+        return self.lowest
+
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """Radii between which the flank is used [m]."""
+        return self.lowest, self.highest
+
+    def curve(self, u: Array | float) -> tuple[Components, Components, Components]:
+        """The arc and its derivatives by the radius."""
+        below = self.top - np.asarray(u)
+        height = np.sqrt(self.arc_radius**2 - below**2)
+        bend = -(self.arc_radius**2) / height**3
+        return (u, 0.0 * below, height), (1.0, 0.0, below / height), (0.0, 0.0, bend)
+
+    def at_radius(self, radius: Array | float) -> Array:
+        """The radius itself [m]."""
+        return np.asarray(radius, float)
+
+
+def axial_arc(
+    lead: float,
+    lead_angle: float,
+    pressure_angle: float,
+    reference: float,
+    arc_radius: float,
+    radii: tuple[float, float],
+) -> AxialArc:
+    """The flank with a normal pressure angle on the cylinder of a reference radius [m].
+
+    Parameters
+    ----------
+    lead, lead_angle, pressure_angle : float
+        Lead [m], lead angle on the reference cylinder and normal pressure angle.
+    reference, arc_radius : float
+        Reference radius and radius of the arc [m].
+    radii : tuple of float
+        Radii between which it is used [m].
+
+    Raises
+    ------
+    ValueError
+        As of `AxialArc`.
+    """
+    axial = atan(tan(pressure_angle) / cos(lead_angle))
+    return AxialArc(reference + arc_radius * sin(axial), arc_radius, lead / (2 * pi), *radii)

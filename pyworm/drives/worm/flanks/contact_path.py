@@ -1,0 +1,71 @@
+"""The way of the contact point of worm and wheel through space while they turn."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from math import inf
+
+from pyworm.drives.worm.flanks.flank_surface import FlankSurface
+from pyworm.drives.worm.flanks.helicoid import Array, Seated
+
+
+@dataclass(frozen=True)
+class Touches:
+    """Unloaded contacts of a tooth pair at some places of their path.
+
+    Attributes
+    ----------
+    worm_angle, wheel_angle : ndarray
+        Rotation angles [rad], (places,).
+    point, normal : ndarray
+        Contact points [m] and unit normals from worm to wheel, (3, places).
+    travel : ndarray
+        Way of the contact point by the worm's rotation [m], (3, places).
+    worm_start, wheel_start : ndarray
+        Parameters of the flanks there, (parameters, places).
+    """
+
+    worm_angle: Array
+    wheel_angle: Array
+    point: Array
+    normal: Array
+    travel: Array
+    worm_start: Array
+    wheel_start: Array
+
+
+class ContactPath(ABC):
+    """A path of contact, whose places are in proportion to the worm's rotation.
+
+    Attributes
+    ----------
+    worm : Seated
+        The worm as assembled.
+    """
+
+    worm: Seated
+
+    @abstractmethod
+    def touches(self, places: Array) -> Touches:
+        """Contacts at places, (places,)."""
+
+    def ends(self) -> tuple[float, float]:
+        """Places between which contacts are followed; beyond them they are continued."""
+        return -inf, inf
+
+    @abstractmethod
+    def search(self, tip_radius: float) -> Array:
+        """Places in the order of the worm's rotation between which the teeth begin and end, if at all.
+
+        Parameters
+        ----------
+        tip_radius : float
+            Radius of the worm's tip cylinder [m].
+        """
+
+    @abstractmethod
+    def worm_surface(self, angle: float) -> FlankSurface:
+        """The worm's flank at a rotation angle [rad]."""
+
+    @abstractmethod
+    def wheel_surface(self, angle: float) -> FlankSurface:
+        """The wheel's flank at a rotation angle [rad]."""

@@ -1,0 +1,257 @@
+"""Heights of the two flanks over the common tangent plane, and their slopes and curvatures.
+
+Newton's method finds the parameters q of the flank (`FlankSurface`) on the line through each point along the
+common normal. With the slope T_x = -normal . ex / normal . ez the second derivatives are T_xy = T_xi q_i,y.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pyworm.drives.worm.flanks.flank_surface import FlankSurface, along
+from pyworm.drives.worm.flanks.helicoid import Array, Components
+from pyworm.drives.worm.flanks.lagrange_interpolation import on_mesh
+from pyworm.drives.worm.flanks.point_cache import PointCache
+
+EDGE = 0.1
+"""Ratio of the determinant to that of the contact point at which a flank counts as ending.
+
+It falls to zero at the flank's edge of regression (of the involute the base helix), where curvature grows
+without bound; the flank is continued from a little before it."""
+
+SETTLED = 1e-6
+"""Newton step [rad] below which the height, whose error is the step's cube, is right to rounding."""
+
+MOST_STEPS = 8
+"""Largest number of Newton steps for a plane."""
+
+LONGEST = 0.3
+"""Newton step [rad] at which the iteration fails; larger ones led to other parts of the flank."""
+
+STENCIL = np.array([[0, 1, -1, 0, 0, 1], [0, 0, 0, 1, -1, 1]])
+"""Places from which q as a quadratic of x and y is determined."""
+
+SPREAD = 0.01
+"""Distance of these places, as the change of q from one to the next [rad]."""
+
+ENDED = 1e-8
+"""Accuracy of the flank's end: of the square of the determinant over the contact point's, and of its place
+on the ray from there as a fraction of its length."""
+
+MOST_TRIES = 64
+"""Largest number of places tried on a ray for the flank's end."""
+
+REACH = np.pi / 2
+"""Largest change of a plane's parameter [rad] from the contact point's: beyond lie other windings."""
+
+BLOCK = 4096
+"""Points solved at once: keeps the work arrays within the processor's cache."""
+
+TOLERANCE = 1e-12
+"""Error of heights on large meshes [m], a ten-thousandth of a film of 10 nm."""
+
+MOST_CACHED = 1_000_000
+"""Number of points of a flank in the cache: a grid of the figures, the one before it, and samples of
+windows."""
+
+
+def _powers(x: Array, y: Array) -> Array:
+    """Powers of x and y up to the second."""
+    return np.array([np.ones(x.shape), x, y, x * x, x * y, y * y])
+
+
+def _in_blocks(find: Callable[[Array, Array], Array], x: Array, y: Array) -> Array:
+    """Evaluate a function at points in blocks, with a row for each quantity."""
+    blocks = [slice(first, first + BLOCK) for first in range(0, max(x.size, 1), BLOCK)]
+    return np.concatenate([find(x[block], y[block]) for block in blocks], axis=1)
+
+
+@dataclass(frozen=True)
+class FlankHeight:
+    """Height of one flank over the tangent plane.
+
+    Attributes
+    ----------
+    surface : FlankSurface
+        The flank at the instant.
+    origin : ndarray
+        The contact point, (3,) [m].
+    axes : ndarray
+        Rows ex, ey, ez of the contact frame, (3, 3).
+    start : tuple of float
+        Parameters q of the flank at the origin.
+    """
+
+    surface: FlankSurface
+    origin: Array
+    axes: Array
+    start: tuple[float, ...]
+
+    def _line(self, x: Array, y: Array) -> Components:
+        """Points at which lines along the common normal cross the tangent plane [m]."""
+        ex, ey, _ = self.axes
+        return along(along(self.origin, x, ex), y, ey)
+
+    def expansion(self, q: list[Array], x: Array, y: Array) -> tuple[Array, Array, Array]:
+        """Height [m], gradient (2, ...) and second derivatives (2, 2, ...) [1/m] at solved q."""
+        line, axes = self._line(x, y), self.axes
+        height = self.surface.newton(q, line, axes)[0]
+        slopes, crosses = zip(
+            *(self.surface.tilt(q, axis, axes[2]) for axis in axes[:2]), strict=True
+        )
+        rates = [self.surface.rates(q, line, axes, axis) for axis in axes[:2]]
+        bend = [
+            [sum(c * r for c, r in zip(cross, rate, strict=True)) for rate in rates]
+            for cross in crosses
+        ]
+        return height, np.array(slopes), np.array(bend)
+
+    @property
+    def _start(self) -> list[Array]:
+        return [np.asarray(of) for of in self.start]
+
+    @cached_property
+    def curvatures(self) -> Array:
+        """Second derivatives of the height at the contact point, (2, 2) [1/m]."""
+        return self.expansion(self._start, np.zeros(()), np.zeros(()))[2]
+
+    @cached_property
+    def _contact_determinant(self) -> float:
+        return float(self.surface.newton(self._start, self.origin, self.axes)[2])
+
+    @cached_property
+    def _guess(self) -> Array:
+        """Coefficients of the powers of x and y in q near the contact point, (q, 6)."""
+        start = self._start
+        rates = np.array(
+            [self.surface.rates(start, self.origin, self.axes, axis) for axis in self.axes[:2]]
+        )
+        x, y = SPREAD / np.abs(rates).max() * STENCIL
+        q = [at + a * x + b * y for at, (a, b) in zip(start, rates.T, strict=True)]
+        _, q, _ = self._settled(q, self._line(x, y))
+        return np.linalg.solve(_powers(x, y).T, np.array(q).T).T
+
+    def _settled(self, q: list[Array], line: Components) -> tuple[Array, list[Array], Array]:
+        """Height and q by Newton's method, and the margin to the flank's end; NaN where no plane is found.
+
+        The margin is the square of the determinant over the contact point's, less that of EDGE, or the
+        fraction of REACH, or what is left of the parameters, where that is less.
+        """
+        for _ in range(MOST_STEPS):
+            height, step, determinant = self.surface.newton(q, line, self.axes)
+            size = np.max(np.abs(step), axis=0)
+            near = size < LONGEST
+            q = [np.where(near, value - h, np.nan) for value, h in zip(q, step, strict=True)]
+            if np.all(size < SETTLED):
+                break
+        part = determinant / self._contact_determinant
+        left = np.where((size < SETTLED) & (part > 0), part * part - EDGE**2, np.nan)
+        for value, start in zip(q, self.start, strict=True):
+            left = np.minimum(left, 1 - np.abs(value - start) / REACH)
+        left = np.minimum(left, self.surface.margin(q))
+        return height, q, left
+
+    def solve(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
+        """Height [m] of the flank at points (x, y), the touching planes' q, and where it exists.
+
+        Where the mathematical flank ends before (x, y), it is continued along the ray from the contact
+        point with the slope of its last sound point and the contact point's curvatures, so that the
+        gap stays smooth and opens; q is then the last sound point's.
+
+        Gap and velocities are evaluated at the same points one after the other; hence results are cached and
+        must not be written to.
+        """
+        x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
+        return self._cache.recall((x, y), lambda: self._solve_all(x, y))
+
+    @cached_property
+    def _cache(self) -> PointCache:
+        return PointCache(MOST_CACHED)
+
+    def _solve_all(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            found = on_mesh(self._solve_each, x, y, TOLERANCE)
+            if found is None:
+                found = self._solve_each(x.ravel(), y.ravel())
+        found.flags.writeable = False
+        height, *q, exists = found.reshape(-1, *x.shape)
+        return height, q, exists == 1
+
+    def _solve_each(self, x: Array, y: Array) -> Array:
+        """Rows as of `_solve_block`, also where the flank is continued."""
+        found = _in_blocks(self._solve_block, x, y)
+        lost = np.flatnonzero(found[-1] == 0)
+        if lost.size:
+            found[:, lost] = _in_blocks(self._continued, x[lost], y[lost])
+        return found
+
+    def _solve_block(self, x: Array, y: Array) -> Array:
+        """Rows: height, q and 1 where the flank is found from the contact point, else 0."""
+        height, q, left = self._settled(list(self._guess @ _powers(x, y)), self._line(x, y))
+        return np.array([height, *q, left > 0])
+
+    def _continued(self, x: Array, y: Array) -> Array:
+        """Rows: height on or beyond the flank, q on the flank and fraction of the ray that lies on it."""
+        reach, q = self._end(x, y)
+        height, slope, _ = self.expansion(q, reach * x, reach * y)
+        dx, dy = (1 - reach) * x, (1 - reach) * y
+        rise = slope[0] * dx + slope[1] * dy
+        bend = self.curvatures
+        curl = bend[0, 0] * dx**2 + 2 * bend[0, 1] * dx * dy + bend[1, 1] * dy**2
+        return np.array([height + rise + curl / 2, *q, reach])
+
+    def _end(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
+        """Fraction of the ray to (x, y) that lies on the flank, and q there.
+
+        The margin to the flank's end falls nearly linearly, so that the secant method finds its zero, with
+        steps halved where no plane is found.
+        """
+        none, half = np.zeros(x.shape), np.full(x.shape, 0.5)
+        whole = np.full(x.shape, 1 - EDGE**2)
+        q = [np.full(x.shape, value) for value in self.start]
+        rays = np.array([none, half, whole, none, whole, none, whole, *q])
+        tried = np.arange(x.size)
+        for _ in range(MOST_TRIES):
+            rays[:, tried] = self._farther(rays[:, tried], x[tried], y[tried])
+            reach, step, left = rays[:3, tried]
+            tried = tried[(left > ENDED) & (step > ENDED) & (reach < 1)]
+            if not tried.size:
+                break
+        return rays[0], list(rays[7:])
+
+    def _farther(self, rays: Array, x: Array, y: Array) -> Array:
+        """Rays after one more try.
+
+        Rows: fraction of the ray on the flank, next step, residual there; the last place where a plane was
+        found, and its residual; likewise of the place before; q.
+        """
+        reach, step, left, last, last_left, before, before_left, *q = rays
+        goal = last - last_left * (last - before) / (last_left - before_left)
+        goal = np.where(goal > reach, np.minimum(goal, 1.0), 1.0)
+        there = np.minimum(goal, reach + step)
+        tried, ahead = self._followed(q, x, y, reach, there)
+        sound, found = ahead > -ENDED, ~np.isnan(ahead)
+        return np.array(
+            [
+                np.where(sound, there, reach),
+                np.where(sound, 2 * step, (there - reach) / 2),
+                np.where(sound, ahead, left),
+                np.where(found, there, last),
+                np.where(found, ahead, last_left),
+                np.where(found, last, before),
+                np.where(found, last_left, before_left),
+                *(np.where(sound, new, old) for new, old in zip(tried, q, strict=True)),
+            ]
+        )
+
+    def _followed(
+        self, q: list[Array], x: Array, y: Array, here: Array, there: Array
+    ) -> tuple[list[Array], Array]:
+        """q followed along the rays from here (x, y) to there (x, y), and the margin there."""
+        ray = along(along((0.0, 0.0, 0.0), x, self.axes[0]), y, self.axes[1])
+        rates = self.surface.rates(q, along(self.origin, here, ray), self.axes, ray)
+        q = [value + (there - here) * rate for value, rate in zip(q, rates, strict=True)]
+        _, q, left = self._settled(q, along(self.origin, there, ray))
+        return q, left

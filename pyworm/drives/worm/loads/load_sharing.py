@@ -1,0 +1,172 @@
+"""Sharing of the torque among the tooth pairs of a worm drive.
+
+Worm and wheel are rigid except for their contacts and, if a stiffness is given, thread and tooth. The load
+turns the wheel by Theta behind its ideal angle, threads / teeth times that of the worm. The normal of the
+pair k has lever_k about the wheel's axis (of involute worms all have the same), so it approaches by
+
+    delta_k = lever_k (Theta + ahead_k),    delta_k = delta_dry(F_k, phase_k) + F_k / stiffness - lift_k,  (1)
+
+ahead_k being the transmission error of pair k, the angle of the wheel ahead of its ideal one if that pair
+alone led it without load, and lift_k the increase of the bodies' separation by its film under the same load.
+The load F_k follows from dry contacts of the loaded gap, which at the ends of the mesh cycle, and a little
+beyond, rest on a tooth's edge. Lifts are those of solved films, where there are any; film formulas do not
+apply to a contact entrained along its length, and had errors of 100 % in the difference of two lifts
+(docs/theory/zi-worm.md). Theta is where the moments of all pairs balance the torque, friction included: the
+sliding drags the wheel's tooth along with the worm by friction F_k, so that about an axis
+
+    torque = sum over k of F_k [arm of the normal + friction (arm of the sliding)].                       (2)
+"""
+
+from dataclasses import dataclass
+from math import inf
+from typing import Literal
+
+import numpy as np
+import scipy
+
+from pyworm.drives.torque_sharing import Sharing, rising_root
+from pyworm.drives.worm.loads.tooth_compliance import ToothSprings
+from pyworm.scene.contact import Array
+
+Shaft = Literal["worm", "wheel"]
+
+
+@dataclass(frozen=True)
+class Transmission:
+    """Torque carried by the teeth in mesh, and its sharing.
+
+    Attributes
+    ----------
+    torque : float
+        Torque [N m].
+    shaft : str
+        Shaft of that torque: "worm" or "wheel".
+    sharing : str
+        "elastic", or "equal": the same load on each pair whose contact point lies on both teeth.
+    friction : float
+        Coefficient of friction in the balance of forces: the teeth's loss over load times sliding [-].
+    stiffness : float
+        Stiffness of thread and wheel tooth together, beyond their contact [N/m]; infinite if rigid.
+    lifts : tuple of tuple of float
+        Phases, rising, and the lift of the bodies by the film there [m]; empty where no film is solved.
+    """
+
+    torque: float
+    shaft: Shaft
+    sharing: Sharing = "elastic"
+    friction: float = 0.0
+    stiffness: float = inf
+    lifts: tuple[tuple[float, float], ...] = ()
+
+    def lift(self, phases: Array) -> Array:
+        """Lift of the bodies by the film [m], constant beyond the first and the last known phase."""
+        if len(self.lifts) < 2:
+            return np.full(np.shape(phases), self.lifts[0][1] if self.lifts else 0.0)
+        known, lifts = zip(*self.lifts, strict=True)
+        lift: Array = scipy.interpolate.PchipInterpolator(known, lifts)(
+            np.clip(phases, known[0], known[-1])
+        )
+        return lift
+
+
+@dataclass(frozen=True)
+class SharedLoad:
+    """Loads of the tooth pairs at one instant.
+
+    Attributes
+    ----------
+    phases : ndarray
+        Phases of the pairs, one pitch apart, (pairs,); beyond 0 and 1 they touch at an edge.
+    forces : ndarray
+        Normal load of each [N], (pairs,).
+    turn : float
+        Theta, angle of the wheel behind its ideal one [rad]; 0 with equal shares.
+    """
+
+    phases: Array
+    forces: Array
+    turn: float
+
+    def force(self, phase: float) -> float:
+        """Normal load of the pair at a phase [N]."""
+        return float(self.forces[np.argmin(np.abs(self.phases - phase))])
+
+
+@dataclass(frozen=True)
+class Arms:
+    """Moment arms [m] of the forces on tooth pairs at some phases.
+
+    Attributes
+    ----------
+    worm_normal, wheel_normal : ndarray
+        Arms of the normal load about the worm's and the wheel's axis, positive where it resists the worm and
+        drives the wheel in the sense in which the worm turns them.
+    worm_sliding, wheel_sliding : ndarray
+        Arms of a force along the sliding of the worm against the wheel, likewise.
+    """
+
+    worm_normal: Array
+    wheel_normal: Array
+    worm_sliding: Array
+    wheel_sliding: Array
+
+    def of(self, shaft: Shaft, friction: float) -> Array:
+        """Torque of a shaft for each normal load [m], equation 2."""
+        normal, sliding = (
+            (self.worm_normal, self.worm_sliding)
+            if shaft == "worm"
+            else (self.wheel_normal, self.wheel_sliding)
+        )
+        return normal + friction * sliding
+
+
+def share(
+    transmission: Transmission,
+    phases: Array,
+    arms: Array,
+    levers: Array,
+    ahead: Array,
+    springs: ToothSprings | None,
+) -> SharedLoad:
+    """Share a torque among tooth pairs.
+
+    Parameters
+    ----------
+    transmission : Transmission
+        The torque.
+    phases : ndarray
+        Phases of the pairs that may touch, (pairs,).
+    arms : ndarray
+        Torque for each normal load [m], (pairs,): `Arms.of`.
+    levers : ndarray
+        Levers of their normals about the wheel's axis [m], (pairs,).
+    ahead : ndarray
+        Transmission error if each pair alone led the wheel [rad], (pairs,).
+    springs : ToothSprings or None
+        Compliance of the pairs; None with equal shares.
+    """
+    if transmission.sharing == "equal":
+        on_teeth = (phases >= 0) & (phases <= 1)
+        shares = on_teeth * transmission.torque / np.sum(arms * on_teeth)
+        return SharedLoad(phases, shares, 0.0)
+
+    if springs is None:
+        raise ValueError("elastic sharing needs the compliance of the pairs")
+    pairs = [springs.at(phase) for phase in phases]
+
+    lifts = transmission.lift(phases)
+
+    def forces(turn: float) -> Array:
+        approaches = levers * (turn + ahead) + lifts
+        return np.array([pair.load(of) for pair, of in zip(pairs, approaches, strict=True)])
+
+    touching = np.array([pair.separation for pair in pairs])
+    first_touch = -float((ahead + (lifts - touching) / levers).max())
+
+    def excess(further: float) -> float:
+        return float(np.sum(arms * forces(first_touch + further))) - transmission.torque
+
+    pressed = springs.approaches[:, -1] - springs.separations
+    guess = float(pressed.min() / np.max(levers))
+    turn = first_touch + rising_root(excess, guess)
+    return SharedLoad(phases, forces(turn), turn)

@@ -1,0 +1,103 @@
+"""The gap and the surface velocities of a tooth contact, for a scene."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from pyworm.drives.worm.flanks.flank_height import FlankHeight
+from pyworm.drives.worm.flanks.helicoid import Array
+from pyworm.drives.worm.teeth.mesh_cycle import ToothContact
+from pyworm.drives.worm.teeth.tooth import WheelTooth, WormTooth
+
+
+def surface_points(contact: ToothContact, x: Array, y: Array, height: Array) -> Array:
+    """Points in the drive frame, (3, ...) [m], above places of the tangent plane."""
+    parts = zip(contact.point, *contact.axes, strict=True)
+    return np.stack([o + x * ex + y * ey + height * ez for o, ex, ey, ez in parts])
+
+
+@dataclass(frozen=True)
+class ToothGap:
+    """Undeformed gap between the teeth over the tangent plane, along the common normal.
+
+    Without relief it is zero at the contact point.
+
+    Attributes
+    ----------
+    contact : ToothContact
+        The contact.
+    worm_tooth, wheel_tooth : WormTooth, WheelTooth
+        Boundaries of the teeth.
+    """
+
+    contact: ToothContact
+    worm_tooth: WormTooth
+    wheel_tooth: WheelTooth
+
+    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Gap [m], continued beyond the teeth, and where both teeth exist."""
+        x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
+        covered = np.ones(x.shape, dtype=bool)
+        heights, taken_off = [], np.zeros(x.shape)
+        for flank, tooth in (
+            (self.contact.worm_height, self.worm_tooth),
+            (self.contact.wheel_height, self.wheel_tooth),
+        ):
+            height, _, exists = flank.solve(x, y)
+            covered &= exists
+            surface = surface_points(self.contact, x, y, height)
+            for margin in tooth.margins(surface).values():
+                # a contact point at a tooth's very edge still lies on it
+                covered &= margin > -1e-12
+            heights.append(height)
+            taken_off = taken_off + tooth.taken_off(surface)
+        return heights[1] - heights[0] + taken_off, covered
+
+
+@dataclass(frozen=True)
+class ToothMotion:
+    """Velocity of one tooth's surface relative to the contact point, on the tangent plane's axes.
+
+    The body's rigid rotation is evaluated at the actual point of its surface.
+
+    Attributes
+    ----------
+    contact : ToothContact
+        The contact.
+    flank : FlankHeight
+        The tooth's surface.
+    axis_point, rotation : ndarray
+        A point of the body's axis [m] and its angular velocity [rad/s], each (3,).
+    """
+
+    contact: ToothContact
+    flank: FlankHeight
+    axis_point: Array
+    rotation: Array
+
+    def velocity(self, x: Array, y: Array) -> Array:
+        """Velocity [m/s] along x, y and the common normal, (3, ...)."""
+        return np.stack(self._components(x, y))
+
+    def _components(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
+        x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
+        height = self.flank.solve(x, y)[0]
+        (u, v, w), (about_x, about_y, spin) = self._twist
+        return (
+            u + about_y * height - spin * y,
+            v + spin * x - about_x * height,
+            w + about_x * y - about_y * x,
+        )
+
+    @cached_property
+    def _twist(self) -> tuple[Array, Array]:
+        """Velocity at the origin of the tangent plane, and angular velocity, each on the contact's axes."""
+        contact = self.contact
+        velocity = np.cross(self.rotation, contact.point - self.axis_point) - contact.velocity
+        return contact.axes @ velocity, contact.axes @ self.rotation
+
+    def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Velocity components (u, v) [m/s] at (x, y)."""
+        u, v, _ = self._components(x, y)
+        return u, v

@@ -1,0 +1,279 @@
+"""Unloaded tooth contact over the mesh cycle of one tooth pair."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+import scipy
+
+from pyworm.drives.worm.flanks.contact_path import ContactPath, Touches
+from pyworm.drives.worm.flanks.flank_height import FlankHeight
+from pyworm.drives.worm.flanks.helicoid import Array
+from pyworm.drives.worm.flanks.wheel_envelope import across_axis
+from pyworm.drives.worm.teeth.seen_path import SeenPath
+from pyworm.drives.worm.teeth.tooth import WheelTooth, WormTooth
+
+FLAT = 1e-9
+"""Ratio of principal relative curvatures that counts as zero, since it is rounding."""
+
+
+@dataclass(frozen=True)
+class ToothContact:
+    """Worm and wheel tooth touching, unloaded, at one instant of the mesh cycle.
+
+    Vectors are in the drive frame (see `pyworm.drives.worm.flanks.helicoid`).
+
+    Attributes
+    ----------
+    phase : float
+        Place in the mesh cycle, 0 where the teeth meet, 1 where they part.
+    worm_angle, wheel_angle : float
+        Rotation angles [rad].
+    transmission_error : float
+        Wheel angle ahead of the ideal, worm angle times threads / teeth, zero at phase 0.5 [rad].
+    point : ndarray
+        The contact point, (3,) [m].
+    normal, x_axis, y_axis : ndarray
+        The contact frame, each (3,): the common normal from worm to wheel; the direction of the larger
+        relative radius of curvature, along which the worm sweeps positively; normal cross x_axis.
+    radii : tuple of float
+        Relative radii of curvature along x_axis and y_axis [m]; infinite for line contact, and where flanks
+        that touch at an edge are nearer to each other on both sides of the origin.
+    velocity : ndarray
+        Velocity of the contact point in space, (3,) [m/s].
+    worm_height, wheel_height : FlankHeight
+        The flanks over the tangent plane.
+    """
+
+    phase: float
+    worm_angle: float
+    wheel_angle: float
+    transmission_error: float
+    point: Array
+    normal: Array
+    x_axis: Array
+    y_axis: Array
+    radii: tuple[float, float]
+    velocity: Array
+    worm_height: FlankHeight
+    wheel_height: FlankHeight
+
+    @property
+    def axes(self) -> Array:
+        """Rows x_axis, y_axis, normal, (3, 3)."""
+        return np.array([self.x_axis, self.y_axis, self.normal])
+
+
+@dataclass(frozen=True)
+class MeshCycle:
+    """The mesh cycle of one tooth pair: the part of the path of contact that lies on both teeth.
+
+    Attributes
+    ----------
+    path : ContactPath
+        Path of the contact point.
+    ratio : float
+        Threads / teeth [-].
+    begin, end : float
+        Places of the path at phase 0 and 1.
+    begin_boundary, end_boundary : str
+        The tooth boundaries at phase 0 and 1.
+    """
+
+    path: ContactPath
+    ratio: float
+    begin: float
+    end: float
+    begin_boundary: str
+    end_boundary: str
+
+    def follows(self, phase: float) -> bool:
+        """Whether the contact at a phase is followed, not continued from the end of its path."""
+        first, last = self.path.ends()
+        return first <= self.begin + phase * (self.end - self.begin) <= last
+
+    @property
+    def speed_ratio(self) -> float:
+        """Wheel speed by worm speed while this tooth pair leads, in the middle of its cycle."""
+        return float(self.speed_ratios(np.array([0.5]))[0])
+
+    def speed_ratios(self, phases: Array) -> Array:
+        """Wheel speed by worm speed at some phases while this tooth pair leads.
+
+        Their velocities along the common normal are the same. The ratio of an involute worm is that of its
+        base travel to the wheel's lever, at all phases.
+        """
+        at = self._touches(phases)
+        on_worm = np.sum(at.normal * at.travel, axis=0)
+        speed_ratios: Array = on_worm / np.sum(-across_axis(at.point) * at.normal, axis=0)
+        return speed_ratios
+
+    @cached_property
+    def worm_rotation(self) -> float:
+        """Rotation of the worm over the cycle [rad]."""
+        before, after = self.path.touches(np.array([self.begin, self.end])).worm_angle
+        return float(after - before)
+
+    def angles(self, place: float) -> tuple[float, float]:
+        """Worm and wheel angle [rad] when the contact is at a place of the path."""
+        at = self.path.touches(np.array([place]))
+        return float(at.worm_angle[0]), float(at.wheel_angle[0])
+
+    def _touches(self, phases: Array) -> Touches:
+        return self.path.touches(self.begin + np.asarray(phases) * (self.end - self.begin))
+
+    def points(self, phases: Array) -> Array:
+        """The contact point at some phases, (3, phases) [m]."""
+        return self._touches(phases).point
+
+    def normals(self, phases: Array) -> Array:
+        """The common normal from worm to wheel at some phases, (3, phases)."""
+        return self._touches(phases).normal
+
+    def transmission_error(self, phases: Array) -> Array:
+        """Wheel angle ahead of the ideal if the pair at a phase leads [rad], zero at phase 0.5; (phases,)."""
+        return self._ahead(self._touches(phases)) - self._ahead_in_middle
+
+    def _ahead(self, at: Touches) -> Array:
+        """Wheel angle ahead of threads / teeth times the worm's [rad], (phases,)."""
+        return at.wheel_angle - self.ratio * at.worm_angle
+
+    @property
+    def absolute_error(self) -> float:
+        """Wheel angle ahead of the ideal at phase 0.5, counted from where it is cut [rad]."""
+        return self._ahead_in_middle
+
+    @property
+    def lever(self) -> float:
+        """Lever of the common normal about the wheel's axis at phase 0.5 [m]."""
+        at = self._touches(np.array([0.5]))
+        return float(np.sum(across_axis(at.point) * at.normal, axis=0)[0])
+
+    @cached_property
+    def _ahead_in_middle(self) -> float:
+        return float(self._ahead(self._touches(np.array([0.5])))[0])
+
+    def contact(self, phase: float, speed: float = 0.0) -> ToothContact:
+        """The contact at a phase.
+
+        Parameters
+        ----------
+        phase : float
+            Place in the cycle; the tooth pair touches from 0 to 1, the flanks beyond.
+        speed : float
+            Worm speed [rad/s].
+        """
+        seen = isinstance(self.path, SeenPath)
+        at = self._touches(np.array([phase]))
+        point, normal = at.point[:, 0], at.normal[:, 0]
+        flanks = (
+            (self.path.worm_surface(float(at.worm_angle[0])), at.worm_start),
+            (self.path.wheel_surface(float(at.wheel_angle[0])), at.wheel_start),
+        )
+
+        def heights(axes: Array) -> list[FlankHeight]:
+            return [
+                FlankHeight(surface, point, axes, tuple(map(float, start[:, 0])))
+                for surface, start in flanks
+            ]
+
+        first = across_axis(normal)
+        first = first / np.linalg.norm(first)
+        axes = np.array([first, np.cross(normal, first), normal])
+        worm, wheel = (height.curvatures for height in heights(axes))
+        curvatures, directions = np.linalg.eigh(wheel - worm)
+        x_axis = directions[:, 0] @ axes[:2]
+        x_axis = x_axis * np.sign(x_axis @ self.path.worm.sweep(point))
+        y_axis = np.cross(normal, x_axis)
+        worm_height, wheel_height = heights(np.array([x_axis, y_axis, normal]))
+        flat = abs(curvatures[0]) < FLAT * abs(curvatures[1]) or (seen and curvatures[0] < 0)
+        radii = (np.inf if flat else float(1 / curvatures[0])), float(1 / curvatures[1])
+        return ToothContact(
+            phase=phase,
+            worm_angle=float(at.worm_angle[0]),
+            wheel_angle=float(at.wheel_angle[0]),
+            transmission_error=float(self._ahead(at)[0]) - self._ahead_in_middle,
+            point=point,
+            normal=normal,
+            x_axis=x_axis,
+            y_axis=y_axis,
+            radii=radii,
+            velocity=at.travel[:, 0] * speed,
+            worm_height=worm_height,
+            wheel_height=wheel_height,
+        )
+
+
+def find_mesh_cycle(
+    paths: Sequence[ContactPath], ratio: float, worm_tooth: WormTooth, wheel_tooth: WheelTooth
+) -> MeshCycle:
+    """Find the mesh cycle and its ends at the tooth boundaries.
+
+    Parameters
+    ----------
+    paths : sequence of ContactPath
+        Paths along which the flanks touch.
+    ratio : float
+        Threads / teeth [-].
+    worm_tooth, wheel_tooth : WormTooth, WheelTooth
+        Boundaries of the teeth.
+
+    Raises
+    ------
+    ValueError
+        If the flanks do not touch on the teeth, or interfere.
+    """
+    found = [cycle for path in paths for cycle in _on_teeth(path, ratio, worm_tooth, wheel_tooth)]
+    cycles = [
+        cycle
+        for cycle in found
+        if all(min(cycle.contact(phase).radii) > 0 for phase in (0.0, 0.5, 1.0))
+    ]
+    if cycles:
+        return max(cycles, key=lambda cycle: cycle.worm_rotation)
+    if found:
+        raise ValueError(
+            "hob: the wheel it cuts would interfere with the worm (a relative radius of curvature is "
+            "negative); a hob at least as large as the worm, set up near the wheel's mid-plane, or a "
+            "larger pressure angle or profile shift is needed"
+        )
+    hob = wheel_tooth.hob
+    raise ValueError(
+        f"hob.swivel, hob.axial_shift and hob.centre_distance are {np.degrees(hob.swivel):.4g} deg, "
+        f"{hob.axial_shift * 1e3:.4g} mm and {hob.centre_distance * 1e3:.4g} mm, for which no common normal "
+        "of worm and wheel lies on the teeth; a set-up that brings the contact between the face ends is "
+        "needed"
+    )
+
+
+def _on_teeth(
+    path: ContactPath, ratio: float, worm_tooth: WormTooth, wheel_tooth: WheelTooth
+) -> Iterator[MeshCycle]:
+    """The parts of a path that lie on both teeth."""
+
+    def margins(places: Array) -> dict[str, Array]:
+        point = path.touches(places).point
+        return {**worm_tooth.margins(point), **wheel_tooth.margins(point)}
+
+    def margin(places: Array) -> Array:
+        margin: Array = np.min(np.stack(list(margins(places).values())), axis=0)
+        return margin
+
+    def end(before: float, after: float) -> tuple[float, str]:
+        """Place and boundary between two places of which one is inside."""
+        place = scipy.optimize.brentq(
+            lambda place: float(margin(np.array([place]))[0]), before, after, xtol=1e-15
+        )
+        here = margins(np.array([place]))
+        return place, min(here, key=lambda name: float(here[name][0]))
+
+    places = path.search(worm_tooth.tip_radius)
+    inside = margin(places) > 0
+    edges = np.flatnonzero(inside[:-1] != inside[1:])
+    for first, last in pairwise(edges):
+        if inside[first + 1]:
+            begin, begin_boundary = end(places[first], places[first + 1])
+            finish, end_boundary = end(places[last], places[last + 1])
+            yield MeshCycle(path, ratio, begin, finish, begin_boundary, end_boundary)

@@ -1,0 +1,189 @@
+"""The mesh cycle of a drive over phase."""
+
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, NullLocator
+
+from pyworm.io.on_demand import xarray as xr
+from pyworm.io.present import present
+from pyworm.plots.drives.picture import CyclePicture
+from pyworm.plots.drives.worm_flank import draw_flank
+from pyworm.plots.drives.worm_pattern import draw_pattern
+from pyworm.plots.error_bars import draw_estimates
+from pyworm.plots.layout import (
+    KILO,
+    MEGA,
+    MICRO,
+    MILLI,
+    mark_gaps,
+    placed_panels,
+    result_heading,
+    scale_from_zero,
+    with_gaps,
+)
+from pyworm.plots.overlays import draw_largest_temperatures
+from pyworm.ratings.standard_loss import StandardLoss, standard_of_result
+from pyworm.result.headline import of_all
+from pyworm.result.mesh_cycle import phase_of
+from pyworm.result.result import Result
+from pyworm.solver.left_out import AS_IF_SMOOTH
+from pyworm.solver.solution import Solution
+
+DIRECTIONS = {"x": "to the wheel", "y": "along the wheel's axis", "z": "along the worm's axis"}
+"""Axis of the drive frame -> its direction."""
+
+
+def draw_cycle(result: Result) -> Figure:
+    """Transmission error, radii, contact point, load; what was solved: films, friction, temperatures."""
+    cycle = result.cycle_data
+    solved = sorted(
+        (solution for solution in result.solutions if solution.phase is not None),
+        key=phase_of,
+    )
+    sheared = [one for one in solved if one.figures.friction_coefficient is not None]
+    heated = [one for one in solved if one.figures.temperature_max_film is not None]
+    drawn: list[Callable[[Axes], None]] = [
+        partial(_draw_transmission_error, cycle=cycle),
+        partial(_draw_radii, cycle=cycle),
+        partial(_draw_contact_point, cycle=cycle),
+    ]
+    if "tooth_load" in cycle:
+        drawn.append(partial(_draw_tooth_load, cycle=cycle))
+    if solved:
+        drawn.append(partial(_draw_solutions, solved=solved))
+    if sheared:
+        drawn.append(partial(_draw_friction, sheared=sheared, standard=_beside(result, sheared)))
+    if heated:
+        drawn.append(partial(_draw_temperatures, heated=heated))
+    size, room = (8, 2.3 * len(drawn) + 0.6), (1.0, 1.0, 0.5, 0.1)
+    spaced = {"nrows": len(drawn), "sharex": True, "gridspec_kw": {"hspace": 0.07}}
+    figure, axes = placed_panels(size, result_heading(result, "mesh cycle"), room, **spaced)
+    for panel, draw in zip(axes, drawn, strict=True):
+        draw(panel)
+    for panel in axes:
+        panel.grid(True, color="0.9")
+    axes[-1].set_xlabel("phase of the mesh cycle, 0 where the teeth meet, 1 where they part")
+    return figure
+
+
+def _draw_transmission_error(axes: Axes, cycle: "xr.Dataset") -> None:
+    axes.plot(cycle["phase"], cycle["transmission_error"] * MICRO, color="black")
+    axes.set_ylabel("transmission\nerror / µrad")
+
+
+def _draw_radii(axes: Axes, cycle: "xr.Dataset") -> None:
+    """Both radii, whose ratio is large, on a logarithmic scale."""
+    for name, label, colour in (
+        ("radius_x", "along the contact (x)", "tab:blue"),
+        ("radius_y", "across it (y)", "tab:orange"),
+    ):
+        axes.semilogy(cycle["phase"], cycle[name] * MILLI, color=colour, label=label)
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.set_ylabel("relative radius\nof curvature / mm")
+    axes.legend(frameon=False, ncols=2)
+
+
+def _draw_contact_point(axes: Axes, cycle: "xr.Dataset") -> None:
+    """The contact point less its mean, so that its three components share a scale."""
+    mean = cycle["point"].mean("phase")
+    for axis in cycle["axis"].values:
+        here = mean.sel(axis=axis).item() * MILLI
+        axes.plot(
+            cycle["phase"],
+            cycle["point"].sel(axis=axis) * MILLI - here,
+            label=f"{axis}, {DIRECTIONS[axis]}, from {here:.1f} mm",
+        )
+    axes.set_ylabel("contact point\n/ mm")
+    axes.legend(frameon=False, fontsize="small")
+
+
+def _draw_tooth_load(axes: Axes, cycle: "xr.Dataset") -> None:
+    """Normal load of a tooth pair, also beyond the unloaded cycle, and the turn of the wheel."""
+    phase, load = cycle["load_phase"], cycle["tooth_load"]
+    carrying = phase.values[load.values > 0]
+    axes.plot(phase, load * KILO, color="tab:brown")
+    axes.set_xlim(min(carrying[0], 0) - 0.02, max(carrying[-1], 1) + 0.02)
+    axes.set_ylim(0, 1.15 * float(load.max()) * KILO)
+    axes.set_ylabel("load of a\ntooth pair / kN", color="tab:brown")
+    if float(cycle["wheel_turn"].max()) > 0:
+        turn_axes = axes.twinx()
+        turn_axes.plot(phase, cycle["wheel_turn"] * MICRO, "--", color="0.3")
+        turn_axes.set_ylabel("wheel behind its ideal\nangle / µrad (dashed)")
+
+
+def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
+    draw_largest_temperatures(axes, [phase_of(one) for one in heated], heated, ("worm", "wheel"))
+
+
+def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
+    """Films with their error bars, and the largest pressure on its own scale."""
+    phase = np.array([phase_of(solution) for solution in solved])
+    for name, label, colour in (
+        ("film_central", "central film", "tab:blue"),
+        ("film_min", "least film", "tab:green"),
+    ):
+        estimates = [getattr(solution.figures, name) for solution in solved]
+        film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
+        style = {"fmt": "o-", "color": colour, "capsize": 3, "label": label}
+        draw_estimates(axes, phase, film, film, estimates, **style)
+    mark_gaps(axes, phase, solved)
+    axes.set_ylim(0, 1.25 * axes.get_ylim()[1])  # room for the legend
+    axes.set_ylabel("film / µm")
+    pressure_axes = axes.twinx()
+    pressure = with_gaps(solved, [one.figures.pressure_max.value * MEGA for one in solved])
+    pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
+    scale_from_zero(pressure_axes, pressure, 1.3)
+    pressure_axes.set_ylabel("largest pressure\n/ MPa", color="tab:red")
+    axes.legend(frameon=False, ncols=2, loc="upper center")
+
+
+def _beside(result: Result, sheared: list[Solution]) -> StandardLoss | None:
+    """The standard's friction, to be drawn beside that of teeth as if smooth; None where there is none."""
+    standard = standard_of_result(result) if sheared and of_all(sheared).as_if_smooth else None
+    return standard if isinstance(standard, StandardLoss) else None
+
+
+def _draw_friction(axes: Axes, sheared: list[Solution], standard: StandardLoss | None) -> None:
+    """Friction coefficient with its error bars, and power loss on its own scale; a standard's friction."""
+    phase = np.array([phase_of(solution) for solution in sheared])
+    estimates = [present(of.figures.friction_coefficient, "friction") for of in sheared]
+    friction = with_gaps(sheared, [estimate.value for estimate in estimates])
+    style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}
+    draw_estimates(axes, phase, friction, friction, estimates, **style)
+    mark_gaps(axes, phase, sheared)
+    scaled = friction
+    if standard is not None:
+        label = f"rough teeth by the standard: {standard.friction:.3g}"
+        axes.axhline(standard.friction, color="tab:purple", linestyle=":", label=label)
+        axes.legend(frameon=False, loc="upper center")
+        scaled = np.append(friction, standard.friction)
+    scale_from_zero(axes, scaled, 1.3)
+    rough = of_all(sheared).as_if_smooth
+    axes.set_ylabel(
+        f"friction coefficient\n{AS_IF_SMOOTH}" if rough else "friction\ncoefficient",
+        color="tab:purple",
+    )
+    power_axes = axes.twinx()
+    losses = [present(of.figures.power_loss, "power_loss").value for of in sheared]
+    power = with_gaps(sheared, losses)
+    power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
+    scale_from_zero(power_axes, power, 1.3)
+    power_axes.set_ylabel(
+        f"power loss / W\n{AS_IF_SMOOTH}" if rough else "power loss\n/ W", color="tab:red"
+    )
+
+
+CYCLE_PICTURES = {
+    "mesh_cycle": CyclePicture("Mesh cycle", draw_cycle),
+    "contact_pattern": CyclePicture("Contact pattern", draw_pattern, signed=True),
+    "mesh_cycle_flank": CyclePicture(
+        "The wheel's flank after a mesh cycle", draw_flank, signed=True
+    ),
+}
+"""File name -> picture of the mesh cycle."""
