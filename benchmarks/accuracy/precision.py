@@ -26,11 +26,11 @@ from accuracy_page import fill, markdown
 
 import pyworm
 from pyworm.io.format import duration, percent
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.layout import write
 from pyworm.plots.precision import draw_precision
 from pyworm.precision.study import TARGETS, Study
 from pyworm.precision.survey import study
-from pyworm.precision.tables import LABELS
 
 PICTURES = Path("docs/pictures")
 RESULTS = Path("results/accuracy")
@@ -81,7 +81,7 @@ def show(name: str, made: Study) -> None:
 def cheapest_rows(made: Study) -> Iterable[Sequence[str]]:
     """Accuracies against figures: the cheapest model and grid."""
     figures = list(made.references)
-    yield ["error", *(LABELS[figure] for figure in figures), "all of them"]
+    yield ["error", *(QUANTITIES[figure].title() for figure in figures), "all of them"]
     for accuracy in TARGETS:
         choices = [
             made.cheapest(accuracy, of) for of in (*((one,) for one in figures), tuple(figures))
@@ -105,7 +105,7 @@ def point_rows(made: Study, kind: str) -> Iterable[Sequence[str]]:
     """All points of formulas, or of models, with their errors."""
     figures = list(made.references)
     grid = ["grid", "s", "convolutions"] if kind == "model" else ["s"]
-    yield [kind, *grid, *(LABELS[figure] for figure in figures)]
+    yield [kind, *grid, *(QUANTITIES[figure].title() for figure in figures)]
     for curve in made.curves:
         if curve.kind != kind:
             continue

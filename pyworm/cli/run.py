@@ -241,7 +241,7 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     if closed_forms is not None:
         console.print(closed_forms)
     if cycle is not None:
-        console.print(cycle_table(cycle))
+        console.print(cycle_table(cycle, case.body_names))
         if cycle.loss is not None:
             heating = heating_of(tasks[0].case, cycle, standard)
             console.print(loss_table(cycle, standard, heating))

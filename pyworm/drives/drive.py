@@ -14,8 +14,8 @@ from pyworm.drives.shim import Shim
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
+from pyworm.io.quantities import BODIES
 from pyworm.materials.body import Body
-from pyworm.scene.contact import BODIES
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene

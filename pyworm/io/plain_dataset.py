@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from pyworm.io.on_demand import xarray as xr
-from pyworm.io.variables import VARIABLES
+from pyworm.io.quantities import attributes
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ def described(
     coords: Mapping[str, tuple[tuple[str, ...], Any]],
     attrs: Mapping[str, Any] | None = None,
 ) -> PlainDataset:
-    """A dataset of variables, given by dimensions and values, with the units and long names of `VARIABLES`.
+    """A dataset of variables, given by dimensions and values, with the units and long names of `QUANTITIES`.
 
     Raises
     ------
@@ -125,10 +125,7 @@ def described(
     """
     made = {}
     for name, (dims, values) in {**variables, **coords}.items():
-        unit, long_name = VARIABLES[name]
-        made[name] = PlainVariable(
-            dims, np.asarray(values), {"units": unit, "long_name": long_name}
-        )
+        made[name] = PlainVariable(dims, np.asarray(values), attributes(name))
     return PlainDataset(made, tuple(coords), attrs or {})
 
 

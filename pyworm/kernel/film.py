@@ -341,7 +341,7 @@ class Film:
         return self._on_grid(core.bindings.film_thickness(self._handle, *self._nodes))
 
     def work(self) -> dict[str, float]:
-        """Operations since the last call, by name of a variable of the history (`io.variables`)."""
+        """Operations since the last call, by name of a variable of the history (`io.quantities`)."""
         return {}
 
     def unsolved(self) -> int:

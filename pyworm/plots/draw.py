@@ -10,6 +10,7 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from pyworm.batch.workers import WorkerDiedError
+from pyworm.io.quantities import BODIES
 from pyworm.io.reason import reason_of
 from pyworm.plots.attempts import Attempts
 from pyworm.plots.contact.across_film import draw_across_film
@@ -30,7 +31,6 @@ from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.result.life import life_names
 from pyworm.result.result import Result, open_result
-from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
 
 SCENE_PICTURES = {

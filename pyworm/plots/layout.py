@@ -284,6 +284,14 @@ def joined(*parts: str) -> str:
     return "  ·  ".join(filter(None, parts)).replace(" %", "\N{NO-BREAK SPACE}%")
 
 
+def broken(label: str) -> str:
+    """A label of an axis on two lines, broken where they are nearest to equal lengths."""
+    words = label.split(" ")
+    halves = [(" ".join(words[:n]), " ".join(words[n:])) for n in range(1, len(words))]
+    fitting = [half for half in halves if not half[0].endswith("/")]
+    return "\n".join(min(fitting, key=lambda half: max(map(len, half)))) if fitting else label
+
+
 def with_gaps(solutions: Sequence[Solution], values: Sequence[float]) -> np.ndarray:
     """Values of a curve over solutions: NaN, and so a gap, where one did not converge."""
     return np.where([one.converged for one in solutions], values, np.nan)

@@ -6,8 +6,15 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.plots.layout import KILO, LOAD_UNITS, MEGA, MICRO, MILLI, joined, placed_panels
+from pyworm.io.quantities import QUANTITIES
+from pyworm.plots.layout import (
+    KILO,
+    LOAD_UNITS,
+    MILLI,
+    broken,
+    joined,
+    placed_panels,
+)
 from pyworm.result.headline import of_all
 from pyworm.result.life import ContactLife
 from pyworm.result.result import Result
@@ -70,25 +77,26 @@ def _draw_speed(axes: Axes, result: Result, life: ContactLife, at: Array) -> Non
 
 
 def _draw_films(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
-    _draw(axes, life, at, "film_central", "tab:blue", "at the contact point", MICRO)
-    _draw(axes, life, at, "film_min", "tab:green", "least", MICRO)
-    thick = THICKEST * float(np.median(life.figures["film_central"])) * MICRO
+    _draw(axes, life, at, "film_central", "tab:blue")
+    _draw(axes, life, at, "film_min", "tab:green")
+    film = QUANTITIES["film"]
+    thick = THICKEST * film.number(float(np.median(life.figures["film_central"])))
     axes.set_ylim(0, min(ROOM * axes.get_ylim()[1], thick))
-    axes.set_ylabel("film / µm")
+    axes.set_ylabel(film.axis())
     # films are thick where a life begins and ends
     axes.legend(frameon=False, ncols=2, loc="upper center")
 
 
 def _draw_pressure(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
-    _draw(axes, life, at, "pressure_max", "tab:red", "largest", MEGA)
+    _draw(axes, life, at, "pressure_max", "tab:red")
     axes.set_ylim(0)
-    axes.set_ylabel("largest\npressure / MPa")
+    axes.set_ylabel(broken(QUANTITIES["pressure_max"].axis()))
 
 
 def _draw_friction(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
     _draw(axes, life, at, "friction_coefficient", "tab:purple", "of oil and asperities")
     axes.set_ylim(0, ROOM * axes.get_ylim()[1])
-    axes.set_ylabel("friction\ncoefficient")
+    axes.set_ylabel(broken(QUANTITIES["friction_coefficient"].axis()))
     if "friction_boundary" in life.figures:
         _draw(axes, life, at, "friction_boundary", "tab:olive", "of asperities")
         axes.legend(frameon=False, ncols=2, loc="upper left")
@@ -101,10 +109,10 @@ def _draw_temperatures(axes: Axes, result: Result, life: ContactLife, at: Array)
         ("temperature_max_body_2", second, "tab:orange"),
         ("temperature_max_film", "film", "tab:red"),
     ):
-        _draw(axes, life, at, name, colour, label, 1.0, -ZERO_CELSIUS)
+        _draw(axes, life, at, name, colour, label)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.3 * (high - low))
-    axes.set_ylabel("largest\ntemperature / °C")
+    axes.set_ylabel(broken(QUANTITIES["temperature_max"].axis()))
     axes.legend(frameon=False, ncols=3, loc="upper left")
 
 
@@ -125,13 +133,13 @@ def _draw(
     at: Array,
     name: str,
     colour: str,
-    label: str,
-    scale: float = 1.0,
-    offset: float = 0.0,
+    label: str = "",
 ) -> None:
     """A figure over the life with a band of its error bars, and that of the contacts solved finer."""
-    values, errors = life.figures[name] * scale + offset, life.errors[name] * scale
-    axes.plot(at, _broken(life, values), color=colour, label=label, linewidth=1.4)
+    quantity = QUANTITIES[name]
+    values, errors = quantity.number(life.figures[name]), life.errors[name] * quantity.scale
+    words = label or quantity.words()
+    axes.plot(at, _broken(life, values), color=colour, label=words, linewidth=1.4)
     axes.fill_between(
         at, _broken(life, values - errors), _broken(life, values + errors), color=colour, alpha=0.25
     )
@@ -141,8 +149,8 @@ def _draw(
     sizes = [one.rise(of) if heat else of.value for of, one in zip(estimates, good, strict=True)]
     axes.errorbar(
         [life.seconds[-1] / MILLI_SECOND if one.phase is None else one.phase for one in good],
-        [of.value * scale + offset for of in estimates],
-        [of.error * abs(size) * scale for of, size in zip(estimates, sizes, strict=True)],
+        [quantity.number(of.value) for of in estimates],
+        [of.error * abs(size) * quantity.scale for of, size in zip(estimates, sizes, strict=True)],
         fmt="o",
         color=colour,
         markersize=4,

@@ -9,10 +9,13 @@ from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 
 from pyworm.io.present import present
-from pyworm.plots.layout import MEGA, MICRO, MILLI, joined, placed_panels
+from pyworm.io.quantities import QUANTITIES
+from pyworm.plots.layout import MILLI, joined, placed_panels
 from pyworm.result.headline import of_all
 from pyworm.result.life import ContactLife, Fields
 from pyworm.result.result import Result
+
+PRESSURE, FILM = QUANTITIES["pressure"], QUANTITIES["film"]
 
 WRITERS = {"gif": PillowWriter, "mp4": FFMpegWriter}
 """Suffix of the file -> writer of matplotlib."""
@@ -58,7 +61,7 @@ class Points:
 
     def __init__(self, result: Result, life: ContactLife):
         self._life = life
-        self._pressure = max(float(frame.pressure.max()) for frame in life.frames) * MEGA
+        self._pressure = PRESSURE.number(max(float(frame.pressure.max()) for frame in life.frames))
         self._film = _thickest(life)
         left, right, low, high = _window(life)
         wide = (right - left) > 1.3 * (high - low)
@@ -72,8 +75,8 @@ class Points:
         self._note = self.figure.text(0.02, 0.01, "")
         self._maps = []
         labels = (
-            ("pressure / MPa", "inferno", self._pressure),
-            ("film / µm", "viridis", self._film),
+            (PRESSURE.axis(), PRESSURE.colours, self._pressure),
+            (FILM.axis(), FILM.colours, self._film),
         )
         for panel, (label, colours, top) in zip(self._panels, labels, strict=True):
             panel.set_xlim(left, right)
@@ -102,7 +105,7 @@ class Points:
     def show(self, number: int) -> None:
         """Draw one frame."""
         frame = self._life.frames[number]
-        fields = frame.pressure * MEGA, frame.film * MICRO
+        fields = PRESSURE.number(frame.pressure), FILM.number(frame.film)
         for (panel, colours, top), values in zip(self._maps, fields, strict=True):
             for old in list(panel.collections):
                 old.remove()
@@ -123,11 +126,12 @@ class Lines:
         self.figure, axes = placed_panels((8, 4.5), _heading(result, life), (0.8, 0.8, 0.85, 0.1))
         axes.set_xlim(left, right)
         axes.set_xlabel("x / mm")
-        axes.set_ylabel("pressure / MPa", color="tab:red")
-        axes.set_ylim(0, 1.1 * max(float(frame.pressure.max()) for frame in life.frames) * MEGA)
+        axes.set_ylabel(PRESSURE.axis(), color="tab:red")
+        highest = max(float(frame.pressure.max()) for frame in life.frames)
+        axes.set_ylim(0, 1.1 * PRESSURE.number(highest))
         (self._pressure,) = axes.plot([], [], color="tab:red")
         films = axes.twinx()
-        films.set_ylabel("film / µm", color="tab:blue")
+        films.set_ylabel(FILM.axis(), color="tab:blue")
         films.set_ylim(0, _thickest(life))
         (self._film,) = films.plot([], [], color="tab:blue")
         self._note = self.figure.text(0.02, 0.01, "")
@@ -135,14 +139,15 @@ class Lines:
     def show(self, number: int) -> None:
         """Draw one frame."""
         frame = self._life.frames[number]
-        self._pressure.set_data(frame.x * MILLI, frame.pressure * MEGA)
-        self._film.set_data(frame.x * MILLI, frame.film * MICRO)
+        self._pressure.set_data(frame.x * MILLI, PRESSURE.number(frame.pressure))
+        self._film.set_data(frame.x * MILLI, FILM.number(frame.film))
         self._note.set_text(_told(self._life, frame))
 
 
 def _thickest(life: ContactLife) -> float:
     """Upper end of the scale of films [um]."""
-    return THICKEST * float(np.median(life.figures["film_central"])) * MICRO
+    thickest: float = FILM.number(THICKEST * float(np.median(life.figures["film_central"])))
+    return thickest
 
 
 def _heading(result: Result, life: ContactLife) -> str:
@@ -150,13 +155,15 @@ def _heading(result: Result, life: ContactLife) -> str:
 
 
 def _told(life: ContactLife, frame: Fields) -> str:
-    """Time, phase, load and least film of a frame."""
+    """Time, phase, load and minimum film thickness of a frame."""
     at = int(np.argmin(np.abs(life.seconds - frame.seconds)))
     parts = [f"{frame.seconds / 1e-3:.3f} ms"]
     if life.phases is not None:
         parts.append(f"phase {life.phases[at]:.3f}")
     load = f"{life.load[at]:.4g} {'N' if life.kind == 'point' else 'N/m'}"
-    return "   ".join([*parts, load, f"least film {life.figures['film_min'][at] * MICRO:.3f} µm"])
+    thin = QUANTITIES["film_min"]
+    film = thin.with_unit(f"{thin.number(life.figures['film_min'][at]):.3f}")
+    return "   ".join([*parts, load, f"{thin.words()} {film}"])
 
 
 def _window(life: ContactLife) -> tuple[float, float, float, float]:

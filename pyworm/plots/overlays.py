@@ -7,10 +7,11 @@ from matplotlib.axes import Axes
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.plain_dataset import AnyDataset
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.between_nodes import between_nodes
 from pyworm.plots.contact.outline import signed_square
 from pyworm.plots.error_bars import draw_estimates
-from pyworm.plots.layout import MILLI, mark_gaps, panel_size, with_gaps
+from pyworm.plots.layout import MILLI, broken, mark_gaps, panel_size, with_gaps
 from pyworm.solver.solution import Solution
 
 
@@ -182,5 +183,5 @@ def draw_largest_temperatures(
     mark_gaps(axes, places, solutions)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
-    axes.set_ylabel("largest\ntemperature / °C")
+    axes.set_ylabel(broken(QUANTITIES["temperature_max"].axis()))
     axes.legend(frameon=False, ncols=4, loc="upper left")

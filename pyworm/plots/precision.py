@@ -11,14 +11,8 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from pyworm.io.format import percent
+from pyworm.io.quantities import QUANTITIES
 from pyworm.precision.study import Curve, Study
-
-TITLES = {
-    "film_min": "Minimum film",
-    "film_central": "Central film",
-    "friction_coefficient": "Friction",
-    "temperature_max_film": "Largest temperature",
-}
 
 COLOURS = {
     "line contact": "tab:brown",
@@ -114,7 +108,7 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
     panel.set_ylim(max(low, FLOOR, reference.band / 5), min(max(high, 1.5), 1e4))
     panel.yaxis.set_major_formatter(FuncFormatter(lambda fraction, _: percent(fraction)))
     panel.yaxis.set_minor_formatter(NullFormatter())
-    panel.set_title(TITLES[name], fontsize="medium")
+    panel.set_title(QUANTITIES[name].title(), fontsize="medium")
     panel.set_xlabel("processor time / s")
     panel.set_ylabel("relative error")
     panel.legend(

@@ -12,25 +12,11 @@ from matplotlib.axis import Axis as MatplotlibAxis
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullFormatter
 
+from pyworm.io.quantities import listed
 from pyworm.plots.attempts import Attempts
 from pyworm.plots.layout import joined, new_figure
 from pyworm.result.sweep_result import SweepResult, columns, distinguishing
 from pyworm.scene.index import PLACE_NAMES
-
-# Variable, factor from SI to the unit shown, label, variable of its error, whether that is relative.
-_FIGURES = (
-    ("film_min_m", 1e6, "minimum film / µm", "film_min_error", True),
-    ("film_central_m", 1e6, "central film / µm", "film_central_error", True),
-    ("pressure_max_Pa", 1e-6, "largest pressure / MPa", "pressure_max_error", True),
-    ("friction_coefficient", 1.0, "friction coefficient", "friction_coefficient_error", True),
-    (
-        "temperature_max_C_film",
-        1.0,
-        "largest temperature / °C",
-        "temperature_max_error_K_film",
-        False,
-    ),
-)
 
 COLOURS = colormaps["viridis"]
 
@@ -142,11 +128,14 @@ def _axis(label: str, values: np.ndarray) -> _Axis:
 def _shown(result: SweepResult) -> list[_Shown]:
     table = result.table
     shown = []
-    for name, scale, label, error, relative in _FIGURES:
-        if name in table and np.isfinite(table[name]).any():
-            values = np.where(result.converged, table[name].values * scale, np.nan)
-            errors = table[error].values * (abs(values) if relative else 1.0)
-            if name == "friction_coefficient":
+    for quantity in listed("picture"):
+        key = quantity.key
+        if key in table and np.isfinite(table[key]).any():
+            relative = quantity.unit != "K"
+            values = np.where(result.converged, quantity.by_key(table[key].values), np.nan)
+            errors = table[quantity.error_key].values * (abs(values) if relative else 1.0)
+            label = quantity.axis()
+            if quantity.name == "friction_coefficient":
                 label = result.left_out.headed(label)
             shown.append(_Shown(label, values, errors, relative))
     return shown

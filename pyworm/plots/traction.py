@@ -5,6 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import mark_gaps, placed_panels, result_heading, with_gaps
 from pyworm.plots.overlays import draw_largest_temperatures
@@ -57,4 +58,4 @@ def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
     mark_gaps(axes, ratios, swept)
     if not all(one.converged for one in swept):
         axes.legend(frameon=False)
-    axes.set_ylabel(of_all(swept).headed("friction coefficient"))
+    axes.set_ylabel(of_all(swept).headed(QUANTITIES["friction_coefficient"].axis()))

@@ -7,6 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.layout import MICRO, MILLI, new_figure
 
 if TYPE_CHECKING:
@@ -65,11 +66,11 @@ def _draw_running_in(axes: Axes, steps: Sequence["WearFigures"]) -> None:
     axes.plot(hours, [of.friction for of in steps], "o-", color="tab:purple")
     axes.set_ylim(0, 1.15 * max(of.friction for of in steps))
     axes.set_xlabel("h")
-    axes.set_ylabel("friction", color="tab:purple")
+    axes.set_ylabel(QUANTITIES["friction_coefficient"].axis(), color="tab:purple")
     shared = axes.twinx()
     shared.plot(hours, [100 * of.asperity_share for of in steps], "s--", color="tab:brown")
     shared.set_ylim(0, 115 * max(of.asperity_share for of in steps))
-    shared.set_ylabel("load on asperities / %", color="tab:brown")
+    shared.set_ylabel(QUANTITIES["asperity_load_fraction"].axis(), color="tab:brown")
 
 
 def _draw_pattern(axes: Axes, steps: Sequence["WearFigures"]) -> None:
@@ -82,4 +83,4 @@ def _draw_pattern(axes: Axes, steps: Sequence["WearFigures"]) -> None:
     axes_film = axes.twinx()
     axes_film.plot(hours, films, "s--", color="tab:green")
     axes_film.set_ylim(0, 1.15 * films.max())
-    axes_film.set_ylabel("least film / µm", color="tab:green")
+    axes_film.set_ylabel(QUANTITIES["film_min"].axis(), color="tab:green")

@@ -8,23 +8,14 @@ from typing import Any
 from rich.table import Table
 
 from pyworm.io.format import duration
+from pyworm.io.quantities import QUANTITIES
 from pyworm.precision.grid_series import Point
 from pyworm.precision.study import TARGETS, Curve, Study
 
-LABELS = {
-    "film_min": "Minimum film",
-    "film_central": "Central film",
-    "friction_coefficient": "Friction",
-    "temperature_max_film": "Temperature",
-}
-
 UNITS = {
-    "film_min": "film_min_m",
-    "film_central": "film_central_m",
-    "friction_coefficient": "friction_coefficient",
-    "temperature_max_film": "temperature_rise_max_K",
-}
-"""Figure -> its key in CSV and JSON."""
+    name: QUANTITIES[name].key for name in ("film_min", "film_central", "friction_coefficient")
+} | {"temperature_max_film": "temperature_rise_max_K"}
+"""Figure -> its key in CSV and JSON, of temperatures that of the rise."""
 
 KINDS = {"formula": "formula", "model": "rung", "parameter": "knob"}
 """Kind of a curve -> its name in CSV and JSON, unchanged for programs that read them."""
@@ -36,7 +27,7 @@ def cheapest_table(study: Study) -> Table:
     table.add_column("Error", justify="right", no_wrap=True)
     figures = list(study.references)
     for figure in figures:
-        table.add_column(LABELS[figure])
+        table.add_column(QUANTITIES[figure].title())
     table.add_column("All of them")
     for accuracy in TARGETS:
         choices = [study.cheapest(accuracy, (figure,)) for figure in figures]

@@ -3,16 +3,7 @@
 from collections.abc import Sequence
 
 from pyworm.io.format import percent
-
-_WORDS = {
-    "film_min": "minimum film",
-    "film_central": "central film",
-    "friction_coefficient": "friction coefficient",
-    "temperature_max_body_1": "maximum surface temperatures",
-    "temperature_max_body_2": "maximum surface temperatures",
-    "temperature_max_film": "maximum film temperature",
-}
-"""Figures of `pyworm.planning.target.Aim` -> what they are called; never the maximum pressure."""
+from pyworm.io.quantities import QUANTITIES
 
 
 def accuracy_words(accuracy: float, names: Sequence[str]) -> str:
@@ -25,5 +16,5 @@ def accuracy_words(accuracy: float, names: Sequence[str]) -> str:
     names : sequence of str
         Names of the figures, `Solution.accuracy_of`.
     """
-    words = dict.fromkeys(_WORDS[name] for name in names)
+    words = dict.fromkeys(QUANTITIES[name].words(("", "")).removesuffix(" ()") for name in names)
     return f"{percent(accuracy)} of {', '.join(words)}" if words else ""

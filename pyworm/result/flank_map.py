@@ -19,7 +19,7 @@ from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.formulas.whole_numbers import whole
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 from pyworm.result.mesh_cycle import flank_place, phase_of
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution

@@ -1,7 +1,8 @@
-"""Sentences before the figures of solved contacts: the least film, and the effects left out at worst."""
+"""Sentences before the figures of solved contacts: minimum film thickness, and effects left out at worst."""
 
 from collections.abc import Iterable, Sequence
 
+from pyworm.io.quantities import QUANTITIES
 from pyworm.planning.no_friction import no_friction
 from pyworm.solver.left_out import LeftOut, worst
 from pyworm.solver.solution import Solution
@@ -15,7 +16,7 @@ def of_all(solutions: Iterable[Solution]) -> LeftOut:
 
 
 def headline(solutions: Sequence[Solution]) -> str:
-    """The least film of solved contacts, its error bar and the effects left out; empty without any."""
+    """Minimum film thickness of solved contacts, its error bar and the effects left out; empty without."""
     words = of_all(solutions).words
     films = [of.figures.film_min for of in solutions if of.converged]
     if not words or not films:
@@ -23,7 +24,8 @@ def headline(solutions: Sequence[Solution]) -> str:
     film = min(films, key=lambda film: film.value)
     numerical = f"± {film.error * 100:.2g} % (numerical)"
     model = "" if film.model is None else f" ± {film.model * 100:.2g} % (model)"
-    return f"Least film {film.value * 1e6:.3g} µm {numerical}{model}; {words}"
+    thickness = QUANTITIES["film_min"]
+    return f"{thickness.title()} {thickness.text(film.value)} {numerical}{model}; {words}"
 
 
 def less_accurate(solutions: Sequence[Solution]) -> str:

@@ -14,7 +14,7 @@ import numpy as np
 
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
-from pyworm.io.variables import LIFE_FIGURES
+from pyworm.io.quantities import OVER_LIFE
 from pyworm.result.result import Result
 from pyworm.scene.index import Place
 from pyworm.solver.solution import Solution
@@ -74,7 +74,7 @@ class ContactLife:
     entrainment : numpy.ndarray
         Mean velocity of the surfaces at the contact point, along the last one [m/s].
     figures, errors : dict
-        Figures by name (`io.variables.LIFE_FIGURES`) and their numerical error bars, in SI.
+        Figures by name (`io.quantities.OVER_LIFE`) and their numerical error bars, in SI.
     frames : tuple of Fields
         Fields at some of the times.
     solutions : tuple of Solution
@@ -175,7 +175,7 @@ def _life(place: Place, solutions: Sequence[Solution]) -> ContactLife:
     def over_life(name: str) -> Array:
         return np.concatenate([of[name].values for of in held])[first]
 
-    names = [name for name in LIFE_FIGURES if all(f"life_{name}" in of for of in held)]
+    names = [name for name in OVER_LIFE if all(f"life_{name}" in of for of in held)]
     frames = {one.seconds: one for of in held for one in _frames(of)}
     return ContactLife(
         place,
@@ -217,7 +217,7 @@ def _frames(of: "PlainDataset | xr.Dataset") -> list[Fields]:
 
 def as_csv(all_lives: Sequence[ContactLife]) -> str:
     """A table of all instants: place, time, phase, load, and each figure with its error bar, in SI."""
-    names = [name for name in LIFE_FIGURES if any(name in one.figures for one in all_lives)]
+    names = [name for name in OVER_LIFE if any(name in one.figures for one in all_lives)]
     places = list({name: None for one in all_lives for name in one.place.given})
     text = StringIO()
     table = writer(text, lineterminator="\n")

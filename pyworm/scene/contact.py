@@ -32,9 +32,6 @@ STILL = 1e-30
 FROM_GAP: Any = None
 """Radii of a contact that are not given: it takes those of its gap when it is made."""
 
-BODIES = "body 1", "body 2"
-"""What the bodies of a contact are called where nothing names them."""
-
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Contact(Shown, ABC):

@@ -2,21 +2,21 @@
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields, replace
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from pyworm.formulas.regimes import Regime
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.format import with_bars
 from pyworm.io.on_demand import later
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray, same_data
-from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES, Quantity
 from pyworm.io.shown import Shown
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction
-from pyworm.planning.target import ROUGH_FIGURES
 from pyworm.scene.index import Place
 from pyworm.solver.accuracy_met import is_accurate
-from pyworm.solver.estimate import Estimate
+from pyworm.solver.estimate import ORIGINS, Estimate
 from pyworm.solver.left_out import LeftOut, judged
 from pyworm.solver.oil_supply import SupplyFigures
 
@@ -319,12 +319,10 @@ class Solution(Shown):
         with an entry for each body and the film. Values that are not simulated, not known or not defined for
         the kind of contact have no key.
         """
-        figures, sizes = self.figures, self._sizes
-        return {
+        summary: dict[str, Any] = {
             "name": self.name,
             "kind": self.kind,
             **asdict(Place.of(self)),
-            LOAD_KEYS[self.kind]: self.load,
             **self.left_out.summary(),
             "converged": self.converged,
             "accurate": self.accurate,
@@ -334,99 +332,65 @@ class Solution(Shown):
                 if self.accuracy_of
                 else {}
             ),
-            **_flat("film_min", "m", figures.film_min),
-            "film_min_at_m": list(figures.film_min_at),
-            "film_min_kind": figures.film_min_kind,
-            **_flat("film_central", "m", figures.film_central),
-            **_flat("pressure_max", "Pa", figures.pressure_max),
-            **self._surface_summary(),
-            **self._point_summary(),
-            **self._shear_summary(),
-            **self._rough_summary(),
-            **self._supply_summary(),
-            **self._heat_summary(),
-            "moes_M": figures.moes_m,
-            "moes_L": figures.moes_l,
+        }
+        for quantity in QUANTITIES.values():
+            value = quantity.value_in(self)
+            if isinstance(value, Estimate) and quantity.unit == "K":
+                for key, part in self._in_celsius(quantity, value).items():
+                    summary.setdefault(key, {}).update(part)
+            elif value is not None:
+                summary |= _flat(quantity, value)
+        reason = no_friction(self.effects) if self.figures.friction_coefficient is None else ""
+        return {
+            **summary,
+            **({"friction_coefficient_reason": reason} if reason else {}),
             **self.regime.summary(),
-            "grid": [sizes[axis] for axis in ("x", "y") if axis in sizes],
-            "residual": figures.residual,
-            "load_error": figures.load_error,
-            "mass_error": figures.mass_error,
+            "grid": [self._sizes[axis] for axis in ("x", "y") if axis in self._sizes],
             "effects": [effect.name for effect in self.effects if effect.on],
-            "seconds": self.cost.seconds,
-            "convolutions": self.cost.convolutions,
         }
 
-    def _surface_summary(self) -> dict[str, float]:
-        """Ratios of the film to the composite roughness, with the error bar of the film."""
-        if self.composite_roughness is None:
-            return {}
-        known = {"composite_roughness_m": self.composite_roughness}
-        film = self.figures.film_min
-        if not self.converged:
-            return known
-        return known | {
-            "specific_film": film.value / self.composite_roughness,
-            "specific_film_error": film.error,
-            **({} if film.model is None else {"specific_film_model_error": film.model}),
-        }
-
-    def _point_summary(self) -> dict[str, float | None]:
-        """The scalars that only a point contact has."""
-        figures = self.figures
-        if figures.dry is None:
-            return {}
-        return {
-            "film_exit_min_m": figures.film_exit_min,
-            "film_exit_min_at_m": figures.film_exit_min_at,
-            "film_lift_m": figures.lift,
-            "dry_pressure_max_Pa": figures.dry.pressure_max,
-            "dry_length_m": figures.dry.length,
-            "dry_width_m": figures.dry.width,
-            "dry_approach_m": figures.dry.approach,
-        }
-
-    def _shear_summary(self) -> dict[str, float | str]:
-        """The scalars of the film's shear, or why there are none though the oil's data would allow them."""
-        figures = self.figures
-        if figures.friction_coefficient is None:
-            reason = no_friction(self.effects)
-            return {"friction_coefficient_reason": reason} if reason else {}
-        return {
-            **_flat("friction_coefficient", "", figures.friction_coefficient),
-            **_flat(
-                "power_loss", POWER_UNITS[self.kind], present(figures.power_loss, "power_loss")
-            ),
-            **_flat("shear_rate_max", "1_s", present(figures.shear_rate_max, "shear_rate_max")),
-        }
-
-    def _rough_summary(self) -> dict[str, float]:
-        """The scalars of the asperities; the friction of the oil is the rest."""
-        figures = self.figures
-        known = {name: of for name in ROUGH_FIGURES if (of := getattr(figures, name)) is not None}
-        summary = {
-            key: value for name, of in known.items() for key, value in _flat(name, "", of).items()
-        }
-        if figures.friction_boundary is not None and figures.friction_coefficient is not None:
-            summary["friction_fluid"] = (
-                figures.friction_coefficient.value - figures.friction_boundary.value
+    def figure_text(self, quantity: Quantity) -> str:
+        """A figure with its unit and error bars, of temperatures in K; empty without it, or unconverged."""
+        figure = quantity.value_in(self)
+        if figure is None or not self.converged:
+            return ""
+        if not isinstance(figure, Estimate | Ratio):
+            return figure if isinstance(figure, str) else quantity.text(figure)
+        value = quantity.text(figure.value)
+        if isinstance(figure, Estimate) and quantity.unit == "K":
+            return with_bars(
+                value, figure.error, figure.model, self.rise(figure), " K", figure.reason
             )
-        return summary
+        return with_bars(value, figure.error, figure.model, reason=figure.reason)
 
-    def _supply_summary(self) -> dict[str, float]:
-        """The scalars of a limited supply of oil."""
+    @property
+    def specific_film(self) -> "Ratio | None":
+        """Minimum film thickness over composite roughness [-]; None without a roughness or a film."""
+        film = self.figures.film_min
+        if self.composite_roughness is None or not self.converged:
+            return None
+        ratio = film.value / self.composite_roughness
+        return Ratio(ratio, film.error, film.model, film.reason)
+
+    @property
+    def friction_fluid(self) -> float | None:
+        """Part of the friction coefficient by the oil [-]; None where roughness was not simulated."""
+        whole, rubbing = self.figures.friction_coefficient, self.figures.friction_boundary
+        return None if whole is None or rubbing is None else whole.value - rubbing.value
+
+    @property
+    def supply_ratio(self) -> "Ratio | None":
+        """Oil supplied over that of the flooded film [-]; None where starvation was not simulated."""
+        supply = self.figures.supply
+        return None if supply is None else Ratio(supply.supply_ratio, supply.flooded_error)
+
+    @property
+    def film_over_flooded(self) -> "Ratio | None":
+        """Central film thickness over the flooded one [-]; None where starvation was not simulated."""
         supply, film = self.figures.supply, self.figures.film_central
         if supply is None:
-            return {}
-        return {
-            "supply_ratio": supply.supply_ratio,
-            "supply_ratio_error": supply.flooded_error,
-            "film_over_flooded": supply.film_over_flooded,
-            "film_over_flooded_error": film.error + supply.flooded_error,
-            "meniscus_m": supply.meniscus,
-            "side_flow": supply.side_flow,
-            "layer_left_m": supply.layer_left,
-        }
+            return None
+        return Ratio(supply.film_over_flooded, film.error + supply.flooded_error)
 
     def rise(self, temperature: Estimate) -> float:
         """Rise of a temperature, to which its errors are relative, above the colder body's [K].
@@ -435,59 +399,40 @@ class Solution(Shown):
         """
         return abs(temperature.value - (temperature.datum or self.inlet_temperature or 0.0))
 
-    def _model_errors_of_temperatures(self, largest: dict[str, Estimate]) -> dict[str, dict]:
-        """Uncertainty of temperatures by the model of roughness [K]; none where it was not simulated."""
-        errors = {
-            place: of.model * self.rise(of) for place, of in largest.items() if of.model is not None
-        }
-        return {"temperature_max_model_error_K": errors} if errors else {}
-
-    def _heat_summary(self) -> dict[str, dict[str, float] | float | None]:
-        """The scalars of heat; errors of temperatures in kelvin."""
-        figures = self.figures
-        if figures.temperature_max_film is None:
-            return {}
-        largest = {
-            "body_1": present(figures.temperature_max_body_1, "temperature_max_body_1"),
-            "body_2": present(figures.temperature_max_body_2, "temperature_max_body_2"),
-            "film": figures.temperature_max_film,
-        }
-        inlet = present(self.inlet_temperature, "inlet_temperature")
+    def _in_celsius(self, quantity: Quantity, temperature: Estimate) -> dict[str, dict[str, float]]:
+        """A temperature [°C] and its uncertainties [K], each beneath the key of the object of all."""
+        name, _, place = quantity.key.partition("_C_")
+        rise, model = self.rise(temperature), temperature.model
         return {
-            "inlet_temperature_C": inlet - ZERO_CELSIUS,
-            "temperature_max_C": {
-                place: estimate.value - ZERO_CELSIUS for place, estimate in largest.items()
-            },
-            "temperature_max_error_K": {
-                place: estimate.error * self.rise(estimate) for place, estimate in largest.items()
-            },
-            **self._model_errors_of_temperatures(largest),
-            "heat_balance": figures.heat_balance,
+            f"{name}_C": {place: temperature.value - ZERO_CELSIUS},
+            f"{name}_error_K": {place: temperature.error * rise},
+            **({} if model is None else {f"{name}_model_error_K": {place: model * rise}}),
         }
 
 
-LOAD_KEYS = {"point": "load_N", "line": "load_per_length_N_m"}
-"""Kind of contact -> key of its load in summaries."""
+class Ratio(NamedTuple):
+    """A figure that follows from others [-], with their relative uncertainties and the reason of no bound."""
 
-POWER_UNITS = {"point": "W", "line": "per_length_W_m"}
-"""Kind of contact -> unit of its power in the keys of summaries."""
+    value: float
+    error: float
+    model: float | None = None
+    reason: str | None = None
 
 
-def _flat(name: str, unit: str, estimate: Estimate) -> dict[str, float]:
+def _flat(quantity: Quantity, value: Any) -> dict[str, Any]:
     """A figure, its error bar, the parts of that and the reason of an infinite one under flat names."""
-    key = f"{name}_{unit}" if unit else name
+    if not isinstance(value, Estimate | Ratio):
+        shown = value - ZERO_CELSIUS if quantity.unit == "K" else value
+        return {quantity.key: list(shown) if isinstance(shown, tuple) else shown}
+    name, unit = quantity.figure, quantity.key.removeprefix(quantity.figure)
+    model = {} if value.model is None else {quantity.model_key: value.model}
+    if isinstance(value, Ratio):
+        return {quantity.key: value.value, quantity.error_key: value.error, **model}
     return {
-        key: estimate.value,
-        **(
-            {}
-            if estimate.on_grid is None
-            else {f"{name}_on_grid{key.removeprefix(name)}": estimate.on_grid}
-        ),
-        f"{name}_error": estimate.error,
-        **{
-            f"{name}_error_{part}": getattr(estimate, part)
-            for part in ("grid", "domain", "algebra", "approximation")
-        },
-        **({} if estimate.model is None else {f"{name}_model_error": estimate.model}),
-        **({} if estimate.reason is None else {f"{name}_error_reason": estimate.reason}),
+        quantity.key: value.value,
+        **({} if value.on_grid is None else {f"{name}_on_grid{unit}": value.on_grid}),
+        quantity.error_key: value.error,
+        **{f"{quantity.error_key}_{part}": getattr(value, part) for part in ORIGINS},
+        **model,
+        **({} if value.reason is None else {f"{quantity.error_key}_reason": value.reason}),
     }

@@ -64,8 +64,8 @@ def test_check_prints_the_table_of_the_page(capsys):
     count = {14: "fourteen"}[len(judged)]
     assert f"and so on for {count} effects" in PAGE
     pressure, across = re.search(r"\((\S+) MPa by Hertz, (\S+) mm across\)", PAGE).groups()
-    assert f"{pressure} MPa" in printed_row("Hertz: largest pressure", lines)
-    width = numbers(printed_row("Hertz: width", lines))[0]
+    assert f"{pressure} MPa" in printed_row("Maximum Hertz pressure", lines)
+    width = numbers(printed_row("Hertz contact width", lines))[0]
     assert float(across) == pytest.approx(width, abs=6e-4)
 
 
@@ -88,7 +88,7 @@ def test_run_prints_the_table_of_the_page(tmp_path, capsys):
 @pytest.mark.parametrize(("option", "comment"), COMMENT.findall(PAGE))
 def test_the_figures_beside_commands_are_printed(option, comment, tmp_path, capsys):
     lines = printed_by(capsys, "run", CASE, *option.split(), "--out", tmp_path)
-    now = numbers(printed_row("Minimum film", lines))
+    now = numbers(printed_row("Minimum film thickness", lines))
     film, *bar = numbers(comment)
     assert now[0] == pytest.approx(film, rel=1e-3)
     assert now[1 : 1 + len(bar)] == pytest.approx(bar, rel=0.02)

@@ -12,7 +12,7 @@ from pyworm.formulas.film import line_groups, point_groups
 from pyworm.formulas.film_atlas import AtlasGroups, films, regime_measures
 from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.formulas.regimes import Regime, line_regime
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 from pyworm.result.result import Result
 from pyworm.solver.solution import Cost, DryFigures, Estimate, Figures, Solution
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from pyworm.io.on_demand import xarray as xr
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 
 KIND = "gear-pair"
 

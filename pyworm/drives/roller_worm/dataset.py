@@ -10,7 +10,7 @@ from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.formulas.film_atlas import reciprocal_alpha
 from pyworm.formulas.regimes import REGIMES
 from pyworm.io.on_demand import xarray as xr
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 
 KIND = "roller-worm"
 

@@ -11,7 +11,7 @@ from pyworm.drives.worm.patterns.contact_pattern import THICKNESS, ContactPatter
 from pyworm.drives.worm.teeth.tooth import wheel_radius
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, described
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 from pyworm.scene.point import Gap
 
 KIND = "zi-worm"

@@ -8,7 +8,7 @@ from pyworm.drives.worm.loads.dry_contact import CONTACT, mid_mesh_contact
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.teeth.checks import check_play
 from pyworm.io.on_demand import xarray as xr
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 
 ERRORS = {
     "assembly.centre_distance": 0.1e-3,

@@ -3,8 +3,8 @@
 from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.quantities import BODIES
 from pyworm.plots.layout import MICRO, MILLI, heading, placed_panels
-from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
 
 VELOCITY_COLOURS = {"x": "tab:blue", "y": "tab:orange"}

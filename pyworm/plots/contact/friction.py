@@ -8,6 +8,7 @@ from matplotlib.ticker import MaxNLocator
 
 from pyworm.io.plain_dataset import AnyDataset
 from pyworm.io.present import present
+from pyworm.io.quantities import BODIES
 from pyworm.plots.layout import (
     MEGA,
     MILLI,
@@ -18,7 +19,6 @@ from pyworm.plots.layout import (
     panels,
 )
 from pyworm.plots.overlays import draw_arrows, draw_dry_outline, draw_tooth
-from pyworm.scene.contact import BODIES
 from pyworm.solver.left_out import AS_IF_SMOOTH
 from pyworm.solver.solution import Solution
 

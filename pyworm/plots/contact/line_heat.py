@@ -4,9 +4,9 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.present import present
+from pyworm.io.quantities import BODIES
 from pyworm.plots.contact.line_profiles import shown
 from pyworm.plots.layout import MEGA, MILLI, heading, placed_panels
-from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
 
 STRESS_COLOUR, POWER_COLOUR = "tab:purple", "tab:red"

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.quantities import BODIES
 from pyworm.plots.layout import (
     MILLI,
     colour_bar,
@@ -18,7 +19,6 @@ from pyworm.plots.layout import (
     panels,
 )
 from pyworm.plots.overlays import draw_arrows, draw_dry_outline, draw_tooth
-from pyworm.scene.contact import BODIES
 from pyworm.solver.solution import Solution
 
 BANDS = 12

@@ -10,15 +10,16 @@ from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.worm_flank import draw_flank
 from pyworm.plots.drives.worm_pattern import draw_pattern
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import (
     KILO,
-    MEGA,
     MICRO,
     MILLI,
+    broken,
     mark_gaps,
     placed_panels,
     result_heading,
@@ -114,7 +115,7 @@ def _draw_tooth_load(axes: Axes, cycle: "xr.Dataset") -> None:
     if float(cycle["wheel_turn"].max()) > 0:
         turn_axes = axes.twinx()
         turn_axes.plot(phase, cycle["wheel_turn"] * MICRO, "--", color="0.3")
-        turn_axes.set_ylabel("wheel behind its ideal\nangle / µrad (dashed)")
+        turn_axes.set_ylabel(f"{broken(QUANTITIES['wheel_turn'].axis())} (dashed)")
 
 
 def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
@@ -124,22 +125,21 @@ def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
 def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     """Films with their error bars, and the largest pressure on its own scale."""
     phase = np.array([phase_of(solution) for solution in solved])
-    for name, label, colour in (
-        ("film_central", "central film", "tab:blue"),
-        ("film_min", "least film", "tab:green"),
-    ):
+    for name, colour in (("film_central", "tab:blue"), ("film_min", "tab:green")):
+        quantity = QUANTITIES[name]
         estimates = [getattr(solution.figures, name) for solution in solved]
-        film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
-        style = {"fmt": "o-", "color": colour, "capsize": 3, "label": label}
+        film = quantity.number(with_gaps(solved, [estimate.value for estimate in estimates]))
+        style = {"fmt": "o-", "color": colour, "capsize": 3, "label": quantity.words()}
         draw_estimates(axes, phase, film, film, estimates, **style)
     mark_gaps(axes, phase, solved)
     axes.set_ylim(0, 1.25 * axes.get_ylim()[1])  # room for the legend
-    axes.set_ylabel("film / µm")
+    axes.set_ylabel(broken(QUANTITIES["film"].axis()))
     pressure_axes = axes.twinx()
-    pressure = with_gaps(solved, [one.figures.pressure_max.value * MEGA for one in solved])
+    maximum = QUANTITIES["pressure_max"]
+    pressure = with_gaps(solved, [maximum.number(one.figures.pressure_max.value) for one in solved])
     pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
     scale_from_zero(pressure_axes, pressure, 1.3)
-    pressure_axes.set_ylabel("largest pressure\n/ MPa", color="tab:red")
+    pressure_axes.set_ylabel(broken(maximum.axis()), color="tab:red")
     axes.legend(frameon=False, ncols=2, loc="upper center")
 
 
@@ -165,8 +165,9 @@ def _draw_friction(axes: Axes, sheared: list[Solution], standard: StandardLoss |
         scaled = np.append(friction, standard.friction)
     scale_from_zero(axes, scaled, 1.3)
     rough = of_all(sheared).as_if_smooth
+    coefficient, loss = (QUANTITIES[name].axis() for name in ("friction_coefficient", "power_loss"))
     axes.set_ylabel(
-        f"friction coefficient\n{AS_IF_SMOOTH}" if rough else "friction\ncoefficient",
+        f"{coefficient}\n{AS_IF_SMOOTH}" if rough else broken(coefficient),
         color="tab:purple",
     )
     power_axes = axes.twinx()
@@ -174,9 +175,7 @@ def _draw_friction(axes: Axes, sheared: list[Solution], standard: StandardLoss |
     power = with_gaps(sheared, losses)
     power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
     scale_from_zero(power_axes, power, 1.3)
-    power_axes.set_ylabel(
-        f"power loss / W\n{AS_IF_SMOOTH}" if rough else "power loss\n/ W", color="tab:red"
-    )
+    power_axes.set_ylabel(f"{loss}\n{AS_IF_SMOOTH}" if rough else broken(loss), color="tab:red")
 
 
 CYCLE_PICTURES = {

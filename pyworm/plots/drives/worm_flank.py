@@ -7,36 +7,19 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullLocator
 
-from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.flank_sides import name_sides
-from pyworm.plots.layout import MEGA, MICRO, MILLI, new_figure, result_heading
+from pyworm.plots.layout import MILLI, broken, new_figure, result_heading
 from pyworm.result.flank_map import FAILURE, flank_map
 from pyworm.result.flank_wear import FlankGrid, flank_work
 from pyworm.result.result import Result
 
 _PANELS = (
-    ("film", "least film / µm", MICRO, 0.0, "viridis"),
-    ("pressure", "largest pressure / MPa", MEGA, 0.0, "inferno"),
-    ("temperature_body_2", "largest temperature\nof the wheel / °C", 1.0, ZERO_CELSIUS, "inferno"),
-    ("asperity_pressure", "largest pressure\non asperities / MPa", MEGA, 0.0, "inferno"),
-    ("asperity_rubbing", "asperities' pressure\ntimes sliding / (MW/m²)", MEGA, 0.0, "inferno"),
-    (
-        "asperity_work",
-        "asperities' pressure times\nsliding distance in a pass / (MPa m)",
-        MEGA,
-        0.0,
-        "inferno",
-    ),
-    (
-        "entry",
-        f"least speed of oil into the\ncontact / mean (white: {FAILURE:g})",
-        1.0,
-        0.0,
-        "viridis",
-    ),
-)
-"""Field, its words, scale and offset to what is shown, colours."""
+    "film", "pressure", "temperature_body_2", "asperity_pressure", "asperity_rubbing", "asperity_work",
+    "entry",
+)  # fmt: skip
+"""Fields that are shown."""
 
 SEEN = 0.01
 """That product over the largest above which a place is shown."""
@@ -57,25 +40,28 @@ def draw_flank(result: Result) -> Figure | None:
             np.where(work > SEEN * work.max(), work, np.nan),
         )
     cycle = result.cycle_data
-    shown = [panel for panel in _PANELS if panel[0] in field]
+    shown = [QUANTITIES[name] for name in _PANELS if name in field]
     rows = (len(shown) + 1) // 2
     gaps = ", ".join(f"{one.phase:g}" for one in result.unsound)
     what = f"wheel flank, phase {gaps} not converged and left out" if gaps else "wheel flank"
     figure = new_figure(13, 2.4 * rows + 0.5, result_heading(result, what))
     axes = figure.subplots(rows, 2, squeeze=False).ravel()
     places = field["face"] * MILLI, field["radius"] * MILLI
-    for panel, (name, label, scale, offset, colours) in zip(axes[: len(shown)], shown, strict=True):
-        values = (field[name] - offset) * scale
+    for panel, quantity in zip(axes[: len(shown)], shown, strict=True):
+        name, label = quantity.name, quantity.axis(quantity.worst(result.body_names))
+        if name == "entry":
+            label += f" (white: {FAILURE:g})"
+        values = quantity.number(field[name])
         thick = name in THICK
         mesh = panel.pcolormesh(
             *places,
             values,
-            cmap=colours,
+            cmap=quantity.colours,
             shading="nearest",
             norm=LogNorm(float(values.min()), THICK[name] * float(values.min())) if thick else None,
         )
         bar = figure.colorbar(
-            mesh, ax=panel, label=label, shrink=0.8, extend="max" if thick else "neither"
+            mesh, ax=panel, label=broken(label), shrink=0.8, extend="max" if thick else "neither"
         )
         if thick:
             bar.ax.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))

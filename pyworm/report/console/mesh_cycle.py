@@ -1,8 +1,7 @@
 """Tables on the console: the whole mesh cycle of a result."""
 
+from collections.abc import Iterator
 from math import isfinite, isinf
-
-from rich.table import Table
 
 from pyworm.drives.kinds import module_of
 from pyworm.drives.mesh_loss import MeshLoss
@@ -10,8 +9,10 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.format import UNKNOWN, model_bar
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
+from pyworm.io.quantities import BODIES, QUANTITIES, Quantity
 from pyworm.ratings.heating import Heating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
+from pyworm.report.table import Table
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
 from pyworm.solver.left_out import AS_IF_SMOOTH
 
@@ -25,50 +26,57 @@ def closed_form_table(cycle: "xr.Dataset") -> Table | None:
     return None if module is None else module.CYCLE_TABLE(cycle)
 
 
-def cycle_table(cycle: DriveCycle) -> Table:
-    """Extremes of a drive's mesh cycle with their phase and place on the wheel's flank."""
+def cycle_table(cycle: DriveCycle, bodies: tuple[str, str] = BODIES) -> Table:
+    """Extremes of a drive's mesh cycle with their phase and place on the wheel's flank.
+
+    Parameters
+    ----------
+    cycle : DriveCycle
+        The cycle.
+    bodies : tuple of str, optional
+        What the bodies are called.
+    """
     title = f"Whole mesh cycle, from {len(cycle.phases)} phases"
     if cycle.unconverged:
         phases = ", ".join(f"{phase:g}" for phase in cycle.unconverged)
         title += f" ({phases} not converged, left out)"
-    table = Table("Figure", title=cycle.left_out.titled(title), title_justify="left")
-    for heading in ("Value", "Phase", "Along the\nface / mm", "Radius\n/ mm"):
-        table.add_column(heading, justify="right")
-
-    def extreme(label: str, one: Extreme, scale: float, unit: str, offset: float = 0.0) -> None:
-        value = f"{(one.value - offset) * scale:.4g} {unit}".rstrip()
-        value = f"{value} ± {_two(one.error * scale)}" if isfinite(one.error) else f"≥ {value}"
-        value += "" if one.model is None else f" ± {_two(one.model * scale)} (model)"
-        place = ("", "") if one.place is None else (f"{part * 1e3:.1f}" for part in one.place)
-        table.add_row(label, value, f"{one.phase:g}", *place)
-        if one.reason is not None:
-            table.add_row("  error bar" if isfinite(one.error) else "  no upper bound", one.reason)
-
-    extreme("Least film", cycle.film_min, 1e6, "µm")
-    extreme("Largest pressure", cycle.pressure_max, 1e-6, "MPa")
-    for name, label in (("body_1", "worm"), ("body_2", "wheel"), ("film", "film")):
-        if name in cycle.temperatures:
-            label = f"Largest temperature, {label}"
-            extreme(label, cycle.temperatures[name], 1.0, "°C", ZERO_CELSIUS)
+    found = {"film_min": cycle.film_min, "pressure_max": cycle.pressure_max}
+    found |= {f"temperature_max_{name}": one for name, one in cycle.temperatures.items()}
+    rows = [row for name, one in found.items() for row in _extreme(QUANTITIES[name], one, bodies)]
     for name, label in (
         ("sump", "Oil in the sump"),
         ("worm", "Bulk of the worm"),
         ("wheel", "Bulk of the wheel"),
     ):
         if name in cycle.bulk:
-            table.add_row(label, f"{cycle.bulk[name] - ZERO_CELSIUS:.1f} °C")
-    if cycle.lambda_min is not None:
-        extreme("Least lambda", cycle.lambda_min, 1.0, "")
-    if cycle.lambda_central is not None:
-        extreme("  of the central film", cycle.lambda_central, 1.0, "")
+            rows.append((label, f"{cycle.bulk[name] - ZERO_CELSIUS:.1f} °C"))
+    for name, ratio in (
+        ("specific_film", cycle.lambda_min),
+        ("lambda_central", cycle.lambda_central),
+    ):
+        if ratio is not None:
+            rows += _extreme(QUANTITIES[name], ratio, bodies)
+    note = ""
     if cycle.lifted is not None:
         fraction, phase = cycle.lifted
-        table.add_row("Load moved by films' lift", f"{fraction * 100:+.2g} %", f"{phase:g}")
-        table.caption = (
-            "Lift: how much farther a film holds worm and wheel apart under the same load."
-        )
-        table.caption_justify = "left"
-    return table
+        rows.append(("Load moved by films' lift", f"{fraction * 100:+.2g} %", f"{phase:g}"))
+        note = "Lift: how much farther a film holds worm and wheel apart under the same load."
+    head = ("Figure", "Value", "Phase", "Along the\nface / mm", "Radius\n/ mm")
+    return Table(head, tuple(rows), cycle.left_out.titled(title), note)
+
+
+def _extreme(
+    quantity: Quantity, one: Extreme, bodies: tuple[str, str]
+) -> Iterator[tuple[str, ...]]:
+    """Rows of the extreme of a figure: its value, phase and place, and the reason of its error bar."""
+    value = quantity.text(one.value)
+    value = f"{value} ± {_two(one.error * quantity.scale)}" if isfinite(one.error) else f"≥ {value}"
+    value += "" if one.model is None else f" ± {_two(one.model * quantity.scale)} (model)"
+    place = () if one.place is None else tuple(f"{part * 1e3:.1f}" for part in one.place)
+    label = f"  {quantity.words(bodies)}" if quantity.part else quantity.worst_title(bodies)
+    yield (label, value, f"{one.phase:g}", *place)
+    if one.reason is not None:
+        yield "  error bar" if isfinite(one.error) else "  no upper bound", one.reason
 
 
 def loss_table(
@@ -86,50 +94,67 @@ def loss_table(
         The loss that warms it; None where temperatures are given.
     """
     loss, left_out = present(cycle.loss, "loss"), cycle.left_out
-    table = Table("Figure", title=left_out.titled("Loss of all teeth"), title_justify="left")
-    table.add_column(
-        AS_IF_SMOOTH.capitalize() if left_out.as_if_smooth else "Value", justify="right"
+    power, friction, efficiency, wheel, worm = (
+        QUANTITIES[name]
+        for name in ("mesh_loss", "mesh_friction", "mesh_efficiency", "wheel_torque", "worm_torque")
     )
     beside: dict[str, str] = {}
     if left_out.as_if_smooth and isinstance(standard, StandardLoss):
-        table.add_column("Rough, by\nthe standard", justify="right")
         beside = {
-            "Loss": f"{standard.power:.4g} W",
-            "Mean friction": f"{standard.friction:.3g}",
-            "Efficiency": f"{standard.efficiency * 100:.3g} %",
+            power.name: power.text(standard.power),
+            friction.name: f"{standard.friction:.3g}",
+            efficiency.name: f"{standard.efficiency * 100:.3g} %",
         }
     bar, rough = f"± {loss.efficiency_error * 100:.2g}", ""
     missing = f"; {cycle.missing}" if cycle.missing else ""
-    friction = f"{loss.friction:.4g} ± {loss.error / loss.power * 100:.2g} %"
+    mean = f"{friction.text(loss.friction)} ± {loss.error / loss.power * 100:.2g} %"
     if loss.model_error is not None and loss.efficiency_model_error is not None:
         rough = f" ± {_two(loss.model_error)} (model)"
         bar += model_bar(loss.efficiency_model_error, 100.0, "")
-        friction += model_bar(loss.model_error / loss.power)
-    for label, value in (
-        ("Loss", f"{loss.power:.4g} W ± {_two(loss.error)}{rough}"),
-        ("  error by the scenes' errors", f"{_two(loss.scene_error)} W"),
-        ("  by the phases", f"{_two(loss.phase_error)} W"),
-        ("  by friction at the ends", f"{_two(loss.end_error)} W"),
-        ("Mean friction", friction),
-        ("Torque of the wheel", f"{loss.wheel_torque:.5g} N m"),
-        ("Torque of the worm", f"{loss.worm_torque:.4g} N m"),
-        ("Efficiency", f"{loss.efficiency * 100:.2f} % {bar}{missing}"),
+        mean += model_bar(loss.model_error / loss.power)
+    parts = (
+        ("error by the scenes' errors", loss.scene_error),
+        ("by the phases", loss.phase_error),
+        ("by friction at the ends", loss.end_error),
+    )
+    rows: tuple[tuple[Quantity | str, str], ...] = (
+        (power, f"{power.text(loss.power)} ± {_two(loss.error)}{rough}"),
+        *((f"  {words}", power.with_unit(_two(error))) for words, error in parts),
+        (friction, mean),
+        (wheel, wheel.with_unit(f"{loss.wheel_torque:.5g}")),
+        (worm, worm.text(loss.worm_torque)),
+        (efficiency, f"{loss.efficiency * 100:.2f} % {bar}{missing}"),
         ("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}{missing}"),
-    ):
-        table.add_row(label, value, *([beside.get(label, "")] if beside else []))
-    if heating is not None:
-        table.caption, table.caption_justify = heating.words, "left"
-    return table
+    )
+    heading = AS_IF_SMOOTH.capitalize() if left_out.as_if_smooth else "Value"
+    return Table(
+        head=("Figure", heading, *(["Rough, by\nthe standard"] if beside else [])),
+        rows=tuple(
+            (of, value) if isinstance(of, str) else (of.title(), value, *_beside(of, beside))
+            for of, value in rows
+        ),
+        title=left_out.titled("Loss of all teeth"),
+        note="" if heating is None else heating.words,
+    )
+
+
+def _beside(quantity: Quantity, beside: dict[str, str]) -> tuple[str, ...]:
+    """The standard's value in the column beside the simulation, where it has one."""
+    return (beside[quantity.name],) if quantity.name in beside else ()
 
 
 def loss_sentence(loss: MeshLoss) -> str:
     """Efficiency and loss of a drive without a table of its cycle's loss."""
+    power, friction, efficiency = (
+        QUANTITIES[name] for name in ("mesh_loss", "mesh_friction", "mesh_efficiency")
+    )
     bar = loss.loss / loss.power * loss.error * 100
     rough = "" if loss.model is None else model_bar(loss.loss * loss.model, 1.0, " W")
     missing = f" ({loss.missing})" if loss.missing else ""
     return (
-        f"Efficiency {loss.efficiency * 100:.2f} % ± {bar:.1g}{missing}, loss {loss.loss:.4g} W{rough} of "
-        f"{loss.power:.4g} W, mean friction {loss.friction:.3g}: {loss.words}."
+        f"{efficiency.title()} {loss.efficiency * 100:.2f} % ± {bar:.1g}{missing}, {power.words()} "
+        f"{power.text(loss.loss)}{rough} of {power.text(loss.power)}, {friction.words()} "
+        f"{loss.friction:.3g}: {loss.words}."
     )
 
 

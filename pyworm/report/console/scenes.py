@@ -4,16 +4,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import inf, isfinite
 from typing import Any
 
-from rich.box import SIMPLE_HEAD
-from rich.table import Table
-
 from pyworm.case.case_file import PublishedValue
 from pyworm.io.format import UNKNOWN, duration, rough
+from pyworm.io.quantities import BODIES, QUANTITIES, Quantity, listed
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction
 from pyworm.planning.plan import Plan
+from pyworm.report.table import Table
 from pyworm.result.accuracy import accuracy_words
-from pyworm.scene.contact import BODIES
+from pyworm.result.result import plain_attributes
 from pyworm.scene.index import PLACE_NAMES, Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -22,107 +21,8 @@ from pyworm.solver.cost.expected_time import Expectation
 from pyworm.solver.left_out import LeftOut, worst
 from pyworm.solver.left_out import expected as expected_to_leave_out
 
-# Label, key in a scene's summary, factor from SI to the unit shown, unit. Rows without key are left out.
-_SCENE = (
-    ("Load", "load_N", 1e-3, "kN"),
-    ("Load per length", "load_per_length_N_m", 1e-3, "kN/m"),
-    ("Relative radius", "radii_m", 1e3, "mm"),
-    ("Reduced modulus", "reduced_modulus_Pa", 1e-9, "GPa"),
-    ("Composite roughness", "composite_roughness_m", 1e6, "µm"),
-    ("Entrainment", "entrainment_m_per_s", 1.0, "m/s"),
-    ("Sliding", "sliding_m_per_s", 1.0, "m/s"),
-    ("Hertz: length", "hertz_length_m", 1e3, "mm"),
-    ("Hertz: width", "hertz_width_m", 1e3, "mm"),
-    ("Hertz: largest pressure", "hertz_pressure_max_Pa", 1e-6, "MPa"),
-)
-
-# The same of a solution, with the key of the relative error, and the name under which a case's [published]
-# has the same figure.
-_FIGURES = (
-    ("Load", "load_N", 1e-3, "kN", None, "load"),
-    ("Load per length", "load_per_length_N_m", 1e-3, "kN/m", None, "load"),
-    ("Relative radius", "radius_m", 1e3, "mm", None, "radius"),
-    ("Relative radius, larger", "radius_long_m", 1e3, "mm", None, "radius_long"),
-    ("Relative radius, smaller", "radius_short_m", 1e3, "mm", None, "radius_short"),
-    ("Hertz: largest pressure", "hertz_pressure_max_Pa", 1e-6, "MPa", None, "hertz_pressure_max"),
-    ("Hertz: length", "hertz_length_m", 1e3, "mm", None, "hertz_length"),
-    ("Hertz: width", "hertz_width_m", 1e3, "mm", None, "hertz_width"),
-    ("Dry contact: largest pressure", "dry_pressure_max_Pa", 1e-6, "MPa", None, "dry_pressure_max"),
-    ("Dry contact: length", "dry_length_m", 1e3, "mm", None, "dry_length"),
-    ("Dry contact: width", "dry_width_m", 1e3, "mm", None, "dry_width"),
-    ("Largest pressure", "pressure_max_Pa", 1e-6, "MPa", "pressure_max_error", "pressure_max"),
-    ("Central film", "film_central_m", 1e6, "µm", "film_central_error", "film_central"),
-    ("Minimum film", "film_min_m", 1e6, "µm", "film_min_error", "film_min"),
-    ("Minimum film on the centre line", "film_exit_min_m", 1e6, "µm", None, "film_exit_min"),
-    ("  along it at", "film_exit_min_at_m", 1e3, "mm", None, "film_exit_min_at"),
-    ("Composite roughness", "composite_roughness_m", 1e6, "µm", None, "composite_roughness"),
-    ("Specific film lambda", "specific_film", 1.0, "", "specific_film_error", "specific_film"),
-    ("  central", "lambda_central", 1.0, "", "film_central_error", None),
-    ("Film over the flooded one", "film_over_flooded", 100.0, "%", "film_over_flooded_error", None),
-    ("  oil supplied over it", "supply_ratio", 1.0, "", "supply_ratio_error", None),
-    ("  inlet meniscus before the contact point", "meniscus_m", 1e3, "mm", None, None),
-    ("  oil that flows around the middle", "side_flow", 100.0, "%", None, None),
-    ("  layer left behind it", "layer_left_m", 1e6, "µm", None, None),
-    (
-        "Load on asperities",
-        "asperity_load_fraction",
-        100.0,
-        "%",
-        "asperity_load_fraction_error",
-        None,
-    ),
-    (
-        "Friction coefficient",
-        "friction_coefficient",
-        1.0,
-        "",
-        "friction_coefficient_error",
-        "friction_coefficient",
-    ),
-    ("  by asperities", "friction_boundary", 1.0, "", "friction_boundary_error", None),
-    ("Power loss", "power_loss_W", 1.0, "W", "power_loss_error", "power_loss"),
-    (
-        "Power loss per length",
-        "power_loss_per_length_W_m",
-        1e-3,
-        "kW/m",
-        "power_loss_error",
-        "power_loss",
-    ),
-    (
-        "Largest shear rate",
-        "shear_rate_max_1_s",
-        1.0,
-        "1/s",
-        "shear_rate_max_error",
-        "shear_rate_max",
-    ),
-    ("Inlet temperature", "inlet_temperature_C", 1.0, "°C", None, "inlet_temperature"),
-    ("Heat balance", "heat_balance", 100.0, "%", None, None),
-    ("Moes' load parameter M", "moes_M", 1.0, "", None, None),
-    ("Moes' lubricant parameter L", "moes_L", 1.0, "", None, None),
-    ("Load error", "load_error", 100.0, "%", None, None),
-    ("Mass error", "mass_error", 100.0, "%", None, None),
-    ("Residual", "residual", 1.0, "", None, None),
-    ("Time", "seconds", 1.0, "s", None, None),
-    ("Convolutions", "convolutions", 1.0, "", None, None),
-)
-
-
-_RUBBING = {"friction_coefficient", "power_loss_W", "power_loss_per_length_W_m"}
-"""Keys of figures that roughness adds to where it carries load."""
-
-
-def _slender(heading: str | None, title: str) -> Table:
-    """A table with a row a scene, whose columns must share a terminal's width."""
-    headings = () if heading is None else (heading,)
-    return Table(
-        *headings, title=title, title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0)
-    )
-
-
-HOT_PLACES = "body_1", "body_2", "film"
-"""Keys of largest temperatures in summaries."""
+_RUBBING = {"friction_coefficient", "power_loss"}
+"""Figures that roughness adds to where it carries load."""
 
 TERMS = {
     "phase": "Phase: place in the mesh, from 0 where a contact begins to 1 where it ends.",
@@ -151,45 +51,44 @@ def figures_table(
     bodies : tuple of str
         What the bodies are called.
     """
-    figures = {**scene_summary(scene), **summary}
+    figures = plain_attributes({**scene_summary(scene), **summary})
     left_out = LeftOut.read(summary)
-    table = Table("Figure", title=left_out.titled(_title(scene)), title_justify="left")
-    table.add_column("Value", justify="right")
     mixed = "film_min_model_error" in summary
-    if mixed:
-        table.add_column("Model\nuncertainty", justify="right")
-    if published:
-        table.add_column("Published", justify="right")
+    head = ("Figure", "Value", *(["Model\nuncertainty"] if mixed else []))
 
-    def add(label: str, value: str, name: str | None, model: str = "") -> None:
-        printed = published[name].text if name is not None and name in published else ""
-        table.add_row(label, value, *([model] if mixed else []), *([printed] if published else []))
-
-    for label, key, scale, unit, error_key, name in _FIGURES:
-        if figures.get(key) is None:
-            continue
-        if key in _RUBBING:
+    def cells(quantity: Quantity) -> Iterator[tuple[str, ...]]:
+        label = f"  {quantity.words(bodies)}" if quantity.part else quantity.title(bodies)
+        if quantity.figure in _RUBBING:
             label = left_out.headed(label)
-        if not summary["converged"] and not isfinite(_figure(figures, error_key) or 0.0):
-            add(label, "not converged", name)
-            continue
-        error, model = (_figure(figures, name_of) for name_of in (error_key, _of_model(error_key)))
-        of_model = UNKNOWN if model == inf else _bar(model, 100.0, "%")
-        add(label, _value(figures[key] * scale, unit, error), name, of_model)
-        if error_key is not None and f"{error_key}_reason" in figures:
-            table.add_row(_reason_label(figures[error_key]), figures[f"{error_key}_reason"])
-        if key == "film_min_m":
-            place = ", ".join(f"{along * 1e3:.3g}" for along in summary["film_min_at_m"])
-            table.add_row("  at x, y" if "," in place else "  at x", f"{place} mm")
-            table.add_row("  which is", summary["film_min_kind"])
-        if key == "inlet_temperature_C":
-            for row in _temperature_rows(summary, bodies):
-                add(*row)
-    for label, text in (*_regime_rows(summary), *_solution_rows(summary)):
-        table.add_row(label, text)
-    words = [] if scene.phase is None else ["phase"]
-    _explain(table, [*words, summary["film_min_kind"]])
-    return table
+        label += _directions(figures[quantity.key])
+        beside = published.get(quantity.published)
+        error, model = _errors(quantity, figures)
+        unknown = not (summary["converged"] or isfinite(error or 0.0))
+        value = "not converged" if unknown else _value(quantity, figures[quantity.key], error)
+        row = [label, value, *([model] if mixed else [])]
+        yield tuple(row) if beside is None else (*row, beside.text)
+        reason = figures.get(f"{quantity.error_key}_reason")
+        if error is not None and reason is not None and not unknown:
+            yield _reason_label(error), reason
+
+    known = [one for one in listed("figures") if figures.get(one.key) is not None]
+    rows = [row for quantity in known for row in cells(quantity)]
+    rows += [*_regime_rows(summary), *_solution_rows(summary)]
+    words = [*([] if scene.phase is None else ["phase"]), summary["film_min_kind"]]
+    return Table(
+        head=(*head, "Published") if published else head,
+        rows=tuple(rows),
+        title=left_out.titled(_title(scene)),
+        note=_terms(words),
+    )
+
+
+def _errors(quantity: Quantity, figures: Mapping[str, Any]) -> tuple[float | None, str]:
+    """Numerical uncertainty of a figure, None of one without, and the model's as text."""
+    if quantity.given:
+        return None, ""
+    model = figures.get(quantity.model_key)
+    return figures.get(quantity.error_key), UNKNOWN if model == inf else _bar(quantity, model)
 
 
 def _solution_rows(summary: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
@@ -201,26 +100,15 @@ def _solution_rows(summary: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
         yield "Accuracy asked for", words
 
 
-def _temperature_rows(
-    summary: Mapping[str, Any], bodies: tuple[str, str]
-) -> Iterator[tuple[str, str, str, str]]:
-    """Maximum temperatures: label, value, name of the published one, and bar of the model of roughness."""
-    for place, of in zip(HOT_PLACES, (*bodies, "the film"), strict=True):
-        model = summary.get("temperature_max_model_error_K", {}).get(place)
-        text, name = _temperature(summary, place), f"temperature_max_{place}"
-        of_model = UNKNOWN if model == inf else _bar(model, 1.0, "K")
-        yield f"Largest temperature of {of}", text, name, of_model
+def _terms(words: Sequence[str]) -> str:
+    """The meaning of words of a table that has them."""
+    return " ".join(TERMS[word] for word in words if word in TERMS)
 
 
-def _explain(table: Table, words: Sequence[str]) -> None:
-    """The meaning of words below a table that has them."""
-    said = [TERMS[word] for word in words if word in TERMS]
-    if said:
-        table.caption, table.caption_justify = " ".join(said), "left"
-
-
-def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]) -> Table:
-    """Figures for comparing scenes, one row each; the specific film where roughness is known.
+def scenes_table(
+    scenes: Sequence[Scene | LineScene], summaries: Sequence[Mapping[str, Any]]
+) -> Table:
+    """Figures for comparing scenes, one row each; the specific film thickness where roughness is known.
 
     Of a scene that did not converge nothing simulated is shown.
 
@@ -232,37 +120,43 @@ def scenes_table(scenes: Sequence[Scene], summaries: Sequence[Mapping[str, Any]]
         `Solution.summary()` of each one's solution.
     """
     places, labels = _places(scenes)
-    title = _at_worst(summaries).titled("All scenes")
-    table = _slender(None, title)
-    table.add_column(places, no_wrap=True)
     solved = [values for values in summaries if values["converged"]]
     rough = bool(solved) and all("specific_film" in values for values in solved)
     mixed = any("film_min_model_error" in values for values in solved)
-    headings = ["Dry\nMPa", "Peak\nMPa", "Central\nµm", "± %", "Least\nµm", "± %"]
-    headings += [*(["model\n± %"] if mixed else []), *(["lambda"] if rough else [])]
-    for heading in (*headings, "s"):
-        table.add_column(heading, justify="right")
-    table.add_column("Con-\nver-\nged")
+    dry, pressure, central, thin, ratio = (QUANTITIES[name] for name in _COMPARED)
+    head = [dry.column, pressure.column, central.column, "± %", thin.column, "± %"]
+    head += [*(["model\n± %"] if mixed else []), *([ratio.column] if rough else [])]
+    rows = []
     for scene, label, values in zip(scenes, labels, summaries, strict=True):
-        cells = [""] * len(headings)
+        cells = [""] * len(head)
         if values["converged"]:
             cells = [
-                f"{_dry_pressure(scene, values) / 1e6:.4g}",
-                f"{_at_least(values['pressure_max_error'])}{values['pressure_max_Pa'] / 1e6:.4g}",
-                f"{values['film_central_m'] * 1e6:.4g}",
-                f"{values['film_central_error'] * 100:.2g}",
-                f"{values['film_min_m'] * 1e6:.4g}",
-                f"{values['film_min_error'] * 100:.2g}",
-                *([_model_bar(values, "film_min")] if mixed else []),
-                *([f"{values['specific_film']:.3g}"] if rough else []),
+                dry.digits(dry.by_key(_dry_pressure(scene, values))),
+                _at_least(values[pressure.error_key]) + _number(pressure, values),
+                _number(central, values),
+                _percent(values, central.error_key),
+                _number(thin, values),
+                _percent(values, thin.error_key),
+                *([_percent(values, thin.model_key)] if mixed else []),
+                *([f"{values[ratio.key]:.3g}"] if rough else []),
             ]
-        table.add_row(label, *cells, f"{values['seconds']:.1f}", _converged(values))
-    _explain(table, places.lower().split("\n"))
-    return table
+        rows.append((label, *cells, f"{values['seconds']:.1f}", _converged(values)))
+    return Table(
+        head=(places, *head, "s", "Con-\nver-\nged"),
+        rows=tuple(rows),
+        title=_at_worst(summaries).titled("All scenes"),
+        note=_terms(places.lower().split("\n")),
+        texts=(len(head) + 2,),
+        narrow=True,
+    )
+
+
+_COMPARED = "dry_pressure_max", "pressure_max", "film_central", "film_min", "specific_film"
+"""Figures by which scenes are compared."""
 
 
 def heat_table(
-    scenes: Sequence[Scene],
+    scenes: Sequence[Scene | LineScene],
     summaries: Sequence[Mapping[str, Any]],
     bodies: tuple[str, str] = BODIES,
 ) -> Table:
@@ -273,30 +167,42 @@ def heat_table(
     heated = any("temperature_max_C" in values for values in summaries)
     heading, labels = _places(scenes)
     left_out = _at_worst(summaries)
-    title = left_out.titled(left_out.headed("Friction and heat of all scenes"))
-    table = _slender(heading, title)
-    mixed = any("friction_coefficient_model_error" in values for values in summaries)
-    headings = ["Friction", "± %", *(["model\n± %"] if mixed else []), "Loss"]
+    friction = QUANTITIES["friction_coefficient"]
+    mixed = any(friction.model_key in values for values in summaries)
+    rows: list[tuple[str, ...]] = []
+    head = [friction.column, "± %", *(["model\n± %"] if mixed else []), "Loss"]
     if heated:
-        headings += [*(f"{body.capitalize()}\n°C" for body in bodies), "Film\n°C", "± K"]
-    for heading in headings:
-        table.add_column(heading, justify="right")
+        head += [f"{body.capitalize()}\n{of.shown}" for body, of in _warmest(bodies)] + ["± K"]
     for label, values in zip(labels, summaries, strict=True):
         if not values["converged"]:
-            table.add_row(label, "not converged")
+            rows.append((label, "not converged"))
             continue
-        loss, unit, scale = _LOSSES[values["kind"]]
+        loss = next(QUANTITIES[name] for name in _LOSSES if QUANTITIES[name].key in values)
         cells = [
-            f"{values['friction_coefficient']:.4g}",
-            f"{values['friction_coefficient_error'] * 100:.2g}",
-            *([_model_bar(values, "friction_coefficient")] if mixed else []),
-            f"{values[loss] * scale:.4g} {unit}",
+            _number(friction, values),
+            _percent(values, friction.error_key),
+            *([_percent(values, friction.model_key)] if mixed else []),
+            loss.with_unit(_number(loss, values)),
         ]
         if "temperature_max_C" in values:
-            cells += [f"{values['temperature_max_C'][place]:.1f}" for place in HOT_PLACES]
+            flat = plain_attributes(values)
+            cells += [_number(of, flat) for _, of in _warmest(bodies)]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
-        table.add_row(label, *cells)
-    return table
+        rows.append((label, *cells))
+    return Table(
+        head=(heading, *head),
+        rows=tuple(rows),
+        title=left_out.titled(left_out.headed("Friction and heat of all scenes")),
+        narrow=True,
+    )
+
+
+def _warmest(bodies: tuple[str, str]) -> list[tuple[str, Quantity]]:
+    """Bodies and film with their maximum temperatures."""
+    return [
+        (name, QUANTITIES[f"temperature_max_{place}"])
+        for name, place in zip((*bodies, "film"), ("body_1", "body_2", "film"), strict=True)
+    ]
 
 
 def _converged(summary: Mapping[str, Any]) -> str:
@@ -306,9 +212,14 @@ def _converged(summary: Mapping[str, Any]) -> str:
     return "yes" if summary["accurate"] else "less accurate"
 
 
-def _model_bar(summary: Mapping[str, Any], name: str) -> str:
-    """Model uncertainty of a figure [%]; empty where there is none."""
-    error = summary.get(f"{name}_model_error")
+def _number(quantity: Quantity, figures: Mapping[str, Any]) -> str:
+    """A figure of a summary as shown, without its unit."""
+    return quantity.digits(quantity.by_key(figures[quantity.key]))
+
+
+def _percent(summary: Mapping[str, Any], key: str) -> str:
+    """An uncertainty of a figure [%]; empty where there is none."""
+    error = summary.get(key)
     if error is None:
         return ""
     return UNKNOWN if error == inf else f"{error * 100:.2g}"
@@ -320,17 +231,16 @@ def _at_worst(summaries: Sequence[Mapping[str, Any]]) -> LeftOut:
     return worst([LeftOut.read(values) for values in good])
 
 
-_LOSSES = {"point": ("power_loss_W", "W", 1.0), "line": ("power_loss_per_length_W_m", "kW/m", 1e-3)}
-"""Kind of contact -> key of its power loss in summaries, the unit shown and the factor to it."""
+_LOSSES = "power_loss", "power_loss_per_length"
+"""Power losses of kinds of contacts."""
 
 
 def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float:
-    """Largest pressure of the dry contact [Pa]: of a line contact it is Hertz's."""
-    if "dry_pressure_max_Pa" in summary:
-        dry_pressure: float = summary["dry_pressure_max_Pa"]
-        return dry_pressure
-    dry_pressure = scene_summary(scene)["hertz_pressure_max_Pa"]
-    return dry_pressure
+    """Maximum dry contact pressure [Pa]: of a line contact it is Hertz's."""
+    figures = {**scene_summary(scene), **summary}
+    keys = [QUANTITIES[name].key for name in ("dry_pressure_max", "hertz_pressure_max")]
+    pressure: float = next(figures[key] for key in keys if key in figures)
+    return pressure
 
 
 def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
@@ -359,50 +269,46 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
     """A scene, its plan, and the expected time."""
     summary = scene_summary(scene)
     words = expected_to_leave_out(scene, plan).words
-    table = Table(title="\n".join(filter(None, (_title(scene), words))), title_justify="left")
-    table.add_column("Scene")
-    table.add_column("", overflow="fold")
-    for label, key, scale, unit in _SCENE:
-        if key in summary:
-            table.add_row(*_quantity(label, summary[key], scale, unit))
-    for row in _regime_rows(plan.regime.summary()):
-        table.add_row(*row)
-    table.add_section()
-    table.add_row("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
+    rows: list[tuple[str, ...]] = [
+        (
+            quantity.title() + _directions(summary[quantity.key]),
+            _value(quantity, summary[quantity.key]),
+        )
+        for quantity in listed("scene")
+        if quantity.key in summary
+    ]
+    rows += [*_regime_rows(plan.regime.summary()), ()]
+    rows.append(("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}"))
     lacking = no_friction(plan.effects)
     if lacking and "friction_coefficient" not in plan.aim.figures:
-        table.add_row("No friction", lacking)
+        rows.append(("No friction", lacking))
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)
-        table.add_row("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm")
+        rows.append(("Grid", f"{_grid(grid.shape)}, spacing {spacing} µm"))
     if plan.refusal is not None:
-        table.add_row("Will not converge", plan.refusal)
-    table.add_row("Expected time", duration(expected.seconds))
-    table.add_row("Expected convolutions", rough(expected.convolutions))
-    return table
+        rows.append(("Will not converge", plan.refusal))
+    rows.append(("Expected time", duration(expected.seconds)))
+    rows.append(("Expected convolutions", rough(expected.convolutions)))
+    title = "\n".join(filter(None, (_title(scene), words)))
+    return Table(("Scene", ""), tuple(rows), title, texts=(1,))
 
 
 def effects_table(effects: Sequence[Judgement], title: str) -> Table:
     """Every effect: on or off, influence of leaving it out, reason."""
-    table = Table(
-        title=title, title_justify="left", box=SIMPLE_HEAD, pad_edge=False, collapse_padding=True
-    )
-    table.add_column("Effect", no_wrap=True)
-    table.add_column("")
-    table.add_column("Indicator", justify="right", no_wrap=True)
-    quantities = next((tuple(effect.influence) for effect in effects if effect.influence), ())
-    for quantity in quantities:
-        table.add_column(QUANTITY_HEADINGS[quantity], justify="right", no_wrap=True)
-    table.add_column("Why")
-    for effect in effects:
-        table.add_row(
+    influenced = next((tuple(effect.influence) for effect in effects if effect.influence), ())
+    headings = [QUANTITY_HEADINGS[name] for name in influenced]
+    rows = [
+        (
             effect.name,
             "on" if effect.on else "off",
             "" if effect.indicator is None else f"{effect.indicator:.2g}",
-            *(influence_percent(effect.influence.get(quantity)) for quantity in quantities),
+            *(influence_percent(effect.influence.get(name)) for name in influenced),
             effect.reason,
         )
-    return table
+        for effect in effects
+    ]
+    head = ("Effect", "", "Indicator", *headings, "Why")
+    return Table(head, tuple(rows), title, texts=(1, len(head) - 1), narrow=True)
 
 
 QUANTITY_HEADINGS = {"film": "Film", "friction": "Friction", "temperature": "Temp."}
@@ -419,11 +325,20 @@ def _title(scene: Scene | LineScene) -> str:
     return scene.name if scene.phase is None else f"Mesh {Place.of(scene)}"
 
 
-def _value(value: float, unit: str, error: float | None = None) -> str:
-    text = f"{value:.4g} {unit}".rstrip()
+def _value(quantity: Quantity, value: Any, error: float | None = None) -> str:
+    """A value of a JSON object with its unit and its error bar, if it has one."""
+    if isinstance(value, str):
+        return value
+    values = value if isinstance(value, Sequence) else [value]
+    text = quantity.with_unit(", ".join(quantity.digits(quantity.by_key(of)) for of in values))
     if error is None:
         return text
-    return f"{text} {_bar(error, 100.0, '%')}" if isfinite(error) else f"≥ {text}"
+    return f"{text} {_bar(quantity, error)}" if isfinite(error) else f"≥ {text}"
+
+
+def _directions(value: Any) -> str:
+    """Directions of a vector, to be shown behind its label; empty for a scalar."""
+    return " along x, y" if isinstance(value, Sequence) and len(value) > 1 else ""
 
 
 def _reason_label(error: float) -> str:
@@ -436,34 +351,12 @@ def _at_least(error: float) -> str:
     return "" if isfinite(error) else "≥ "
 
 
-def _temperature(summary: Mapping[str, Any], place: str) -> str:
-    value, error = (summary[key][place] for key in ("temperature_max_C", "temperature_max_error_K"))
-    return f"{value:.1f} °C {_bar(error, 1.0, 'K')}" if isfinite(error) else f"≥ {value:.1f} °C"
-
-
-def _bar(error: float | None, scale: float, unit: str) -> str:
-    """An error bar; empty without one."""
+def _bar(quantity: Quantity, error: float | None) -> str:
+    """An error bar, of temperatures in K; empty without one."""
     if error is None:
         return ""
-    size = error * scale
+    size, unit = (error, "K") if quantity.unit == "K" else (error * 100.0, "%")
     return f"± {size:.0f} {unit}" if 100 <= size < inf else f"± {size:.2g} {unit}"
-
-
-def _figure(figures: Mapping[str, Any], key: str | None) -> float | None:
-    """A figure by its key; None without a key or a figure."""
-    return None if key is None else figures.get(key)
-
-
-def _of_model(error_key: str | None) -> str | None:
-    """Key of the model uncertainty beside that of a numerical error bar."""
-    return error_key and error_key.replace("_error", "_model_error")
-
-
-def _quantity(label: str, value: float | Sequence[float], scale: float, unit: str) -> tuple:
-    """Label and value of a row; vectors are labelled with their directions."""
-    values = value if isinstance(value, Sequence) else [value]
-    text = ", ".join(f"{part * scale:.4g}" for part in values)
-    return f"{label} along x, y" if len(values) > 1 else label, f"{text} {unit}"
 
 
 def _regime_rows(summary: Mapping[str, Any]) -> Iterator[tuple[str, str]]:

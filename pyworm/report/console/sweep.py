@@ -5,29 +5,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rich.box import SIMPLE_HEAD
-from rich.table import Table
 
 from pyworm.io.console import Console
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.quantities import Quantity, listed
+from pyworm.planning.target import FILMS
+from pyworm.report.table import Table
 from pyworm.result.sweep_result import SweepResult, distinguishing
 from pyworm.scene.index import PLACE_NAMES
 from pyworm.solver.accuracy_met import LESS_ACCURATE
 
 MOST_ROWS = 60
 """Scenes beyond which the table is left to the file."""
-
-# Heading, variable, factor from SI to the unit shown, format, of figures that a table has.
-_FIGURES = (
-    ("p max\nMPa", "pressure_max_Pa", 1e-6, ".4g"),
-    ("h centr.\nµm", "film_central_m", 1e6, ".4g"),
-    ("±\n%", "film_central_error", 100, ".2g"),
-    ("h min\nµm", "film_min_m", 1e6, ".4g"),
-    ("±\n%", "film_min_error", 100, ".2g"),
-    ("lambda", "specific_film", 1, ".3g"),
-    ("Friction", "friction_coefficient", 1, ".3g"),
-    ("Film\n°C", "temperature_max_C_film", 1, ".1f"),
-)
 
 
 def show(result: SweepResult, directory: Path) -> None:
@@ -68,43 +57,44 @@ def rows_table(result: SweepResult) -> Table:
     data = result.table
     varied = [name for axis in result.axes for name in distinguishing(result, axis)]
     varied += [name for name in PLACE_NAMES if name in data and len(np.unique(data[name])) > 1]
-    shown = [figure for figure in _FIGURES if figure[1] in data]
+    shown = [quantity for quantity in listed("sweep") if quantity.key in data]
     left_out = result.left_out
-    table = Table(
-        title=left_out.titled(result.title),
-        title_justify="left",
-        box=SIMPLE_HEAD,
-        padding=0,
-        show_edge=False,
-    )
-    for key in varied:
-        unit = data[key].attrs.get("units", "")
-        heading = key.rpartition(".")[2].replace("_", " ")
-        table.add_column(f"{heading}\n{unit}".rstrip(), justify="right", overflow="fold")
-    for heading, name, *_ in shown:
-        if name == "friction_coefficient" and left_out.as_if_smooth:
-            heading = f"{heading}\nas if\nsmooth"
-        table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("Con-\nverged")
+    head = [_heading(key, data[key].attrs.get("units", "")) for key in varied]
+    for quantity in shown:
+        rubbing = quantity.name == "friction_coefficient" and left_out.as_if_smooth
+        head.append(f"{quantity.column}\nas if\nsmooth" if rubbing else quantity.column)
+        head += ["±\n%"] if quantity.name in FILMS else []
+    rows = []
     for number in range(data.sizes["scene"]):
         row = data.isel(scene=number)
-        converged = row["converged"] == 1
-        accurate = "yes" if row["accurate"] == 1 else "less accurate"
         cells = [_cell(row[key].item()) for key in varied]
-        cells += [
-            _figure(row, name, f"{row[name].item() * scale:{form}}") if converged else ""
-            for _, name, scale, form in shown
-        ]
-        table.add_row(*cells, accurate if converged else "NO")
-    return table
+        for quantity in shown:
+            cells += _figure(row, quantity)
+        accurate = "yes" if row["accurate"] == 1 else "less accurate"
+        rows.append((*cells, accurate if row["converged"] == 1 else "NO"))
+    return Table(
+        head=(*head, "Con-\nverged"),
+        rows=tuple(rows),
+        title=left_out.titled(result.title),
+        texts=(len(head),),
+        narrow=True,
+    )
 
 
-def _figure(row: "xr.Dataset", name: str, text: str) -> str:
-    """A figure, as a lower bound where its error has no bound; empty where there is none."""
-    if np.isnan(row[name]):
-        return ""
-    unbounded = name == "pressure_max_Pa" and not np.isfinite(row["pressure_max_error"])
-    return f"≥ {text}" if unbounded else text
+def _heading(key: str, unit: str) -> str:
+    """Heading of a varied quantity."""
+    return f"{key.rpartition('.')[2].replace('_', ' ')}\n{unit}".rstrip()
+
+
+def _figure(row: "xr.Dataset", quantity: Quantity) -> list[str]:
+    """A figure, a lower bound where its error has no bound, and the error bar of a film; or empty cells."""
+    bars = 1 if quantity.name in FILMS else 0
+    if row["converged"] != 1 or np.isnan(row[quantity.key]):
+        return [""] * (1 + bars)
+    text = quantity.digits(quantity.by_key(row[quantity.key].item()))
+    unbounded = quantity.name == "pressure_max" and not np.isfinite(row[quantity.error_key])
+    error = [f"{row[quantity.error_key].item() * 100:.2g}"] * bars
+    return [f"≥ {text}" if unbounded else text, *error]
 
 
 def _cell(value: float | str) -> str:

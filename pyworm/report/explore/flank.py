@@ -7,9 +7,10 @@ import numpy as np
 import scipy
 
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.layout import MILLI
+from pyworm.report.explore.colours import FLANK
 from pyworm.report.explore.packed import packed
-from pyworm.report.explore.quantities import FLANK
 from pyworm.result.flank_map import flank_map
 from pyworm.result.result import Result
 
@@ -37,8 +38,8 @@ def flank(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | Non
         "face": _ends(field["face"].values),
         "radius": _ends(field["radius"].values),
         "fields": {
-            name: packed((field[name].values - of.offset) * of.scale, of.logarithmic)
-            for name, of in FLANK.items()
+            name: packed(QUANTITIES[name].number(field[name].values), QUANTITIES[name].logarithmic)
+            for name in FLANK
             if name in field
         },
         "rim": [_shown(cycle[name].values) for name in ("rim_face", "rim_radius")],

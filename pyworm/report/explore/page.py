@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from pyworm.io.json import finite
+from pyworm.report.explore.colours import FIELDS, FLANK, shown, used
 from pyworm.report.explore.flank import flank
-from pyworm.report.explore.quantities import FIELDS, FLANK, shown, used
 from pyworm.report.explore.scenes import reduced, scenes
 from pyworm.report.explore.space import space
 from pyworm.report.policy import policy
@@ -31,7 +31,9 @@ def content(result: Result) -> dict[str, Any]:
     grids = [reduced(solution) for solution in result.solutions]
     found, on_flank = scenes(result, grids), flank(result, grids)
     fields = shown(FIELDS, {name for one in found for name in one["fields"]}, result.body_names)
-    maps = {} if on_flank is None else shown(FLANK, set(on_flank["fields"]), result.body_names)
+    maps = (
+        {} if on_flank is None else shown(FLANK, set(on_flank["fields"]), result.body_names, True)
+    )
     return {
         "bodies": result.body_names,
         "scenes": found,

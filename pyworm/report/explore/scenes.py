@@ -5,16 +5,15 @@ from typing import Any
 
 import numpy as np
 
-from pyworm.io.format import with_bars
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.quantities import QUANTITIES, listed
 from pyworm.plots.layout import MILLI, contact_window
+from pyworm.report.explore.colours import FIELDS
 from pyworm.report.explore.packed import packed
-from pyworm.report.explore.quantities import FIELDS, Quantity
-from pyworm.report.page.figures import place_of, temperature
+from pyworm.report.page.figures import load_of, place_of
 from pyworm.result.accuracy import accuracy_words
 from pyworm.result.mesh_cycle import flank_place
 from pyworm.result.result import Result
-from pyworm.solver.estimate import Estimate
 from pyworm.solver.solution import Solution
 
 NODES = 160, 80
@@ -28,15 +27,6 @@ VECTORS = {
     "sliding": ("sliding_x", "sliding_y"),
 }
 """Length of a vector -> its components."""
-
-_ROWS = (
-    ("film_min", "Least film", 1e6, "µm"),
-    ("film_central", "Central film", 1e6, "µm"),
-    ("pressure_max", "Largest pressure", 1e-6, "MPa"),
-    ("friction_coefficient", "Friction coefficient", 1.0, ""),
-    ("power_loss", "Power loss", 1.0, "W"),
-    ("asperity_load_fraction", "Load on asperities", 100.0, "%"),
-)
 
 
 def scenes(result: Result, grids: "Sequence[xr.Dataset]") -> list[dict[str, Any]]:
@@ -55,7 +45,7 @@ def scenes(result: Result, grids: "Sequence[xr.Dataset]") -> list[dict[str, Any]
 
 def _scene(solution: Solution, grid: "xr.Dataset", bodies: tuple[str, str]) -> dict[str, Any]:
     fields = {
-        name: packed(_drawn(values, FIELDS[name]), FIELDS[name].logarithmic)
+        name: packed(QUANTITIES[name].number(values.astype(float)), QUANTITIES[name].logarithmic)
         for name, values in _values(grid, solution.kind).items()
     }
     figures = solution.figures
@@ -65,7 +55,7 @@ def _scene(solution: Solution, grid: "xr.Dataset", bodies: tuple[str, str]) -> d
         "x": _axis(grid["x"].values),
         "y": _axis(grid["y"].values) if "y" in grid else None,
         "fields": fields,
-        "rows": [["Load", _load(solution)], *scene_rows(solution, bodies)],
+        "rows": [["Load", load_of(solution)], *scene_rows(solution, bodies)],
         "least": [MILLI * at for at in figures.film_min_at],
         "stopped": "" if solution.converged else solution.stop_reason,
     }
@@ -115,40 +105,19 @@ def _values(grid: "xr.Dataset", kind: str) -> dict[str, np.ndarray]:
     return found
 
 
-def _drawn(values: np.ndarray, quantity: Quantity) -> np.ndarray:
-    """Values in the unit shown."""
-    return (values.astype(float) - quantity.offset) * quantity.scale
-
-
 def _axis(values: np.ndarray) -> list[float]:
     """First and last place [mm] and their number."""
     return [float(values[0]) * MILLI, float(values[-1]) * MILLI, len(values)]
 
 
-def _load(solution: Solution) -> str:
-    return f"{solution.load:.4g} {'N' if solution.kind == 'point' else 'N/m'}"
-
-
 def scene_rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
     """The figures in words."""
-    figures = solution.figures
     rows = [
-        [label, _shown(of, scale, unit)]
-        for name, label, scale, unit in _ROWS
-        if (of := getattr(figures, name)) is not None
+        [quantity.title(bodies), text]
+        for quantity in listed("explore")
+        if (text := solution.figure_text(quantity))
     ]
-    for place, words in zip(("body_1", "body_2", "film"), (*bodies, "film"), strict=True):
-        of = getattr(figures, f"temperature_max_{place}")
-        if of is not None:
-            warm = temperature(of, solution)
-            rows.append([f"Hottest point, {words}", warm])
     wide = "" if solution.accurate else ", less accurate than asked for"
     accuracy = accuracy_words(solution.accuracy, solution.accuracy_of)
     stated = [["Accuracy asked for", accuracy]] if accuracy else []
     return [*rows, ["Converged", f"yes{wide}" if solution.converged else "NO"], *stated]
-
-
-def _shown(figure: Estimate, scale: float, unit: str) -> str:
-    """A figure with its numerical and, where there is one, its model uncertainty."""
-    value = f"{figure.value * scale:.4g} {unit}".rstrip()
-    return with_bars(value, figure.error, figure.model, reason=figure.reason)

@@ -7,8 +7,10 @@ from pyworm.case.workshop_units import assumptions
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.report.console.scenes import influence_percent
-from pyworm.report.page.content import Items, Section, Table
+from pyworm.report.findings import Findings
+from pyworm.report.page.content import Items, Section
 from pyworm.report.page.figures import place_of
+from pyworm.report.table import Table
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
 
@@ -62,8 +64,9 @@ def _of_contacts(case: Case) -> list[str]:
     return [ONE_CONTACT, *(() if known else ("An inlet full of oil: oil.supply is not given.",))]
 
 
-def assumptions_of(case: Case, result: Result) -> Items:
+def assumptions_of(found: Findings) -> Items:
     """Assumptions: values that the source does not give, and those of the models."""
+    case, result = found.case, found.result
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
     on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
     if "roughness" not in on:
@@ -82,24 +85,24 @@ def assumptions_of(case: Case, result: Result) -> Items:
     items += _of_contacts(case)
     inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
     if inlet:
-        found = getattr(case.tables, "cooling", None) is not None
-        drive = case.drive if found else None
+        balanced = getattr(case.tables, "cooling", None) is not None
+        drive = case.drive if balanced else None
         solids = [body for _, body in case.tables.bodies] if drive is None else drive.bodies
         bodies = {
             name: body.bulk_temperature or min(inlet)
             for (name, _), body in zip(case.tables.bodies, solids, strict=True)
         }
         warm = ", ".join(f"{name} {of - ZERO_CELSIUS:.4g} °C" for name, of in bodies.items())
-        how = "found from losses and [cooling]" if found else "given, not found"
+        how = "found from losses and [cooling]" if balanced else "given, not found"
         items.append(
             f"Oil enters at {min(inlet) - ZERO_CELSIUS:.4g} °C; bulk temperatures {how}: {warm}."
         )
     return Items(tuple(items))
 
 
-def assumptions_section(case: Case, result: Result) -> Section:
+def assumptions_section(found: Findings) -> Section:
     """The assumptions under their heading."""
-    return Section("What was assumed", (assumptions_of(case, result),))
+    return Section("What was assumed", (assumptions_of(found),))
 
 
 PROVENANCE = (

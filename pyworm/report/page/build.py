@@ -2,16 +2,12 @@
 
 from dataclasses import replace
 
-from pyworm.case.case import Case, case_again
-from pyworm.case.kinds import rated
-from pyworm.case.ratings import RatedCase
-from pyworm.io.input_error import CaseError
+from pyworm.case.case import Case
 from pyworm.ratings.heating import heating_of
-from pyworm.ratings.rated_case import asked_of, not_rated, ratings
 from pyworm.ratings.rating import Rating
-from pyworm.ratings.standard_loss import NoStandard, StandardLoss, standard_loss
+from pyworm.report.findings import Findings, findings
 from pyworm.report.page.assumptions import assumptions_section, plan_section, provenance_section
-from pyworm.report.page.content import Block, Items, Picture, Report, Section, Table, Words
+from pyworm.report.page.content import Block, Items, Picture, Report, Section, Words
 from pyworm.report.page.cover import Identity, cover_of, overleaf_of
 from pyworm.report.page.figures import (
     film_section,
@@ -24,10 +20,9 @@ from pyworm.report.page.inputs import inputs_section
 from pyworm.report.page.pictures import contact_section, cycle_section, signed_pictures
 from pyworm.report.page.sensitivity import sensitivity_section
 from pyworm.report.page.symbols import made_of, named
-from pyworm.result.headline import of_all, opening
+from pyworm.report.table import Table
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut
 
 
 def build_report(
@@ -57,47 +52,38 @@ def build_report(
     CaseError
         The result's case is none that this version knows.
     """
-    case = case or case_again(result.case)
-    standard, left_out = standard_loss(case), of_all(result.solutions)
-    made, unrated = _rated(case, result)
-    sound, cover = result.sound, cover_of(case, result, made, identity)
+    found = findings(result, case)
+    cover = cover_of(found, identity)
     sections = (
-        _noted(left_out, glance_section(case, sound, made, standard)),
-        _noted(left_out, film_section(case, result)),
-        _noted(left_out, heat_section(case, result)),
-        _ratings_section(made, unrated),
-        _noted(left_out, printed_section(case, sound)),
-        _noted(left_out, sensitivity_section(case, sound)),
-        cycle_section(result, signed=cover is not None),
+        _noted(found, glance_section(found)),
+        _noted(found, film_section(found)),
+        _noted(found, heat_section(found)),
+        _ratings_section(found),
+        _noted(found, printed_section(found)),
+        _noted(found, sensitivity_section(found)),
+        cycle_section(found, signed=cover is not None),
         contact_section(result),
-        assumptions_section(case, result),
+        assumptions_section(found),
         plan_section(result),
-        inputs_section(case),
+        inputs_section(found.case),
         provenance_section(result),
     )
     return Report(
-        case.title,
-        case.source,
-        _warnings(case, result, differ, standard, made),
+        found.case.title,
+        found.case.source,
+        _warnings(found, differ),
         tuple(s for s in sections if s is not None),
         cover,
-        None
-        if cover is None
-        else overleaf_of(case, result, made, standard, (*signed_pictures(result), *wear)),
+        None if cover is None else overleaf_of(found, (*signed_pictures(found), *wear)),
     )
 
 
-def _warnings(
-    case: Case,
-    result: Result,
-    differ: str | None,
-    standard: StandardLoss | NoStandard,
-    made: tuple[Rating, ...],
-) -> tuple[str, ...]:
+def _warnings(found: Findings, differ: str | None) -> tuple[str, ...]:
     """What a reader must know before all else."""
-    heating = heating_of(case, drive_cycle(result), standard)
+    result = found.result
+    heating = heating_of(found.case, drive_cycle(result), found.standard)
     warnings: tuple[str, ...] = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
-    warnings += tuple(opening(result.solutions, standard.words, case.beyond_limits))
+    warnings += tuple(found.opening())
     if heating is not None:
         warnings += (heating.words,)
     warnings += tuple(
@@ -108,39 +94,27 @@ def _warnings(
         f"{name} could not be solved: {reason}"
         for name, reason in result.provenance.get("failed", {}).items()
     )
-    warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *case.warnings)))
-    return warnings + tuple(f"{of.title} fails: {reason}" for of in made for reason in of.failed)
+    warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *found.case.warnings)))
+    return warnings + tuple(
+        f"{of.title} fails: {reason}" for of in found.ratings for reason in of.failed
+    )
 
 
-def _noted(left_out: LeftOut, section: Section | None) -> Section | None:
+def _noted(found: Findings, section: Section | None) -> Section | None:
     """The section, preceded by the effects left out of its figures."""
-    if section is None or not left_out.note:
+    note = found.left_out.note
+    if section is None or not note:
         return section
-    return replace(section, blocks=(Words(f"{left_out.note.capitalize()}."), *section.blocks))
+    return replace(section, blocks=(Words(f"{note.capitalize()}."), *section.blocks))
 
 
-def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, ...]]:
-    """The ratings of a case, and those left out with the reason."""
-    if case.drive is None:
-        return (), ()
-    if not isinstance(case.tables, RatedCase):
-        kinds = ", ".join(rated())
-        return (), (f"Gears, scuffing and bearings: only drives of kind {kinds} are rated.",)
-    try:
-        asked = asked_of(case)
-        made = ratings(asked, result)
-    except CaseError as error:
-        return (), (f"Not rated: {error}.",)
-    return made, not_rated(asked, made)
-
-
-def _ratings_section(made: tuple[Rating, ...], unrated: tuple[str, ...]) -> Section | None:
+def _ratings_section(found: Findings) -> Section | None:
     """The ratings that the case asks for, and those left out; None for a contact without a drive."""
-    if not made and not unrated:
+    if not found.ratings and not found.not_rated:
         return None
-    blocks = [block for rating in made for block in _rating_blocks(rating)]
-    if unrated:
-        blocks += [Words("Not rated:"), Items(unrated)]
+    blocks = [block for rating in found.ratings for block in _rating_blocks(rating)]
+    if found.not_rated:
+        blocks += [Words("Not rated:"), Items(found.not_rated)]
     return Section("Ratings: gears, scuffing, bearings", tuple(blocks))
 
 

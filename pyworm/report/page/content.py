@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from pyworm.report.table import Table
+
 
 @dataclass(frozen=True)
 class Words:
@@ -21,28 +23,6 @@ class Items:
     """
 
     items: tuple[str, ...]
-
-
-@dataclass(frozen=True)
-class Table:
-    """A table of text; the first column names its rows.
-
-    Attributes
-    ----------
-    head : tuple of str
-        Headings; the first may be empty.
-    rows : tuple of tuple of str
-        Cells; a scene that did not converge has a cell with that statement.
-    title : str
-        Above it.
-    note : str
-        Below it.
-    """
-
-    head: tuple[str, ...]
-    rows: tuple[tuple[str, ...], ...]
-    title: str = ""
-    note: str = ""
 
 
 @dataclass(frozen=True)

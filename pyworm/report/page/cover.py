@@ -7,13 +7,14 @@ from pydantic import BaseModel
 from pyworm.case.case import Case
 from pyworm.case.workshop_units import shown
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.ratings.rating import Rating, Safety
-from pyworm.ratings.standard_loss import NoStandard, StandardLoss
+from pyworm.ratings.rating import Safety
 from pyworm.report.console.drive import described_row
+from pyworm.report.findings import Findings
 from pyworm.report.page.assumptions import assumptions_of
-from pyworm.report.page.content import Cover, Items, Overleaf, Picture, Table, Verdict, Words
+from pyworm.report.page.content import Cover, Items, Overleaf, Picture, Verdict, Words
 from pyworm.report.page.figures import glance_rows, life_rows
 from pyworm.report.page.symbols import made_of, named
+from pyworm.report.table import Table
 from pyworm.result.result import Result
 
 USUAL = "Taken as usual: "
@@ -35,26 +36,22 @@ def verdict_of(safety: Safety) -> Verdict:
     )
 
 
-def cover_of(
-    case: Case, result: Result, made: tuple[Rating, ...], identity: Identity
-) -> Cover | None:
+def cover_of(found: Findings, identity: Identity) -> Cover | None:
     """The page to sign; None without safeties.
 
     Parameters
     ----------
-    case : Case
-        The case of the report.
-    result : Result
-        Its result.
-    made : tuple of Rating
-        Its ratings.
+    found : Findings
+        The findings of the report.
     identity : tuple of tuple of str
         What it names besides the case: drawing, customer.
     """
+    made = found.ratings
     verdicts = tuple(verdict_of(of) for rating in made for of in rating.safeties)
     if not verdicts:
         return None
-    head = (("Case", result.case_name), *identity, *_operation(case), *_computed(result))
+    head = (("Case", found.result.case_name), *identity, *_operation(found.case))
+    head += _computed(found.result)
     doubts = (
         f"{named(of.symbol)}, {of.label}: {doubt}"
         for rating in made
@@ -65,7 +62,7 @@ def cover_of(
     return Cover(
         head,
         Items(tuple(dict.fromkeys(basis))),
-        _geometry(case),
+        _geometry(found.case),
         verdicts,
         Items(tuple(dict.fromkeys(doubts))),
     )
@@ -112,31 +109,20 @@ def _computed(result: Result) -> Identity:
     return (*made, ("Computed on", f"{when:%d %B %Y, %H:%M} UTC"))
 
 
-def overleaf_of(
-    case: Case,
-    result: Result,
-    made: tuple[Rating, ...],
-    standard: StandardLoss | NoStandard,
-    pictures: tuple[Picture | Words, ...],
-) -> Overleaf:
+def overleaf_of(found: Findings, pictures: tuple[Picture | Words, ...]) -> Overleaf:
     """The page behind the page to sign.
 
     Parameters
     ----------
-    case, result, made
-        As of `cover_of`.
-    standard : StandardLoss or NoStandard
-        The loss between the teeth by a standard.
+    found : Findings
+        The findings of the report.
     pictures : tuple of Picture or Words
         Flanks, and wear of them.
     """
-    sound = result.sound
-    rows = glance_rows(case, sound, standard) if sound.solutions else ()
-    assumed = assumptions_of(case, result)
+    assumed = assumptions_of(found)
     decisive = tuple(of for of in assumed.items if not of.startswith(USUAL))
     more = len(assumed.items) - len(decisive)
     if more:
         decisive += (f'{more} dimensions taken as usual, listed under "What was assumed".',)
-    return Overleaf(
-        Table(("", "Value", "Where"), (*rows, *life_rows(case, made))), pictures, Items(decisive)
-    )
+    rows = (*glance_rows(found), *life_rows(found.case, found.ratings))
+    return Overleaf(Table(("", "Value", "Where"), rows), pictures, Items(decisive))

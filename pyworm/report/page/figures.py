@@ -1,6 +1,5 @@
 """The figures of a result with their error bars: at a glance, phase by phase, beside the printed ones."""
 
-from collections.abc import Callable
 from math import pi
 from typing import Any
 
@@ -8,20 +7,18 @@ from pyworm.case.case import Case
 from pyworm.case.case_file import PublishedValue
 from pyworm.case.contact import GapCase
 from pyworm.drives.mesh_loss import MeshLoss
-from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.io.format import bars, with_bars
-from pyworm.io.present import present
+from pyworm.io.format import bars
+from pyworm.io.quantities import QUANTITIES, Quantity, listed
 from pyworm.io.quantity_text import shown_like
-from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import Rating
-from pyworm.ratings.standard_loss import NoStandard, StandardLoss
-from pyworm.report.page.content import Block, Section, Table, Words
-from pyworm.result.headline import of_all
-from pyworm.result.result import Result
+from pyworm.ratings.standard_loss import NoStandard
+from pyworm.report.findings import Findings
+from pyworm.report.page.content import Block, Section, Words
+from pyworm.report.table import Table
+from pyworm.result.result import plain_attributes
 from pyworm.scene.index import Place
 from pyworm.scene.summary import scene_summary
-from pyworm.solver.left_out import LeftOut
-from pyworm.solver.solution import Estimate, Solution
+from pyworm.solver.solution import Solution
 
 DECIDE = (
     "wear_probability",
@@ -40,10 +37,8 @@ HOUR = 3600.0
 PER_MINUTE = 30 / pi
 """From rad/s."""
 
-
-def composite_roughness(result: Result) -> float | None:
-    """Composite roughness of the surfaces [m], where it is known."""
-    return result.solutions[0].composite_roughness if result.solutions else None
+Row = tuple[str, str, str]
+"""Figure, value, and where it is."""
 
 
 def place_of(solution: Solution) -> str:
@@ -51,20 +46,19 @@ def place_of(solution: Solution) -> str:
     return str(Place.of(solution)) or solution.name
 
 
-def glance_section(
-    case: Case, result: Result, made: tuple[Rating, ...], standard: StandardLoss | NoStandard
-) -> Section:
+def glance_section(found: Findings) -> Section:
     """The decisive figures, each at its worst contact, and the ratings in `DECIDE`.
 
-    The result has solutions that converged alone; without any, only ratings decide. Where roughness carries
-    load the standard's loss stands beside the simulated one.
+    Without a converged contact only ratings decide. Where roughness carries load the standard's loss stands
+    beside the simulated one.
     """
-    if not result.solutions:
-        table = Table(("", "Value", "Where"), _decisive(made))
+    decisive = _decisive(found.ratings)
+    if not found.sound.solutions:
+        table = Table(("", "Value", "Where"), decisive)
         return Section("At a glance", (Words("No contact converged."), table))
-    loss = mesh_loss(case.drive, result)
+    loss = found.mesh_loss
     note = ERROR_BARS if loss is None else f"{ERROR_BARS} Loss: {loss.words}."
-    rows = (*glance_rows(case, result, standard), *_decisive(made))
+    rows = (*glance_rows(found), *decisive)
     return Section("At a glance", (Table(("", "Value", "Where"), rows, note=note),))
 
 
@@ -75,46 +69,33 @@ ERROR_BARS = (
 """What the error bars of a report mean."""
 
 
-def glance_rows(
-    case: Case, result: Result, standard: StandardLoss | NoStandard
-) -> tuple[tuple[str, str, str], ...]:
-    """The decisive simulated figures, each at its worst contact; every solution converged."""
-    solutions, headed = result.solutions, of_all(result.solutions).headed
-    rows = [
-        _worst("Least film", solutions, min, lambda of: of.film_min, 1e6, "µm"),
-        _worst("Thinnest central film", solutions, min, lambda of: of.film_central, 1e6, "µm"),
-        _worst("Largest pressure", solutions, max, lambda of: of.pressure_max, 1e-6, "MPa"),
-    ]
-    roughness = composite_roughness(result)
-    if roughness is not None:
-        thin = min(solutions, key=lambda of: of.figures.film_min.value)
-        film = thin.figures.film_min
-        label = f"Least specific film lambda (roughness {roughness * 1e6:.3g} µm)"
-        value = f"{film.value / roughness:.3g} {bars(film.error, film.model)}"
-        rows.append((label, value, place_of(thin)))
-    if all(of.figures.friction_coefficient is not None for of in solutions):
-        rows.append(
-            _worst(
-                headed("Largest friction"),
-                solutions,
-                max,
-                lambda of: of.friction_coefficient,
-                1.0,
-                "",
-            )
-        )
-    heats = [of.figures.temperature_max_film for of in solutions]
-    warm = [(heat, of) for heat, of in zip(heats, solutions, strict=True) if heat is not None]
-    if len(warm) == len(solutions):
-        heat, hot = max(warm, key=lambda of: of[0].value)
-        rows.append(("Largest temperature of the film", temperature(heat, hot), place_of(hot)))
-    loss = mesh_loss(case.drive, result)
-    if loss is not None:
-        rows += _loss_rows(loss, of_all(solutions), standard)
+def glance_rows(found: Findings) -> tuple[Row, ...]:
+    """The decisive simulated figures, each at its worst contact; none without a converged one."""
+    solutions = found.sound.solutions
+    rows = []
+    for quantity in listed("glance") if solutions else ():
+        figures = [quantity.value_in(solution) for solution in solutions]
+        if all(figure is not None for figure in figures):
+            rows.append(_worst(quantity, found))
+    if solutions and found.mesh_loss is not None:
+        rows += _loss_rows(found.mesh_loss, found)
     return tuple(rows)
 
 
-def life_rows(case: Case, made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:
+def _worst(quantity: Quantity, found: Findings) -> Row:
+    """A figure at the contact where it is worst."""
+    worst = min if quantity.extreme == "minimum" else max
+    solution = worst(found.sound.solutions, key=lambda one: quantity.value_in(one).value)
+    label = quantity.worst_title()
+    if quantity.name == "friction_coefficient":
+        label = found.left_out.headed(label)
+    if quantity.name == "specific_film" and found.composite_roughness:
+        roughness = QUANTITIES["composite_roughness"]
+        label += f" ({roughness.words()} {roughness.text(found.composite_roughness)})"
+    return label, solution.figure_text(quantity), place_of(solution)
+
+
+def life_rows(case: Case, made: tuple[Rating, ...]) -> tuple[Row, ...]:
     """Life or spectrum that a case asks for, and the rated figures that depend on it."""
     table = getattr(case.tables, "worm_rating", None)
     rows = []
@@ -131,7 +112,7 @@ def life_rows(case: Case, made: tuple[Rating, ...]) -> tuple[tuple[str, str, str
     )
 
 
-def _decisive(made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:
+def _decisive(made: tuple[Rating, ...]) -> tuple[Row, ...]:
     """Decisive figures of ratings, and the safeties with their verdicts."""
     safeties = tuple(
         (
@@ -150,103 +131,80 @@ def _decisive(made: tuple[Rating, ...]) -> tuple[tuple[str, str, str], ...]:
     )
 
 
-def _worst(
-    label: str,
-    solutions: tuple[Solution, ...],
-    worst: Callable[..., Solution],
-    figure: Callable[[Any], Estimate],
-    scale: float,
-    unit: str,
-) -> tuple[str, str, str]:
-    at = worst(solutions, key=lambda of: figure(of.figures).value)
-    return label, estimate(figure(at.figures), scale, unit), place_of(at)
-
-
-def _loss_rows(
-    loss: MeshLoss, left_out: LeftOut, standard: StandardLoss | NoStandard
-) -> list[tuple[str, str, str]]:
-    bar, headed = bars(loss.error, loss.model), left_out.headed
+def _loss_rows(loss: MeshLoss, found: Findings) -> list[Row]:
+    bar, headed, standard = bars(loss.error, loss.model), found.left_out.headed, found.standard
+    power, friction, efficiency = (
+        QUANTITIES[name] for name in ("mesh_loss", "mesh_friction", "mesh_efficiency")
+    )
     lost = loss.loss / loss.power
     rows = [
-        (headed("Mean friction between the teeth"), f"{loss.friction:.4g} {bar}", "mesh cycle"),
-        (headed("Loss between the teeth"), f"{loss.loss:.4g} W {bar}", "mesh cycle"),
+        (headed(friction.title()), f"{friction.text(loss.friction)} {bar}", "mesh cycle"),
+        (headed(power.title()), f"{power.text(loss.loss)} {bar}", "mesh cycle"),
         (
-            headed("Efficiency of the teeth, forward"),
-            f"{loss.efficiency * 100:.4g} % {bars(loss.error, loss.model, 100 * lost)}",
+            headed(f"{efficiency.title()}, forward"),
+            f"{efficiency.text(loss.efficiency)} {bars(loss.error, loss.model, 100 * lost)}",
             f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning"
             + (f"; {loss.missing}" if loss.missing else ""),
         ),
     ]
-    if not left_out.as_if_smooth or isinstance(standard, NoStandard):
+    if not found.left_out.as_if_smooth or isinstance(standard, NoStandard):
         return rows
-    beside = f"{standard.friction:.3g}", f"{standard.power:.4g} W", f"{standard.efficiency:.1%}"
+    beside = (
+        f"{standard.friction:.3g}",
+        power.text(standard.power),
+        f"{standard.efficiency * 100:.1f} %",
+    )
     return [
         part
         for row, value in zip(rows, beside, strict=True)
-        for part in (row, ("  rough, by the standard", value.replace("%", " %"), standard.source))
+        for part in (row, ("  rough, by the standard", value, standard.source))
     ]
 
 
-def estimate(figure: Estimate, scale: float, unit: str) -> str:
-    """A figure with its error bar."""
-    value = f"{figure.value * scale:.4g} {unit}".rstrip()
-    return with_bars(value, figure.error, figure.model, reason=figure.reason)
-
-
-def temperature(figure: Estimate, solution: Solution) -> str:
-    """A temperature of a solution with its error bar in kelvin."""
-    value, rise = f"{figure.value - ZERO_CELSIUS:.1f} °C", solution.rise(figure)
-    return with_bars(value, figure.error, figure.model, rise, " K", figure.reason)
-
-
-def film_section(case: Case, result: Result) -> Section:
+def film_section(found: Findings) -> Section:
     """Load, pressure and film of every contact; nothing simulated of one that did not converge."""
-    roughness = composite_roughness(result)
-    head = ["", "Load", "Hertz", "Dry contact", "Largest pressure", "Central film", "Minimum film"]
-    head += ["which is"] + (["lambda"] if roughness else []) + ["Converged"]
+    shown = listed("film")
     rows = []
-    for solution in result.solutions:
-        figures = solution.figures
-        hertz = _hertz(case, solution)
+    for solution in found.result.solutions:
+        scene = _scene_summary(found.case, solution)
         cells = [
-            place_of(solution),
-            _load(solution),
-            "" if hertz is None else f"{hertz / 1e6:.4g} MPa",
-            "" if figures.dry is None else f"{figures.dry.pressure_max / 1e6:.4g} MPa",
+            quantity.text(scene[quantity.key])
+            if quantity.key in scene
+            else solution.figure_text(quantity)
+            for quantity in shown
         ]
-        values = [
-            estimate(figures.pressure_max, 1e-6, "MPa"),
-            estimate(figures.film_central, 1e6, "µm"),
-            estimate(figures.film_min, 1e6, "µm"),
-            figures.film_min_kind,
-        ]
-        if roughness:
-            values.append(f"{figures.film_min.value / roughness:.3g}")
-        cells += values if solution.converged else [""] * len(values)
-        rows.append((*cells, _converged(solution)))
-    blocks: list[Block] = [_without_empty(Table(tuple(head), tuple(rows)))]
-    if roughness:
-        words = f"lambda is the minimum film over a composite roughness of {roughness * 1e6:.3g} µm: below 1 "
-        words += "roughness carries load (boundary), from 3 on the film separates the flanks."
+        rows.append((place_of(solution), load_of(solution), *cells, _converged(solution)))
+    titles = (quantity.title() for quantity in shown)
+    head = ("", "Load", *titles, "Converged")
+    blocks: list[Block] = [_without_empty(Table(head, tuple(rows)))]
+    roughness = QUANTITIES["composite_roughness"]
+    if found.composite_roughness:
+        ratio, film = QUANTITIES["specific_film"], QUANTITIES["film_min"]
+        words = f"{ratio.symbol} is the {film.words()} over a {roughness.words()} of "
+        words += f"{roughness.text(found.composite_roughness)}: below 1 roughness carries load (boundary), "
+        words += "from 3 on the film separates the flanks."
         blocks.append(Words(words))
     return Section("Film and pressure", tuple(blocks))
 
 
 def _without_empty(table: Table) -> Table:
     """The table without empty columns."""
-    filled = [n for n, name in enumerate(table.head) if n == 0 or any(row[n] for row in table.rows)]
+    filled = [n for n, name in enumerate(table.head) if n == 0 or any(table.column(n))]
 
     def selected(cells: tuple[str, ...]) -> tuple[str, ...]:
-        return tuple(cells[n] for n in filled)
+        return tuple(cells[n] for n in filled if n < len(cells))
 
     return Table(selected(table.head), tuple(selected(row) for row in table.rows))
 
 
-def _load(solution: Solution) -> str:
-    unit = "N" if solution.kind == "point" else "N/m"
-    if solution.load < 1e3:
-        return f"{solution.load:.4g} {unit}"
-    return f"{solution.load / 1e3:.4g} k{unit}"
+def load_of(solution: Solution) -> str:
+    """Load of a contact, of a line for each length."""
+    load = next(QUANTITIES[name] for name in LOADS if QUANTITIES[name].kind == solution.kind)
+    return load.text(solution.load)
+
+
+LOADS = "load", "load_per_length"
+"""Loads of kinds of contacts."""
 
 
 def _scene_summary(case: Case, solution: Solution) -> dict[str, Any]:
@@ -256,73 +214,62 @@ def _scene_summary(case: Case, solution: Solution) -> dict[str, Any]:
     return scene_summary(case.scene(**Place.of(solution).given))
 
 
-def _hertz(case: Case, solution: Solution) -> float | None:
-    return _scene_summary(case, solution).get("hertz_pressure_max_Pa")
-
-
 def _converged(solution: Solution) -> str:
     if solution.accurate:
         return "yes"
     return f"{'yes' if solution.converged else 'NO'}: {solution.stop_reason}"
 
 
-def heat_section(case: Case, result: Result) -> Section | None:
+def heat_section(found: Findings) -> Section | None:
     """Friction, loss and temperatures of every contact; None where friction was not simulated.
 
     A contact that did not converge has no figures.
     """
-    if any(of.figures.friction_coefficient is None for of in result.solutions):
+    solutions = found.result.solutions
+    if any(one.figures.friction_coefficient is None for one in solutions):
         return None
-    heated = all(of.figures.temperature_max_film is not None for of in result.solutions)
-    bodies = case.body_names
-    headed = of_all(result.solutions).headed
-    head = ["", headed("Friction coefficient"), headed("Power loss")]
-    head += [f"Hottest on {body}" for body in bodies] + ["Hottest in the film"] if heated else []
-    rows = []
-    for solution in result.solutions:
-        if not solution.converged:
-            rows.append((place_of(solution), "not converged", *[""] * (len(head) - 2)))
-            continue
-        figures = solution.figures
-        scale, unit = (1.0, "W") if solution.kind == "point" else (1e-3, "kW/m")
-        cells = [
-            place_of(solution),
-            estimate(present(figures.friction_coefficient, "friction_coefficient"), 1.0, ""),
-            estimate(present(figures.power_loss, "power_loss"), scale, unit),
-        ]
-        if heated:
-            cells += [
-                temperature(present(of, "temperature_max"), solution)
-                for of in (
-                    figures.temperature_max_body_1,
-                    figures.temperature_max_body_2,
-                    figures.temperature_max_film,
-                )
-            ]
-        rows.append(tuple(cells))
-    return Section("Friction, loss and temperature", (Table(tuple(head), tuple(rows)),))
+    bodies, headed = found.case.body_names, found.left_out.headed
+    shown = [
+        quantity
+        for quantity in listed("heat")
+        if all(quantity.value_in(one) is not None for one in solutions)
+    ]
+    rows = [
+        (place_of(one), *map(one.figure_text, shown))
+        if one.converged
+        else (place_of(one), "not converged")
+        for one in solutions
+    ]
+    titles = [headed(of.title()) if of.unit != "K" else of.title(bodies) for of in shown]
+    return Section("Friction, loss and temperature", (Table(("", *titles), tuple(rows)),))
 
 
-def printed_section(case: Case, result: Result) -> Section | None:
+def printed_section(found: Findings) -> Section | None:
     """Published values beside the computed ones; None where they share no figure."""
-    blocks = []
-    for solution in result.solutions:
+    case, blocks = found.case, []
+    for solution in found.sound.solutions:
         if not _is_meant(case.published, solution):
             continue
         known = _known(case, solution)
         rows = tuple(
             (
-                name.replace("_", " "),
+                quantity.title(case.body_names),
                 _printed(printed.text),
-                _printed(shown_like(*known[name], printed.text)),
+                _printed(shown_like(value, _si_unit(quantity), printed.text)),
             )
             for name, printed in case.published.items()
             if name in known
+            for quantity, value in (known[name],)
         )
         if rows:
             title = place_of(solution)
             blocks.append(Table(("", "Printed", "Computed"), rows, title=title))
     return Section("Beside the source's figures", tuple(blocks)) if blocks else None
+
+
+def _si_unit(quantity: Quantity) -> str:
+    """Its SI unit as case files write it."""
+    return "" if quantity.unit == "1" else quantity.unit
 
 
 def _printed(text: str) -> str:
@@ -335,22 +282,11 @@ def _is_meant(published: dict[str, PublishedValue], solution: Solution) -> bool:
     return all(published[name].value == of for name, of in place.items())
 
 
-def _known(case: Case, solution: Solution) -> dict[str, tuple[float, str]]:
-    """Figures of a contact by the names that `[published]` has for them, each with its SI unit."""
-    summary = solution.summary()
-    known: dict[str, tuple[float, str]] = {}
-    for key, value in {**_scene_summary(case, solution), **summary}.items():
-        for suffix, unit in _UNITS.items():
-            if key.endswith(suffix) and isinstance(value, float):
-                known[key.removesuffix(suffix)] = value, unit
-    if solution.figures.friction_coefficient is not None:
-        known["friction_coefficient"] = summary["friction_coefficient"], ""
-    for place, celsius in summary.get("temperature_max_C", {}).items():
-        known[f"temperature_max_{place}"] = celsius + ZERO_CELSIUS, "K"
-    if "specific_film" in summary:
-        known["specific_film"] = summary["specific_film"], ""
-    return known
-
-
-_UNITS = {"_m": "m", "_Pa": "Pa", "_N": "N", "_W": "W", "_N_m": "N/m", "_per_length_W_m": "W/m"}
-"""Endings of keys of summaries -> their units."""
+def _known(case: Case, solution: Solution) -> dict[str, tuple[Quantity, float]]:
+    """Figures of a contact in SI by the names that `[published]` has for them."""
+    values = plain_attributes({**_scene_summary(case, solution), **solution.summary()})
+    return {
+        quantity.published: (quantity, values[quantity.key] + quantity.offset)
+        for quantity in QUANTITIES.values()
+        if quantity.published and isinstance(values.get(quantity.key), float)
+    }

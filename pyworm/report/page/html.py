@@ -14,17 +14,14 @@ from pyworm.report.page.content import (
     Picture,
     Report,
     Section,
-    Table,
     Variants,
     Words,
 )
 from pyworm.report.page.symbols import typeset
 from pyworm.report.policy import policy
+from pyworm.report.table import Table, html, html_cell, unbroken
 
 _STYLE = Path(__file__).with_name("page.css")
-
-_SHORT = 12
-"""Letters up to which a cell is not broken into lines."""
 
 _NARROW = 2
 """Columns of tables that stand side by side where there is room."""
@@ -59,9 +56,9 @@ def render_variants(variants: Variants) -> str:
     """The page of variants side by side."""
     warnings = "\n".join(f'<p class="warning">{escape(of)}</p>' for of in variants.warnings)
     parts = (
-        ("What differs", variants.differences, _cell),
+        ("What differs", variants.differences, html_cell),
         ("Verdicts", variants.verdicts, _judged),
-        ("Figures", variants.figures, _cell),
+        ("Figures", variants.figures, html_cell),
     )
     tables = "\n".join(
         f"<h2>{title}</h2>\n{_side_by_side(variants.names, matrix, cell)}"
@@ -107,7 +104,7 @@ def _side_by_side(names: tuple[str, ...], matrix: Matrix, cell: Callable[[str], 
 def _judged(cell: str) -> str:
     """A safety of a variant with its verdict."""
     value, _, verdict = cell.partition("|")
-    return f"<td>{_kept(value)} {badge(verdict)}</td>" if verdict else "<td></td>"
+    return f"<td>{unbroken(value)} {badge(verdict)}</td>" if verdict else "<td></td>"
 
 
 def _page(title: str, content: str) -> str:
@@ -132,7 +129,7 @@ def _page(title: str, content: str) -> str:
 def _cover(cover: Cover, warnings: str) -> str:
     """Head, verdicts with colours and words, what a signer must know, and lines to sign."""
     rows = "\n".join(
-        f'<tr><th scope="row">{typeset(of.what)}</th><td>{_kept(of.value)}</td>'
+        f'<tr><th scope="row">{typeset(of.what)}</th><td>{unbroken(of.value)}</td>'
         f"<td>{escape(of.required)}</td><td>{badge(of.words)}</td><td>{escape(of.clause)}</td>"
         f"<td>{typeset(of.why)}</td></tr>"
         for of in cover.verdicts
@@ -183,7 +180,7 @@ def _overleaf(page: Overleaf) -> str:
     return f"""
 <section class="overleaf">
 <h2>What the verdicts rest on</h2>
-{_table(page.figures)}
+{html(page.figures)}
 <div class="flanks">
 {pictures}
 </div>
@@ -215,40 +212,4 @@ def _block(block: Block) -> str:
                 f"<figcaption>{escape(caption)}</figcaption>\n</figure>"
             )
         case Table():
-            return _table(block)
-
-
-def _table(table: Table) -> str:
-    lines = ['<div class="wide"><table>']
-    if table.title:
-        lines.append(f"<caption>{escape(table.title)}</caption>")
-    if any(table.head):
-        cells = "".join(f'<th scope="col">{escape(of)}</th>' for of in table.head)
-        lines.append(f"<thead><tr>{cells}</tr></thead>")
-    lines.append("<tbody>")
-    for name, *values in table.rows:
-        part = ' class="part"' if name.startswith(" ") else ""
-        first = f'<th scope="row"{part}>{_words(name.strip())}</th>'
-        lines.append(f"<tr>{first}{''.join(_cell(of) for of in values)}</tr>")
-    lines.append("</tbody></table></div>")
-    if table.note:
-        lines.append(f'<p class="note">{typeset(table.note)}</p>')
-    return "\n".join(lines)
-
-
-def _cell(text: str) -> str:
-    mark = ' class="no"' if text.startswith("NO: ") else ""
-    value, sign, bar = text.partition(" ± ")
-    if not sign:
-        return f"<td{mark}>{_words(text)}</td>"
-    # A line may break before the error bar, and nowhere else.
-    return f"<td{mark}>{_kept(value)} {_kept(f'± {bar}')}</td>"
-
-
-def _words(text: str) -> str:
-    """Text of a cell; a number with its unit stays on one line."""
-    return _kept(text) if len(text) <= _SHORT else typeset(text)
-
-
-def _kept(text: str) -> str:
-    return f'<span class="kept">{typeset(text)}</span>'
+            return html(block)

@@ -6,7 +6,8 @@ from pydantic import BaseModel
 
 from pyworm.case.case import Case
 from pyworm.case.workshop_units import shown
-from pyworm.report.page.content import Section, Table
+from pyworm.report.page.content import Section
+from pyworm.report.table import Table
 
 _ELSEWHERE = {"title", "source", "published", "assumed", "accuracy", "effects", "quantities"}
 """Keys of case files that other sections of the report show."""

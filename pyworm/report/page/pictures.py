@@ -11,9 +11,9 @@ from pyworm.plots.draw import KEY_PICTURES, SCENE_PICTURES, has_picture, scene_p
 from pyworm.plots.drives.cycle_pictures import cycle_pictures
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
+from pyworm.report.findings import Findings
 from pyworm.report.page.content import Picture, Section, Words
 from pyworm.report.page.figures import place_of
-from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.solver.left_out import LeftOut
 from pyworm.solver.solution import Solution
@@ -37,16 +37,15 @@ _CAPTIONS = {
 }
 
 
-def signed_pictures(result: Result) -> tuple[Picture | Words, ...]:
+def signed_pictures(found: Findings) -> tuple[Picture | Words, ...]:
     """Pictures of the mesh cycle that belong to what is signed."""
-    return tuple(_of_cycle(result, signed=True))
+    return tuple(_of_cycle(found, signed=True))
 
 
-def _of_cycle(result: Result, signed: bool) -> list[Picture | Words]:
-    left_out = of_all(result.solutions)
+def _of_cycle(found: Findings, signed: bool) -> list[Picture | Words]:
     return _those_drawn(
-        _drawn(_captioned(picture.caption, left_out), partial(picture.draw, result))
-        for picture in cycle_pictures(result).values()
+        _drawn(_captioned(picture.caption, found.left_out), partial(picture.draw, found.result))
+        for picture in cycle_pictures(found.result).values()
         if picture.signed is signed
     )
 
@@ -56,23 +55,22 @@ def _those_drawn(drawn: Iterable[Picture | Words | None]) -> list[Picture | Word
     return [picture for picture in drawn if picture is not None]
 
 
-def cycle_section(result: Result, signed: bool) -> Section | None:
+def cycle_section(found: Findings, signed: bool) -> Section | None:
     """Pictures of the whole mesh cycle or traction curve; None where there are none.
 
     Parameters
     ----------
-    result : Result
-        The result.
+    found : Findings
+        The findings of the report.
     signed : bool
         Whether those that belong to what is signed stand elsewhere.
     """
-    left_out = of_all(result.solutions)
-    pictures = _of_cycle(result, signed=False)
+    pictures = _of_cycle(found, signed=False)
     if not signed:
-        pictures += _of_cycle(result, signed=True)
-    if traction_curve(result):
-        caption = _captioned("Traction curve", left_out)
-        pictures += _those_drawn([_drawn(caption, partial(draw_traction, result))])
+        pictures += _of_cycle(found, signed=True)
+    if traction_curve(found.result):
+        caption = _captioned("Traction curve", found.left_out)
+        pictures += _those_drawn([_drawn(caption, partial(draw_traction, found.result))])
     return Section("The whole cycle", tuple(pictures)) if pictures else None
 
 

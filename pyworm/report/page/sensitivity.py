@@ -12,11 +12,13 @@ from pyworm.case.case import Case
 from pyworm.case.contact import GapCase
 from pyworm.drives.misalignment import DryContact, MountingError
 from pyworm.formulas.film import nijenbanning_venner_moes
+from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.oil import Oil
 from pyworm.materials.tabulated import TabulatedViscosity
 from pyworm.materials.viscosity_density import Barus, Roelands
-from pyworm.report.page.content import Block, Section, Table, Words
-from pyworm.report.page.figures import composite_roughness
+from pyworm.report.findings import Findings
+from pyworm.report.page.content import Block, Section, Words
+from pyworm.report.table import Table
 from pyworm.result.result import Result
 from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.index import Place
@@ -70,36 +72,40 @@ class Sensitivity:
     mounting: str | None
 
 
-def sensitivity_section(case: Case, result: Result) -> Section | None:
+def sensitivity_section(found: Findings) -> Section | None:
     """The variations of a case as a table; None without a film, and of a gap whose file is not kept."""
+    case, result = found.case, found.sound
     if isinstance(case.tables, GapCase) or not result.solutions:
         return None
-    found = sensitivity(case, result)
-    roughness = composite_roughness(result)
-    least = min(of.figures.film_min.value for of in result.solutions)
-    rows = [("as it is", f"{least * 1e6:.3g} µm", "", *_lambda(least, roughness), "", "")]
+    changes = sensitivity(case, result)
+    roughness = found.composite_roughness
+    film = QUANTITIES["film_min"]
+    thinnest = min(of.figures.film_min.value for of in result.solutions)
+    rows = [("as it is", film.text(thinnest), "", *_lambda(thinnest, roughness), "", "")]
     rows += [
         (
             one.label,
-            "" if isnan(one.film) else f"{one.film * 1e6:.3g} µm",
+            "" if isnan(one.film) else film.text(one.film),
             _change(one.film_ratio),
             *_lambda(one.film, roughness),
             _change(one.pressure_ratio),
             one.note,
         )
-        for one in found.variations
+        for one in changes.variations
     ]
-    head = ("", "Least film", "change", *(("lambda",) if roughness else ()), "dry pressure", "")
+    ratio = (QUANTITIES["specific_film"].symbol,) if roughness else ()
+    dry = QUANTITIES["dry_pressure"]
+    head = ("", film.title(), "change", *ratio, dry.words(), "")
     words = (
         "By closed forms, not solved again: at each solved contact the simulated film is changed by the "
-        "fraction by which the least film of the atlas changes, outside its box the film of Nijenbanning, "
-        "Venner and Moes (point), or that of Moes (line contact). One grade is a factor of "
+        "fraction by which the minimum film thickness of the atlas changes, outside its box the film of "
+        "Nijenbanning, Venner and Moes (point), or that of Moes (line contact). One grade is a factor of "
         f"{GRADE_STEP:.2f} in viscosity at one temperature; temperatures are those of the oil at the inlet, "
         "by the case's own law of viscosity."
     )
     blocks: list[Block] = [Table(head, tuple(rows)), Words(words)]
-    if found.mounting is not None:
-        blocks.append(Words(found.mounting))
+    if changes.mounting is not None:
+        blocks.append(Words(changes.mounting))
     return Section("Sensitivity", tuple(blocks))
 
 

@@ -4,17 +4,13 @@ import re
 from html import escape
 
 from pyworm.io.format import short
+from pyworm.io.quantities import read_key
 from pyworm.ratings.rating import Safety, Value
 
 _GREEK = {
     "alpha": "α", "delta": "δ", "gamma": "γ", "lambda": "λ", "mu": "µ", "rho": "ρ", "sigma": "σ", "tau": "τ",
     "theta": "θ",
 }  # fmt: skip
-
-_UNITS = {
-    "_um": "µm", "_MPa": "MPa", "_C": "°C", "_kN": "kN", "_m_s": "m/s", "_h": "h"
-}  # fmt: skip
-"""Endings of the keys of a safety's inputs -> their units."""
 
 _INDEXED = re.compile(rf"\b({'|'.join(_GREEK)}|Ra|[A-Za-z])_([A-Za-z0-9]+(?:,[a-z]\b)?)(\*?)")
 _ALONE = re.compile(r"\b(lambda|mu|sigma|gamma)\b")
@@ -46,10 +42,8 @@ def made_of(safety: Safety) -> str:
 def _input(key: str, value: Value) -> str:
     if value is None or isinstance(value, str):
         return f"{_words(key)}: {value}"
-    for ending, unit in _UNITS.items():
-        if key.endswith(ending):
-            return f"{_words(key.removesuffix(ending))} = {short(value)}\N{NO-BREAK SPACE}{unit}"
-    return f"{_words(key)} = {short(value)}"
+    name, factor, unit = read_key(key)
+    return f"{_words(name)} = {short(value * factor)}\N{NO-BREAK SPACE}{unit}".rstrip()
 
 
 def _words(key: str) -> str:

@@ -1,52 +1,21 @@
 """Variants of a drive side by side: what differs, verdicts, figures with their bars, flanks."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
-from pyworm.case.case import NO_PHYSICS, Case, case_again
+from pyworm.case.case import NO_PHYSICS
 from pyworm.case.table import by_dotted_key
 from pyworm.io.input_error import CaseError
-from pyworm.ratings.rated_case import asked_of, ratings
-from pyworm.ratings.rating import Rating
-from pyworm.ratings.standard_loss import standard_loss
+from pyworm.report.findings import Findings, findings
 from pyworm.report.page.content import Beside, Matrix, Variants
 from pyworm.report.page.cover import verdict_of
 from pyworm.report.page.figures import ERROR_BARS, glance_rows
 from pyworm.report.page.pictures import signed_pictures
-from pyworm.result.headline import opening
 from pyworm.result.result import Result
 from pyworm.result.result_case import value_shown
 
 FEWEST, MOST = 2, 6
 """Numbers of variants that stand side by side."""
-
-
-@dataclass(frozen=True)
-class Variant:
-    """A variant with all that is shown of it.
-
-    Attributes
-    ----------
-    name : str
-        What it is called.
-    case : Case
-        Its case.
-    result : Result
-        Its result.
-    """
-
-    name: str
-    case: Case
-    result: Result
-
-    @property
-    def rated(self) -> tuple[Rating, ...]:
-        """Its ratings; none where nothing is rated."""
-        try:
-            return ratings(asked_of(self.case), self.result)
-        except CaseError:
-            return ()
 
 
 def variants_page(results: Sequence[Result], names: Sequence[str]) -> Variants:
@@ -66,28 +35,28 @@ def variants_page(results: Sequence[Result], names: Sequence[str]) -> Variants:
     """
     if not FEWEST <= len(results) <= MOST:
         raise CaseError(f"{len(results)} results: {FEWEST} to {MOST} stand side by side")
-    variants = [
-        Variant(name, case_again(result.case), result)
-        for name, result in zip(names, results, strict=True)
-    ]
+    variants = [findings(result) for result in results]
     titles = tuple(dict.fromkeys(variant.case.title for variant in variants))
     return Variants(
         " / ".join(titles),
         tuple(names),
         tuple(
-            f"{variant.name}: {sentence}"
-            for variant in variants
-            for sentence in opening(variant.result.solutions, standard_loss(variant.case).words)
+            f"{name}: {sentence}"
+            for name, variant in zip(names, variants, strict=True)
+            for sentence in variant.opening()
         ),
         _differences(variants),
         _verdicts(variants),
         _figures(variants),
-        tuple(Beside(variant.name, signed_pictures(variant.result)) for variant in variants),
+        tuple(
+            Beside(name, signed_pictures(variant))
+            for name, variant in zip(names, variants, strict=True)
+        ),
         ERROR_BARS,
     )
 
 
-def _differences(variants: Sequence[Variant]) -> Matrix:
+def _differences(variants: Sequence[Findings]) -> Matrix:
     """Values of the cases in which they differ, but for those that solving finds."""
     found = {
         f"{table}.{key}"
@@ -118,12 +87,12 @@ def _matrix(columns: Sequence[dict[str, Any]], text: Callable[[Any], str]) -> Ma
     )
 
 
-def _verdicts(variants: Sequence[Variant]) -> Matrix:
+def _verdicts(variants: Sequence[Findings]) -> Matrix:
     """Value and verdict of each safety; the value and the verdict are parted by a bar."""
     columns = [
         {
             verdict.what: verdict
-            for rating in variant.rated
+            for rating in variant.ratings
             for verdict in map(verdict_of, rating.safeties)
         }
         for variant in variants
@@ -131,12 +100,6 @@ def _verdicts(variants: Sequence[Variant]) -> Matrix:
     return _matrix(columns, lambda of: f"{of.value}|{of.words}")
 
 
-def _figures(variants: Sequence[Variant]) -> Matrix:
-    columns = []
-    for variant in variants:
-        sound = variant.result.sound
-        rows = (
-            glance_rows(variant.case, sound, standard_loss(variant.case)) if sound.solutions else ()
-        )
-        columns.append({label: value for label, value, _ in rows})
+def _figures(variants: Sequence[Findings]) -> Matrix:
+    columns = [{label: value for label, value, _ in glance_rows(variant)} for variant in variants]
     return _matrix(columns, str)

@@ -361,7 +361,7 @@ def test_errors_one_at_a_time_are_distinguished():
     sweep = made_up([["oil.a", "oil.b"]], [(0, 0), (-1, 0), (1, 0), (0, -2), (0, 2)])
     assert {"oil.a", "oil.b"} <= {panel.get_xlabel() for panel in sweep_figure(sweep).axes}
     table = rows_table(sweep)
-    cells = [list(column.cells) for column in table.columns[:2]]
+    cells = [list(table.column(number)) for number in (0, 1)]
     assert cells == [["0", "-1", "1", "0", "0"], ["0", "0", "0", "-2", "2"]]
 
 
@@ -383,7 +383,11 @@ def test_the_picture_shows_what_varies(axes, pairs, labels):
     }
     assert labels <= shown
     texts = str([text.get_text() for text in figure.findobj() if hasattr(text, "get_text")])
-    for words in ("minimum film / µm", "central film / µm", "largest pressure / MPa"):
+    for words in (
+        "minimum film thickness / µm",
+        "central film thickness / µm",
+        "maximum pressure / MPa",
+    ):
         assert words in texts
     assert "not converged" in texts
     figure.canvas.draw()

@@ -125,7 +125,7 @@ def test_tables_show_the_specific_film_beside_what_is_published():
         solution, figures=replace(solution.figures, film_min=Estimate(5.6e-8, 0.012, 0.009))
     )
     said = printed(figures_table(scene, solution.summary(), case.published)).splitlines()
-    (row,) = (line for line in said if "Specific film lambda" in line)
+    (row,) = (line for line in said if "Specific film thickness lambda" in line)
     assert "0.07795 ± 1.5 %" in row and "0.073" in row
     (row,) = (line for line in said if "Composite roughness" in line)
     assert "0.7184 µm" in row

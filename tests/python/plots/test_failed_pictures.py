@@ -16,7 +16,7 @@ from synthetic_solution import make_result, make_worm_solution
 from pyworm.batch.workers import WorkerPool
 from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 from pyworm.plots.attempts import ROOM, PicturesError
 from pyworm.plots.contact.gap import draw_gap
 from pyworm.plots.draw import SCENE_PICTURES, draw

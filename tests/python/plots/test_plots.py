@@ -27,7 +27,7 @@ from synthetic_solution import (
 
 from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.formulas.regimes import Regime, regime_number
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 from pyworm.plots.contact.across_film import draw_across_film
 from pyworm.plots.contact.convergence import draw_history
 from pyworm.plots.contact.entrainment import LINES, draw_entrainment, inflow_points
@@ -434,13 +434,13 @@ def test_the_cycle_shows_friction_and_temperatures_where_solved():
     hot = tuple(make_hot_worm(phase) for phase in (0.25, 0.75))
     figure = draw_cycle(Result("cycle", {}, hot, make_mesh_cycle(), {}))
     said = texts(figure)
-    for label in ("friction\ncoefficient", "power loss", "largest\ntemperature / °C", "inlet"):
+    for label in ("friction\ncoefficient", "power\nloss / W", "maximum\ntemperature / °C", "inlet"):
         assert label in said
     plain = draw_cycle(Result("cycle", {}, (make_worm_solution(),), make_mesh_cycle(), {}))
     assert "friction" not in texts(plain) and "temperature" not in texts(plain)
     sheared = tuple(without_heat(solution) for solution in hot)
     said = texts(draw_cycle(Result("cycle", {}, sheared, make_mesh_cycle(), {})))
-    assert "power loss" in said and "temperature" not in said
+    assert "power\nloss / W" in said and "temperature" not in said
 
 
 def make_curve(ratios):
@@ -466,7 +466,7 @@ def test_a_traction_curve_has_the_sign_of_its_sliding_and_is_drawn_in_order():
     size = [curve[ratios.index(of)].figures.friction_coefficient.value for of in sorted(ratios)]
     assert list(line.get_ydata()) == pytest.approx(np.sign(sorted(ratios)) * size)
     said = texts(figure)
-    for label in ("slide-roll ratio", "friction coefficient", "largest\ntemperature / °C"):
+    for label in ("slide-roll ratio", "friction coefficient", "maximum\ntemperature / °C"):
         assert label in said
     cold = tuple(without_heat(solution) for solution in curve)
     assert len(draw_traction(Result("ball", {}, cold, None, {})).axes) == 1

@@ -95,13 +95,13 @@ def test_the_table_of_a_scene_shows_heat_beside_what_is_published(hot, drive):
         figures_table(drive.scene(0.5), hot.summary(), drive.published, drive.body_names)
     )
     for label, value, published in (
-        ("Largest temperature of worm", "108.0 °C ± 0.48 K", "108 degC"),
-        ("Largest temperature of wheel", "106.0 °C ± 1.4 K", "106 degC"),
-        ("Largest temperature of the film", "117.0 °C ± 1.1 K", "117 degC"),
+        ("Maximum surface temperature (worm)", "108.0 °C ± 0.48 K", "108 degC"),
+        ("Maximum surface temperature (wheel)", "106.0 °C ± 1.4 K", "106 degC"),
+        ("Maximum film temperature", "117.0 °C ± 1.1 K", "117 degC"),
         ("Friction coefficient", "0.0231 ± 0.4 %", ""),
         ("Power loss", "1234 W ± 0.6 %", ""),
-        ("Largest shear rate", "1.1e+07 1/s ± 5 %", ""),
-        ("Heat balance", "0.3 %", ""),
+        ("Maximum shear rate", "1.1e+07 1/s ± 5 %", ""),
+        ("Relative heat imbalance", "0.3 %", ""),
     ):
         (row,) = (line for line in said.splitlines() if label in line)
         assert value in row and published in row

@@ -61,9 +61,9 @@ def test_figures_have_the_uncertainty_of_the_model_beside_the_numerical_one():
     warm = replace(hot.figures.temperature_max_film, model=0.3)
     rough = replace(hot, figures=replace(hot.figures, film_min=film, temperature_max_film=warm))
     rows = dict(scene_rows(rough, ("pinion", "gear")))
-    assert rows["Least film"].endswith("± 12 % (model)")
+    assert rows["Minimum film thickness"].endswith("± 12 % (model)")
     rise = warm.value - hot.inlet_temperature
-    assert rows["Hottest point, film"].endswith(f"± {0.3 * rise:.2g} K (model)")
+    assert rows["Maximum film temperature"].endswith(f"± {0.3 * rise:.2g} K (model)")
     smooth = dict(scene_rows(hot, ("pinion", "gear")))
     assert not any("(model)" in of for of in smooth.values())
 

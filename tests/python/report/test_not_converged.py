@@ -20,7 +20,7 @@ from pyworm.plots.drives.worm import draw_cycle
 from pyworm.plots.drives.worm_flank import draw_flank
 from pyworm.plots.layout import heading
 from pyworm.ratings.rated_case import asked_of, ratings
-from pyworm.ratings.standard_loss import standard_loss
+from pyworm.report.findings import findings
 from pyworm.report.page.build import build_report
 from pyworm.report.page.figures import glance_rows
 from pyworm.result.flank_map import flank_map
@@ -85,7 +85,7 @@ def test_a_negative_film_is_rated_as_if_it_were_not_there(case, torn):
 
 def test_the_efficiency_of_report_and_rating_names_the_phase_that_it_lacks(case, torn):
     missing = "1 of 5 contacts missing: worm 0.9"
-    glance = glance_rows(case, torn.sound, standard_loss(case))
+    glance = glance_rows(findings(torn, case))
     (line,) = (row for row in glance if "Efficiency" in row[0])
     assert line[2].endswith(missing)
     labels = [of.label for of in ratings(asked_of(case), torn)[0].figures]

@@ -59,7 +59,7 @@ def test_each_variant_has_its_own_verdicts_and_figures(page):
     # the stress of a tooth that is worn less is less than proportional to the torque
     assert 2 <= light / heavy < 3
     assert all(len(cells) == 2 for _, cells in page.figures.rows)
-    films = dict(page.figures.rows)["Least film"]
+    films = dict(page.figures.rows)["Minimum film thickness"]
     assert all("±" in cell for cell in films)
 
 
@@ -75,7 +75,7 @@ def test_a_drive_and_a_contact_without_ratings_stand_beside_each_other():
     other = Result(line.name, line.resolved, (make_line_solution(),), None, {})
     made = variants_page((variant(), other), ("drive", "contact"))
     assert all(cells[1] == "" for _, cells in made.verdicts.rows)
-    assert dict(made.figures.rows)["Least film"][1]
+    assert dict(made.figures.rows)["Minimum film thickness"][1]
 
 
 @pytest.mark.parametrize("count", [1, 7])

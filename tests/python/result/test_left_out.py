@@ -24,7 +24,8 @@ from pyworm.report.console.mesh_cycle import loss_table
 from pyworm.report.console.scenes import figures_table, heat_table, scenes_table
 from pyworm.report.console.sweep import rows_table
 from pyworm.report.page.build import build_report
-from pyworm.report.page.content import Picture, Table
+from pyworm.report.page.content import Picture
+from pyworm.report.table import Table
 from pyworm.result.headline import headline, of_all, opening
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result, open_result
@@ -141,7 +142,7 @@ def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
         "composite roughness), which is not simulated."
     )
     thin = min(of.figures.film_min.value for of in rough.solutions)
-    assert film == f"Least film {thin * 1e6:.3g} µm ± 1.3 % (numerical); {WORDS}"
+    assert film == f"Minimum film thickness {thin * 1e6:.4g} µm ± 1.3 % (numerical); {WORDS}"
     assert beside.startswith("Rough teeth by the methods of DIN 3996:2012")
     smooth = [rough_worm(roughness=0.2e-6, effects=())]
     assert opening(smooth, "unsaid") == []
@@ -186,11 +187,11 @@ def test_tables_begin_with_what_was_left_out_and_head_friction_as_if_smooth(case
         heat_table([scene], [summary]),
     ):
         assert f"{WORDS}; error bars are numerical" in table.title
-    labels = list(figures_table(scene, summary, {}).columns[0].cells)
+    labels = figures_table(scene, summary, {}).column(0)
     assert "Friction coefficient, as if smooth" in labels and "Power loss, as if smooth" in labels
     separated = rough_worm(roughness=0.2e-6, effects=()).summary()
     plain = figures_table(scene, separated, {})
-    assert "\n" not in plain.title and "Friction coefficient" in plain.columns[0].cells
+    assert "\n" not in plain.title and "Friction coefficient" in plain.column(0)
 
 
 @pytest.mark.usefixtures("undrawn")
@@ -280,7 +281,7 @@ def test_a_sweep_s_table_shows_the_worst_of_its_scenes():
     assert swept.left_out.lambda_central == pytest.approx(1.4 / 0.9)
     shown = rows_table(swept)
     assert WORDS in shown.title
-    assert "Friction\nas if\nsmooth" in [column.header for column in shown.columns]
+    assert "µ\nas if\nsmooth" in shown.head
     odd = replace(swept, table=table.assign(lubrication=("scene", ["of no kind"] * 3)))
     assert odd.left_out.lubrication == "unknown"
 
@@ -363,11 +364,12 @@ def test_separated_teeth_are_warmed_by_the_simulated_loss():
 def test_the_table_of_losses_has_the_standard_beside():
     standard = StandardLoss(0.0312, 0.8812, 567.8, "book")
     table = loss_table(BOUNDARY_CYCLE, standard, None)
-    assert [column.header for column in table.columns][1] == "As if smooth"
-    beside = dict(zip(*(table.columns[n].cells for n in (0, 2)), strict=True))
-    assert beside["Loss"] == "567.8 W"
-    assert beside["Mean friction"] == "0.0312" and beside["Efficiency"] == "88.1 %"
-    assert len(loss_table(BOUNDARY_CYCLE, NoStandard("none"), None).columns) == 2
+    assert table.head[1] == "As if smooth"
+    beside = dict(zip(table.column(0), table.column(2), strict=True))
+    assert beside["Power loss of the teeth"] == "567.8 W"
+    assert beside["Mean friction coefficient of the teeth"] == "0.0312"
+    assert beside["Efficiency of the teeth"] == "88.1 %"
+    assert len(loss_table(BOUNDARY_CYCLE, NoStandard("none"), None).head) == 2
 
 
 def test_the_sump_is_as_warm_as_the_standard_s_loss_makes_it(tmp_path, monkeypatch):

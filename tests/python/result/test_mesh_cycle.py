@@ -49,11 +49,8 @@ def test_a_model_uncertainty_without_a_bound_makes_that_of_the_loss_unknown():
     cycle = drive_cycle(replace(result, solutions=tuple(solutions)))
     assert cycle.loss.model_error == np.inf and cycle.loss.efficiency_model_error == np.inf
     assert np.isfinite(cycle.loss.error)
-    said = "".join(
-        text
-        for column in loss_table(cycle, NoStandard("none"), None).columns
-        for text in column.cells
-    )
+    table = loss_table(cycle, NoStandard("none"), None)
+    said = "".join(text for row in table.rows for text in row)
     assert said.count("± unknown (model)") == 4 and "inf" not in said
 
 
@@ -146,7 +143,7 @@ def test_extremes_know_their_phase_and_place():
     assert told["film_min"]["value_m"] == 0.2e-6
     assert told["power_loss_W"] == cycle.loss.power
     table = cycle_table(cycle)
-    assert "0.2 µm ± 0.004" in list(table.columns[1].cells)
+    assert "0.2 µm ± 0.004" in table.column(1)
 
 
 def test_a_largest_pressure_without_a_bar_says_why():
@@ -157,7 +154,7 @@ def test_a_largest_pressure_without_a_bar_says_why():
     cycle = drive_cycle(replace(whole, solutions=(first, *others)))
     assert cycle.summary()["pressure_max"]["error_reason"] == spike.reason
     assert "error_reason" not in cycle.summary()["film_min"]
-    assert spike.reason in list(cycle_table(cycle).columns[1].cells)
+    assert spike.reason in cycle_table(cycle).column(1)
 
 
 def test_what_did_not_converge_is_left_out_and_named():
@@ -191,11 +188,13 @@ def test_an_efficiency_names_the_contacts_that_it_lacks_in_its_line():
         lacking = result is torn
         assert (cycle.summary().get("missing") == missing) == lacking
         table = loss_table(cycle, NoStandard("none"), None)
-        rows = dict(zip(*(column.cells for column in table.columns), strict=True))
-        for label in ("Efficiency", "  power the other way"):
+        rows = dict(table.rows)
+        for label in ("Efficiency of the teeth", "  power the other way"):
             assert rows[label].endswith(f"; {missing}") == lacking
         loss = MeshLoss(1e3, 50.0, 0.05, 0.01, "of a formula", missing=result.missing)
-        assert (f"Efficiency 95.00 % ± 0.05 ({missing}), loss" in loss_sentence(loss)) == lacking
+        assert (
+            f"Efficiency of the teeth 95.00 % ± 0.05 ({missing}), power loss" in loss_sentence(loss)
+        ) == lacking
         assert (loss.summary().get("missing") == missing) == lacking
         label = with_missing("efficiency", "Efficiency", result)
         assert label == (f"Efficiency (simulation: {missing})" if lacking else "Efficiency")

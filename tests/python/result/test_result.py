@@ -17,7 +17,7 @@ from synthetic_solution import (
     make_solution,
 )
 
-from pyworm.io.variables import describe
+from pyworm.io.quantities import describe
 from pyworm.result.result import open_result
 
 

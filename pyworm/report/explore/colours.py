@@ -1,0 +1,61 @@
+"""What the page shows: fields and flank maps by name, with words, units and colours."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from pyworm.io.quantities import QUANTITIES
+
+FIELDS = (
+    "film", "pressure", "dry_pressure", "asperity_pressure", "temperature_middle", "temperature_body_1",
+    "temperature_body_2", "friction_power", "shear_stress", "sliding",
+)  # fmt: skip
+"""Fields of a contact that are shown, or lengths of vectors of fields."""
+
+FLANK = "film", "pressure", "temperature_body_2", "temperature_middle", "asperity_pressure", "entry"
+"""Variables of the flank map that are shown."""
+
+
+def shown(
+    names: Sequence[str], known: set[str], bodies: tuple[str, str], extremes: bool = False
+) -> dict[str, dict[str, Any]]:
+    """How quantities are shown, for the script of the page, of those that are known.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Names in their order.
+    known : set of str
+        Names of what there is.
+    bodies : tuple of str
+        What the bodies are called.
+    extremes : bool, optional
+        Whether they are extremes over a mesh cycle.
+    """
+    chosen = [QUANTITIES[name] for name in names if name in known]
+    return {
+        quantity.name: {
+            "label": quantity.worst(bodies) if extremes else quantity.words(bodies),
+            "unit": quantity.shown,
+            "colours": quantity.colours,
+            "logarithmic": quantity.logarithmic,
+            "clip": quantity.clip,
+        }
+        for quantity in chosen
+    }
+
+
+def colours(name: str) -> list[str]:
+    """A colour map of matplotlib in 64 steps."""
+    import matplotlib
+    from matplotlib.colors import to_hex
+
+    return [to_hex(of) for of in matplotlib.colormaps[name](np.linspace(0, 1, 64))]
+
+
+def used(*shown_quantities: dict[str, Any]) -> dict[str, list[str]]:
+    """The colour maps that they name."""
+    return {
+        of["colours"]: colours(of["colours"]) for one in shown_quantities for of in one.values()
+    }

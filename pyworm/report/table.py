@@ -1,0 +1,116 @@
+"""A table of text, built once and rendered on a terminal by rich and on a page in HTML."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from html import escape
+
+import rich.table
+from rich.box import HEAVY_HEAD, SIMPLE_HEAD
+
+from pyworm.report.page.symbols import typeset
+
+SHORT = 12
+"""Letters up to which a cell of a page is not broken into lines."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of text; the first column names its rows.
+
+    Attributes
+    ----------
+    head : tuple of str
+        Headings; the first may be empty.
+    rows : tuple of tuple of str
+        Cells, on the right fewer than headings where the others are empty; a row without any is a rule. A
+        scene that did not converge has a cell with that statement.
+    title : str
+        Above it.
+    note : str
+        Below it.
+    texts : tuple of int
+        Columns of words beside the first, which a terminal breaks into lines; the others are right-aligned.
+    narrow : bool
+        Whether its columns must share a terminal's width: without lines between them.
+    """
+
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    title: str = ""
+    note: str = ""
+    texts: tuple[int, ...] = ()
+    narrow: bool = False
+
+    def column(self, number: int) -> tuple[str, ...]:
+        """Cells of a column, empty where a row has none."""
+        return tuple(row[number] if number < len(row) else "" for row in self.rows if row)
+
+    def __rich__(self) -> rich.table.Table:
+        """The table on a terminal."""
+        table = rich.table.Table(
+            title=self.title or None,
+            caption=self.note or None,
+            show_header=any(self.head),
+            title_justify="left",
+            caption_justify="left",
+            box=SIMPLE_HEAD if self.narrow else HEAVY_HEAD,
+            padding=(0, 1, 0, 0) if self.narrow else (0, 1),
+            pad_edge=not self.narrow,
+        )
+        for number, heading in enumerate(self.head):
+            text = number == 0 or number in self.texts
+            table.add_column(
+                heading,
+                justify="left" if text else "right",
+                no_wrap=self.narrow and number not in self.texts,
+                overflow="fold",
+            )
+        for row in self.rows:
+            if row:
+                table.add_row(*row)
+            else:
+                table.add_section()
+        return table
+
+
+def html(table: Table) -> str:
+    """The table on a page."""
+    lines = ['<div class="wide"><table>']
+    if table.title:
+        lines.append(f"<caption>{escape(table.title.replace(chr(10), '; '))}</caption>")
+    if any(table.head):
+        cells = "".join(f'<th scope="col">{typeset(heading)}</th>' for heading in table.head)
+        lines.append(f"<thead><tr>{cells}</tr></thead>")
+    lines.append("<tbody>")
+    lines += [_row(row, len(table.head)) for row in table.rows if row]
+    lines.append("</tbody></table></div>")
+    if table.note:
+        lines.append(f'<p class="note">{typeset(table.note)}</p>')
+    return "\n".join(lines)
+
+
+def _row(row: Sequence[str], columns: int) -> str:
+    name, *values = row
+    part = ' class="part"' if name.startswith(" ") else ""
+    first = f'<th scope="row"{part}>{_words(name.strip())}</th>'
+    values += [""] * (columns - len(row))
+    return f"<tr>{first}{''.join(html_cell(value) for value in values)}</tr>"
+
+
+def html_cell(text: str) -> str:
+    """A cell of a page; a figure is broken into lines before its error bar alone."""
+    mark = ' class="no"' if text.startswith("NO: ") else ""
+    value, sign, bar = text.partition(" ± ")
+    if not sign:
+        return f"<td{mark}>{_words(text)}</td>"
+    return f"<td{mark}>{unbroken(value)} {unbroken(f'± {bar}')}</td>"
+
+
+def _words(text: str) -> str:
+    """Text of a cell; a number with its unit stays on one line."""
+    return unbroken(text) if len(text) <= SHORT else typeset(text)
+
+
+def unbroken(text: str) -> str:
+    """Text of a page on one line."""
+    return f'<span class="kept">{typeset(text)}</span>'
