@@ -62,7 +62,7 @@ class Table:
             table.add_column(
                 heading,
                 justify="left" if text else "right",
-                no_wrap=self.narrow and number not in self.texts,
+                no_wrap=(number == 0 or self.narrow) and number not in self.texts,
                 overflow="fold",
             )
         for row in self.rows:
