@@ -16,7 +16,7 @@ import numpy as np
 
 import pyworm
 from pyworm.drives.tooth_life import ToothLife
-from pyworm.drives.worm.loads import tooth_pair_motion as tooth_pair_life
+from pyworm.drives.worm.loads import tooth_pair_motion
 from pyworm.planning.target import FILMS, HEAT_FIGURES
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import march
@@ -52,7 +52,7 @@ def early_films(life_of: Callable) -> np.ndarray:
 def beginnings() -> None:
     """Print what other beginnings change."""
     usual = early_films(lambda drive: drive.life)
-    touch, apart = tooth_pair_life.TOUCH, tooth_pair_life.APART
+    touch, apart = tooth_pair_motion.TOUCH, tooth_pair_motion.APART
     rows = {
         "steady at phase 0": early_films(
             lambda drive: ToothLife(drive._scene, drive.phases_per_second, drive._axes)
@@ -63,7 +63,7 @@ def beginnings() -> None:
         ("twice the load", "TOUCH", 2 * touch),
         ("twice the distance", "APART", 2 * apart),
     ):
-        with patch.object(tooth_pair_life, constant, value):
+        with patch.object(tooth_pair_motion, constant, value):
             rows[name] = early_films(lambda drive: drive.life)
     print(f"{'':32}" + "".join(f"{phase:8.2f}" for phase in EARLY))
     for name, films in rows.items():

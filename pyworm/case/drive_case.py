@@ -9,7 +9,7 @@ from pyworm.case.case_file import CaseTable
 from pyworm.case.lubrication import BathTable, LubricationTable
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty
-from pyworm.drives.lubrication import Bath, Jets
+from pyworm.drives.oil_supply import Bath, Jets
 
 LOADS = ("load", "worm_torque", "wheel_torque", "power")
 """Keys of `[operation]` of which one gives the load of the teeth."""

@@ -5,7 +5,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from pyworm.case.table import Table, Text
-from pyworm.drives.lubrication import Bath, Jets, Side
+from pyworm.drives.oil_supply import Bath, Jets, Side
 from pyworm.io import units
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_json
 from pyworm.cli.shared import CONVERGED, NOT_CONVERGED, warn_of_unusual
-from pyworm.drives.hob_setup import Row
+from pyworm.drives.answers import Row
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.present import present

@@ -4,13 +4,10 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
+from pyworm.drives.answers import HobSetup, Misalignment, Shim, Space
 from pyworm.drives.duty import Duty
-from pyworm.drives.hob_setup import HobSetup
-from pyworm.drives.lubrication import Lubricated
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
-from pyworm.drives.misalignment import Misalignment
-from pyworm.drives.shape import Space
-from pyworm.drives.shim import Shim
+from pyworm.drives.oil_supply import Lubricated
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset

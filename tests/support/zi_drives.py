@@ -9,7 +9,7 @@ from pyworm.drives.worm import drive
 from pyworm.drives.worm.drawing.design import Hob, Wheel, Worm
 from pyworm.drives.worm.drive import WormDrive
 from pyworm.drives.worm.loads import mesh, tooth_compliance
-from pyworm.drives.worm.loads.mesh_springs import mesh_springs
+from pyworm.drives.worm.loads.tooth_compliance import mesh_springs
 from pyworm.drives.worm.patterns import contact_pattern
 from pyworm.drives.worm.teeth import flank_grid
 from pyworm.materials.body import Body

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from pyworm.drives.answers import Misalignment, Space
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty
 from pyworm.drives.gear_pair.checks import check_gears, check_mesh
@@ -13,8 +14,6 @@ from pyworm.drives.gear_pair.mesh_loss import gear_mesh_loss
 from pyworm.drives.gear_pair.misalignment import gear_misalignment
 from pyworm.drives.gear_pair.shapes import in_space
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
-from pyworm.drives.misalignment import Misalignment
-from pyworm.drives.shape import Space
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present

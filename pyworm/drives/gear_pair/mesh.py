@@ -18,7 +18,7 @@ from pyworm.drives.gear_pair.film_formulas import GearRating, Surfaces, rate
 from pyworm.drives.gear_pair.gap import Flank, GearGap, GearSection
 from pyworm.drives.gear_pair.gears import InvolutePair
 from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
-from pyworm.drives.lubrication import Bath, Jets, Lubricated, OiledBody, OiledTeeth
+from pyworm.drives.oil_supply import Bath, Jets, Lubricated, OiledBody, OiledTeeth
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.line import LineScene

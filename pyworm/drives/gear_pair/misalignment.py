@@ -3,8 +3,8 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from pyworm.drives.answers import Misalignment, MountingError
 from pyworm.drives.gear_pair.mesh import GearPairMesh
-from pyworm.drives.misalignment import Misalignment, MountingError
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 

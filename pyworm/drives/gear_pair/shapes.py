@@ -13,8 +13,8 @@ from math import atan2, cos, pi, sin, tan
 
 import numpy as np
 
+from pyworm.drives.answers import Shape, Space
 from pyworm.drives.gear_pair.gears import InvolutePair
-from pyworm.drives.shape import Shape, Space
 
 Array = np.ndarray
 

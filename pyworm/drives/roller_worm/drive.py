@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 
+from pyworm.drives.answers import Space
 from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.roller_worm.checks import check_gears
@@ -11,7 +12,6 @@ from pyworm.drives.roller_worm.dataset import roller_cycle_data
 from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.mesh_loss import roller_mesh_loss
 from pyworm.drives.roller_worm.shapes import in_space
-from pyworm.drives.shape import Space
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.io.on_demand import xarray as xr
 from pyworm.scene.index import Place

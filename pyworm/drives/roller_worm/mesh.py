@@ -6,7 +6,7 @@ from math import pi
 
 import numpy as np
 
-from pyworm.drives.lubrication import Bath, Jets, Lubricated, OiledBody, OiledTeeth
+from pyworm.drives.oil_supply import Bath, Jets, Lubricated, OiledBody, OiledTeeth
 from pyworm.drives.remembered import remembered
 from pyworm.drives.roller_worm.envelope import Array, LineContact
 from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films

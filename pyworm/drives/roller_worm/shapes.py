@@ -5,9 +5,9 @@ from math import pi
 
 import numpy as np
 
+from pyworm.drives.answers import Shape, Space
 from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.section import WormSection
-from pyworm.drives.shape import Shape, Space
 from pyworm.io.present import present
 from pyworm.scene.index import Place
 

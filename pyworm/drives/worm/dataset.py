@@ -1,4 +1,4 @@
-"""Datasets of a ZI worm drive for pictures: its mesh cycle, and the tooth of a contact."""
+"""Datasets of a worm drive for pictures: its mesh cycle, and the tooth of a contact."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any

@@ -4,13 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
+from pyworm.drives.answers import HobSetup, Misalignment, Shim, Space
 from pyworm.drives.drive import AllowedErrors, Drive
 from pyworm.drives.duty import WormDuty
-from pyworm.drives.hob_setup import HobSetup
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
-from pyworm.drives.misalignment import Misalignment
-from pyworm.drives.shape import Space
-from pyworm.drives.shim import Shim
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.worm.dataset import (
     loaded_cycle_data,

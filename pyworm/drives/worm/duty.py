@@ -1,4 +1,4 @@
-"""A ZI worm drive as input of ratings by standards of worm gears."""
+"""A worm drive as input of ratings by standards of worm gears."""
 
 from dataclasses import replace
 

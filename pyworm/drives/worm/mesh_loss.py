@@ -1,4 +1,4 @@
-"""Loss between the teeth of a ZI worm drive, by the friction of some contacts of its mesh cycle."""
+"""Loss between the teeth of a worm drive, by the friction of some contacts of its mesh cycle."""
 
 from collections.abc import Callable, Sequence
 

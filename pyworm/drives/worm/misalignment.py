@@ -1,10 +1,10 @@
-"""Contacts of a ZI drive under errors of mounting, which move them and change their curvature."""
+"""Contacts of a worm drive under errors of mounting, which move them and change their curvature."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
-from pyworm.drives.misalignment import DryContact, Misalignment, MountingError
+from pyworm.drives.answers import DryContact, Misalignment, MountingError
 from pyworm.drives.worm.loads.dry_contact import dry_contact_of
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.teeth.checks import check_play

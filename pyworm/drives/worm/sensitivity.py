@@ -1,4 +1,4 @@
-"""Sensitivity of a ZI worm drive's contact at mid-mesh to errors of assembly and set-up."""
+"""Sensitivity of a worm drive's contact at mid-mesh to errors of assembly and set-up."""
 
 from math import nan
 

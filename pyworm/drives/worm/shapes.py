@@ -9,7 +9,7 @@ from math import pi
 
 import numpy as np
 
-from pyworm.drives.shape import Shape, Space
+from pyworm.drives.answers import Shape, Space
 from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.teeth.gears import WormGears
 

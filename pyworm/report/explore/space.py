@@ -7,7 +7,7 @@ import numpy as np
 import scipy
 
 from pyworm.case.case import case_again
-from pyworm.drives.shape import Shape
+from pyworm.drives.answers import Shape
 from pyworm.io.input_error import CaseError
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.layout import MEGA, MILLI

@@ -10,7 +10,7 @@ from math import isnan, nan
 
 from pyworm.case.case import Case
 from pyworm.case.contact import GapCase
-from pyworm.drives.misalignment import DryContact, MountingError
+from pyworm.drives.answers import DryContact, MountingError
 from pyworm.formulas.film import nijenbanning_venner_moes
 from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.oil import Oil

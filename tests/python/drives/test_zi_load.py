@@ -11,8 +11,7 @@ from zi_drives import sharif
 
 from pyworm.drives.worm.loads import tooth_compliance
 from pyworm.drives.worm.loads.load_sharing import Arms, Transmission, share
-from pyworm.drives.worm.loads.mesh_springs import mesh_springs
-from pyworm.drives.worm.loads.tooth_compliance import ToothSprings, tooth_springs
+from pyworm.drives.worm.loads.tooth_compliance import ToothSprings, mesh_springs, tooth_springs
 from pyworm.formulas.hertz import hertz
 from pyworm.scene.point import Paraboloid
 

@@ -1,7 +1,7 @@
 """The line of action of an involute worm and its wheel.
 
-A worm meshing with a wheel that an involute hob cut has the meshing equation of the hob (`meshing`) with
-its own base travel.  Hence the common normal of worm and wheel is fixed in space while the contact point
+A worm meshing with a wheel that an involute hob cut has the meshing equation of the hob (`wheel_envelope`)
+with its own base travel.  Hence the common normal of worm and wheel is fixed in space while the contact point
 moves along it, and the wheel's speed is constant: the line of action of an involute screw drive is a
 straight line in space.
 """

@@ -5,7 +5,7 @@ from math import nan
 
 import numpy as np
 
-from pyworm.drives.misalignment import DryContact
+from pyworm.drives.answers import DryContact
 from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.loads.tooth_compliance import CONTACT_POINT, LONGEST_RATIO, placed_gap

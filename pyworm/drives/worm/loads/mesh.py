@@ -7,13 +7,18 @@ from typing import Any, Self
 
 import numpy as np
 
-from pyworm.drives.lubrication import Bath, Jets, Lubricated, OiledBody, OiledTeeth
+from pyworm.drives.oil_supply import Bath, Jets, Lubricated, OiledBody, OiledTeeth
 from pyworm.drives.worm.drawing.design import Assembly, Hand
 from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.flanks.wheel_envelope import WHEEL_AXIS, across_axis
 from pyworm.drives.worm.loads.load_sharing import Arms, Shaft, SharedLoad, Transmission, share
-from pyworm.drives.worm.loads.mesh_springs import MeshedTeeth, mesh_springs
-from pyworm.drives.worm.loads.tooth_compliance import BEYOND, LONGEST_RATIO, ToothSprings
+from pyworm.drives.worm.loads.tooth_compliance import (
+    BEYOND,
+    LONGEST_RATIO,
+    MeshedTeeth,
+    ToothSprings,
+    mesh_springs,
+)
 from pyworm.drives.worm.loads.worm_shaft import BentShaft, MeshForce, WormShaft, bent_shaft
 from pyworm.drives.worm.teeth.checks import check_play
 from pyworm.drives.worm.teeth.gap import ToothMotion

@@ -1,14 +1,16 @@
 """Compliance of tooth contacts: force against approach, and the separation of teeth that do not touch."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
 from math import inf
 
 import numpy as np
 import scipy
 
 from pyworm import kernel
+from pyworm.drives.worm.drawing.design import Assembly, Hob, Wheel, Worm
+from pyworm.drives.worm.teeth.gears import WormGears
 from pyworm.formulas.hertz import hertz
 from pyworm.scene.contact import Array
 from pyworm.scene.point import Gap
@@ -173,6 +175,52 @@ def tooth_springs(
             row.append(dry.approach + load / stiffness)
         approaches.append(row[::-1])
     return ToothSprings(np.array(phases), loads, np.array(separations), np.array(approaches))
+
+
+@dataclass(frozen=True)
+class MeshedTeeth:
+    """Teeth by what decides their contacts.
+
+    Attributes
+    ----------
+    parts : tuple of Worm, Wheel and Hob
+        The design table.
+    distance : float
+        Distance of worm and wheel axes [m].
+    mounted : Assembly
+        Where the worm runs.
+    gears : WormGears
+        The gears of them, whatever their load and oil.
+    """
+
+    parts: tuple[Worm, Wheel, Hob]
+    distance: float
+    mounted: Assembly
+    gears: WormGears = field(compare=False)
+
+    @classmethod
+    def of(cls, gears: WormGears) -> "MeshedTeeth":
+        """The teeth of gears, or of a drive."""
+        parts = gears.worm, gears.wheel, gears.hob
+        return cls(parts, gears.centre_distance, gears.mounted, gears)
+
+
+@lru_cache(maxsize=2)
+def mesh_springs(
+    teeth: MeshedTeeth, modulus: float, whole_load: float, stiffness: float
+) -> ToothSprings:
+    """Compliance by all that decides it; cached, as drives often differ in friction, lifts and oil only."""
+    gears = teeth.gears
+    return tooth_springs(
+        gap_at=lambda phase: gears.gap(gears.cycle.contact(phase)),
+        radii_at=lambda phase: gears.cycle.contact(phase).radii,
+        reduced_modulus=modulus,
+        whole_load=whole_load,
+        stiffness=stiffness,
+        longest=gears.wheel.face_width,
+        touch_at=lambda phase: gears.touching_place(gears.cycle.contact(phase)),
+        follows=gears.cycle.follows,
+    )
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
-from pyworm.drives.hob_setup import HobSetup, Row
+from pyworm.drives.answers import HobSetup, Row
 from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.loads.dry_contact import mid_mesh_contact
 from pyworm.drives.worm.loads.mesh import WormMesh

@@ -7,7 +7,7 @@ secant method for the middle of the marked part.
 
 from dataclasses import replace
 
-from pyworm.drives.shim import Shim
+from pyworm.drives.answers import Shim
 from pyworm.drives.worm.drawing.design import AS_DESIGNED
 from pyworm.drives.worm.patterns.contact_pattern import ContactPattern, both_flanks, contact_pattern
 from pyworm.drives.worm.patterns.hob_for_pattern import TOLERANCES, mark_of

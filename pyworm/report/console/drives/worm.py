@@ -1,4 +1,4 @@
-"""The contact of a ZI worm drive with errors of its assembly, for people."""
+"""The contact of a worm drive with errors of its assembly, for people."""
 
 import numpy as np
 from rich.table import Table
@@ -7,7 +7,7 @@ from pyworm.io.on_demand import xarray as xr
 
 
 def sensitivity_table(cycle: "xr.Dataset") -> Table:
-    """Contact of a ZI worm drive in mid-mesh with errors of assembly and set-up, one at a time."""
+    """Contact of a worm drive in mid-mesh with errors of assembly and set-up, one at a time."""
     load = cycle.attrs["varied_load"]
     table = Table(
         title=f"Contact in mid-mesh under {load / 1e3:.4g} kN with errors of the assembly",

@@ -10,7 +10,7 @@ from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
 import pyworm
 from pyworm.cli.main import main
-from pyworm.drives.worm.patterns import hob_for_pattern as wanted_pattern
+from pyworm.drives.worm.patterns import hob_for_pattern
 from pyworm.drives.worm.patterns.hob_for_pattern import TOLERANCES, found_setting, mark_of
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -39,7 +39,7 @@ def test_the_blurred_mark_is_that_of_the_compound(drive):
 
 
 def test_what_cannot_be_reached_is_the_nearest(drive, monkeypatch):
-    monkeypatch.setattr(wanted_pattern, "MOST_STEPS", 1)
+    monkeypatch.setattr(hob_for_pattern, "MOST_STEPS", 1)
     before = mark_of(drive.driven_pattern)
     found = found_setting(drive, {"size": 0.9})
     assert not found.reached
