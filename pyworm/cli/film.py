@@ -8,6 +8,7 @@ from pyworm.cli.arguments import add_json, add_places
 from pyworm.cli.shared import CONVERGED, wanted_places, warn_of_unusual
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
+from pyworm.io.quantities import QUANTITIES, Quantity
 from pyworm.io.stage import stage
 
 if TYPE_CHECKING:
@@ -125,24 +126,25 @@ def _summary(scene: "Scene | LineScene") -> dict[str, Any]:
 
 def _show(rows: list[dict[str, Any]]) -> None:
     """Print films as a table, and what they leave out."""
-    from rich.table import Table
-
     from pyworm.io.console import Console
     from pyworm.report.console.scenes import influence_percent
+    from pyworm.report.table import Table
 
-    table = Table("Contact")
-    for heading in ("Central film\nµm", "Least film\nµm", "Lambda\nleast", "Regime"):
-        table.add_column(heading, justify="right")
-    for row in rows:
-        table.add_row(
+    central, thin, ratio = (
+        QUANTITIES[name] for name in ("film_central", "film_min", "specific_film")
+    )
+    cells = tuple(
+        (
             row["name"],
-            _with_bar(row["film_central_m"], row["film_central_error"]),
-            _with_bar(row["film_min_m"], row["film_min_error"]),
-            f"{row['specific_film']:.2g}" if "specific_film" in row else "",
+            _with_bar(central, row),
+            _with_bar(thin, row),
+            f"{row[ratio.key]:.2g}" if ratio.key in row else "",
             row["regime"],
         )
+        for row in rows
+    )
     console = Console()
-    console.print(table)
+    console.print(Table(("Contact", central.column, thin.column, ratio.column, "Regime"), cells))
     if any(row["kind"] == "line" for row in rows):
         console.print("Line contacts by Moes' formula, whose errors are not known here.")
     if any(row["kind"] == "point" and not row["inside_atlas"] for row in rows):
@@ -164,7 +166,8 @@ def _show(rows: list[dict[str, Any]]) -> None:
         console.print(f"Left out, and what each may change at most: {listed}.")
 
 
-def _with_bar(film: float, error: float) -> str:
-    """A film in um with its bar, where one is known."""
+def _with_bar(film: Quantity, row: dict[str, Any]) -> str:
+    """A film thickness in the unit of its column with its bar, where one is known."""
+    error = row[film.error_key]
     known = f" ± {100 * error:.2g} %" if error < 1 else ""
-    return f"{film * 1e6:.4g}{known}"
+    return f"{film.digits(film.by_key(row[film.key]))}{known}"

@@ -56,7 +56,8 @@ def _precision(options: argparse.Namespace) -> int:
     from pyworm.plots.layout import write
     from pyworm.plots.precision import draw_precision
     from pyworm.precision.survey import BudgetError, NoReferenceError, expected_seconds, study
-    from pyworm.precision.tables import as_object, cheapest_table, write_csv
+    from pyworm.precision.tables import as_object, write_csv
+    from pyworm.report.console.precision import cheapest_table
 
     name = ", ".join(part for part in (case.name, str(task.place)) if part)
     expected = expected_seconds(task.scene, task.quantities)

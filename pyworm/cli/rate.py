@@ -15,8 +15,6 @@ from pyworm.io.terminal import say
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from pyworm.io.console import Console
     from pyworm.ratings.rated_case import Asked
     from pyworm.ratings.rating import Rating
@@ -117,19 +115,13 @@ def _show(
 
 
 def _print(console: "Console", rating: "Rating") -> None:
-    from rich.table import Table
+    from pyworm.report.ratings import rating_table, safeties_table
 
-    table = Table("Figure", title=rating.titled, title_justify="left", caption=rating.source)
-    table.caption_justify = "left"
-    for heading in rating.headings:
-        table.add_column(heading, justify="right")
-    for figure in rating.figures:
-        table.add_row(figure.label, *(figure.shown(n) for n in range(len(rating.columns))))
-    console.print(table)
+    console.print(rating_table(rating))
     for sentence in rating.basis:
         console.print(sentence)
     if rating.safeties:
-        console.print(_safeties(rating))
+        console.print(safeties_table(rating, inputs=False))
         for of in rating.safeties:
             by = f"{of.symbol} ({of.clause})" if of.clause else of.symbol
             console.print(f"{by}: {of.made_of}")
@@ -138,15 +130,3 @@ def _print(console: "Console", rating: "Rating") -> None:
     for words in rating.words:
         console.print(words)
     console.print()
-
-
-def _safeties(rating: "Rating") -> "Table":
-    from rich.table import Table
-
-    table = Table("Safety", title="Safeties", title_justify="left")
-    table.add_column("Value", justify="right")
-    table.add_column("Required", justify="right")
-    table.add_column("Verdict")
-    for of in rating.safeties:
-        table.add_row(f"{of.symbol} {of.label}", of.shown, f"{of.minimum:g}", of.verdict)
-    return table

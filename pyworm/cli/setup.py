@@ -11,11 +11,14 @@ from pyworm.drives.answers import Row
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.io.quantity import SHARE, Kind, parse
 from pyworm.io.stage import stage
 from pyworm.io.terminal import put, say
 
 PLACE = Kind("a place along the face", "m", "2 mm", sign="any", possible=("1e-24 m", "5 m"))
+
+DRY, FILM = QUANTITIES["dry_pressure_max"], QUANTITIES["film_central"]
 
 COLUMNS = {
     "hob_oversize_m": ("Hob's oversize, mm", 1e3, ".3f"),
@@ -27,8 +30,8 @@ COLUMNS = {
     "contact_ratio": ("Contact ratio", 1.0, ".2f"),
     "radius_long_m": ("Long radius at mid-mesh, mm", 1e3, ".0f"),
     "radius_short_m": ("Short radius at mid-mesh, mm", 1e3, ".1f"),
-    "dry_pressure_max_Pa": ("Largest dry pressure, MPa", 1e-6, ".0f"),
-    "formula_film_m": ("Central film by formula, µm", 1e6, ".3f"),
+    DRY.key: (f"{DRY.title()}, {DRY.shown}", DRY.scale, ".0f"),
+    "formula_film_m": (f"{FILM.title()} by formula, {FILM.shown}", FILM.scale, ".3f"),
 }
 """Key -> its words, the factor to the shown unit, and the format."""
 

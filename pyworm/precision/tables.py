@@ -5,12 +5,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-
-from pyworm.io.format import duration
 from pyworm.io.quantities import QUANTITIES
-from pyworm.precision.grid_series import Point
-from pyworm.precision.study import TARGETS, Curve, Study
+from pyworm.precision.study import TARGETS, Study
 
 UNITS = {
     name: QUANTITIES[name].key for name in ("film_min", "film_central", "friction_coefficient")
@@ -19,29 +15,6 @@ UNITS = {
 
 KINDS = {"formula": "formula", "model": "rung", "parameter": "knob"}
 """Kind of a curve -> its name in CSV and JSON, unchanged for programs that read them."""
-
-
-def cheapest_table(study: Study) -> Table:
-    """The cheapest model and grid for each accuracy, by figure and for all together."""
-    table = Table(title="Cheapest model and grid", title_justify="left", show_lines=True)
-    table.add_column("Error", justify="right", no_wrap=True)
-    figures = list(study.references)
-    for figure in figures:
-        table.add_column(QUANTITIES[figure].title())
-    table.add_column("All of them")
-    for accuracy in TARGETS:
-        choices = [study.cheapest(accuracy, (figure,)) for figure in figures]
-        choices.append(study.cheapest(accuracy, tuple(figures)))
-        table.add_row(f"{accuracy * 100:g} %", *(_shown(choice) for choice in choices))
-    return table
-
-
-def _shown(choice: tuple[Curve, Point] | None) -> str:
-    if choice is None:
-        return "none"
-    curve, point = choice
-    grid = f"{point.label}, " if point.shape else ""
-    return f"{curve.name}\n{grid}{duration(point.seconds)}"
 
 
 def rows(study: Study) -> Iterator[dict[str, Any]]:

@@ -7,8 +7,9 @@ from pyworm.formulas import film, thermal_reduction
 from pyworm.formulas.film import Film, LineGroups, PointGroups
 from pyworm.formulas.film_ranges import FORMULA_RANGES
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.planning.prediction import Prediction, predicted
-from pyworm.ratings.rating import RatedFigure, Rating
+from pyworm.ratings.rating import FILM_COLUMNS, RatedFigure, Rating
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -63,13 +64,14 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         for key, (label, formula) in formulas.items()
         if not objections[label]
     }
+    shown = QUANTITIES["film"].scale, QUANTITIES["film"].shown
     figures = [
-        RatedFigure(f"{key}_m", label, _both(of), 1e6, "µm") for key, (label, of) in films.items()
+        RatedFigure(f"{key}_m", label, _both(of), *shown) for key, (label, of) in films.items()
     ]
     if solution is not None:
         found = solution.figures
         simulated = found.film_central.value, found.film_min.value
-        figures.append(RatedFigure("simulated_m", "Simulated", simulated, 1e6, "µm"))
+        figures.append(RatedFigure("simulated_m", "Simulated", simulated, *shown))
     least = [float(of.minimum) for _, of in films.values() if of.minimum is not None]
     words = [_groups(prediction), "Formulas: isothermal, smooth, fully supplied."]
     outside = [f"{label} ({reason})" for label, reason in objections.items() if reason]
@@ -89,7 +91,7 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         key="films",
         title=f"Films by formula at {Place.of(scene)}",
         source=", ".join(label for label, _ in formulas.values()),
-        columns=("central film", "minimum film"),
+        columns=tuple(FILM_COLUMNS),
         figures=tuple(figures),
         words=tuple(words),
         left_out=LeftOut() if solution is None else solution.left_out,

@@ -14,6 +14,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.base_stock import Base
 from pyworm.ratings.flank_damage import BASIS, LEAST_SHARE, Spot, hotter_flank, simulated_spots
 from pyworm.ratings.gear_damage import GearDamage, mean_scuffing_temperature
@@ -119,20 +120,26 @@ def _teeth(
     )
 
 
+def _row(name: str, key: str = "") -> tuple[str, str, str, float, str]:
+    """A quantity as a row, under a key of its own where that is older."""
+    quantity = QUANTITIES[name]
+    return key or quantity.key, quantity.title(), quantity.published, quantity.scale, quantity.shown
+
+
 # Key, label, name under [published], scale to the unit shown, unit
 _TEETH = (
     ("pitch_line_velocity_m_s", "Pitch line velocity", "pitch_line_velocity", 1.0, "m/s"),
-    ("film_min_m", "Least film", "film_min", 1e6, "µm"),
+    _row("film_min"),
     ("film_min_phase", "  at phase", None, 1.0, ""),
-    ("composite_roughness_m", "Composite roughness", None, 1e6, "µm"),
-    ("specific_film", "Specific film lambda", "specific_film", 1.0, ""),
+    _row("composite_roughness"),
+    _row("specific_film"),
     ("regime", "Lubrication", None, 1.0, ""),
     ("wear_probability", "Probability of wear distress", "wear_probability", 100.0, "%"),
-    ("hertz_pressure_Pa", "Largest Hertz pressure", "hertz_pressure_max", 1e-6, "MPa"),
+    _row("hertz_pressure_max", "hertz_pressure_Pa"),
     ("loss_factor", "Loss factor H_V", None, 1.0, ""),
-    ("friction", "Mean friction", None, 1.0, ""),
-    ("loss_W", "Loss between the teeth", None, 1.0, "W"),
-    ("efficiency", "Efficiency of the teeth", None, 100.0, "%"),
+    _row("mesh_friction", "friction"),
+    _row("mesh_loss", "loss_W"),
+    _row("mesh_efficiency", "efficiency"),
     ("flash_temperature_K", "Largest flash temperature", None, 1.0, "K"),
     ("contact_temperature_C", "Largest contact temperature", "contact_temperature", 1.0, "°C"),
     ("contact_temperature_phase", "  at phase", None, 1.0, ""),

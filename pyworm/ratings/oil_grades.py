@@ -13,6 +13,7 @@ from pyworm.formulas.ranges import positive, within
 from pyworm.formulas.unit_factors import RPM, SQUARE_MILLIMETRE
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_standard import PRESSURE_VISCOSITY, minimum_film
+from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.base_stock import Base, base_stock
 from pyworm.materials.library import NamedOil, named_oil, oil_from_index
 
@@ -173,7 +174,7 @@ class OilDuty:
     def __post_init__(self) -> None:
         """Refuse impossible requirements."""
         base_stock(self.base)
-        within("composite roughness", self.roughness, 1e-9, 1e-4, "m")
+        within(QUANTITIES["composite_roughness"].words(), self.roughness, 1e-9, 1e-4, "m")
         within("wanted lambda", self.specific_film, 0.01, 20, "")
         within("ambient temperature", self.ambient_temperature, 220, 340, "K")
         within("sump temperature", self.sump_temperature, 250, 470, "K")

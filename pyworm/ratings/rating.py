@@ -6,6 +6,7 @@ from typing import Any
 
 from pyworm.formulas.ranges import apart
 from pyworm.io.format import bars, short
+from pyworm.io.quantities import QUANTITIES
 from pyworm.solver.left_out import LeftOut
 
 Value = float | int | str | None
@@ -18,6 +19,9 @@ DIGITS = 4
 
 SIMULATION = "simulation"
 """Column of simulated figures."""
+
+FILM_COLUMNS = {"central film": "film_central", "minimum film": "film_min"}
+"""Column of films, a key of JSON objects -> its quantity."""
 
 
 @dataclass(frozen=True)
@@ -226,11 +230,15 @@ class Rating:
     @property
     def headings(self) -> tuple[str, ...]:
         """Headings of the columns."""
-        return tuple(
-            self.left_out.headed(column.capitalize())
-            if column == SIMULATION
+        titles = [
+            QUANTITIES[FILM_COLUMNS[column]].title()
+            if column in FILM_COLUMNS
             else column.capitalize()
             for column in self.columns
+        ]
+        return tuple(
+            self.left_out.headed(title) if column == SIMULATION else title
+            for column, title in zip(self.columns, titles, strict=True)
         )
 
     def summary(self) -> dict[str, Any]:

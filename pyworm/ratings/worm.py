@@ -18,6 +18,7 @@ from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_rating import WormRating
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.ratings.flank_damage import hotter_flank
 from pyworm.ratings.mesh_loss import mesh_loss, with_missing
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating, without_value
@@ -194,6 +195,9 @@ def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
     """Key, label, how the standard's value is computed, scale and unit of every row."""
     worst, gear = hardest(loads), duty.gear
     rated = worst.rated
+    thin, central, specific, highest = (
+        QUANTITIES[name] for name in ("film_min", "film_central", "specific_film", "pressure_max")
+    )
 
     def ratio() -> float:
         return float(specific_film(rated.film, duty.composite_roughness))
@@ -206,9 +210,9 @@ def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
         ("wheel_torque_Nm", "Wheel torque T2", lambda: worst.torque, 1e-3, "kN m"),
         ("sliding_speed_m_s", "Sliding speed v_g", lambda: rated.sliding_speed, 1.0, "m/s"),
         ("film_parameter", "Film parameter h*", lambda: gear.film_parameter, 1.0, ""),
-        ("film_m", "Mean minimum film h_min,m", lambda: rated.film, 1e6, "µm"),
-        ("film_central_m", "Central film", lambda: None, 1e6, "µm"),
-        ("specific_film", "Specific film lambda", ratio, 1.0, ""),
+        ("film_m", f"Mean {thin.words()} h_min,m", lambda: rated.film, thin.scale, thin.shown),
+        (central.key, central.title(), lambda: None, central.scale, central.shown),
+        (specific.key, specific.title(), ratio, specific.scale, specific.shown),
         ("regime", "Lubrication", lambda: regime(ratio()), 1.0, ""),
         (
             "mean_pressure_Pa",
@@ -217,7 +221,7 @@ def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
             1e-6,
             "MPa",
         ),
-        ("pressure_max_Pa", "Largest pressure of the film", lambda: None, 1e-6, "MPa"),
+        (highest.key, highest.title(), lambda: None, highest.scale, highest.shown),
         *_friction_rows(rated),
         (
             "bulk_temperature_C",

@@ -29,6 +29,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, same_data
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.io.reason import reason_of
 from pyworm.io.shown import Shown
 from pyworm.result.netcdf import as_netcdf
@@ -75,7 +76,9 @@ class Result(Shown):
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the result in words."""
         thinnest = self.solutions[self.thinnest] if self.solutions else None
-        found = {} if thinnest is None else {"thinnest film": f"{thinnest.figures.film_min} m"}
+        film = QUANTITIES["film_min"]
+        text = "" if thinnest is None else thinnest.figure_text(film)
+        found = {film.words(): text} if text else {}
         return f"Result {self.case_name}", {
             "contacts": f"{len(self.solutions)}, {len(self.unsound)} of them not converged",
             **found,

@@ -4,9 +4,9 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.present import present
-from pyworm.io.quantities import BODIES
+from pyworm.io.quantities import BODIES, QUANTITIES
 from pyworm.plots.contact.line_profiles import shown
-from pyworm.plots.layout import MEGA, MILLI, heading, placed_panels
+from pyworm.plots.layout import MILLI, heading, placed_panels
 from pyworm.solver.solution import Solution
 
 STRESS_COLOUR, POWER_COLOUR = "tab:purple", "tab:red"
@@ -45,17 +45,18 @@ def draw_line_friction(case_name: str, solution: Solution) -> Figure:
     room = (0.75, 0.75, 0.55, 0.35)
     figure, axes = placed_panels((9, 4.8), heading(case_name, solution), room)
     place = fields["x"] * MILLI
-    axes.plot(place, fields["shear_stress_x"] * MEGA, color=STRESS_COLOUR)
+    stress, power = QUANTITIES["shear_stress"], QUANTITIES["friction_power"]
+    axes.plot(place, stress.number(fields["shear_stress_x"]), color=STRESS_COLOUR)
     axes.axhline(0, color="0.7", linewidth=0.8)
-    axes.set_ylabel("shear stress in the middle / MPa", color=STRESS_COLOUR)
+    axes.set_ylabel(stress.axis(), color=STRESS_COLOUR)
     axes.set_xlabel("x / mm")
     axes.set_xlim(*shown(fields))
-    title = solution.left_out.headed("friction coefficient")
+    title = solution.left_out.headed(QUANTITIES["friction_coefficient"].words())
     friction = present(solution.figures.friction_coefficient, "friction_coefficient").value
     title = f"{title}: {friction:.3g}"
     axes.set_title(title, fontsize="medium", y=1)
     power_axes = axes.twinx()
-    power_axes.plot(place, fields["friction_power"] * MEGA, color=POWER_COLOUR)
+    power_axes.plot(place, power.number(fields["friction_power"]), color=POWER_COLOUR)
     power_axes.set_ylim(bottom=0)
-    power_axes.set_ylabel("friction power / (W/mm²)", color=POWER_COLOUR)
+    power_axes.set_ylabel(power.axis(), color=POWER_COLOUR)
     return figure

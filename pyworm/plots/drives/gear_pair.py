@@ -12,9 +12,19 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.bounded_number import read_json
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.error_bars import draw_estimates
-from pyworm.plots.layout import MEGA, MICRO, MILLI, mark_gaps, new_figure, result_heading, with_gaps
+from pyworm.plots.layout import (
+    MEGA,
+    MICRO,
+    MILLI,
+    broken,
+    mark_gaps,
+    new_figure,
+    result_heading,
+    with_gaps,
+)
 from pyworm.ratings.flank_damage import hotter_flank
 from pyworm.result.headline import of_all
 from pyworm.result.mesh_cycle import phase_of
@@ -68,7 +78,7 @@ def draw_line_of_action(result: Result) -> Figure:
     panels[0].set_ylim(bottom=0)
     _legend(panels[0], 2)
     panels[1].plot(roll, cycle["closed_form_hertz_pressure"] * MEGA, color="tab:red")
-    panels[1].set_ylabel("Hertz pressure\n/ MPa")
+    panels[1].set_ylabel(broken(QUANTITIES["hertz_pressure_max"].axis()))
     panels[1].set_ylim(bottom=0)
     for name, colour in (("pinion", "tab:blue"), ("gear", "tab:orange")):
         panels[2].plot(roll, cycle[f"{name}_velocity"], color=colour, label=name)
@@ -87,16 +97,14 @@ def draw_line_of_action(result: Result) -> Figure:
 
 def _draw_film(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution]) -> None:
     """Films in micrometres; where roughness is known the specific film on the right."""
-    for name, label, colour in (
-        ("film_central", "central", "tab:blue"),
-        ("film_min", "least", "tab:green"),
-    ):
+    for name, colour in (("film_central", "tab:blue"), ("film_min", "tab:green")):
+        label = QUANTITIES[name].words()
         formula = "Dowson-Toyoda" if name == "film_central" else "Dowson-Higginson"
         curve = cycle[f"closed_form_{name}"] * MICRO
         axes.plot(_roll(cycle), curve, color=colour, label=f"{label}, {formula}")
         if solved:
             _draw_simulated(axes, cycle, solved, name, colour, f"{label}, simulated")
-    axes.set_ylabel("film / µm")
+    axes.set_ylabel(QUANTITIES["film"].axis())
     axes.set_ylim(bottom=0)
     _legend(axes, 2)
     if "closed_form_specific_film" in cycle:
@@ -106,7 +114,7 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution]) -> N
         right = axes.secondary_yaxis(
             "right", functions=(partial(_over, roughness), partial(_times, roughness))
         )
-        right.set_ylabel("specific film (film / roughness)")
+        right.set_ylabel(QUANTITIES["specific_film"].axis())
 
 
 def _over(scale: float, values: ArrayLike) -> np.ndarray:

@@ -7,11 +7,20 @@ from matplotlib.figure import Figure
 from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
 from pyworm.formulas.unit_factors import RPM
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
 from pyworm.plots.error_bars import draw_estimates
-from pyworm.plots.layout import MICRO, MILLI, mark_gaps, placed_panels, result_heading, with_gaps
+from pyworm.plots.layout import (
+    MICRO,
+    MILLI,
+    broken,
+    mark_gaps,
+    placed_panels,
+    result_heading,
+    with_gaps,
+)
 from pyworm.result.mesh_cycle import phase_of
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
@@ -72,7 +81,7 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...])
     ):
         axes.plot([], [], label=label, **style)
     axes.set_ylim(bottom=0)
-    axes.set_ylabel("minimum film / µm")
+    axes.set_ylabel(QUANTITIES["film_min"].axis())
     axes.legend(frameon=False, ncols=2, fontsize=8, loc="upper center")
     for section, place in (("right", 0.02), ("left", 0.98)):
         axes.text(
@@ -162,7 +171,7 @@ PARAMETERS = (
 
 
 def draw_roller_sensitivity(result: Result) -> Figure:
-    """Least film at entry and exit of both sections over roller radius, throat and tilt."""
+    """Minimum film thickness at entry and exit of both sections over roller radius, throat and tilt."""
     cycle = result.cycle_data
     words = f"{result.case_name}  ·  sensitivity of the film"
     spaced = {"ncols": 3, "sharey": True, "gridspec_kw": {"wspace": 0.05}}
@@ -178,7 +187,7 @@ def draw_roller_sensitivity(result: Result) -> Figure:
         axes.set_ylim(bottom=0)
         axes.grid(True, color="0.9")
         if number == 0:
-            axes.set_ylabel("least film along the line / µm\n(Dowson and Higginson)")
+            axes.set_ylabel(f"{broken(QUANTITIES['film_min'].axis())}\n(Dowson and Higginson)")
             axes.legend(frameon=False, fontsize=8)
     return figure
 

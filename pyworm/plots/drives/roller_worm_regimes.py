@@ -6,6 +6,7 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.regimes import LINE_ERROR, THICKENING_ERROR, Regime
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
 from pyworm.plots.layout import MICRO, placed_panels
 from pyworm.plots.regimes import SHORT, draw_chart
@@ -66,7 +67,8 @@ def _draw_films(axes: Axes, middle: "xr.Dataset") -> None:
     )
     axes.set_yscale("log")
     axes.set_xlabel("wheel angle of the roller / deg")
-    axes.set_ylabel("minimum film by formula / µm")
+    film_min = QUANTITIES["film_min"]
+    axes.set_ylabel(film_min.axis(f"{film_min.words()} by formula"))
     axes.grid(True, color="0.9")
     axes.legend(frameon=False, ncols=2, fontsize=8)
 

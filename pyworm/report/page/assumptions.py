@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from pyworm.case.case import Case
 from pyworm.case.workshop_units import assumptions
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.format import duration
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.report.console.scenes import influence_percent
 from pyworm.report.findings import Findings
@@ -123,7 +124,7 @@ def provenance_section(result: Result) -> Section:
         (
             place_of(of),
             f"{' x '.join(str(count) for count in of.summary()['grid'])} nodes, "
-            f"{of.cost.seconds:.3g} s; {of.stop_reason}",
+            f"{duration(of.cost.seconds)}; {of.stop_reason}",
         )
         for of in result.solutions
     ]

@@ -19,8 +19,7 @@ from pyworm.report.page.figures import (
 from pyworm.report.page.inputs import inputs_section
 from pyworm.report.page.pictures import contact_section, cycle_section, signed_pictures
 from pyworm.report.page.sensitivity import sensitivity_section
-from pyworm.report.page.symbols import made_of, named
-from pyworm.report.table import Table
+from pyworm.report.ratings import rating_table, safeties_table
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
 
@@ -119,33 +118,8 @@ def _ratings_section(found: Findings) -> Section | None:
 
 
 def _rating_blocks(rating: Rating) -> list[Block]:
-    columns = range(len(rating.columns))
-    table = Table(
-        head=("", *rating.headings),
-        rows=tuple(
-            (figure.label, *(figure.shown(n) for n in columns)) for figure in rating.figures
-        ),
-        title=rating.titled.replace("\n", "; "),
-        note=f"Source: {rating.source}.",
-    )
     sentences = (*(f"FAILED: {reason}" for reason in rating.failed), *rating.words)
-    tables: list[Block] = [table, _safeties(rating)] if rating.safeties else [table]
+    tables: list[Block] = [rating_table(rating)]
+    if rating.safeties:
+        tables.append(safeties_table(rating, inputs=True))
     return [*tables, Items(sentences)] if sentences else tables
-
-
-def _safeties(rating: Rating) -> Table:
-    """The safeties of a rating with what they require and were made of."""
-    return Table(
-        head=("Safety", "Value", "Required", "Verdict", "Made of"),
-        rows=tuple(
-            (
-                f"{named(of.symbol)}, {of.label}",
-                of.shown,
-                f"{of.minimum:g}",
-                of.verdict,
-                made_of(of),
-            )
-            for of in rating.safeties
-        ),
-        title=f"{rating.title}: safeties",
-    )

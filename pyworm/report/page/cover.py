@@ -6,7 +6,7 @@ from pydantic import BaseModel
 
 from pyworm.case.case import Case
 from pyworm.case.workshop_units import shown
-from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.quantities import QUANTITIES
 from pyworm.ratings.rating import Safety
 from pyworm.report.console.drive import described_row
 from pyworm.report.findings import Findings
@@ -88,7 +88,8 @@ def _operation(case: Case) -> Identity:
     ]
     found.append(("Operating point", ", ".join(running)))
     heat = tables.oil.heat
-    warm = "" if heat is None else f", {heat.inlet_temperature - ZERO_CELSIUS:.4g} °C"
+    inlet = QUANTITIES["inlet_temperature"]
+    warm = "" if heat is None else f", {inlet.text(heat.inlet_temperature)}"
     return (*found, ("Oil", f"{tables.oil.name}{warm}"))
 
 

@@ -102,7 +102,8 @@ def life_rows(case: Case, made: tuple[Rating, ...]) -> tuple[Row, ...]:
     if table is not None and table.life is not None:
         rows.append(("Life asked for", f"{table.life / HOUR:.6g} h", "of the case"))
     for number, of in enumerate(() if table is None else table.spectrum, 1):
-        load = f"{of.wheel_torque:.4g} N m, {of.worm_speed * PER_MINUTE:.4g} 1/min"
+        torque = QUANTITIES["wheel_torque"].text(of.wheel_torque)
+        load = f"{torque}, {of.worm_speed * PER_MINUTE:.4g} 1/min"
         rows.append((f"Load {number}", f"{of.duration / HOUR:.6g} h", load))
     return tuple(rows) + tuple(
         (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")

@@ -6,6 +6,7 @@ from io import BytesIO
 
 from matplotlib.figure import Figure
 
+from pyworm.io.quantities import QUANTITIES
 from pyworm.io.reason import reason_of
 from pyworm.plots.draw import KEY_PICTURES, SCENE_PICTURES, has_picture, scene_picture
 from pyworm.plots.drives.cycle_pictures import cycle_pictures
@@ -26,14 +27,13 @@ MOST_CONTACTS = 12
 
 _CAPTIONS = {
     "gap": "Undeformed gap",
-    "pressure": "Pressure",
-    "film": "Film thickness",
     "entrainment": "Entrainment",
     "profiles": "Film and pressure along the contact",
     "history": "How the solution converged",
     "friction": "Friction",
     "temperature": "Temperatures",
-    "across_film": "Across the film at its hottest point",
+    "across_film": "Across the film where it is hottest",
+    "supply": "Lubricant supply",
 }
 
 
@@ -89,7 +89,7 @@ def contact_section(result: Result) -> Section:
 
 
 def _picture(result: Result, solution: Solution, name: str) -> Picture | Words | None:
-    caption = f"{_CAPTIONS.get(name, name)}, {place_of(solution)}"
+    caption = f"{_CAPTIONS.get(name) or QUANTITIES[name].title()}, {place_of(solution)}"
     return _drawn(_captioned(caption, solution.left_out), scene_picture(result, solution, name))
 
 

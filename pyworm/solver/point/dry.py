@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 
+from pyworm.io.quantities import QUANTITIES
 from pyworm.io.shown import Shown
 from pyworm.planning.grid import Grid
 from pyworm.scene.contact import Array
@@ -45,9 +46,10 @@ class DryPressure(Shown):
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the contact in words."""
+        highest, approach = QUANTITIES["dry_pressure_max"], QUANTITIES["dry_approach"]
         return "DryPressure", {
-            "largest pressure": f"{self.pressure_max / 1e6:.4g} MPa",
-            "approach": f"{self.approach * 1e6:.4g} um",
+            highest.words(): highest.text(self.pressure_max),
+            approach.words(): approach.text(self.approach),
             "nodes": " x ".join(map(str, self.pressure.shape)),
         }
 

@@ -531,7 +531,7 @@ def curve(axes, label):
 
 def test_simulated_points_stand_at_their_roll_angles(solved, increaser):
     film, temperature = draw_film_and_temperature(solved).axes
-    roll, least = curve(film, "least, simulated")
+    roll, least = curve(film, "minimum film thickness, simulated")
     contacts = increaser.contacts(np.array([0.13, 0.87]))  # in the order of the tooth
     assert roll == pytest.approx(np.degrees(contacts.roll_angle), rel=1e-12)
     values = [one.figures.film_min.value * 1e6 for one in reversed(solved.solutions)]
@@ -566,5 +566,5 @@ def test_a_pair_without_surfaces_has_films_alone(spur):
     bare = replace(spur, surfaces=None, bodies=(STEEL, STEEL))
     result = Result("bare", {}, (), bare.cycle_data(), {})
     (film,) = draw_film_and_temperature(result).axes
-    assert film.get_ylabel() == "film / µm"
+    assert film.get_ylabel() == "film thickness / µm"
     assert len(draw_line_of_action(result).axes) == 4

@@ -194,7 +194,7 @@ def test_closed_forms_go_without_roughness(case):
 
 def test_the_table_of_a_cycle_without_roughness_has_no_lambda(cycle):
     said = printed(ends_table(cycle))
-    assert "Specific film lambda" in said and "mixed" in said
+    assert "Specific film thickness lambda" in said and "mixed" in said
     assert "…" not in said
     bare = printed(ends_table(cycle.assign(specific_film=np.nan * cycle["specific_film"])))
     assert "Minimum film" in bare
@@ -343,14 +343,7 @@ def test_pictures_and_table_of_the_cycle(case, cycle):
     for picture in CYCLE_PICTURES.values():
         assert picture.draw(result).axes
     table = ends_table(cycle)
-    assert [column.header for column in table.columns][1:] == [
-        "right\nentry",
-        "right\nexit",
-        "left\nentry",
-        "left\nexit",
-    ]
-    labels = list(table.columns[0].cells)
-    films = [
-        float(list(column.cells)[labels.index("Minimum film / µm")]) for column in table.columns[1:]
-    ]
+    assert table.head[1:] == ("right\nentry", "right\nexit", "left\nentry", "left\nexit")
+    (row,) = (row for row in table.rows if row[0] == "Minimum film thickness / µm")
+    films = [float(cell) for cell in row[1:]]
     assert films[0] > films[1] and films[3] > films[2]

@@ -160,7 +160,7 @@ def test_a_line_contact_has_a_profile_and_no_map(tmp_path):
 
     hidden, figures, errors = browse(tmp_path / "profile", visit)
     assert hidden == [True] * 5 and errors == []
-    assert "Least film" in figures
+    assert "Minimum film thickness" in figures
 
 
 @in_browser

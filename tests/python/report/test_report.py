@@ -243,7 +243,13 @@ def test_printed_figures_stand_beside_those_of_their_phase(worm):
 
 def test_ratings_and_those_left_out_are_shown(worm, increaser):
     text = words(worm[1], "Ratings: gears, scuffing, bearings")
-    for said in ("Mean minimum film h_min,m", "kappa", "DIN 3996", "ISO 281", "Scuffing: "):
+    for said in (
+        "Mean minimum film thickness h_min,m",
+        "kappa",
+        "DIN 3996",
+        "ISO 281",
+        "Scuffing: ",
+    ):
         assert said in text
     text = words(increaser[1], "Ratings: gears, scuffing, bearings")
     for said in ("Probability of scuffing", "63 %", "Bearings: the case has no [bearings.NAME]."):

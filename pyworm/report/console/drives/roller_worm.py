@@ -4,11 +4,14 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from rich.table import Table
 
 from pyworm.formulas.unit_factors import RPM
 from pyworm.formulas.wear_distress import regime
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.quantities import QUANTITIES
+from pyworm.report.table import Table
+
+FILM = QUANTITIES["film_min"]
 
 _ROWS: tuple[tuple[str, Callable[["xr.Dataset"], Any], str], ...] = (
     ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
@@ -19,37 +22,35 @@ _ROWS: tuple[tuple[str, Callable[["xr.Dataset"], Any], str], ...] = (
     ("Sliding along the line / m/s", lambda at: at["sliding_along"], ".3f"),
     ("Spin / rad/s", lambda at: at["relative_spin"], ".1f"),
     ("Roller about its axis / rpm", lambda at: at["roller_speed"] * RPM, ".0f"),
-    ("Minimum film / µm", lambda at: at["formula_film_min"] * 1e6, ".3f"),
-    ("  by the source's formula", lambda at: at["printed_film_min"] * 1e6, ".3f"),
+    (FILM.axis(FILM.title()), lambda at: FILM.number(at["formula_film_min"]), ".3f"),
+    ("  by the source's formula", lambda at: FILM.number(at["printed_film_min"]), ".3f"),
     ("  left by heat, share", lambda at: at["heated_share"], ".2f"),
-    ("Specific film lambda", lambda at: at["specific_film"], ".2f"),
+    (QUANTITIES["specific_film"].title(), lambda at: at["specific_film"], ".2f"),
 )
 """Label, number at the middle of a contact line, its format."""
 
 
 def ends_table(cycle: "xr.Dataset") -> Table:
     """Entry and exit of both sections of a roller enveloping drive, in the middle of the contact line."""
-    table = Table(title="Entry and exit by closed forms", title_justify="left")
-    table.add_column("In the middle of\nthe contact line", no_wrap=True)
     middle = cycle.isel(station=cycle.sizes["station"] // 2)
     places = [
         middle.sel(section=section).isel(phase=end)
         for section in cycle["section"].values
         for end in (0, -1)
     ]
-    for section in cycle["section"].values:
-        for end in ("entry", "exit"):
-            table.add_column(f"{section}\n{end}", justify="right")
+    rows: list[tuple[str, ...]] = []
     for label, value, style in _ROWS:
         numbers = [float(value(at)) for at in places]
         if np.isfinite(numbers).any():
             shown = ("" if np.isnan(number) else f"{number:{style}}" for number in numbers)
-            table.add_row(label, *shown)
+            rows.append((label, *shown))
     specific = [float(at["specific_film"]) for at in places]
     if np.isfinite(specific).any():
-        table.add_row("Lubrication", *("" if np.isnan(one) else regime(one) for one in specific))
-    table.add_row("Regime", *(_regime(cycle, at) for at in places))
-    return table
+        rows.append(("Lubrication", *("" if np.isnan(of) else regime(of) for of in specific)))
+    rows.append(("Regime", *(_regime(cycle, at) for at in places)))
+    ends = (f"{section}\n{end}" for section in cycle["section"].values for end in ("entry", "exit"))
+    head = ("In the middle of\nthe contact line", *ends)
+    return Table(head, tuple(rows), "Entry and exit by closed forms")
 
 
 def _regime(cycle: "xr.Dataset", at: "xr.Dataset") -> str:

@@ -1,29 +1,24 @@
 """The contact of a worm drive with errors of its assembly, for people."""
 
 import numpy as np
-from rich.table import Table
 
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.quantities import QUANTITIES
+from pyworm.report.table import Table
 
 
 def sensitivity_table(cycle: "xr.Dataset") -> Table:
     """Contact of a worm drive in mid-mesh with errors of assembly and set-up, one at a time."""
-    load = cycle.attrs["varied_load"]
-    table = Table(
-        title=f"Contact in mid-mesh under {load / 1e3:.4g} kN with errors of the assembly",
-        title_justify="left",
-    )
-    table.add_column("Error", no_wrap=True)
+    load, dry = QUANTITIES["load"].text(cycle.attrs["varied_load"]), QUANTITIES["dry_pressure_max"]
+    film, rows = QUANTITIES["film"], []
     columns = (
         ("Face\nmm", "contact_face", 1e3, ".1f"),
         ("Radius\nmm", "contact_radius_on_wheel", 1e3, ".1f"),
         ("Rx\nmm", "radius_long", 1e3, ".0f"),
         ("Ry\nmm", "radius_short", 1e3, ".1f"),
-        ("Dry\nMPa", "dry_pressure_max", 1e-6, ".0f"),
-        ("Formula\nfilm µm", "formula_film", 1e6, ".2f"),
+        (dry.column, dry.name, dry.scale, ".0f"),
+        (f"Formula\n{film.symbol} {film.shown}", "formula_film", film.scale, ".2f"),
     )
-    for heading, *_ in columns:
-        table.add_column(heading, justify="right")
     for number, error in enumerate(cycle["error"].values):
         size = float(cycle["error_size"][number])
         angle = error in ANGLES
@@ -39,8 +34,12 @@ def sensitivity_table(cycle: "xr.Dataset") -> Table:
                 f"{value:{style}}" if np.isfinite(value) else NO_FORMULA
                 for value, (*_, style) in zip(values, columns, strict=True)
             ]
-            table.add_row(label, *(cells if known else ["cannot be assembled"]))
-    return table
+            rows.append((label, *(cells if known else ["cannot be assembled"])))
+    return Table(
+        head=("Error", *(heading for heading, *_ in columns)),
+        rows=tuple(rows),
+        title=f"Contact in mid-mesh under {load} with errors of the assembly",
+    )
 
 
 _ERRORS = {

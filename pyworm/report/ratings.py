@@ -1,0 +1,35 @@
+"""Ratings as tables, for console and page."""
+
+from pyworm.ratings.rating import Rating
+from pyworm.report.page.symbols import made_of, named
+from pyworm.report.table import Table
+
+
+def rating_table(rating: Rating) -> Table:
+    """The figures of a rating, a column for each of their origins."""
+    columns = range(len(rating.columns))
+    return Table(
+        head=("Figure", *rating.headings),
+        rows=tuple((figure.label, *map(figure.shown, columns)) for figure in rating.figures),
+        title=rating.titled,
+        note=f"Source: {rating.source}.",
+    )
+
+
+def safeties_table(rating: Rating, inputs: bool) -> Table:
+    """The safeties of a rating with what they require.
+
+    Parameters
+    ----------
+    rating : Rating
+        The rating.
+    inputs : bool
+        Whether there is room for what each was made of.
+    """
+    head = ("Safety", "Value", "Required", "Verdict", *(["Made of"] if inputs else []))
+    rows = (
+        (f"{named(of.symbol)}, {of.label}", of.shown, f"{of.minimum:g}", of.verdict)
+        + ((made_of(of),) if inputs else ())
+        for of in rating.safeties
+    )
+    return Table(head, tuple(rows), f"{rating.title}: safeties", texts=(3, 4))
