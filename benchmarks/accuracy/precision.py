@@ -25,8 +25,8 @@ import expected_cost
 from accuracy_page import fill, markdown
 
 import pyworm
-from pyworm.io.format import duration, percent
 from pyworm.io.quantities import QUANTITIES
+from pyworm.io.quantity_text import duration, percent
 from pyworm.plots.layout import write
 from pyworm.plots.precision import draw_precision
 from pyworm.precision.study import TARGETS, Study

@@ -8,7 +8,7 @@ from math import prod
 from pyworm.batch.expected_run import ExpectedRun, expected_run
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
-from pyworm.io.format import duration
+from pyworm.io.quantity_text import duration
 from pyworm.planning.expected_work import solves_of_life
 from pyworm.result.result import Result
 from pyworm.solver.cost.expected_time import Expectation

@@ -21,7 +21,8 @@ from pyworm.drives.drive import Drive
 from pyworm.io import units
 from pyworm.io.input_error import CaseError, sentence
 from pyworm.io.present import present
-from pyworm.io.shown import Shown, percent
+from pyworm.io.quantity_text import percent
+from pyworm.io.shown import Shown
 from pyworm.io.stage import stage
 from pyworm.io.toml import read_toml
 from pyworm.scene.index import PLACE_NAMES, Place, crossed
@@ -74,7 +75,7 @@ class Case(Shown):
         return f"Case {self.name}", {
             "title": self.title,
             "contacts": f"{len(self.places())}",
-            "accuracy": percent(self.accuracy),
+            "accuracy": percent(self.accuracy, 3),
             "effects": self.effects,
             "warnings": f"{len(self.warnings)}",
         }

@@ -29,7 +29,7 @@ def _check(options: argparse.Namespace) -> int:
 
     from pyworm.batch.expected_run import expected_run
     from pyworm.io.console import Console
-    from pyworm.io.format import duration
+    from pyworm.io.quantity_text import duration
     from pyworm.report.console.scenes import effects_table, plan_table
     from pyworm.scene.summary import scene_summary
     from pyworm.solver import left_out

@@ -141,13 +141,9 @@ def _alpha(oil: "NamedOil", temperature: float) -> float | None:
 
 
 def _print_oil(console: "Console", oil: "NamedOil") -> None:
-    from rich.table import Table
+    from pyworm.report.table import Table
 
-    known = _properties(oil)
-    table = Table(title=f"{oil.name}, viscosity index {oil.viscosity_index:.0f}")
-    table.title_justify = "left"
-    for heading in ("°C", "mm²/s", "mPa s", "kg/m³", "alpha, 1/GPa"):
-        table.add_column(heading, justify="right")
+    known, cells = _properties(oil), []
     for row in zip(
         known["temperature_C"],
         known["kinematic_viscosity_m2_s"],
@@ -157,14 +153,11 @@ def _print_oil(console: "Console", oil: "NamedOil") -> None:
         strict=True,
     ):
         celsius, nu, eta, rho, alpha = row
-        table.add_row(
-            f"{celsius}",
-            f"{nu * 1e6:.4g}",
-            f"{eta * 1e3:.4g}",
-            f"{rho:.0f}",
-            "" if alpha is None else f"{alpha * 1e9:.1f}",
-        )
-    console.print(table)
+        slope = "" if alpha is None else f"{alpha * 1e9:.1f}"
+        cells.append((f"{celsius}", f"{nu * 1e6:.4g}", f"{eta * 1e3:.4g}", f"{rho:.0f}", slope))
+    title = f"{oil.name}, viscosity index {oil.viscosity_index:.0f}"
+    head = ("°C", "mm²/s", "mPa s", "kg/m³", "alpha, 1/GPa")
+    console.print(Table(head, tuple(cells), title))
     console.print(f"Viscosity: {oil.source}")
     for what, source in oil.stock.sources.items():
         if what != "grades":
@@ -179,20 +172,16 @@ def _list(options: argparse.Namespace) -> int:
     if options.json:
         print_json({"oils": [_properties(oil) for oil in oils]})
         return 0
-    from rich.table import Table
-
     from pyworm.io.console import Console
+    from pyworm.report.table import Table
 
-    table = Table("Oil")
-    for heading in ("40 °C\nmm²/s", "100 °C\nmm²/s", "index"):
-        table.add_column(heading, justify="right")
-    table.add_column("source")
+    rows = []
     for oil in oils:
         nu_40, nu_100 = (
             oil.kinematic_viscosity(at) * SQUARE_METRE for at in (DEGREES_40, DEGREES_100)
         )
-        table.add_row(
-            oil.name, f"{nu_40:.0f}", f"{nu_100:.1f}", f"{oil.viscosity_index:.0f}", oil.source
-        )
-    Console().print(table)
+        index = f"{oil.viscosity_index:.0f}"
+        rows.append((oil.name, f"{nu_40:.0f}", f"{nu_100:.1f}", index, oil.source))
+    head = ("Oil", "40 °C\nmm²/s", "100 °C\nmm²/s", "index", "source")
+    Console().print(Table(head, tuple(rows), texts=(4,)))
     return 0

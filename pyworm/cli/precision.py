@@ -51,7 +51,7 @@ def _precision(options: argparse.Namespace) -> int:
     task = tasks[len(tasks) // 2]  # of a mesh cycle the middle
 
     from pyworm.io.console import Console, progress_bar
-    from pyworm.io.format import duration
+    from pyworm.io.quantity_text import duration
     from pyworm.kernel.core import KernelError
     from pyworm.plots.layout import write
     from pyworm.plots.precision import draw_precision

@@ -158,22 +158,17 @@ def _wanted(options: argparse.Namespace) -> dict[str, float]:
 
 def _print(rows: dict[str, Row], life: list[Row]) -> None:
     """Tables of the set-ups, and of the hob's life."""
-    from rich.table import Table
-
     from pyworm.io.console import Console
+    from pyworm.report.table import Table
 
     def shown(title: str, columns: dict[str, Row]) -> None:
-        table = Table(title=title, title_justify="left")
-        table.add_column("")
-        for name in columns:
-            table.add_column(name, justify="right")
+        lines = []
         for key, (words, factor, form) in COLUMNS.items():
             if any(key in row for row in columns.values()):
                 values = (row[key] * factor for row in columns.values())
-                table.add_row(
-                    words, *(f"{of:{form}}" if isfinite(of) else "at edge" for of in values)
-                )
-        Console().print(table)
+                cells = (f"{of:{form}}" if isfinite(of) else "at edge" for of in values)
+                lines.append((words, *cells))
+        Console().print(Table(("", *columns), tuple(lines), title))
 
     shown("Set-up of the hob", rows)
     if "found" in rows:
@@ -192,18 +187,16 @@ def _print(rows: dict[str, Row], life: list[Row]) -> None:
 
 def _print_allowed(allowed: dict[str, dict[str, float | str]]) -> None:
     """The errors of the assembly that the drive allows, each alone."""
-    from rich.table import Table
-
     from pyworm.io.console import Console
+    from pyworm.report.table import Table
 
-    table = Table(title="Allowed errors of the assembly, each alone", title_justify="left")
-    for head in ("", "from", "limited by", "to", "limited by"):
-        table.add_column(head, justify="right" if head in ("from", "to") else "left")
+    rows = []
     for entry, row in allowed.items():
         unit, factor, shown = ("m", 1e3, "mm") if "from_m" in row else ("deg", 1.0, "°")
         cells = []
         for end in ("from", "to"):
             value = float(row[f"{end}_{unit}"]) * factor
             cells += [f"{value:+.3f} {shown}", str(row[f"{end}_limited_by"])]
-        table.add_row(f"assembly.{entry}", *cells)
-    Console().print(table)
+        rows.append((f"assembly.{entry}", *cells))
+    head, title = ("", "from", "limited by", "to", "limited by"), "Allowed errors of the assembly"
+    Console().print(Table(head, tuple(rows), f"{title}, each alone", texts=(2, 4)))

@@ -203,19 +203,19 @@ ROWS = (
 
 
 def _print(shown: list[_Shown], found: list[dict[str, Any]]) -> None:
-    from rich.table import Table
-
     from pyworm.io.console import Console
+    from pyworm.report.table import Table
 
-    console = Console()
-    table = Table("Surface")
+    head = ["Surface"]
     for one, known in zip(shown, found, strict=True):
         nx, ny = known["points"]
         sides = " x ".join(f"{side * 1e3:.4g}" for side in one.waves.roughness.extent)
-        table.add_column(f"{one.name}\n{nx} x {ny}, {sides} mm", justify="right")
-    for name, keys, factors, units in ROWS:
-        table.add_row(name, *(_cell(known, keys, factors, units) for known in found))
-    console.print(table)
+        head.append(f"{one.name}\n{nx} x {ny}, {sides} mm")
+    rows = (
+        (name, *(_cell(known, keys, factors, units) for known in found))
+        for name, keys, factors, units in ROWS
+    )
+    Console().print(Table(tuple(head), tuple(rows)))
 
 
 def _cell(known: dict[str, Any], keys: Any, factors: Any, units: Any) -> str:

@@ -23,6 +23,7 @@ from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.io.terminal import put, say
 
 if TYPE_CHECKING:
@@ -199,21 +200,12 @@ def _worm_ratio(options: argparse.Namespace, case: Case) -> tuple[float, str]:
 
 
 def _show(steps: "Sequence[WearFigures]") -> None:
-    from rich.box import SIMPLE_HEAD
-    from rich.table import Table
-
     from pyworm.io.console import Console
+    from pyworm.report.table import Table
 
-    table = Table(
-        title="Wear of the wheel", title_justify="left", box=SIMPLE_HEAD, padding=(0, 1, 0, 0)
-    )
-    for head in (
-        "h", "deepest µm", "mean µm", "mg", "play µm", "pattern mm²", "on asp.", "friction", "film µm",
-        "Rq µm",
-    ):  # fmt: skip
-        table.add_column(head, justify="right", min_width=max(map(len, head.split())))
-    for of in steps:
-        table.add_row(
+    friction, film = QUANTITIES["friction_coefficient"], QUANTITIES["film_min"]
+    rows = (
+        (
             f"{of.hours:.4g}",
             f"{of.depth_max_m * 1e6:.3g}",
             f"{of.depth_mean_m * 1e6:.3g}",
@@ -222,7 +214,12 @@ def _show(steps: "Sequence[WearFigures]") -> None:
             f"{of.pattern_m2 * 1e6:.1f}",
             f"{of.asperity_share:.1%}",
             f"{of.friction:.4f}",
-            f"{of.film_min_m * 1e6:.3g}",
+            f"{film.number(of.film_min_m):.3g}",
             f"{of.wheel_roughness_m * 1e6:.3g}",
         )
-    Console().print(table)
+        for of in steps
+    )
+    carried = QUANTITIES["asperity_load_fraction"].symbol
+    depths = "deepest\nµm", "mean\nµm", "mg", "play\nµm", "pattern\nmm²"
+    head = ("h", *depths, carried, friction.column, film.column, "Rq\nµm")
+    Console().print(Table(head, tuple(rows), "Wear of the wheel", narrow=True))

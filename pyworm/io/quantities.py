@@ -55,7 +55,8 @@ class Quantity:
         Where a solution has its value: a path such as "figures.film_min", or a function of the solution;
         empty where no solution has it. None there means that it was not simulated.
     figure : str
-        Stem of the keys of its error bars, and its name under [published]; by default its name.
+        Stem of the keys of its error bars, and its name under [published]; of a field the figure whose error
+        bar it has. By default its name.
     key : str
         Key in JSON objects; by default the name with the ending of the unit.
     kind : str
@@ -304,19 +305,24 @@ MESH_CYCLE = (
 
 FIELDS = (
     Quantity("film", "m", "film thickness", "µm", "h", extreme="minimum", colours="viridis",
-        logarithmic=True, clip=6.0),
-    Quantity("pressure", "Pa", "pressure", "MPa", "p", extreme="maximum"),
-    Quantity("dry_pressure", "Pa", "dry contact pressure", "MPa", "p_dry", extreme="maximum"),
-    Quantity("asperity_pressure", "Pa", "asperity pressure", "MPa", "p_a", extreme="maximum"),
+        logarithmic=True, clip=6.0, figure="film_min"),
+    Quantity("pressure", "Pa", "pressure", "MPa", "p", extreme="maximum", figure="pressure_max"),
+    Quantity("dry_pressure", "Pa", "dry contact pressure", "MPa", "p_dry", extreme="maximum",
+        figure="pressure_max"),
+    Quantity("asperity_pressure", "Pa", "asperity pressure", "MPa", "p_a", extreme="maximum",
+        figure="pressure_max"),
     Quantity("temperature_middle", "K", "temperature in the middle of the film", "°C",
-        extreme="maximum"),
-    Quantity("temperature_body_1", "K", "surface temperature ({0})", "°C", extreme="maximum"),
-    Quantity("temperature_body_2", "K", "surface temperature ({1})", "°C", extreme="maximum"),
-    Quantity("friction_power", "W/m2", "frictional power per area", "MW/m²", extreme="maximum"),
+        extreme="maximum", figure="temperature_max_film"),
+    Quantity("temperature_body_1", "K", "surface temperature ({0})", "°C", extreme="maximum",
+        figure="temperature_max_body_1"),
+    Quantity("temperature_body_2", "K", "surface temperature ({1})", "°C", extreme="maximum",
+        figure="temperature_max_body_2"),
+    Quantity("friction_power", "W/m2", "frictional power per area", "MW/m²", extreme="maximum",
+        figure="power_loss"),
     Quantity("shear_stress", "Pa", "shear stress in the middle of the film", "MPa", "tau",
         extreme="maximum", colours="cividis"),
     Quantity("asperity_rubbing", "W/m2", "asperity pressure times sliding velocity", "MW/m²",
-        extreme="maximum"),
+        extreme="maximum", figure="pressure_max"),
     Quantity("asperity_work", "Pa m", "asperity pressure times sliding distance in a pass", "MPa m",
         extreme="maximum"),
     Quantity("entry", "1", "inflow velocity of the oil over the mean entrainment velocity", "",
@@ -329,19 +335,22 @@ IN_DATASETS = (
     Quantity("y", "m", "tangent plane, second direction from the contact point"),
     Quantity("gap", "m", "undeformed gap"),
     Quantity("covered", "1", "1 where both surfaces exist"),
-    Quantity("real_area", "1", "real area of contact of asperities over the nominal one"),
+    Quantity("real_area", "1", "real area of contact of asperities over the nominal one",
+        figure="pressure_max"),
     Quantity("entrainment_x", "m/s", "mean surface velocity along x"),
     Quantity("entrainment_y", "m/s", "mean surface velocity along y"),
     Quantity("sliding_x", "m/s", "velocity of body 1 relative to body 2 along x"),
     Quantity("sliding_y", "m/s", "velocity of body 1 relative to body 2 along y"),
-    Quantity("shear_stress_x", "Pa", "shear stress in the middle of the film along x"),
-    Quantity("shear_stress_y", "Pa", "shear stress in the middle of the film along y"),
-    Quantity("shear_rate", "1/s", "maximum shear rate across the film"),
+    Quantity("shear_stress_x", "Pa", "shear stress in the middle of the film along x",
+        figure="friction_coefficient"),
+    Quantity("shear_stress_y", "Pa", "shear stress in the middle of the film along y",
+        figure="friction_coefficient"),
+    Quantity("shear_rate", "1/s", "maximum shear rate across the film", figure="shear_rate_max"),
     Quantity("slip", "1", "limiting stress reached at: 0 no surface, 1 body 1, 2 body 2, 3 both"),
     Quantity("flow_factor_sliding", "m3/(Pa s)",
-        "flow by pressure gradient along the sliding (h^3/12 eta)"),
+        "flow by pressure gradient along the sliding (h^3/12 eta)", figure="film_min"),
     Quantity("flow_factor_across", "m3/(Pa s)",
-        "flow by pressure gradient across the sliding (h^3/12 eta)"),
+        "flow by pressure gradient across the sliding (h^3/12 eta)", figure="film_min"),
     Quantity("oil_fraction", "1", "fraction of the gap that oil fills"),
     Quantity("level_position", "1", "place across the film, -1/2 at body 1 to 1/2 at body 2"),
     Quantity("profile_x", "m", "position of the maximum film temperature along x"),
@@ -462,9 +471,10 @@ IN_DATASETS = (
     Quantity("frame_seconds", "s", "time of the fields"),
     Quantity("frame_x", "m", "tangent plane, first direction from the contact point"),
     Quantity("frame_y", "m", "tangent plane, second direction from the contact point"),
-    Quantity("frame_pressure", "Pa", "pressure"),
-    Quantity("frame_film", "m", "film thickness"),
-    Quantity("frame_rubbing", "W/m2", "asperity pressure times sliding velocity"),
+    Quantity("frame_pressure", "Pa", "pressure", figure="pressure_max"),
+    Quantity("frame_film", "m", "film thickness", figure="film_min"),
+    Quantity("frame_rubbing", "W/m2", "asperity pressure times sliding velocity",
+        figure="pressure_max"),
 )  # fmt: skip
 """Other variables of fields, convergence histories and mesh cycles."""
 

@@ -6,11 +6,6 @@ LONGEST = 160
 """Characters of the line of an object."""
 
 
-def percent(share: float) -> str:
-    """A share in per cent, such as "1 %"."""
-    return f"{100 * share:.3g} %"
-
-
 class Shown:
     """What has a short line (`repr`) and, in notebooks, a table, both from `shown`."""
 

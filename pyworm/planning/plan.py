@@ -9,7 +9,8 @@ import numpy as np
 from pyworm.formulas.regimes import Regime
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, row, unusual
-from pyworm.io.shown import Shown, percent
+from pyworm.io.quantity_text import percent
+from pyworm.io.shown import Shown
 from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.discretisation import PLANS
 from pyworm.planning.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
@@ -93,7 +94,7 @@ class Plan(Shown):
         """Heading and rows of its picture in words."""
         first, last = (" x ".join(map(str, self.grids[of].shape)) for of in (0, -1))
         return "Plan", {
-            "accuracy": percent(self.accuracy),
+            "accuracy": percent(self.accuracy, 3),
             "quantities": ", ".join(self.quantities),
             "regime": self.regime.words,
             "simulated": ", ".join(sorted(self.on)) or "no effect",

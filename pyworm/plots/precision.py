@@ -10,8 +10,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from pyworm.io.format import percent
 from pyworm.io.quantities import QUANTITIES
+from pyworm.io.quantity_text import percent
 from pyworm.precision.study import Curve, Study
 
 COLOURS = {

@@ -6,8 +6,8 @@ from math import inf, isfinite
 from statistics import mean
 from time import perf_counter
 
-from pyworm.io.format import duration
 from pyworm.io.progress import Progress
+from pyworm.io.quantity_text import duration
 from pyworm.kernel.core import KernelError
 from pyworm.planning.model import PARABOLA
 from pyworm.planning.prediction import predicted

@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from pyworm.formulas.ranges import apart
-from pyworm.io.format import bars, short
 from pyworm.io.quantities import QUANTITIES
+from pyworm.io.quantity_text import bars, short
 from pyworm.solver.left_out import LeftOut
 
 Value = float | int | str | None

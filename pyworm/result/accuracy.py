@@ -2,8 +2,8 @@
 
 from collections.abc import Sequence
 
-from pyworm.io.format import percent
 from pyworm.io.quantities import QUANTITIES
+from pyworm.io.quantity_text import percent
 
 
 def accuracy_words(accuracy: float, names: Sequence[str]) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, PlainVariable
+from pyworm.io.quantities import QUANTITIES
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.solution import Solution
 
@@ -23,28 +24,6 @@ OF_GIVEN = 1e-4
 
 COARSEST = 2.0**-10
 """Largest relative change of any field, so that contour lines stay smooth where error bars are wide."""
-
-_FIGURES = {
-    "pressure": "pressure_max",
-    "dry_pressure": "pressure_max",
-    "asperity_pressure": "pressure_max",
-    "asperity_rubbing": "pressure_max",
-    "real_area": "pressure_max",
-    "film": "film_min",
-    "flow_factor_sliding": "film_min",
-    "flow_factor_across": "film_min",
-    "shear_stress_x": "friction_coefficient",
-    "shear_stress_y": "friction_coefficient",
-    "friction_power": "power_loss",
-    "shear_rate": "shear_rate_max",
-    "temperature_body_1": "temperature_max_body_1",
-    "temperature_body_2": "temperature_max_body_2",
-    "temperature_middle": "temperature_max_film",
-    "frame_pressure": "pressure_max",
-    "frame_film": "film_min",
-    "frame_rubbing": "pressure_max",
-}
-"""Field -> figure whose error bar it has."""
 
 _SINGLE_DIGITS = 23
 """Binary digits that single precision stores after the leading one (IEEE 754)."""
@@ -96,8 +75,8 @@ def _rounded(solution: Solution, name: str, variable: PlainVariable) -> PlainVar
     values = variable.values
     if values.dtype != np.float32:
         return variable
-    figure = _FIGURES.get(name)
-    change = OF_GIVEN if figure is None else _allowed(getattr(solution.figures, figure))
+    figure = QUANTITIES[name].figure
+    change = OF_GIVEN if figure == name else _allowed(getattr(solution.figures, figure))
     return PlainVariable(variable.dims, to_digits(values, _digits(change)), variable.attrs)
 
 

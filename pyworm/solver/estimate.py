@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from math import hypot, inf, isinf, isnan
 from typing import Any, TypeVar
 
-from pyworm.io.format import with_bars
-from pyworm.io.shown import percent
+from pyworm.io.quantity_text import percent, with_bars
 
 ORIGINS = ("grid", "domain", "algebra", "approximation")
 """Attributes that make up an error bar."""
@@ -92,7 +91,7 @@ class Estimate:
 
     @property
     def _relative(self) -> str:
-        return f"{self.bar:.2g}" if self.datum else percent(self.error)
+        return f"{self.bar:.2g}" if self.datum else percent(self.error, 3)
 
     def __neg__(self) -> "Estimate":
         return self._sum(self, -1.0, Estimate(0.0, 0.0), 0.0)

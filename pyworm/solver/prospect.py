@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from pyworm.io.format import percent
+from pyworm.io.quantity_text import percent
 from pyworm.planning.expected_work import WORTHLESS
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid

@@ -6,11 +6,11 @@ from typing import Any, Literal, NamedTuple
 
 from pyworm.formulas.regimes import Regime
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.io.format import with_bars
 from pyworm.io.on_demand import later
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray, same_data
 from pyworm.io.quantities import QUANTITIES, Quantity
+from pyworm.io.quantity_text import with_bars
 from pyworm.io.shown import Shown
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction

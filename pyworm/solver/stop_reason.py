@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from pyworm.io.format import percent
+from pyworm.io.quantity_text import percent
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.solver.accuracy_met import ACCURATE, LESS_ACCURATE, is_accurate

@@ -6,10 +6,10 @@ from math import isfinite, isinf
 from pyworm.drives.kinds import module_of
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.io.format import UNKNOWN, model_bar
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
 from pyworm.io.quantities import BODIES, QUANTITIES, Quantity
+from pyworm.io.quantity_text import UNKNOWN, model_bar
 from pyworm.ratings.heating import Heating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.report.table import Table

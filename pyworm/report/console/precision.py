@@ -1,7 +1,7 @@
 """The cheapest model and grid of a work-precision study on the console."""
 
-from pyworm.io.format import duration
 from pyworm.io.quantities import QUANTITIES
+from pyworm.io.quantity_text import duration
 from pyworm.precision.grid_series import Point
 from pyworm.precision.study import TARGETS, Curve, Study
 from pyworm.report.table import Table

@@ -5,8 +5,8 @@ from math import inf, isfinite
 from typing import Any
 
 from pyworm.case.case_file import PublishedValue
-from pyworm.io.format import UNKNOWN, duration, rough
 from pyworm.io.quantities import BODIES, QUANTITIES, Quantity, listed
+from pyworm.io.quantity_text import UNKNOWN, duration, rough
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction
 from pyworm.planning.plan import Plan

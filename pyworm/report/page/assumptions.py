@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pyworm.case.case import Case
 from pyworm.case.workshop_units import assumptions
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.io.format import duration
+from pyworm.io.quantity_text import duration
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.report.console.scenes import influence_percent
 from pyworm.report.findings import Findings

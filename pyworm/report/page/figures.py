@@ -7,9 +7,8 @@ from pyworm.case.case import Case
 from pyworm.case.case_file import PublishedValue
 from pyworm.case.contact import GapCase
 from pyworm.drives.mesh_loss import MeshLoss
-from pyworm.io.format import bars
 from pyworm.io.quantities import QUANTITIES, Quantity, listed
-from pyworm.io.quantity_text import shown_like
+from pyworm.io.quantity_text import bars, shown_like
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.standard_loss import NoStandard
 from pyworm.report.findings import Findings

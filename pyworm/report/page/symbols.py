@@ -3,8 +3,8 @@
 import re
 from html import escape
 
-from pyworm.io.format import short
 from pyworm.io.quantities import read_key
+from pyworm.io.quantity_text import short
 from pyworm.ratings.rating import Safety, Value
 
 _GREEK = {

@@ -14,8 +14,8 @@ from math import ceil, inf, nextafter
 
 import numpy as np
 
-from pyworm.io.format import percent
 from pyworm.io.plain_dataset import PlainDataset
+from pyworm.io.quantity_text import percent
 from pyworm.planning.expected_work import Kind, solves_of_life
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted

@@ -8,8 +8,8 @@ import pytest
 from synthetic_solution import make_solution
 
 import pyworm
-from pyworm.io.format import percent, with_bars
 from pyworm.io.quantities import QUANTITIES
+from pyworm.io.quantity_text import percent, with_bars
 from pyworm.report.console.scenes import figures_table
 from pyworm.report.explore.scenes import scene_rows
 from pyworm.result.accuracy import accuracy_words
