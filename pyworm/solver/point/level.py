@@ -142,7 +142,9 @@ def guess_on(level: PointLevel, grid: Grid) -> InitialGuess:
 def guess_around(narrow: PointLevel, wide: PointLevel) -> InitialGuess:
     """Initial guess on a wider grid of the same spacing: the film of a level, and its own around that.
 
-    Where teeth end, the wider grid may end some nodes before the narrow one.
+    Temperatures around it are those of its outline: where bodies are warmer than the oil, a sweep of heat
+    moves others by one node only where oil flows back. Where teeth end, the wider grid may end some nodes
+    before the narrow one.
     """
     here, within = wide.state(), narrow.state()
     covered, shared = wide.grid.nodes_of(narrow.grid), narrow.grid.nodes_of(wide.grid)
@@ -150,8 +152,13 @@ def guess_around(narrow: PointLevel, wide: PointLevel) -> InitialGuess:
     pressure[covered] = within.pressure[shared]
     rise = None
     if within.rise is not None:
-        rise = np.zeros((*wide.grid.shape, within.rise.shape[-1]), order="F")
-        rise[covered] = within.rise[shared]
+        nearest = (
+            np.clip(np.arange(nodes) + of.start - to.start, 0, most - 1)
+            for nodes, most, to, of in zip(
+                wide.grid.shape, narrow.grid.shape, covered, shared, strict=True
+            )
+        )
+        rise = np.asfortranarray(within.rise[np.ix_(*nearest)])
     oil = None
     if within.oil is not None and here.oil is not None:
         oil = here.oil.copy()

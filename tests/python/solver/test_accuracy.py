@@ -157,8 +157,8 @@ def test_no_grid_is_refined_for_a_spike_that_the_largest_one_does_not_resolve():
         (0.4, 0.1, 0.1 / 3),  # the rest of a geometric series
         (0.4, 0.3, 0.9),  # as slowly as heat settles
         (0.4, 0.39, 4 * 0.39),  # more slowly than any series is believed to
-        (0.3, 0.4, 0.4),  # no series
-        (0.4, 0.001, 0.001 / 4),  # too good to be believed
+        (0.3, 0.4, 4 * 0.4),  # slower still
+        (0.4, 0.001, 0.2 * 0.4 / 4),  # small by chance: too good to be believed
         (0.0, 0.1, 0.1),
         (1.0, 0.03, 0.03),  # from nothing: no series yet
     ],

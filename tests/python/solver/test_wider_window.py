@@ -32,6 +32,18 @@ def test_the_film_of_a_grid_that_the_wider_one_does_not_hold_is_taken_where_both
     assert (guess.pressure == 1.0).sum() == 13 * 9 - 7 * 5
 
 
+def test_oil_around_a_narrow_window_is_as_warm_as_at_its_outline():
+    def level(grid, rise):
+        guess = InitialGuess(np.zeros(grid.shape), 1.0, rise)
+        return SimpleNamespace(grid=grid, state=lambda: guess)
+
+    narrow, wide = Grid(0.0, 0.0, 1.0, 1.0, 3, 4), Grid(-2.0, -1.0, 1.0, 1.0, 8, 6)
+    known = np.arange(24.0).reshape(3, 4, 2)
+    rise = guess_around(level(narrow, known), level(wide, None)).rise
+    np.testing.assert_array_equal(rise[2:5, 1:5], known)
+    np.testing.assert_array_equal(rise, np.pad(known, ((2, 3), (1, 1), (0, 0)), mode="edge"))
+
+
 def test_friction_that_a_window_cuts_off_is_that_of_the_contact_beyond_it():
     scene = pyworm.load(TRACTION).scene(slide_roll_ratio=0.5)
     plan = pyworm.plan(scene, 0.3, "isothermal,shear-thinning")
