@@ -38,7 +38,8 @@ def found(scenes: Sequence[Scene | LineScene], plan: Plan, solves: int) -> dict[
     rates = {}
     for part, some in parts.items():
         wanted = sorted(scene.past.seconds for scene in some)
-        begins = [part.begin] * (solves - 1) + [max(0.0, part.begin - WARM_UP)]
+        earlier = max(0.0, part.begin - WARM_UP[plan.work.kind])
+        begins = [part.begin] * (solves - 1) + [earlier]
         solved = [march(course, number, begin, wanted) for number, begin in enumerate(begins)]
         for lost in filter(None, (one.lost for one in solved)):
             raise LostError(lost)

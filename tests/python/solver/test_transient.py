@@ -318,7 +318,7 @@ def test_a_further_solve_of_one_point_contact_begins_two_transits_before_it(kind
     begin = transient_module.begin_of_one(course, 5.5 * transit)
     if kind == "point":
         present = course.transits(5.5 * transit)
-        assert part.begin < begin == pytest.approx(present - transient_module.WARM_UP)
+        assert part.begin < begin == pytest.approx(present - transient_module.WARM_UP["point"])
     else:
         assert begin == part.begin
 
