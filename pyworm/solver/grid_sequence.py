@@ -34,6 +34,7 @@ from pyworm.solver.stop_reason import (
     MOST_LOST_ON_EDGE,
     MOST_UNSETTLED,
     TELLING,
+    bound_by_conduction,
     film_is_sound,
     stop_reason,
     with_wider_bars,
@@ -275,8 +276,14 @@ class GridSequence:
             composite_roughness=scene.composite_roughness,
             **datasets,
             accuracy=plan.accuracy,
-            accuracy_of=plan.aim.figures,
+            accuracy_of=self._accurate_in(figures),
         )
+
+    def _accurate_in(self, figures: Mapping[str, Estimate]) -> tuple[str, ...]:
+        """Figures that the accuracy applies to: those asked for that grids may bring to it."""
+        read = self._settled.reading.figures
+        bound = bound_by_conduction(self._level, figures, read, self._plan)
+        return self._plan.aim.without(*bound).figures
 
     def _compare_windows(self) -> str | None:
         """Estimate the window errors from a wider window; returns the reason if that fails, or None.

@@ -1,6 +1,7 @@
 """Criteria by which a grid sequence stops, and their reasons."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -27,6 +28,11 @@ of a film with a limiting stress."""
 MOST_LOST_ON_EDGE = 2
 """The same of films that coarser grids had, where the load rests on a sharp edge: on finer grids the pressure
 there is higher, and each costs four times the one before."""
+
+
+CONDUCTION = 0.7
+"""Error by the approximation of conduction in the bodies, over the accuracy, from which on it is what a
+temperature is left with: the rest would be no room for grid, window and algebra."""
 
 
 def with_wider_bars(
@@ -102,6 +108,14 @@ def stop_reason(
     if met and resolved and beyond and _accurate_but_for_spike(plan, estimates, figures):
         tip = estimates["temperature_max_film"].reason
         return f"{ACCURATE} but for the film's largest temperature, the {tip}"
+    bound = bound_by_conduction(level, estimates, figures, plan)
+    others = plan.aim.without(*bound)
+    errors = {name: of.error for name, of in estimates.items()}
+    if met and resolved and bound and others.worst(errors, figures) <= plan.accuracy:
+        return (
+            f"{ACCURATE} but for temperatures, of which the approximation of conduction in the bodies leaves "
+            f"{percent(max(estimates[name].error for name in bound))} of their rise"
+        )
     if not last:
         return None
     if not resolved:
@@ -109,6 +123,23 @@ def stop_reason(
     if np.isinf(error):
         return "the largest grid allowed leaves no second grid, or window, to compare with"
     return f"the largest grid allowed leaves an error of {percent(error)}"
+
+
+def bound_by_conduction(
+    level: Level, estimates: Mapping[str, Estimate], figures: Mapping[str, float], plan: Plan
+) -> tuple[str, ...]:
+    """Temperatures whose error is that of the approximation of conduction, which no grid mends.
+
+    All else of their error is within the accuracy.
+    """
+
+    def is_bound(name: str, conduction: float) -> bool:
+        aim = replace(plan.aim, figures=(name,))
+        rest = aim.worst({name: estimates[name].error - conduction}, figures)
+        least = aim.worst({name: conduction}, figures)
+        return least > CONDUCTION * plan.accuracy and rest <= plan.accuracy
+
+    return tuple(name for name, of in level.conduction_errors().items() if is_bound(name, of))
 
 
 def _not_met(level: Level, plan: Plan) -> str:

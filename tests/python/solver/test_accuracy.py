@@ -1,12 +1,14 @@
 """Error bars from readings on grids, windows and Newton steps."""
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from pyworm.planning.grid import Grid
-from pyworm.planning.target import FIGURES
+from pyworm.planning.target import FIGURES, HEAT_FIGURES, Aim
+from pyworm.solver.accuracy_met import is_accurate
 from pyworm.solver.error_estimate import (
     SAFETY,
     Peak,
@@ -17,7 +19,10 @@ from pyworm.solver.error_estimate import (
     peak_errors,
     unresolved,
 )
+from pyworm.solver.estimate import Estimate
+from pyworm.solver.newton import Settled
 from pyworm.solver.prospect import spike_stays
+from pyworm.solver.stop_reason import bound_by_conduction, stop_reason
 
 SECOND = dict.fromkeys(FIGURES, 2.0)
 
@@ -166,3 +171,31 @@ def test_no_grid_is_refined_for_a_spike_that_the_largest_one_does_not_resolve():
 def test_the_algebraic_error_is_the_change_by_further_steps(before, last, error):
     changes = (dict.fromkeys(FIGURES, of) for of in (before, last))
     assert algebra_errors(*changes) == pytest.approx(dict.fromkeys(FIGURES, error))
+
+
+def test_temperatures_that_conduction_leaves_inaccurate_ask_for_no_finer_grid():
+    """The models of conduction in the bodies are no better on a finer grid: all else decides, and it is said."""
+
+    def ended(conduction, film=0.01, rest=0.01):
+        names = ("film_min", *HEAT_FIGURES)
+        figures = reading(1.0)
+        hot = replace(figures, further=dict.fromkeys(HEAT_FIGURES, 20.0))
+        level = SimpleNamespace(
+            film=SimpleNamespace(balance=SimpleNamespace(worst=0.0)),
+            grid=Grid(0.0, 0.0, 1.0, 1.0, 17, 17),
+            conduction_errors=lambda: dict.fromkeys(HEAT_FIGURES, conduction),
+        )
+        plan = SimpleNamespace(aim=Aim(names), accuracy=0.05, tolerance=1e-3, largest_grid=10_000)
+        found = {"film_min": Estimate(1.0, film)} | {
+            name: Estimate(20.0, rest, approximation=conduction) for name in HEAT_FIGURES
+        }
+        bound = bound_by_conduction(level, found, hot.figures, plan)
+        return bound, stop_reason(level, Settled((), hot, {}), found, 0, 3, plan)
+
+    bound, reason = ended(0.1)
+    assert bound == HEAT_FIGURES
+    assert is_accurate(reason)
+    assert reason.endswith("conduction in the bodies leaves 11 % of their rise")
+    assert ended(0.01) == ((), "the figures are as accurate as asked for")
+    assert ended(0.1, film=0.06) == (HEAT_FIGURES, None)  # a finer grid mends the film
+    assert ended(0.1, rest=0.06) == ((), None)
