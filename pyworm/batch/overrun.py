@@ -76,7 +76,7 @@ def overrun(case: Case, tasks: Sequence[Task], result: Result, taken: float) -> 
     if taken <= SHORTEST:
         return None
     expected = expected_run(case, tasks)
-    whole = expected.once + expected.search
+    whole = expected.seconds + expected.search
     if taken <= FACTOR * whole:
         return None
     return Overrun(taken, whole, tuple(_reasons(tasks, result, expected)))

@@ -56,7 +56,7 @@ def _check(options: argparse.Namespace) -> int:
                 "drive": case.drive.described(),
                 "assumptions": case.drive.all_assumptions,
             }
-        content["expected_seconds"] = of_run.once
+        content["expected_seconds"] = of_run.seconds
         content["expected_seconds_of_search"] = of_run.search
         print_json(content | {"warnings": case.warnings, "beyond_limits": case.beyond_limits})
     else:
@@ -71,7 +71,7 @@ def _check(options: argparse.Namespace) -> int:
             console.print(plan_table(task.scene, task.plan, of))
             console.print(effects_table(task.plan.effects, "Effects"))
         if len(tasks) > 1:
-            console.print(f"Expected time of all {len(tasks)}: {duration(of_run.once)}")
+            console.print(f"Expected time of all {len(tasks)}: {duration(of_run.seconds)}")
         if of_run.search > 0:
             found = " and ".join(key for keys in case.left_open.values() for key in keys)
             console.print(f"Search for {found} before that: {duration(of_run.search)}")

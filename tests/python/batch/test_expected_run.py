@@ -31,3 +31,9 @@ def test_temperatures_are_searched_for_too():
     cooled = of_run("cases/zi_cooled.toml", 0.05, "isothermal", phase=PHASES)
     given = of_run("cases/zi_drive.toml", 0.05, "isothermal", phase=PHASES)
     assert cooled.search > given.search + cooled.once
+
+
+def test_a_run_takes_more_than_its_solves():
+    """Start, results file and pictures, without which a gear pair is announced in tenths of a second."""
+    expected = of_run("cases/spur_pair.toml", 0.5, "isothermal", phase=[0.5])
+    assert expected.once < 1 < expected.seconds < 4

@@ -35,7 +35,7 @@ def taking(solution, seconds, **cost):
 
 def test_a_run_of_the_usual_time_says_nothing(run, monkeypatch):
     case, tasks, solutions = run
-    whole = expected_run(case, tasks).once
+    whole = expected_run(case, tasks).seconds
     assert overrun(case, tasks, Solved(solutions), SHORTEST) is None
     monkeypatch.setattr("pyworm.batch.overrun.SHORTEST", 0.0)
     assert overrun(case, tasks, Solved(solutions), FACTOR * whole) is None
