@@ -176,7 +176,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """The level of half the spacing in the same window, with shear and heat, from an initial guess."""
 
     @abstractmethod
-    def _begun_again(self, level: LevelT) -> tuple[LevelT, list[NewtonStep]]:
+    def begun_again(self, level: LevelT) -> tuple[LevelT, list[NewtonStep]]:
         """The level of half the spacing in the same window, started from the dry contact."""
 
     @abstractmethod
@@ -208,7 +208,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             steps = self._through_larger_stresses(finer)
             if not finer.lost():
                 return finer, steps
-        return self._begun_again(level)
+        return self.begun_again(level)
 
     def _guesses_of_both(self, level: LevelT) -> Iterator[InitialGuess]:
         """Initial guesses by the oil's pressure, then, between rough surfaces, by the total pressure.

@@ -153,11 +153,18 @@ class GridSequence:
         return self._solution(reason)
 
     def _settle(self) -> None:
+        """Settle the film on its grid and keep its figures."""
+        self._settle_on_grid()
+        self._keep_reading()
+
+    def _settle_on_grid(self) -> None:
         """Settle the film on its grid and read its figures."""
-        plan = self._plan
         self._settled = self._settled_on(self._level)
         self._steps += self._settled.steps
-        balance = self._level.film.balance
+
+    def _keep_reading(self) -> None:
+        """Keep the figures of a grid whose film tells something of the limit."""
+        plan, balance = self._plan, self._level.film.balance
         if balance.worst <= max(plan.tolerance, TELLING):
             self._readings.append(self._settled.reading)
         self._unsettled += balance.worst > plan.tolerance
@@ -229,12 +236,26 @@ class GridSequence:
         size = " x ".join(str(count) for count in self._level.grid.finer().shape)
         self._tell(size, 1 - 0.7 ** (self._refinements + 1))
         try:
-            self._level, steps = self._finer(self._level)
+            self._settle_on_finer(self._level)
         except KernelError as error:
             return _lack_of_memory(error)
-        self._steps += steps
-        self._settle()
+        self._keep_reading()
         return None
+
+    def _settle_on_finer(self, coarser: Level) -> None:
+        """Settle the film on the grid of half the spacing, from the one before or, where that loses it, anew.
+
+        At a sharp edge, whose pressure grows from grid to grid, an interpolated film may be no guess.
+        """
+        self.check_memory(coarser.grid.finer())
+        self._level, steps = self._solver.refined(coarser)
+        self._steps += steps
+        self._settle_on_grid()
+        # where there are steps it has begun anew already
+        if self._level.lost() and not (steps or coarser.lost()):
+            self._level, steps = self._solver.begun_again(coarser)
+            self._steps += steps
+            self._settle_on_grid()
 
     def _solution(self, reason: str) -> Solution:
         """The solution on the last grid."""
@@ -368,11 +389,6 @@ class GridSequence:
         settled = self._settled_on(level, WINDOW_ALGEBRA)
         self._steps += [*steps, *settled.steps]
         return level, settled
-
-    def _finer(self, level: Level) -> tuple[Level, list[NewtonStep]]:
-        """The level of half the spacing; NoMemoryError where memory does not suffice."""
-        self.check_memory(level.grid.finer())
-        return self._solver.refined(level)
 
     def check_memory(self, grid: Grid | LineGrid) -> None:
         """Raise NoMemoryError for a grid that memory will not hold."""

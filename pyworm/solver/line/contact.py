@@ -180,7 +180,7 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
         self._shear_and_warm(finer, guess)
         return finer
 
-    def _begun_again(self, level: LineLevel) -> tuple[LineLevel, list[NewtonStep]]:
+    def begun_again(self, level: LineLevel) -> tuple[LineLevel, list[NewtonStep]]:
         return self.begin([level.grid.finer()])
 
     def _warm(

@@ -205,7 +205,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         self._shear_and_warm(finer, guess)
         return finer
 
-    def _begun_again(self, level: PointLevel) -> tuple[PointLevel, list[NewtonStep]]:
+    def begun_again(self, level: PointLevel) -> tuple[PointLevel, list[NewtonStep]]:
         scene, size = self._assisted, self._size
         finer = next_level(scene, size, level, level.grid.finer(), level.state().finer())
         restart(scene, size, finer)

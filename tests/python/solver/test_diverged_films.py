@@ -88,6 +88,26 @@ def test_a_film_that_is_lost_on_its_first_grid_begins_again_on_the_next(divergin
     assert agree(solution, usual)
 
 
+def test_a_film_that_the_interpolated_one_leads_nowhere_begins_anew(diverging, monkeypatch):
+    scene = ball()
+    plan = pyworm.plan(scene, 0.004, "isothermal", ("film",))
+    usual = pyworm.solve(scene, plan)
+    next_one = finer(plan.grids[-1], 1).shape
+    assert usual.fields["film"].shape == next_one[::-1]
+    anew, begun = PointContactSolver.begun_again, []
+
+    def counted(solver, level):
+        begun.append(level.grid.shape)
+        return anew(solver, level)
+
+    monkeypatch.setattr(PointContactSolver, "begun_again", counted)
+    lost = diverging(on_grid(next_one, 1))
+    solution = pyworm.solve(scene, plan)
+    assert lost and solution.converged, solution.stop_reason
+    assert begun[0] == plan.grids[-1].shape
+    assert agree(solution, usual)
+
+
 def test_no_film_in_the_wider_window_is_no_error_bar(diverging):
     """Two finer grids are tried; a window error that nothing shows is infinite."""
     scene = roller()
