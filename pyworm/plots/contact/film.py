@@ -5,9 +5,9 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from pyworm.io.plain_dataset import AnyDataset
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.between_nodes import between_nodes
 from pyworm.plots.layout import (
-    MICRO,
     MILLI,
     Window,
     colour_bar,
@@ -37,21 +37,22 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
     whole = solution.dataset("fields")
     window = contact_window(whole)
     fields = in_window(whole, window)
-    figures = solution.figures
+    figures, quantity = solution.figures, QUANTITIES["film"]
+    central, thin = QUANTITIES["film_central"], QUANTITIES["film_min"]
     titles = [
-        f"film: central {_micrometres(figures.film_central.value)}, "
-        f"least {_micrometres(figures.film_min.value)} (circle)"
+        f"{central.symbol} {central.text(figures.film_central.value)}, "
+        f"{thin.symbol} {thin.text(figures.film_min.value)} (circle)"
         if solution.converged
-        else "film, not converged",
+        else f"{quantity.words()}, not converged",
         "interferogram in red, green and blue light",
     ]
     figure, (film_axes, light_axes) = panels(window, titles, heading(case_name, solution))
 
-    film = fields["film"].transpose("y", "x").values * MICRO
-    top = thickest_shown(solution) * MICRO
+    film = quantity.number(fields["film"].transpose("y", "x").values)
+    top = quantity.number(thickest_shown(solution))
     x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
     levels = np.linspace(0, top, 41)
-    bands = film_axes.contourf(x, y, film, levels=levels, cmap="viridis", extend="max")
+    bands = film_axes.contourf(x, y, film, levels=levels, cmap=quantity.colours, extend="max")
     lines = np.asarray(MaxNLocator(12).tick_values(0, top))
     lines = lines[lines <= top]
     film_axes.contour(x, y, film, levels=lines, colors="white", linewidths=0.5, alpha=0.8)
@@ -66,7 +67,7 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
             markeredgecolor="tab:red",
             markeredgewidth=1.5,
         )
-    colour_bar(film_axes, bands, "film / µm", lines)
+    colour_bar(film_axes, bands, quantity.axis(), lines)
 
     light_axes.imshow(
         interferogram(fields, window),
@@ -109,7 +110,3 @@ def thickest_shown(solution: Solution) -> float:
     """Upper end of film scales [m]; the thickest film of all if the central one is not positive."""
     central = solution.figures.film_central.value
     return CLIP * central if central > 0 else float(solution.dataset("fields")["film"].values.max())
-
-
-def _micrometres(film: float) -> str:
-    return f"{film * MICRO:.3g} µm"

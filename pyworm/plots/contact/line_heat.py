@@ -31,7 +31,7 @@ def draw_line_temperature(
         linestyle="--",
         label="inlet",
     )
-    axes.set_ylabel("temperature / °C")
+    axes.set_ylabel(QUANTITIES["temperature_max"].axis("temperature"))
     axes.set_xlabel("x / mm")
     axes.set_xlim(*shown(fields))
     axes.grid(True, color="0.9")

@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from pyworm.formulas.hertz import HertzContact, hertz
 from pyworm.io.plain_dataset import AnyDataset
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.contact.film import thickest_shown
 from pyworm.plots.layout import MEGA, MICRO, MILLI, contact_window, heading, placed_panels
 from pyworm.solver.solution import Solution
@@ -76,7 +77,7 @@ def draw_profile(
         label="Hertz pressure",
     )
     axes.set_ylim(bottom=0)
-    axes.set_ylabel("pressure / MPa", color=PRESSURE_COLOUR)
+    axes.set_ylabel(QUANTITIES["pressure"].axis(), color=PRESSURE_COLOUR)
     if line["covered"].values.min() < 0.5:
         axes.fill_between(
             place * MILLI,
@@ -93,7 +94,7 @@ def draw_profile(
         place * MILLI, line["film"].values * MICRO, color=FILM_COLOUR, label="film"
     )
     film_axes.set_ylim(0, top)
-    film_axes.set_ylabel("film / µm", color=FILM_COLOUR)
+    film_axes.set_ylabel(QUANTITIES["film"].axis(), color=FILM_COLOUR)
     return [*pressure, *dry, *dashed, *film]
 
 

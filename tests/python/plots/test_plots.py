@@ -32,18 +32,15 @@ from pyworm.plots.contact.across_film import draw_across_film
 from pyworm.plots.contact.convergence import draw_history
 from pyworm.plots.contact.entrainment import LINES, draw_entrainment, inflow_points
 from pyworm.plots.contact.film import draw_film, interferogram
-from pyworm.plots.contact.friction import draw_friction
 from pyworm.plots.contact.gap import draw_gap
 from pyworm.plots.contact.line_heat import draw_line_friction, draw_line_temperature
 from pyworm.plots.contact.line_profiles import draw_line_profiles
-from pyworm.plots.contact.outline import signed_square
-from pyworm.plots.contact.pressure import draw_pressure
+from pyworm.plots.contact.maps import draw_friction, draw_pressure, draw_temperature
 from pyworm.plots.contact.profiles import draw_profiles
-from pyworm.plots.contact.temperature import draw_temperature
 from pyworm.plots.draw import draw
 from pyworm.plots.drives.worm import draw_cycle
 from pyworm.plots.layout import Window, contact_window, heading
-from pyworm.plots.overlays import draw_tooth
+from pyworm.plots.overlays import draw_tooth, signed_square
 from pyworm.plots.regimes import draw_chart, draw_regimes, numbers_of
 from pyworm.plots.traction import draw_traction
 from pyworm.result.result import Result
