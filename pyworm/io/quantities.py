@@ -325,7 +325,7 @@ FIELDS = (
         extreme="maximum", figure="pressure_max"),
     Quantity("asperity_work", "Pa m", "asperity pressure times sliding distance in a pass", "MPa m",
         extreme="maximum"),
-    Quantity("entry", "1", "inflow velocity of the oil over the mean entrainment velocity", "",
+    Quantity("entry", "1", "inflow over mean entrainment velocity", "",
         extreme="minimum", colours="viridis"),
 )  # fmt: skip
 """Fields of a contact, or of a flank over a mesh cycle, that maps show."""
