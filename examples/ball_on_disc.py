@@ -15,5 +15,5 @@ scene = pyworm.Scene(
     oil=pyworm.named_oil("PAO VG 220").oil(333.15),
 )
 solution = pyworm.solve(scene, pyworm.plan(scene, accuracy))
-print(f"least film {solution.figures.film_min} m")
+print(f"minimum film thickness {solution.figures.film_min} m")
 solution.plot.film("ball_on_disc.png")

@@ -22,6 +22,6 @@ scene = pyworm.Scene(
 )
 solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, "isothermal"))
 print(
-    f"largest pressure {solution.figures.pressure_max} Pa, dry {solution.figures.dry.pressure_max:.4g}"
+    f"maximum pressure {solution.figures.pressure_max} Pa, dry {solution.figures.dry.pressure_max:.4g}"
 )
 solution.plot.pressure("measured_flank.png")

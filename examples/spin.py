@@ -15,5 +15,5 @@ scene = pyworm.Scene(
     oil=pyworm.named_oil("mineral VG 100").oil(333.15),
 )
 solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, "isothermal"))
-print(f"least film {solution.figures.film_min} m at {solution.figures.film_min_at}")
+print(f"minimum film thickness {solution.figures.film_min} m at {solution.figures.film_min_at}")
 solution.plot.film("spin.png")

@@ -146,7 +146,7 @@ def draw(found: dict[str, list[Phase]], whole: tuple[float, float], bars) -> Fig
     figure = Figure(figsize=(11, 4.8), layout="constrained")
     figure.suptitle(f"{CASE.stem}: a whole mesh cycle, phases {FIRST:g} to {LAST:g}")
     titles = (
-        f"Least film of the cycle ({whole[0] * 1e6:.3f} µm)",
+        f"Minimum film thickness of the cycle ({whole[0] * 1e6:.3f} µm)",
         f"Mean power loss ({whole[1]:.0f} W)",
     )
     for number, (panel, title) in enumerate(zip(figure.subplots(1, 2), titles, strict=True)):
@@ -196,7 +196,17 @@ def main() -> None:
     whole = cycle(best, COUNTS[-1])
     losses = sum(one.loss_error * one.loss for one in best) / sum(one.loss for one in best)
     bars = min(best, key=lambda one: one.film).film_error, losses
-    rows = [["each phase", "phases", "s", "least film / µm", "error", "mean loss / W", "error"]]
+    rows = [
+        [
+            "each phase",
+            "phases",
+            "s",
+            "minimum film thickness / µm",
+            "error",
+            "mean loss / W",
+            "error",
+        ]
+    ]
     for model, phases in found.items():
         for count in COUNTS:
             film, loss = cycle(phases, count)

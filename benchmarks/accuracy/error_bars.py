@@ -75,7 +75,7 @@ KNOWN = 0.5
 FIGURES = {
     "film_min": "minimum film",
     "film_central": "central film",
-    "pressure_max": "largest pressure",
+    "pressure_max": "maximum pressure",
     "friction_coefficient": "friction",
     "power_loss": "loss",
     "asperity_load_fraction": "asperity load ratio",

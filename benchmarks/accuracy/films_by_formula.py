@@ -100,7 +100,7 @@ def main(count: int) -> None:
         if of.size:
             within = (of <= accuracy).mean(axis=0)
             middle, most = np.median(of, axis=0), of.max(axis=0)
-            print(f"{accuracy:.0%}: {len(of)} by formula; central, least film within it:", *within)
+            print(f"{accuracy:.0%}: {len(of)} by formula; h_c, h_min within it:", *within)
             print(
                 f"  medians {middle[0]:.1%}, {middle[1]:.1%}, largest {most[0]:.1%}, {most[1]:.1%}"
             )

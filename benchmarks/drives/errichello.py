@@ -58,7 +58,7 @@ def table(drives: dict[str, GearPairDrive]) -> None:
         ]
         print(f"\n{name}: LPSTC at phase {marks[0]:.3f}, HPSTC at {marks[1]:.3f}")
         print(
-            f"  least film, microinch {ours['film']:.2f} at {ours['thin at']:.3f}, printed {printed[0]}"
+            f"  h_min, microinch {ours['film']:.2f} at {ours['thin at']:.3f}, printed {printed[0]}"
         )
         print(f"  specific film         {ours['specific film']:.3f}, printed {printed[1]}")
         print(
@@ -71,7 +71,7 @@ def table(drives: dict[str, GearPairDrive]) -> None:
             f"  Hertz pressure        {ours['Hertz GPa']:.2f} GPa; loss factor {drive.loss_factor:.4f}"
         )
         print(f"  pitch-line velocity   {drive.pitch_line_velocity / 0.3048 * 60:.0f} ft/min")
-        print("  simulated: phase, least film microinch, formula, friction, surface and Blok degF")
+        print("  simulated: phase, h_min microinch, formula, friction, surface and Blok degF")
         for phase in (0.06, 0.13, 0.31, 0.5, 0.69, 0.87, 0.94):
             solved, rating = simulated(drive, phase), drive.rating(drive.contacts(phase))
             figures = solved.figures
@@ -106,7 +106,7 @@ def directions(drives: dict[str, GearPairDrive]) -> None:
 
 def addenda(drive: GearPairDrive) -> None:
     print(
-        "\npinion's profile shift (sum kept) of the optimised gears: least film microinch, hottest degF"
+        "\npinion's profile shift (sum kept) of the optimised gears: h_min microinch, hottest degF"
     )
     for shift in SHIFTS[::6]:
         ours = worst(shifted(drive, shift))
@@ -116,9 +116,7 @@ def addenda(drive: GearPairDrive) -> None:
 
 
 def assumptions(drive: GearPairDrive) -> None:
-    print(
-        "\nwhat an assumption changes in the original: least film microinch, hottest degF, Hertz GPa"
-    )
+    print("\nwhat an assumption changes in the original: h_min microinch, hottest degF, Hertz GPa")
     teeth = drive.teeth
     for name, other in (
         ("as shipped", drive),
@@ -183,7 +181,7 @@ def picture(drives: dict[str, GearPairDrive]) -> None:
             )  # fmt: skip
     panels[0, 0].set_ylim(0, 6.5)
     panels[1, 0].set_ylim(200, 720)
-    panels[0, 0].set_ylabel("least film / µin")
+    panels[0, 0].set_ylabel("minimum film thickness / µin")
     panels[1, 0].set_ylabel("contact temperature / °F")
     for panel in panels[:, 0]:
         panel.legend(frameon=False, loc="upper left", bbox_to_anchor=(0, 0.94), fontsize="small")

@@ -81,7 +81,7 @@ def main() -> None:
         film = fields.film.values[:, column]
         low = valleys(film, dry[:, column])
         print(
-            f"x = {x} mm, least films:",
+            f"x = {x} mm, minimum film thicknesses:",
             [(round(float(fields.y[j]) / MM, 2), round(float(film[j]) * 1e6, 2)) for j in low],
         )
     print("film on y = 0:", [(x, round(at(fields.film, x, 0) * 1e6, 2)) for x in (-4, 4, 10)])

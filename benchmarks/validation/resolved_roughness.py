@@ -94,9 +94,7 @@ def main() -> None:
     length = hertz / WAVES
     smooth = pyworm.solve(scene, pyworm.plan(scene, ACCURACY, "isothermal", ("film",)))
     base = middle_film(smooth, MIDDLE * hertz)
-    print(
-        "| lambda | averaged | model | resolved: mean | each surface | least film over roughness |"
-    )
+    print("| lambda | averaged | model | resolved: mean | each surface | h_min over roughness |")
     print("|---|---|---|---|---|---|")
     for ratio in LAMBDAS:
         roughness = sizes.film / ratio

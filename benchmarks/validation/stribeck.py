@@ -60,7 +60,7 @@ def draw(result: SweepResult) -> Figure:
     friction.set_ylabel("friction coefficient")
     _with_bars(share, speed, columns, "asperity_load_fraction", "tab:red", "asperities")
     share.set_ylabel("share of the load")
-    for name, label in zip(LAMBDAS, ("central film", "least film"), strict=True):
+    for name, label in zip(LAMBDAS, ("central film", "minimum film thickness"), strict=True):
         film.plot(speed[good], columns[name][good], "o-", markersize=4, label=label)
     film.set_ylabel("film over the roughness")
     for axes, name in ((friction, "friction_coefficient"), (share, "asperity_load_fraction")):

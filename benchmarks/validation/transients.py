@@ -392,7 +392,7 @@ def main() -> None:
         compare(name, courses[name])
     turned = courses["rigid, reversal"]
     for label, films in (("solved", turned.solved), ("theory", turned.theory)):
-        print(f"least film while entrainment turns, {label}: C = {clearance(min(films), 1e3):.3f}")
+        print(f"h_min while entrainment turns, {label}: C = {clearance(min(films), 1e3):.3f}")
     for period in PERIODS:
         of = waves(period)
         print(

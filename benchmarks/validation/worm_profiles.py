@@ -110,8 +110,8 @@ def table(meshes: dict[str, Mesh]) -> str:
     """A row for each profile: pattern, radii, loads, films, pressure, friction and loss."""
     lines = [
         "| | contact ratio | transmission error, urad | radii in mid-mesh, mm | largest load, kN |"
-        " least film over the phases, um | mean of the least film | mean central film |"
-        " largest pressure, MPa |"
+        " h_min over the phases, um | mean of h_min | mean central film |"
+        " maximum pressure, MPa |"
         " friction | loss, W |",
         "|---|---|---|---|---|---|---|---|---|---|---|",
     ]
@@ -152,7 +152,12 @@ def draw(meshes: dict[str, Mesh]) -> Figure:
         _draw_pattern(axes, mesh)
         axes.set_title(name, color=PROFILES[name])
     below = rows[1].subplots(2, 2, sharex=True).ravel()
-    labels = "long radius / m", "short radius / mm", "normal load / kN", "least film / µm"
+    labels = (
+        "long radius / m",
+        "short radius / mm",
+        "normal load / kN",
+        "minimum film thickness / µm",
+    )
     for name, mesh in meshes.items():
         radii = np.array([mesh.drive.contact(phase).radii for phase in PHASES])
         loads = [one.load / 1e3 for one in mesh.solutions]
@@ -200,9 +205,7 @@ def main() -> None:
             name: np.mean([one.figures.film_min.value for one in mesh.solutions])
             for name, mesh in meshes.items()
         }
-        print(
-            f"ZC over ZI: mean least film {films['ZC'] / films['ZI']:.2f}, standard {STANDARD:.2f}"
-        )
+        print(f"ZC over ZI: mean h_min {films['ZC'] / films['ZI']:.2f}, standard {STANDARD:.2f}")
     draw(meshes).savefig(sys.argv[1], dpi=120)
 
 

@@ -162,7 +162,7 @@ def _self_check() -> str:
     )
     seconds = time.perf_counter() - start
     error = abs(contact.pressure.max() / exact.pressure_max - 1)
-    found = f"a ball's largest pressure is {error:.1e} off Hertz, {seconds * 1e3:.0f} ms"
+    found = f"a ball's maximum pressure is {error:.1e} off Hertz, {seconds * 1e3:.0f} ms"
     if not error < SELF_CHECK_ERROR:
         raise _UnsoundError(f"{found}; run make clean test and report what fails")
     return found

@@ -49,7 +49,7 @@ def add_run(commands: argparse._SubParsersAction) -> None:
         "--pictures",
         choices=("key", "all", "none"),
         default="key",
-        help="key (default): of the mesh cycle or curve, and of the contact with the thinnest film",
+        help="key (default): of the mesh cycle or curve, and of the contact with the minimum film thickness",
     )
     run.set_defaults(command=_run)
 

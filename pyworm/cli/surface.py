@@ -44,7 +44,7 @@ def add_surface(commands: argparse._SubParsersAction) -> None:
         "--modulus",
         help="reduced modulus E' for the contact, \"226 GPa\"; else the case's, or steel",
     )
-    surface.add_argument("--hardness", help='largest pressure, "1 GPa"; else the case\'s, or none')
+    surface.add_argument("--hardness", help='maximum pressure, "1 GPa"; else the case\'s, or none')
     surface.add_argument(
         "--out", type=Path, metavar="DIR", help="solve contact and flow, draw pictures there"
     )

@@ -7,6 +7,7 @@ import numpy as np
 
 from pyworm.formulas.micropitting import SOURCE as MICROPITTING_SOURCE
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.quantities import QUANTITIES
 from pyworm.ratings.flank_damage import LEAST_SHARE, Limit, Spot
 from pyworm.ratings.rating import RatedFigure, Rating
 from pyworm.solver.left_out import LeftOut
@@ -131,9 +132,16 @@ def _rows(
             return None, None
         return _barred(spot.film / roughness / permissible, spot.bars[1])
 
+    carried = QUANTITIES["asperity_load_fraction"]
     simulated = [
         ("friction_simulated", "Friction, simulated", "", 1.0, lambda spot: (spot.friction, None)),
-        ("asperity_share", "Load on asperities, simulated", "%", 100.0, _asperities),
+        (
+            "asperity_share",
+            f"{carried.title()}, simulated",
+            carried.shown,
+            carried.scale,
+            _asperities,
+        ),
         ("contact_temperature_simulated_C", "Contact temperature, simulated", "°C", 1.0, celsius),
         ("S_B_simulated", "S_B, simulated", "", 1.0, safety),
         ("specific_film_simulated", "Specific film, simulated", "", 1.0, specific),

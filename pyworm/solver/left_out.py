@@ -18,6 +18,7 @@ from pyworm.formulas.lubrication import (
 from pyworm.formulas.rough_contact import RQ_OVER_RA
 from pyworm.io.number_with_unit import parse_in
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.solids import usual_roughness
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.plan import Plan
@@ -116,9 +117,12 @@ class LeftOut:
             end = ", by closed forms"
         else:
             end = self._carried if self.rough else ", which is not simulated"
+        central, thin, roughness = (
+            QUANTITIES[name].words() for name in ("film_central", "film_min", "composite_roughness")
+        )
         return (
-            f"{which} runs in {self.lubrication} lubrication (central film {self.lambda_central:.2g}, "
-            f"least film {self.lambda_min:.2g} times the composite roughness){end}."
+            f"{which} runs in {self.lubrication} lubrication ({central} {self.lambda_central:.2g}, "
+            f"{thin} {self.lambda_min:.2g} times the {roughness}){end}."
         )
 
     @property

@@ -347,9 +347,7 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     return Transient(rates.found[-1], level, errors, flaw, coarse, life)
 
 
-def _turned_round(
-    scene: Scene | LineScene, solves: Sequence[Sequence[Moment]], kind: Kind
-) -> bool:
+def _turned_round(scene: Scene | LineScene, solves: Sequence[Sequence[Moment]], kind: Kind) -> bool:
     """Whether the entrainment has turned round while oil went the last `WARM_UP` lengths of the contact."""
     moments = until(solves[-1], recent(scene).seconds)
     length, way = WARM_UP[kind] * 2 * predicted(scene).half_width, 0.0

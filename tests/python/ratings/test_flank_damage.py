@@ -213,7 +213,7 @@ def test_json_has_the_safeties(capsys):
     assert made["S_B"]["verdict"] == "sufficient" and made["S_B"]["minimum"] == 2
     assert made["S_lambda"]["value"] == pytest.approx(3.0, abs=0.1)
     assert main(["rate", str(path)]) == 0
-    assert "S_lambda micropitting" in capsys.readouterr().out
+    assert "S_lambda, micropitting" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(

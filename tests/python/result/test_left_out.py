@@ -138,8 +138,8 @@ def test_a_scene_s_json_begins_with_what_was_left_out_and_a_saved_result_keeps_i
 def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
     sentence, film, beside = opening(rough.solutions, standard_loss(case).words)
     assert sentence == (
-        "The worst of 2 contacts runs in mixed lubrication (central film 2.3, least film 1.1 times the "
-        "composite roughness), which is not simulated."
+        "The worst of 2 contacts runs in mixed lubrication (central film thickness 2.3, minimum film "
+        "thickness 1.1 times the composite roughness), which is not simulated."
     )
     thin = min(of.figures.film_min.value for of in rough.solutions)
     assert film == f"Minimum film thickness {thin * 1e6:.4g} µm ± 1.3 % (numerical); {WORDS}"
