@@ -94,25 +94,16 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         The effects that are simulated, and the numerical parameters.
     transient_term : TransientTerm, optional
         d(rho h)/dt; without it the film is steady.
-
-    Attributes
-    ----------
-    kind : str
-        Kind of contact in results: "point" or "line".
-    level_type : type
-        Class of its levels.
-    shear_tolerance : float
-        Residual of the sheared film from which it is heated.
-    convergence : Convergence
-        Orders and window errors of its figures.
-    origins : dict
-        Offset of each figure whose reading has another origin, such as the inlet temperature [K].
     """
 
     kind: ClassVar[Kind]
+    """Kind of contact in results: "point" or "line"."""
     level_type: ClassVar[type[Level]]
+    """Class of its levels."""
     shear_tolerance: ClassVar[float]
+    """Residual of the sheared film from which it is heated."""
     convergence: Convergence
+    """Orders and window errors of its figures."""
     _size: Scales | LineScales
 
     def __init__(self, scene: ContactT, plan: Plan, transient_term: TransientTerm | None = None):
@@ -127,6 +118,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             if self._model.heated
             else {}
         )
+        """Offset of each figure whose reading has another origin, such as the inlet temperature [K]."""
 
     @abstractmethod
     def begin(self, grids: Sequence[Any]) -> tuple[LevelT, list[NewtonStep]]:

@@ -10,45 +10,31 @@ from pyworm.planning.target import FIGURES, FILMS
 
 @dataclass(frozen=True)
 class Peak:
-    """Resolution, on a grid, of the peaks of a field whose largest value is a figure.
-
-    Attributes
-    ----------
-    bound : float
-        Upper bound of the largest value between nodes, in the field's unit.
-    nodes : float
-        Full width at half maximum, in nodes, of the narrowest peak that may be the largest.
-    """
+    """Resolution, on a grid, of the peaks of a field whose largest value is a figure."""
 
     bound: float
+    """Upper bound of the largest value between nodes, in the field's unit."""
     nodes: float
+    """Full width at half maximum, in nodes, of the narrowest peak that may be the largest."""
 
 
 @dataclass(frozen=True)
 class Reading:
-    """Figures of a film on one grid.
-
-    Attributes
-    ----------
-    film_min, film_central : float
-        Minimum film, between nodes, and film at the contact point [m].
-    pressure_max : float
-        Largest pressure, between nodes [Pa].
-    film_min_at : tuple of float
-        Place of the minimum film, along each direction of the grid [m].
-    peaks : dict
-        Resolution of the figures that are largest values of fields, by name.
-    further : dict
-        Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), temperatures above
-        the colder body's bulk temperature [K].
-    """
+    """Figures of a film on one grid."""
 
     film_min: float
+    """Minimum film, between nodes [m]."""
     film_central: float
+    """Film at the contact point [m]."""
     pressure_max: float
+    """Largest pressure, between nodes [Pa]."""
     film_min_at: tuple[float, ...]
+    """Place of the minimum film, along each direction of the grid [m]."""
     peaks: dict[str, Peak]
+    """Resolution of the figures that are largest values of fields, by name."""
     further: dict[str, float] = field(default_factory=dict)
+    """Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), temperatures above
+    the colder body's bulk temperature [K]."""
 
     @property
     def figures(self) -> dict[str, float]:
@@ -58,23 +44,17 @@ class Reading:
 
 @dataclass(frozen=True)
 class Left:
-    """Error that grids leave in a figure, over its changes from grid to grid.
-
-    Attributes
-    ----------
-    own, films : float
-        On two grids: error over the figure's change, and over the larger one of both films; the larger
-        counts, since a figure may stand still by chance.
-    limit : float
-        On more grids: error over the last change of its limit, where it is extrapolated.
-    least : float
-        On more grids: least error over the figure's last change; two limits may be equal by chance.
-    """
+    """Error that grids leave in a figure, over its changes from grid to grid."""
 
     own: float
+    """On two grids: error over the figure's change; the larger of both counts, since a figure may stand still
+    by chance."""
     films: float
+    """On two grids: error over the larger change of both films."""
     limit: float = 1.0
+    """On more grids: error over the last change of its limit, where it is extrapolated."""
     least: float = 0.05
+    """On more grids: least error over the figure's last change; two limits may be equal by chance."""
 
     def of_changes(self, own: float, films: float) -> float:
         """Relative error by relative changes, of either sign, between the only two grids."""
@@ -83,29 +63,20 @@ class Left:
 
 @dataclass(frozen=True)
 class Convergence:
-    """Orders of convergence and window errors of the figures of a kind of contact.
-
-    Attributes
-    ----------
-    orders : mapping
-        Highest credible order of convergence of each figure with the spacing.
-    left : mapping
-        Error that grids leave in each figure that is extrapolated.
-    window : mapping
-        Least and largest change of each figure from a window to an endless one, over its change when the
-        reach of the window (in gap) doubles.
-    kept : mapping
-        Error that two grids leave in figures that are not extrapolated, by default `UNKNOWN`.
-    falls : tuple of float
-        Least and largest ratio of successive errors of the figures that are extrapolated: 2 at first order, 4
-        at second.
-    """
+    """Orders of convergence and window errors of the figures of a kind of contact."""
 
     orders: Mapping[str, float]
+    """Highest credible order of convergence of each figure with the spacing."""
     left: Mapping[str, Left]
+    """Error that grids leave in each figure that is extrapolated."""
     window: Mapping[str, tuple[float, float]]
+    """Least and largest change of each figure from a window to an endless one, over its change when the reach
+    of the window (in gap) doubles."""
     kept: Mapping[str, Left] = field(default_factory=dict)
+    """Error that two grids leave in figures that are not extrapolated, by default `UNKNOWN`."""
     falls: tuple[float, float] = (4.0, 4.0)
+    """Least and largest ratio of successive errors of the figures that are extrapolated: 2 at first order, 4
+    at second."""
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:

@@ -17,47 +17,34 @@ Combined = TypeVar("Combined")
 
 @dataclass(frozen=True, repr=False)
 class Estimate:
-    """A figure, its relative error bar by origin (`pyworm.solver.error_estimate`), and its model uncertainty.
-
-    Attributes
-    ----------
-    value : float
-        The figure in SI units, extrapolated to infinitely fine grids and an endless window where it can be
-        (`pyworm.solver.grid_limit`, `pyworm.solver.window_limit`).
-    grid : float
-        Discretisation error, from grids of halving spacing [-].
-    domain : float
-        Window error, from a window of twice the reach [-].
-    algebra : float
-        Algebraic error by stopping the Newton iteration [-].
-    approximation : float
-        Error of a temperature by the approximation of conduction in the bodies
-        (`fortran/heat/conduction_model.f90`), of all figures by the levels across the film and, where it is
-        transient, by the integration in time (`pyworm.solver.transient`) [-].
-    reason : str or None
-        Reason why this figure alone has an infinite error bar.
-    on_grid : float or None
-        The figure on the finest grid in its window, to which the fields belong; None where it is not known
-        apart.
-    datum : float
-        What the error is relative to the distance from: of temperatures that of the colder body before the
-        contact [K], else zero.
-    model : float or None
-        Relative uncertainty by the assumptions of averaged roughness (`roughness_uncertainty`), by the
-        temperature of the oil that arrives between bodies of another one than its supply's
-        (`arrival_uncertainty`) and, of films, by a pressure-viscosity coefficient that was not measured
-        (`oil_uncertainty`), no part of `error`; None where there is none of these.
-    """
+    """A figure, its relative error by origin (`pyworm.solver.error_estimate`), and its model uncertainty."""
 
     value: float
+    """The figure in SI units, extrapolated to infinitely fine grids and an endless window where it can be
+    (`pyworm.solver.grid_limit`, `pyworm.solver.window_limit`)."""
     grid: float
+    """Discretisation error, from grids of halving spacing [-]."""
     domain: float = 0.0
+    """Window error, from a window of twice the reach [-]."""
     algebra: float = 0.0
+    """Algebraic error by stopping the Newton iteration [-]."""
     approximation: float = 0.0
+    """Error of a temperature by the approximation of conduction in the bodies
+    (`fortran/heat/conduction_model.f90`), of all figures by the levels across the film and, where it is
+    transient, by the integration in time (`pyworm.solver.transient`) [-]."""
     reason: str | None = None
+    """Reason why this figure alone has an infinite error bar."""
     on_grid: float | None = None
+    """The figure on the finest grid in its window, to which the fields belong; None where it is not known
+    apart."""
     model: float | None = None
+    """Relative uncertainty by the assumptions of averaged roughness (`roughness_uncertainty`), by the
+    temperature of the oil that arrives between bodies of another one than its supply's
+    (`arrival_uncertainty`) and, of films, by a pressure-viscosity coefficient that was not measured
+    (`oil_uncertainty`), no part of `error`; None where there is none of these."""
     datum: float = 0.0
+    """What the error is relative to the distance from: of temperatures that of the colder body before the
+    contact [K], else zero."""
 
     @property
     def error(self) -> float:

@@ -26,18 +26,12 @@ REGULAR_SHARE = 0.75
 
 @dataclass(frozen=True)
 class GridLimit:
-    """A figure in the limit of infinitely fine grids.
-
-    Attributes
-    ----------
-    value : float
-        The extrapolated figure, or that of the last grid where its changes promise no limit.
-    error : float
-        Its relative discretisation error.
-    """
+    """A figure in the limit of infinitely fine grids."""
 
     value: float
+    """The extrapolated figure, or that of the last grid where its changes promise no limit."""
     error: float
+    """Its relative discretisation error."""
 
 
 def second_order_limit(coarse: float, fine: float) -> float:

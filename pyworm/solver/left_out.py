@@ -49,42 +49,30 @@ AS_IF_SMOOTH = "as if smooth"
 
 @dataclass(frozen=True)
 class LeftOut:
-    """Effects left out of the figures of a contact, or of the worst of several, and its lubrication.
-
-    Attributes
-    ----------
-    influence : dict of str to float
-        Effects that are off though they may change what is asked for by more than the accuracy: name ->
-        largest influence over the quantities asked for [-], at most `WHOLE`; the largest first.
-    lubrication : str
-        "full", "mixed", "boundary" or "unknown".
-    lambda_central, lambda_min : float or None
-        Central and least film over composite roughness [-]; None where film or roughness is not known.
-    contacts : int
-        Number of contacts of which this is the worst.
-    rough : bool
-        Whether roughness is simulated.
-    asperity_load_fraction : float or None
-        Share of the load that asperities carry; None where it is not simulated, or not known yet.
-    asperity_load_fraction_model_error : float or None
-        Its relative uncertainty by the model of roughness; None likewise.
-    mixed_above_roughness_m : float or None
-        Composite roughness [m] above which lubrication would be mixed; None where a roughness is given, or
-        the film not known.
-    by_formula : bool
-        Whether films are those of closed forms, beside which nothing is simulated.
-    """
+    """Effects left out of the figures of a contact, or of the worst of several, and its lubrication."""
 
     influence: dict[str, float] = field(default_factory=dict)
+    """Effects that are off though they may change what is asked for by more than the accuracy: name ->
+    largest influence over the quantities asked for [-], at most `WHOLE`; the largest first."""
     lubrication: Lubrication = "unknown"
+    """Lubrication: "full", "mixed", "boundary" or "unknown"."""
     lambda_central: float | None = None
+    """Central film over composite roughness [-]; None where film or roughness is not known."""
     lambda_min: float | None = None
+    """Least film over composite roughness [-]; None where film or roughness is not known."""
     contacts: int = 1
+    """Number of contacts of which this is the worst."""
     rough: bool = False
+    """Whether roughness is simulated."""
     asperity_load_fraction: float | None = None
+    """Share of the load that asperities carry; None where it is not simulated, or not known yet."""
     asperity_load_fraction_model_error: float | None = None
+    """Its relative uncertainty by the model of roughness; None likewise."""
     mixed_above_roughness_m: float | None = None
+    """Composite roughness [m] above which lubrication would be mixed; None where a roughness is given, or the
+    film not known."""
     by_formula: bool = False
+    """Whether films are those of closed forms, beside which nothing is simulated."""
 
     @property
     def as_if_smooth(self) -> bool:

@@ -63,24 +63,16 @@ class TransientTerm(Protocol):
 
 @dataclass(frozen=True)
 class InitialGuess:
-    """State of a film: the initial guess of an iteration, or its end.
-
-    Attributes
-    ----------
-    pressure : numpy.ndarray
-        Pressure [Pa] at the nodes.
-    rigid_film : float
-        Rigid film [m].
-    rise : numpy.ndarray or None
-        Temperature above the inlet's at the levels of a heated film [K], along the last axis.
-    oil : numpy.ndarray or None
-        Part of the pressure that the oil bears [Pa].
-    """
+    """State of a film: the initial guess of an iteration, or its end."""
 
     pressure: Array
+    """Pressure [Pa] at the nodes."""
     rigid_film: float
+    """Rigid film [m]."""
     rise: Array | None = None
+    """Temperature above the inlet's at the levels of a heated film [K], along the last axis."""
     oil: Array | None = None
+    """Part of the pressure that the oil bears [Pa]."""
 
     def finer(self, window: Any = np.s_[...]) -> "InitialGuess":
         """Interpolate to nodes of half the spacing within a window."""
@@ -109,34 +101,23 @@ class InitialGuess:
 
 @dataclass(frozen=True)
 class Level(ABC):
-    """A film on one grid.
-
-    Attributes
-    ----------
-    scene : Contact
-        The contact.
-    grid : Grid or LineGrid
-        The grid.
-    gap : numpy.ndarray
-        Undeformed gap [m] at its nodes.
-    covered : numpy.ndarray
-        Where both surfaces exist.
-    film : PointFilm or LineFilm
-        The kernel's film, in its present state.
-    transient_term : TransientTerm or None
-        d(rho h)/dt; None of a steady film.
-    forcing : float
-        Residual, over the present one, to which each Newton step solves its linear system.
-    """
+    """A film on one grid."""
 
     forcing: ClassVar[float]
+    """Residual, over the present one, to which each Newton step solves its linear system."""
 
     scene: AnyContact
+    """The contact."""
     grid: Any
+    """The grid."""
     gap: Array
+    """Undeformed gap [m] at its nodes."""
     covered: Array
+    """Where both surfaces exist."""
     film: kernel.PointFilm | kernel.LineFilm
+    """The kernel's film, in its present state."""
     transient_term: TransientTerm | None
+    """d(rho h)/dt; None of a steady film."""
 
     @abstractmethod
     def conduction_errors(self) -> dict[str, float]:

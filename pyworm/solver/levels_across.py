@@ -43,27 +43,18 @@ UNJUDGED = 0.02
 
 @dataclass(frozen=True)
 class EnoughLevels:
-    """A film with enough levels across it.
-
-    Attributes
-    ----------
-    plan : Plan
-        The plan with that number of levels.
-    solver : ContactSolver
-        Its solver.
-    level : Level
-        The film.
-    settled : Settled
-        Its figures.
-    errors : dict
-        Relative error of each figure by the levels [-].
-    """
+    """A film with enough levels across it."""
 
     plan: Plan
+    """The plan with that number of levels."""
     solver: ContactSolver
+    """Its solver."""
     level: Level
+    """The film."""
     settled: Settled
+    """Its figures."""
     errors: dict[str, float]
+    """Relative error of each figure by the levels [-]."""
 
 
 def is_hot(scene: Contact, figures: Mapping[str, float]) -> bool:

@@ -27,45 +27,31 @@ ALGEBRA_FRACTION = 0.1
 
 @dataclass(frozen=True)
 class NewtonStep:
-    """One Newton step.
-
-    Attributes
-    ----------
-    points : tuple of int
-        Grid points along each direction.
-    residual, load_error : float
-        Residual and load error after the step.
-    krylov : int
-        GMRES iterations.
-    work : dict
-        Operations and processor times since the step before, or since the film was made
-        (`kernel.PointFilm.work`).
-    """
+    """One Newton step."""
 
     points: tuple[int, ...]
+    """Grid points along each direction."""
     residual: float
+    """Residual after the step."""
     load_error: float
+    """Load error after the step."""
     krylov: int
+    """GMRES iterations."""
     work: dict[str, float]
+    """Operations and processor times since the step before, or since the film was made
+    (`kernel.PointFilm.work`)."""
 
 
 @dataclass(frozen=True)
 class Settled:
-    """The end of Newton's iteration on one grid.
-
-    Attributes
-    ----------
-    steps : tuple of NewtonStep
-        Its steps.
-    reading : Reading
-        The figures at its end.
-    algebra : dict
-        Relative algebraic error of each figure, which further steps would reduce.
-    """
+    """The end of Newton's iteration on one grid."""
 
     steps: tuple[NewtonStep, ...]
+    """Its steps."""
     reading: Reading
+    """The figures at its end."""
     algebra: dict[str, float]
+    """Relative algebraic error of each figure, which further steps would reduce."""
 
 
 def newton_step(level: Level, forcing: float | None = None) -> NewtonStep | None:

@@ -20,31 +20,21 @@ WIDTHS = 2.0
 
 @dataclass(frozen=True)
 class SupplyFigures:
-    """Figures of a contact whose supply of oil is limited.
-
-    Attributes
-    ----------
-    supply_ratio : float
-        Oil supplied over that of the flooded film, the mean over the dry contact's width over rho h in the
-        middle (Chevalier et al. 1998) [-].
-    film_over_flooded : float
-        Central film over the flooded one [-].
-    flooded_error : float
-        Relative error of the flooded film, from two grids [-].
-    meniscus : float
-        Distance of the inlet meniscus before the contact point, along the entrainment [m].
-    side_flow : float
-        Share of the oil before the dry contact that flows around its middle [-].
-    layer : OilLayer
-        The oil that it leaves, over the place across its track.
-    """
+    """Figures of a contact whose supply of oil is limited."""
 
     supply_ratio: float
+    """Oil supplied over that of the flooded film, the mean over the dry contact's width over rho h in the
+    middle (Chevalier et al. 1998) [-]."""
     film_over_flooded: float
+    """Central film over the flooded one [-]."""
     flooded_error: float
+    """Relative error of the flooded film, from two grids [-]."""
     meniscus: float
+    """Distance of the inlet meniscus before the contact point, along the entrainment [m]."""
     side_flow: float
+    """Share of the oil before the dry contact that flows around its middle [-]."""
     layer: OilLayer
+    """The oil that it leaves, over the place across its track."""
 
     @property
     def layer_left(self) -> float:

@@ -16,24 +16,16 @@ from pyworm.solver.level import Level
 
 @dataclass(frozen=True)
 class Outcome:
-    """Result of the last level of a contact.
-
-    Attributes
-    ----------
-    figures : dict
-        The figures of `solution.Figures` without error bars.
-    fields : PlainDataset
-        Fields over the grid.
-    flaw : str or None
-        Reason why the figures are not to be trusted although the film converged.
-    profile : PlainDataset or None
-        Temperature and velocity across the film at its hottest point, where heat is simulated.
-    """
+    """Result of the last level of a contact."""
 
     figures: dict[str, Any]
+    """The figures of `solution.Figures` without error bars."""
     fields: PlainDataset
+    """Fields over the grid."""
     flaw: str | None = None
+    """Reason why the figures are not to be trusted although the film converged."""
     profile: PlainDataset | None = None
+    """Temperature and velocity across the film at its hottest point, where heat is simulated."""
 
 
 def fields(

@@ -40,18 +40,12 @@ SHEARED = ("friction_coefficient", "power_loss")
 
 @dataclass(frozen=True)
 class LeftOut:
-    """Long waves of the surfaces that roll through a contact whose gap has them not.
-
-    Attributes
-    ----------
-    film : float
-        Root mean square height that is left in the film [m].
-    pressure : float
-        Root mean square pressure that flattens the rest [Pa].
-    """
+    """Long waves of the surfaces that roll through a contact whose gap has them not."""
 
     film: float = 0.0
+    """Root mean square height that is left in the film [m]."""
     pressure: float = 0.0
+    """Root mean square pressure that flattens the rest [Pa]."""
 
     def changes(self, figures: Mapping[str, float]) -> dict[str, float]:
         """Relative changes of figures while they roll through."""

@@ -9,19 +9,13 @@ from pyworm.solver.error_estimate import Convergence, Reading, changes
 
 @dataclass(frozen=True)
 class WindowLimit:
-    """What an endless window adds to a figure.
-
-    Attributes
-    ----------
-    rest : float
-        Change of the figure from this window to an endless one, relative to its size; 0 where it is not
-        extrapolated [-].
-    error : float
-        Relative error by the window that is left [-].
-    """
+    """What an endless window adds to a figure."""
 
     rest: float
+    """Change of the figure from this window to an endless one, relative to its size; 0 where it is not
+    extrapolated [-]."""
     error: float
+    """Relative error by the window that is left [-]."""
 
 
 def in_this_window(

@@ -10,6 +10,7 @@ import re
 
 import numpy as np
 import pytest
+from attribute_literals import attribute_literals
 from contacts import ball, roller
 
 import pyworm
@@ -51,9 +52,9 @@ def places():
             continue
         owner = getattr(pyworm, name)
         if dataclasses.is_dataclass(owner) and name not in MADE:
-            text = "\n".join(inspect.getdoc(base) or "" for base in owner.__mro__)
+            literals = attribute_literals(owner)
             for field in dataclasses.fields(owner):
-                found[f"{name}.{field.name}"] = documented(text, field.name)
+                found[f"{name}.{field.name}"] = literals.get(field.name, "")
         for called, function in public_functions(name, owner):
             text = inspect.getdoc(function) or ""
             for part in inspect.signature(function).parameters:
@@ -63,7 +64,7 @@ def places():
 
 
 def documented(text, name):
-    """What a docstring says of an attribute or a parameter."""
+    """What a docstring says of a parameter."""
     entry = re.search(
         rf"^(?:\w+, )*\*?\*?{name}(?:, \w+)*(?: :.*)?\n((?:    .*\n?|\n)+)", text, re.M
     )

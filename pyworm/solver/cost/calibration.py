@@ -59,20 +59,16 @@ same cases."""
 
 @dataclass(frozen=True)
 class Pace:
-    """Processor times of one model.
-
-    Attributes
-    ----------
-    step, step_node : float
-        Constant part of a Newton step and its part for each node [s].
-    grid, grid_node : float
-        Constant part of setting up a grid and its part for each node [s].
-    """
+    """Processor times of one model."""
 
     step: float
+    """Constant part of a Newton step [s]."""
     step_node: float
+    """Part of a Newton step for each node [s]."""
     grid: float
+    """Constant part of setting up a grid [s]."""
     grid_node: float
+    """Part of setting up a grid for each node [s]."""
 
     @classmethod
     def by(cls, few: tuple[float, float, float], many: tuple[float, float, float]) -> "Pace":
@@ -103,22 +99,16 @@ Convolutions = tuple[tuple[float, float], tuple[float, float]]
 
 @dataclass(frozen=True)
 class Calibration:
-    """Processor times of Newton steps on a machine.
-
-    Attributes
-    ----------
-    cold : dict
-        Kind of contact -> pace with a Newtonian oil of one temperature.
-    sheared, heated : dict
-        Kind -> pace at each of `LEVELS` with rheology, and with heat too.
-    convolutions : dict
-        Kind -> nodes and seconds of one convolution, on two grids.
-    """
+    """Processor times of Newton steps on a machine."""
 
     cold: dict[Kind, Pace]
+    """Kind of contact -> pace with a Newtonian oil of one temperature."""
     sheared: dict[Kind, tuple[Pace, Pace]]
+    """Kind -> pace at each of `LEVELS` with rheology."""
     heated: dict[Kind, tuple[Pace, Pace]]
+    """Kind -> pace at each of `LEVELS` with rheology and heat."""
     convolutions: dict[Kind, tuple[tuple[float, float], tuple[float, float]]]
+    """Kind -> nodes and seconds of one convolution, on two grids."""
 
     def seconds(self, work: Work, model: Model) -> float:
         """Expected processor time of the work, without its past and the sampling of the scene [s]."""

@@ -24,43 +24,28 @@ more is not expected."""
 
 @dataclass(frozen=True)
 class TimeSteps:
-    """Time steps on one grid.
-
-    Attributes
-    ----------
-    nodes : int
-        Number of nodes of the grid.
-    coarse : int
-        Number of those of the first transient solve, on which the heat that surfaces remember is found.
-    count : int
-        Number of time steps.
-    """
+    """Time steps on one grid."""
 
     nodes: int
+    """Number of nodes of the grid."""
     coarse: int
+    """Number of those of the first transient solve, on which the heat that surfaces remember is found."""
     count: int
+    """Number of time steps."""
 
 
 @dataclass(frozen=True)
 class Motion:
-    """Expected transient solves of the life of one contact.
-
-    Attributes
-    ----------
-    own : tuple of TimeSteps
-        Time steps up to its own time.
-    further : tuple of TimeSteps
-        Those of one more solve, for it alone; empty where there is none to be had.
-    shared : tuple of TimeSteps
-        Those of the whole part of its life, which serve contacts of other times as well.
-    part : Part or None
-        That part; None where the contact shares it with none.
-    """
+    """Expected transient solves of the life of one contact."""
 
     own: tuple[TimeSteps, ...]
+    """Time steps up to its own time."""
     further: tuple[TimeSteps, ...]
+    """Those of one more solve, for it alone; empty where there is none to be had."""
     shared: tuple[TimeSteps, ...]
+    """Those of the whole part of its life, which serve contacts of other times as well."""
     part: Part | None
+    """That part; None where the contact shares it with none."""
 
 
 def motion(scene: Scene | LineScene, plan: Plan, course: Course | None = None) -> Motion | None:

@@ -30,27 +30,18 @@ FIELDS = 3
 
 @dataclass(frozen=True)
 class Expectation:
-    """Expected cost of a solve.
-
-    Attributes
-    ----------
-    seconds : float
-        Processor time [s].
-    convolutions : float
-        Processor time in convolutions on the expected finest grid.
-    past : float
-        Part of the time for the transient solves of its past [s].
-    shared : float
-        Processor time of those of a whole part of its life, which serve other contacts as well [s].
-    part : Part or None
-        That part; None of a contact that shares it with none.
-    """
+    """Expected cost of a solve."""
 
     seconds: float
+    """Processor time [s]."""
     convolutions: float
+    """Processor time in convolutions on the expected finest grid."""
     past: float = 0.0
+    """Part of the time for the transient solves of its past [s]."""
     shared: float = 0.0
+    """Processor time of those of a whole part of its life, which serve other contacts as well [s]."""
     part: Part | None = None
+    """That part; None of a contact that shares it with none."""
 
 
 def expectation(scene: Scene | LineScene, plan: Plan, course: Course | None = None) -> Expectation:

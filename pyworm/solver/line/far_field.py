@@ -28,18 +28,12 @@ LARGEST_REDUCED = 0.9
 
 @dataclass(frozen=True)
 class LineFarField:
-    """Far field before the inlet end of a grid.
-
-    Attributes
-    ----------
-    pressure : float
-        Pressure at the inlet node [Pa].
-    load : float
-        Load for each length that the pressure beyond it carries [N/m].
-    """
+    """Far field before the inlet end of a grid."""
 
     pressure: float
+    """Pressure at the inlet node [Pa]."""
     load: float
+    """Load for each length that the pressure beyond it carries [N/m]."""
 
 
 def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Array) -> LineFarField:

@@ -21,28 +21,20 @@ MOST_GROWTHS = 6
 
 @dataclass(frozen=True, eq=False, repr=False)
 class DryPressure(Shown):
-    """The pressure of a dry contact.
-
-    Attributes
-    ----------
-    x, y : numpy.ndarray
-        Places of the nodes [m].
-    pressure : numpy.ndarray
-        Pressure [Pa], shape (x, y).
-    pressure_max : float
-        Largest pressure, between nodes [Pa].
-    approach : float
-        Rigid approach of the bodies [m].
-    converged : bool
-        Whether the iteration met its tolerance.
-    """
+    """The pressure of a dry contact."""
 
     x: Array
+    """Places of the nodes along x [m]."""
     y: Array
+    """Places of the nodes along y [m]."""
     pressure: Array
+    """Pressure [Pa], shape (x, y)."""
     pressure_max: float
+    """Largest pressure, between nodes [Pa]."""
     approach: float
+    """Rigid approach of the bodies [m]."""
     converged: bool
+    """Whether the iteration met its tolerance."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the contact in words."""

@@ -19,21 +19,14 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class FarField:
-    """Far field beyond a grid.
-
-    Attributes
-    ----------
-    outline : numpy.ndarray
-        True on the grid's outline, shape (nx, ny).
-    pressure : numpy.ndarray
-        Pressure on the outline [Pa], zero within, shape (nx, ny).
-    load : float
-        Load that the pressure beyond the outline carries [N].
-    """
+    """Far field beyond a grid."""
 
     outline: Array
+    """True on the grid's outline, shape (nx, ny)."""
     pressure: Array
+    """Pressure on the outline [Pa], zero within, shape (nx, ny)."""
     load: float
+    """Load that the pressure beyond the outline carries [N]."""
 
 
 def far_field(scene: Scene, grid: Grid, film: Array, covered: Array) -> FarField:

@@ -31,15 +31,6 @@ DRY_TOLERANCE = 1e-5
 class PointLevel(Level):
     """A film of a point contact on one grid.
 
-    Attributes
-    ----------
-    far : numpy.ndarray or float
-        Deflection by pressure beyond the grid [m].
-    load : float
-        Load that pressure on the grid carries [N].
-    coarser : InitialGuess or None
-        Final state of the film on the grid before, if it covered the same window.
-
     Notes
     -----
     The other attributes are those of `pyworm.solver.level.Level`.
@@ -49,8 +40,11 @@ class PointLevel(Level):
 
     film: kernel.PointFilm
     far: Array | float
+    """Deflection by pressure beyond the grid [m]."""
     load: float
+    """Load that pressure on the grid carries [N]."""
     coarser: InitialGuess | None = None
+    """Final state of the film on the grid before, if it covered the same window."""
 
     def contact_is_cut(self) -> bool:
         """Whether the contact goes on to the outline of the window, beside which pressure is given."""

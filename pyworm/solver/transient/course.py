@@ -94,49 +94,36 @@ ROUNDING = 1e-6
 
 @dataclass(frozen=True)
 class Approach:
-    """Surfaces that come together: a larger window, with twice the spacing.
-
-    Attributes
-    ----------
-    until : float
-        Time up to which it is taken, while films form [s].
-    sides : tuple
-        Its cells before and behind the contact point along each direction, on its coarsest grid.
-    """
+    """Surfaces that come together: a larger window, with twice the spacing."""
 
     until: float
+    """Time up to which it is taken, while films form [s]."""
     sides: tuple[tuple[int, int], ...]
+    """Its cells before and behind the contact point along each direction, on its coarsest grid."""
 
 
 @dataclass(frozen=True)
 class Course:
     """Pace, grids and plan of a life.
 
-    Attributes
-    ----------
-    life : Life
-        The life.
-    plan : Plan
-        One plan for the whole life: effects that any of its knots calls for.
-    begin, end : float
-        First and last time under load [s].
-    sides : tuple
-        Cells of the coarsest grid before and behind the contact point along each direction.
-    approach : Approach or None
-        Surfaces that come together, if they do.
-
     Before and after the times for which grids were fitted they stay as they are.
     """
 
     life: Life
+    """The life."""
     plan: Plan
+    """One plan for the whole life: effects that any of its knots calls for."""
     begin: float
+    """First time under load [s]."""
     end: float
+    """Last time under load [s]."""
     sides: tuple[tuple[int, int], ...]
+    """Cells of the coarsest grid before and behind the contact point along each direction."""
     _log_spacing: tuple[np.polynomial.Polynomial, ...]
     _fitted: tuple[float, float]
     _transits: "scipy.interpolate.PPoly"
     approach: Approach | None = None
+    """Surfaces that come together, if they do."""
 
     def transits(self, seconds: float) -> float:
         """Transits of oil through the contact from the first time under load to another."""

@@ -44,24 +44,16 @@ shortest wave of the grid. With 5 a disturbed division of heat grows 70-fold, wi
 
 @dataclass(frozen=True)
 class HeatedInstant:
-    """Heat of the surfaces at one time.
-
-    Attributes
-    ----------
-    seconds : float
-        The time [s].
-    grid : Grid or LineGrid
-        The moving grid then.
-    flux : numpy.ndarray
-        Flux into each body at its nodes [W/m2], body along the last axis.
-    velocities : tuple of tuple of float
-        Velocity of each body at the contact point along each direction [m/s].
-    """
+    """Heat of the surfaces at one time."""
 
     seconds: float
+    """The time [s]."""
     grid: Grid | LineGrid
+    """The moving grid then."""
     flux: Array
+    """Flux into each body at its nodes [W/m2], body along the last axis."""
     velocities: tuple[tuple[float, ...], ...]
+    """Velocity of each body at the contact point along each direction [m/s]."""
 
     def finer(self, window: tuple[slice, slice] | None = None) -> "HeatedInstant":
         """Interpolated to nodes of half the spacing, of a point contact within a window."""

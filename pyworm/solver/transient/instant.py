@@ -20,25 +20,17 @@ node."""
 
 @dataclass(frozen=True)
 class Instant:
-    """The film at one time, and what its surfaces remember.
-
-    Attributes
-    ----------
-    seconds : float
-        The time [s].
-    content : numpy.ndarray
-        Oil at the nodes: film thickness times relative density, as far as the gap is filled [m].
-    state : InitialGuess
-        Pressure, rigid film and temperatures.
-    rise : numpy.ndarray or None
-        What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
-        [K]; None where that is not known.
-    """
+    """The film at one time, and what its surfaces remember."""
 
     seconds: float
+    """The time [s]."""
     content: Array
+    """Oil at the nodes: film thickness times relative density, as far as the gap is filled [m]."""
     state: InitialGuess
+    """Pressure, rigid film and temperatures."""
     rise: Array | None = None
+    """What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
+    [K]; None where that is not known."""
 
     def finer(self, window: Any = np.s_[...]) -> "Instant":
         """Interpolated to nodes of half the spacing within a window."""

@@ -96,27 +96,19 @@ class LostError(Exception):
 
 @dataclass(frozen=True)
 class RateOfChange:
-    """d(rho h)/dt of a film at one time at places that move with the contact point, in its own axes.
-
-    Attributes
-    ----------
-    grid : Grid or LineGrid
-        The grid on which it was found.
-    rate : numpy.ndarray
-        Rate of change at its nodes [m/s].
-    rise : numpy.ndarray or None
-        What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
-        [K]; None where heat is not simulated.
-    warming, pressing : numpy.ndarray or None
-        Rates of change of the oil's temperature, level along the last axis [K/s], and of its pressure [Pa/s];
-        None likewise.
-    """
+    """d(rho h)/dt of a film at one time at places that move with the contact point, in its own axes."""
 
     grid: Grid | LineGrid
+    """The grid on which it was found."""
     rate: Array
+    """Rate of change at its nodes [m/s]."""
     rise: Array | None = None
+    """What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
+    [K]; None where heat is not simulated."""
     warming: Array | None = None
+    """Rate of change of the oil's temperature, level along the last axis [K/s]; None likewise."""
     pressing: Array | None = None
+    """Rate of change of the oil's pressure [Pa/s]; None likewise."""
 
     def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, a `solver.level.TransientTerm`."""
@@ -155,27 +147,18 @@ class _Backwards:
 
 @dataclass(frozen=True)
 class March:
-    """What a transient solve through a part of a life found.
-
-    Attributes
-    ----------
-    rates : dict
-        Time [s] -> `RateOfChange` there; without times to which no films lead.
-    rigid_films : dict
-        The same times -> rigid film there [m].
-    moments : tuple of Moment
-        Figures of the film on the moving grid at each instant, and fields at those of the coarsest solve.
-    newton_steps : int
-        Newton steps of all instants.
-    lost : str or None
-        Reason why films end before the last time, if they do.
-    """
+    """What a transient solve through a part of a life found."""
 
     rates: dict[float, RateOfChange]
+    """Time [s] -> `RateOfChange` there; without times to which no films lead."""
     rigid_films: dict[float, float]
+    """The same times -> rigid film there [m]."""
     moments: tuple[Moment, ...]
+    """Figures of the film on the moving grid at each instant, and fields at those of the coarsest solve."""
     newton_steps: int
+    """Newton steps of all instants."""
     lost: str | None = None
+    """Reason why films end before the last time, if they do."""
 
 
 def march(

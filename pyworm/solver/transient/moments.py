@@ -27,50 +27,34 @@ TINY = 1e-300
 
 @dataclass(frozen=True)
 class Frame:
-    """Fields at one instant on the nodes of the coarsest moving grid of the contact.
-
-    Attributes
-    ----------
-    places : tuple of numpy.ndarray
-        Places of the nodes along each direction [m].
-    pressure, film : numpy.ndarray
-        Pressure [Pa] and film [m], in single precision.
-    rubbing : numpy.ndarray or None
-        Pressure that asperities bear times the sliding [W/m2], likewise; None between smooth surfaces.
-    """
+    """Fields at one instant on the nodes of the coarsest moving grid of the contact."""
 
     places: tuple[Array, ...]
+    """Places of the nodes along each direction [m]."""
     pressure: Array
+    """Pressure [Pa], in single precision."""
     film: Array
+    """Film [m], in single precision."""
     rubbing: Array | None = None
+    """Pressure that asperities bear times the sliding [W/m2], likewise; None between smooth surfaces."""
 
 
 @dataclass(frozen=True)
 class Moment:
-    """The film at one instant.
-
-    Attributes
-    ----------
-    seconds : float
-        Time since the life began [s].
-    phase : float or None
-        Place in the mesh cycle.
-    load : float
-        Load that the film carries.
-    entrainment : tuple of float
-        Mean velocity of the surfaces at the contact point along each direction [m/s].
-    figures : dict
-        Figures on the moving grid, temperatures above the colder body's bulk temperature [K].
-    frame : Frame or None
-        Its fields; kept at the instants of the coarsest transient solve.
-    """
+    """The film at one instant."""
 
     seconds: float
+    """Time since the life began [s]."""
     phase: float | None
+    """Place in the mesh cycle."""
     load: float
+    """Load that the film carries."""
     entrainment: tuple[float, ...]
+    """Mean velocity of the surfaces at the contact point along each direction [m/s]."""
     figures: Mapping[str, float]
+    """Figures on the moving grid, temperatures above the colder body's bulk temperature [K]."""
     frame: Frame | None = None
+    """Its fields; kept at the instants of the coarsest transient solve."""
 
 
 def moment(level: Level, seconds: float, frame: Grid | LineGrid | None) -> Moment:

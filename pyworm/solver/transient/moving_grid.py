@@ -31,19 +31,14 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class MeshMotion:
-    """Velocity of a moving grid's nodes at one time.
-
-    Attributes
-    ----------
-    growth_x, growth_y : float
-        Rates of growth of the spacings, d ln dx/dt and d ln dy/dt [1/s].
-    turning : float
-        Angular velocity of the axes [rad/s].
-    """
+    """Velocity of a moving grid's nodes at one time."""
 
     growth_x: float
+    """Rate of growth of the spacing along x, d ln dx/dt [1/s]."""
     growth_y: float
+    """Rate of growth of the spacing along y, d ln dy/dt [1/s]."""
     turning: float
+    """Angular velocity of the axes [rad/s]."""
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity components [m/s] at (x, y)."""
@@ -57,19 +52,13 @@ class MeshMotion:
 
 @dataclass(frozen=True)
 class Stretching:
-    """Velocity of the nodes of a moving grid along a line at one time.
-
-    Attributes
-    ----------
-    growth : float
-        Rate of growth of the spacing, d ln dx/dt [1/s].
-    turning : float
-        Angular velocity of the axes [rad/s]: none.
-    """
+    """Velocity of the nodes of a moving grid along a line at one time."""
 
     turning: ClassVar[float] = 0.0
+    """Angular velocity of the axes [rad/s]: none."""
 
     growth: float
+    """Rate of growth of the spacing, d ln dx/dt [1/s]."""
 
     def __call__(self, x: Array) -> tuple[Array]:
         """Velocity [m/s] at x."""

@@ -17,18 +17,12 @@ the second solve on. Films are thick there, and windows wide: that halves the ti
 
 @dataclass(frozen=True)
 class Step:
-    """A film of a transient solve that is to be found.
-
-    Attributes
-    ----------
-    seconds : float
-        Its time [s].
-    refinement : int
-        Halvings of the grid on which it is.
-    """
+    """A film of a transient solve that is to be found."""
 
     seconds: float
+    """Its time [s]."""
     refinement: int
+    """Halvings of the grid on which it is."""
 
 
 def steps_of(course: Course, refinement: int, begin: float, last: float) -> list[Step]:

@@ -81,17 +81,12 @@ class Least:
     """Least error of the figures by a number of transient solves.
 
     The last two of them may agree by chance.
-
-    Attributes
-    ----------
-    share : float
-        Share of what the films in motion differ from steady ones.
-    most : float
-        The largest that counts, of films that are not far from steady ones.
     """
 
     share: float
+    """Share of what the films in motion differ from steady ones."""
     most: float
+    """The largest that counts, of films that are not far from steady ones."""
 
     def of(self, difference: float, far: bool = False) -> float:
         """The least error for a difference from steady films, which may be far from these."""
@@ -121,17 +116,14 @@ up to 6 % off."""
 
 @dataclass(frozen=True)
 class Part:
-    """A part of a life that one transient solve goes through.
-
-    Attributes
-    ----------
-    begin, first, last : float
-        Where the solve begins, and from where to where its films are wanted [transits].
-    """
+    """A part of a life that one transient solve goes through."""
 
     begin: float
+    """Where the solve begins [transits]."""
     first: float
+    """From where its films are wanted [transits]."""
     last: float
+    """Up to where its films are wanted [transits]."""
 
     def holds(self, place: float) -> bool:
         """Whether the film of a place is wanted of it [transits]."""
@@ -218,55 +210,36 @@ def begin_of_further(course: Course, seconds: float, solves: int) -> float | Non
 
 @dataclass(frozen=True)
 class Rates:
-    """Rates of change at one time, one of each refinement, or the reason why there are none.
-
-    Attributes
-    ----------
-    found : tuple of RateOfChange
-        The rates, the finest last.
-    moments : tuple of tuple of Moment
-        What each of the solves through the whole part, at least the first, found up to that time.
-    since : float
-        Time of the scene before, after which they are kept [s].
-    flaw : str or None
-        Reason why a film before was not found.
-    finest : bool
-        Whether no further solve is to be had.
-    """
+    """Rates of change at one time, one of each refinement, or the reason why there are none."""
 
     found: tuple[RateOfChange, ...]
+    """The rates, the finest last."""
     moments: tuple[tuple[Moment, ...], ...] = ()
+    """What each of the solves through the whole part, at least the first, found up to that time."""
     since: float = -inf
+    """Time of the scene before, after which they are kept [s]."""
     flaw: str | None = None
+    """Reason why a film before was not found."""
     finest: bool = False
+    """Whether no further solve is to be had."""
 
 
 @dataclass(frozen=True)
 class Transient:
-    """The transient term of a contact at present.
-
-    Attributes
-    ----------
-    rate : RateOfChange or None
-        d(rho h)/dt at present; None where a film at an earlier time was not found.
-    level : Level
-        The film with that rate, on the plan's first grid of the figures.
-    errors : dict
-        Relative error of its figures by grids and time steps of the transient solve.
-    flaw : str or None
-        Reason why the rate is not to be trusted.
-    coarse : bool
-        Whether one more transient solve may mend that.
-    life : PlainDataset or None
-        Figures and frames of the film up to now (`moments.curves`).
-    """
+    """The transient term of a contact at present."""
 
     rate: RateOfChange | None
+    """d(rho h)/dt at present; None where a film at an earlier time was not found."""
     level: Level
+    """The film with that rate, on the plan's first grid of the figures."""
     errors: dict[str, float]
+    """Relative error of its figures by grids and time steps of the transient solve."""
     flaw: str | None
+    """Reason why the rate is not to be trusted."""
     coarse: bool = False
+    """Whether one more transient solve may mend that."""
     life: PlainDataset | None = None
+    """Figures and frames of the film up to now (`moments.curves`)."""
 
 
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
