@@ -148,6 +148,15 @@ def test_one_parser_reads_units_at_the_end_of_keys():
         assert not any(ending.endswith(before) for before in endings[:number]), ending
 
 
+def test_keys_of_errors_have_the_stem_of_the_figure():
+    loss, hot = (QUANTITIES[name] for name in ("power_loss_per_length", "temperature_max_film"))
+    assert (loss.key, loss.error_key) == ("power_loss_per_length_W_m", "power_loss_error")
+    assert loss.model_key == "power_loss_model_error"
+    assert (hot.key, hot.error_key) == ("temperature_max_C_film", "temperature_max_error_K_film")
+    assert (loss.published, hot.published) == ("power_loss", "temperature_max_film")
+    assert QUANTITIES["lambda_central"].published == ""
+
+
 def test_figures_over_a_life_have_the_unit_of_their_figure():
     assert attributes("life_film_min") == attributes("film_min")
     assert attributes("life_film_min_error")["units"] == "m"

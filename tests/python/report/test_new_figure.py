@@ -1,5 +1,6 @@
 """A new figure touches one file: an entry in the table of quantities shows it everywhere."""
 
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 
@@ -13,7 +14,9 @@ from pyworm.plots.sweep import sweep_figure
 from pyworm.report.console.scenes import figures_table
 from pyworm.report.console.sweep import rows_table
 from pyworm.report.explore.scenes import scene_rows
+from pyworm.report.findings import findings
 from pyworm.report.page.build import build_report
+from pyworm.report.page.figures import glance_rows
 from pyworm.report.page.html import render
 from pyworm.result.result import Result
 from pyworm.result.sweep_result import SweepResult, sweep_table
@@ -62,6 +65,16 @@ def test_the_pages_have_it():
     assert rows[SQUEEZED.title()].startswith(f"{value(solutions[0]) * 1e-12:.4g} MPa/µm ± ")
 
 
+def test_the_worst_contact_decides():
+    thin, thick = make_hot_worm(0.25), make_hot_worm(0.5)
+    twice = replace(thick.figures, film_min=2 * thick.figures.film_min)
+    solutions = thin, replace(thick, figures=twice)
+    for order in (solutions, solutions[::-1]):
+        result = Result(CASE.name, CASE.resolved, order, make_mesh_cycle(), {})
+        rows = {label: where for label, _, where in glance_rows(findings(result))}
+        assert rows["Minimum film thickness"] == rows[SQUEEZED.title()] == "phase 0.25"
+
+
 def test_table_and_picture_of_a_sweep_have_it():
     summaries = [make_hot_worm(phase).summary() for phase in (0.25, 0.5, 0.75)]
     values = [{"contact.load": f"{load} N"} for load in (1, 2, 3)]
@@ -70,5 +83,6 @@ def test_table_and_picture_of_a_sweep_have_it():
     column = rows_table(swept).head.index("p/h\nMPa/µm")
     first = summaries[0]["pressure_by_film_Pa_m"] * 1e-12
     assert rows_table(swept).column(column)[0] == f"{first:.4g}"
-    labels = [axes.get_ylabel() for axes in sweep_figure(swept).axes]
-    assert "maximum pressure over film thickness / (MPa/µm)" in labels
+    panels = {axes.get_ylabel(): axes for axes in sweep_figure(swept).axes}
+    panel = panels["maximum pressure over film thickness / (MPa/µm)"]
+    assert panel.lines[0].get_ydata()[0] == pytest.approx(first)
