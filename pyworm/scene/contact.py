@@ -37,38 +37,6 @@ FROM_GAP: Any = None
 class Contact(Shown, ABC):
     """One lubricated contact at one instant.
 
-    Attributes
-    ----------
-    name : str
-        Name in tables and pictures.
-    gap : callable
-        Undeformed gap, and where both surfaces exist.
-    load : float
-        Normal load [N], of a line contact that for each length [N/m].
-    bodies : tuple of Body
-        Body 1 and body 2; where the oil has heat, as warm as it is at the inlet unless they say otherwise.
-    oil : Oil
-        The oil at its inlet temperature: the mean of the bodies' where it has heat, whatever it was before it
-        met them (`pyworm.scene.oil_arrival`).
-    phase : float or None
-        Place in the mesh cycle, 0 to 1; None outside a drive.
-    slide_roll_ratio : float or None
-        Place on a traction curve: sliding over entrainment [-]; None outside one.
-    section, station : str or None, float or None
-        Section of a worm that has two, and place along the contact line, 0 to 1; None elsewhere.
-    separation : float or None
-        Distance of the undeformed surfaces at the contact point that is given instead of the load, which is
-        then that of the scales alone [m]; of a contact in its past. None where the load is given.
-    past : Past or None
-        Its present in its life, as the drive turns; None where nothing changes.
-    rigid : bool
-        Whether the bodies are rigid under the film.
-    smooth : bool
-        Whether roughness is left out of the film.
-    travelled : tuple or None
-        How far each surface has moved from its place at present, along each direction [m]; None of a contact
-        that is no instant of a written past.
-
     Raises
     ------
     ValueError
@@ -76,19 +44,36 @@ class Contact(Shown, ABC):
     """
 
     name: str
+    """Name in tables and pictures."""
     gap: Callable[..., tuple[Array, Array]]
+    """Undeformed gap, and where both surfaces exist."""
     load: float
+    """Normal load [N], of a line contact that for each length [N/m]."""
     bodies: tuple[Body, Body]
+    """Body 1 and body 2; where the oil has heat, as warm as it is at the inlet unless they say otherwise."""
     oil: Oil
+    """The oil at its inlet temperature: the mean of the bodies' where it has heat, whatever it was before it
+    met them (`pyworm.scene.oil_arrival`)."""
     phase: float | None = None
+    """Place in the mesh cycle, 0 to 1; None outside a drive."""
     slide_roll_ratio: float | None = None
+    """Place on a traction curve: sliding over entrainment [-]; None outside one."""
     section: str | None = None
+    """Section of a worm that has two; None elsewhere."""
     station: float | None = None
+    """Place along the contact line, 0 to 1; None elsewhere."""
     separation: float | None = None
+    """Distance of the undeformed surfaces at the contact point that is given instead of the load, which is
+    then that of the scales alone [m]; of a contact in its past. None where the load is given."""
     past: Past[Any] | None = None
+    """Its present in its life, as the drive turns; None where nothing changes."""
     rigid: bool = False
+    """Whether the bodies are rigid under the film."""
     smooth: bool = False
+    """Whether roughness is left out of the film."""
     travelled: tuple[tuple[float, ...], tuple[float, ...]] | None = None
+    """How far each surface has moved from its place at present, along each direction [m]; None of a contact
+    that is no instant of a written past."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {}
 

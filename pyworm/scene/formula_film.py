@@ -42,30 +42,23 @@ SPIN_STEP = 0.1
 
 @dataclass(frozen=True)
 class FormulaFilms:
-    """Isothermal films of smooth point contacts with enough oil, by the formula of the atlas.
-
-    Attributes
-    ----------
-    central, minimum : array
-        Film at the contact point and least film [m].
-    central_error, minimum_error : array
-        Relative errors that 19 of 20 contacts kept which the fit had not seen [-]; infinite outside the box
-        of the atlas.
-    inside : array of bool
-        Whether the contact is in that box.
-    groups : AtlasGroups
-        Its similarity groups.
-    holds : tuple of str
-        Effects of `pyworm.planning.effects` that the films hold besides (`film_of`).
-    """
+    """Isothermal films of smooth point contacts with enough oil, by the formula of the atlas."""
 
     central: np.ndarray
+    """Film at the contact point [m]."""
     minimum: np.ndarray
+    """Least film [m]."""
     central_error: np.ndarray
+    """Relative error of the central film that 19 of 20 contacts kept which the fit had not seen [-]; infinite
+    outside the box of the atlas."""
     minimum_error: np.ndarray
+    """Relative error of the least film, likewise [-]."""
     inside: np.ndarray
+    """Whether the contact is in that box."""
     groups: AtlasGroups
+    """Its similarity groups."""
     holds: tuple[str, ...] = ()
+    """Effects of `pyworm.planning.effects` that the films hold besides (`film_of`)."""
 
     @property
     def regime(self) -> np.ndarray:

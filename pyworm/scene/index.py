@@ -12,23 +12,16 @@ class Place:
 
     Scenes and solutions carry attributes of the same names, tables and command lines take their words from
     here, and scenes are ordered by the fields, the first one slowest.
-
-    Attributes
-    ----------
-    section : str or None
-        Section of a worm that has two: "left" or "right".
-    phase : float or None
-        Place in the mesh cycle, 0 to 1.
-    station : float or None
-        Place along a contact line, 0 to 1; None where the contact is solved as a whole.
-    slide_roll_ratio : float or None
-        Place on a traction curve: sliding over entrainment [-].
     """
 
     section: str | None = None
+    """Section of a worm that has two: "left" or "right"."""
     phase: float | None = None
+    """Place in the mesh cycle, 0 to 1."""
     station: float | None = None
+    """Place along a contact line, 0 to 1; None where the contact is solved as a whole."""
     slide_roll_ratio: float | None = None
+    """Place on a traction curve: sliding over entrainment [-]."""
 
     @classmethod
     def of(cls, one: Any) -> Self:

@@ -20,33 +20,23 @@ def unturned(seconds: float) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Life(Generic[Contact]):
-    """The states of a contact from its first touch to its last.
-
-    Attributes
-    ----------
-    duration : float
-        Time from the first touch to the last [s].
-    at : callable
-        Time since the first touch [s] -> the contact then, in axes that move with the contact point;
-        ValueError where it carries no load.
-    axes_at : callable
-        Time -> x, y and normal of the tangent plane, as rows in a frame at rest.
-    kinks : tuple of float
-        Times between which its changes are smooth, where they are known [s].
-    touch : float
-        Load from which on surfaces that come together carry that of the contact, whatever the separation
-        given [N], of a line contact for each length [N/m]; inf where a separation that is given holds.
-    touched : float
-        Time from which on its films begin with a steady one, where those of surfaces that come together
-        before are not found [s].
-    """
+    """The states of a contact from its first touch to its last."""
 
     duration: float
+    """Time from the first touch to the last [s]."""
     at: Callable[[float], Contact]
+    """Time since the first touch [s] -> the contact then, in axes that move with the contact point;
+    ValueError where it carries no load."""
     axes_at: Callable[[float], np.ndarray] = unturned
+    """Time -> x, y and normal of the tangent plane, as rows in a frame at rest."""
     kinks: tuple[float, ...] = ()
+    """Times between which its changes are smooth, where they are known [s]."""
     touch: float = inf
+    """Load from which on surfaces that come together carry that of the contact, whatever the separation given
+    [N], of a line contact for each length [N/m]; inf where a separation that is given holds."""
     touched: float = 0.0
+    """Time from which on its films begin with a steady one, where those of surfaces that come together before
+    are not found [s]."""
 
     def turning(self, seconds: float) -> float:
         """Angular velocity of the axes about the normal [rad/s], positive from x to y."""
@@ -58,18 +48,12 @@ class Life(Generic[Contact]):
 
 @dataclass(frozen=True)
 class Past(Generic[Contact]):
-    """The present of a contact in its life.
-
-    Attributes
-    ----------
-    life : Life
-        Its life.
-    seconds : float
-        Time since the first touch [s].
-    """
+    """The present of a contact in its life."""
 
     life: Life[Contact]
+    """Its life."""
     seconds: float
+    """Time since the first touch [s]."""
 
     def before(self, seconds: float) -> Contact:
         """The contact some time before the present [s]; ValueError where it carried no load."""

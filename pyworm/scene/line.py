@@ -21,15 +21,10 @@ LineGap = Callable[[Array], tuple[Array, Array]]
 
 @dataclass(frozen=True)
 class Parabola:
-    """The gap x^2 / 2R without edges.
-
-    Attributes
-    ----------
-    radius : float
-        Relative radius of curvature [m].
-    """
+    """The gap x^2 / 2R without edges."""
 
     radius: float
+    """Relative radius of curvature [m]."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"radius": units.Radius}
 
@@ -53,16 +48,6 @@ class Parabola:
 class LineScene(Contact):
     """One lubricated line contact at one instant.
 
-    Attributes
-    ----------
-    gap : LineGap
-        Undeformed gap and where both surfaces exist.
-    radius : float, optional
-        Relative radius of curvature at the contact point [m]: the scale of the contact, and the gap beyond
-        the grid. By default that of the gap, which a `Parabola` has.
-    velocities : tuple of float
-        Velocity of body 1 and of body 2 [m/s].
-
     Raises
     ------
     ValueError
@@ -74,8 +59,12 @@ class LineScene(Contact):
     """
 
     gap: LineGap
+    """Undeformed gap and where both surfaces exist."""
     radius: float = FROM_GAP
+    """Relative radius of curvature at the contact point [m]: the scale of the contact, and the gap beyond the
+    grid. By default that of the gap, which a `Parabola` has."""
     velocities: tuple[float, float]
+    """Velocity of body 1 and of body 2 [m/s]."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"load": units.ForcePerLength}
 

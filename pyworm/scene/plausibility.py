@@ -61,27 +61,18 @@ class UnusualWarning(UserWarning):
 
 @dataclass(frozen=True)
 class Doubt:
-    """An objection to a contact.
-
-    Attributes
-    ----------
-    of : str
-        The quantity in doubt.
-    excess : float
-        How far it is beyond what is usual [-]; above 1.
-    possible : bool
-        Whether real bodies may make it all the same.
-    conceivable : bool
-        Whether a model contact, of given dimensionless groups, may have it.
-    sentence : str
-        The sentence without its key.
-    """
+    """An objection to a contact."""
 
     of: str
+    """The quantity in doubt."""
     excess: float
+    """How far it is beyond what is usual [-]; above 1."""
     possible: bool
+    """Whether real bodies may make it all the same."""
     conceivable: bool
+    """Whether a model contact, of given dimensionless groups, may have it."""
     sentence: str
+    """The sentence without its key."""
 
 
 def require_possible(scene: Scene | LineScene, key: str) -> None:

@@ -32,16 +32,12 @@ LARGEST = 1e12
 
 @dataclass(frozen=True)
 class Paraboloid:
-    """The gap x^2 / 2 Rx + y^2 / 2 Ry without edges.
-
-    Attributes
-    ----------
-    radius_x, radius_y : float
-        Relative radii of curvature along x and y [m].
-    """
+    """The gap x^2 / 2 Rx + y^2 / 2 Ry without edges."""
 
     radius_x: float
+    """Relative radius of curvature along x [m]."""
     radius_y: float
+    """Relative radius of curvature along y [m]."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = dict.fromkeys(("radius_x", "radius_y"), units.Radius)
 
@@ -64,19 +60,14 @@ class Paraboloid:
 
 @dataclass(frozen=True)
 class RigidMotion:
-    """Translation and spin of one surface in the tangent plane.
-
-    Attributes
-    ----------
-    u, v : float
-        Velocity at the contact point [m/s].
-    spin : float
-        Angular velocity about the common normal [rad/s], positive from x to y.
-    """
+    """Translation and spin of one surface in the tangent plane."""
 
     u: float
+    """Velocity along x at the contact point [m/s]."""
     v: float
+    """Velocity along y at the contact point [m/s]."""
     spin: float = 0.0
+    """Angular velocity about the common normal [rad/s], positive from x to y."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "u": units.Velocity,
@@ -99,16 +90,6 @@ class RigidMotion:
 class Scene(Contact):
     """One lubricated point contact at one instant.
 
-    Attributes
-    ----------
-    gap : Gap
-        Undeformed gap and where both surfaces exist.
-    radii : tuple of float, optional
-        Relative radii of curvature along x and y at the contact point [m]: the scale of the contact.
-        By default those of the gap, which a `Paraboloid` and a `SampledGap` have.
-    motions : tuple of Motion
-        Velocity field of body 1 and of body 2.
-
     Raises
     ------
     ValueError
@@ -120,8 +101,12 @@ class Scene(Contact):
     """
 
     gap: Gap
+    """Undeformed gap and where both surfaces exist."""
     radii: tuple[float, float] = FROM_GAP
+    """Relative radii of curvature along x and y at the contact point [m]: the scale of the contact. By
+    default those of the gap, which a `Paraboloid` and a `SampledGap` have."""
     motions: tuple[Motion, Motion]
+    """Velocity field of body 1 and of body 2."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"load": units.Force}
 

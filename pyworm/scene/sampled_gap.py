@@ -32,13 +32,6 @@ class SampledGap:
     The gap is a cubic spline between the samples, the surface of least second differences where a body is
     missing (NaN), and outside the array its least-squares quadratic, shifted to be continuous at the edge.
 
-    Attributes
-    ----------
-    x, y : ndarray
-        Evenly or unevenly spaced, increasing coordinates [m]; the contact point is at x = y = 0.
-    gap : ndarray
-        Undeformed gap [m], shape (y, x); NaN where a body is missing.
-
     Raises
     ------
     ValueError
@@ -46,8 +39,11 @@ class SampledGap:
     """
 
     x: Array
+    """Evenly or unevenly spaced, increasing coordinates [m]; the contact point is at x = y = 0."""
     y: Array
+    """Evenly or unevenly spaced, increasing coordinates across [m]."""
     gap: Array
+    """Undeformed gap [m], shape (y, x); NaN where a body is missing."""
 
     def __post_init__(self) -> None:
         """Refuse an array that is no gap over x and y."""

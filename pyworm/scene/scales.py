@@ -43,39 +43,26 @@ LIGHTEST, HEAVIEST, MOST_PIEZOVISCOUS = 1e-30, 1e7, 1e12
 
 @dataclass(frozen=True)
 class Scales:
-    """Scales of a point contact.
-
-    Attributes
-    ----------
-    hertz : HertzContact
-        The elliptic contact of the radii at the contact point.
-    groups : PointGroups
-        Dimensionless groups along the entrainment.
-    angle : float
-        Direction of the entrainment, from x to y [rad].
-    film : float
-        Central film of smooth surfaces by formula (`_flooded`), less where its oil is short [m].
-    least : float
-        Least film over the central one by formula, with enough oil [-].
-    inside_atlas : bool
-        Whether the contact is in the box of the atlas.
-    open_film : float
-        Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
-    supply_ratio : float
-        Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
-    regime : Regime
-        The regime of lubrication, of smooth surfaces with enough oil.
-    """
+    """Scales of a point contact."""
 
     hertz: HertzContact
+    """The elliptic contact of the radii at the contact point."""
     groups: PointGroups
+    """Dimensionless groups along the entrainment."""
     angle: float
+    """Direction of the entrainment, from x to y [rad]."""
     film: float
+    """Central film of smooth surfaces by formula (`_flooded`), less where its oil is short [m]."""
     least: float
+    """Least film over the central one by formula, with enough oil [-]."""
     inside_atlas: bool
+    """Whether the contact is in the box of the atlas."""
     open_film: float
+    """Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones."""
     supply_ratio: float
+    """Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough."""
     regime: Regime
+    """The regime of lubrication, of smooth surfaces with enough oil."""
 
     @property
     def slenderness(self) -> float:
@@ -195,30 +182,20 @@ def _typical_speed(scene: Scene, contact: HertzContact) -> float:
 
 @dataclass(frozen=True)
 class LineScales:
-    """Scales of a line contact.
-
-    Attributes
-    ----------
-    hertz : HertzLine
-        The dry contact of the radius at the contact point.
-    groups : LineGroups
-        Dimensionless groups.
-    film : float
-        Film of smooth surfaces where the pressure is largest by Moes, less where its oil is short [m].
-    open_film : float
-        Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones.
-    supply_ratio : float
-        Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
-    regime : Regime
-        The regime of lubrication, of smooth surfaces with enough oil.
-    """
+    """Scales of a line contact."""
 
     hertz: HertzLine
+    """The dry contact of the radius at the contact point."""
     groups: LineGroups
+    """Dimensionless groups."""
     film: float
+    """Film of smooth surfaces where the pressure is largest by Moes, less where its oil is short [m]."""
     open_film: float
+    """Film that rough surfaces keep open, oil and asperities together [m]; `film` of smooth ones."""
     supply_ratio: float
+    """Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough."""
     regime: Regime
+    """The regime of lubrication, of smooth surfaces with enough oil."""
 
 
 def line_scales(scene: LineScene) -> LineScales:

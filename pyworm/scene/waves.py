@@ -21,18 +21,12 @@ TURNED = 1e-9
 
 @dataclass(frozen=True)
 class MovingWaves:
-    """Waves that no gap holds since they roll through the contact.
-
-    Attributes
-    ----------
-    height : float
-        Root mean square height of both surfaces' together [m].
-    length : float
-        Length of the higher ones [m].
-    """
+    """Waves that no gap holds since they roll through the contact."""
 
     height: float
+    """Root mean square height of both surfaces' together [m]."""
     length: float
+    """Length of the higher ones [m]."""
 
 
 def opening(scene: Contact, *places: Array) -> tuple[Array, Array]:
