@@ -57,24 +57,16 @@ change, 1.7, in halvings."""
 
 @dataclass(frozen=True)
 class Steps:
-    """Newton steps of a solve.
-
-    Attributes
-    ----------
-    outer : float
-        Steps on each grid except the last of a nest.
-    cold : float
-        Steps on the last grid with an isothermal Newtonian oil.
-    full : float
-        Further steps on the last grid with all effects, if there are more.
-    finer : float
-        Steps on each finer grid.
-    """
+    """Newton steps of a solve."""
 
     outer: float
+    """Steps on each grid except the last of a nest."""
     cold: float
+    """Steps on the last grid with an isothermal Newtonian oil."""
     full: float
+    """Further steps on the last grid with all effects, if there are more."""
     finer: float
+    """Steps on each finer grid."""
 
 
 STEPS: dict[Kind, Steps] = {
@@ -101,43 +93,28 @@ AUXILIARY_STEPS = Steps(outer=0.0, cold=8.0, full=60.0, finer=5.0)
 
 @dataclass(frozen=True)
 class Stage:
-    """Newton steps on one grid.
-
-    Attributes
-    ----------
-    nodes : float
-        Number of nodes.
-    cold : float
-        Steps with an isothermal Newtonian oil.
-    full : float
-        Steps with all effects; 0 where there are no more.
-    """
+    """Newton steps on one grid."""
 
     nodes: float
+    """Number of nodes."""
     cold: float
+    """Steps with an isothermal Newtonian oil."""
     full: float
+    """Steps with all effects; 0 where there are no more."""
 
 
 @dataclass(frozen=True)
 class Work:
-    """Expected work of a solve, grid by grid.
-
-    Attributes
-    ----------
-    kind : str
-        "point" or "line".
-    stages : tuple of Stage
-        Grids, finer ones last, whose number is the expected one.
-    needed : float
-        Expected number of nodes for an error of `WORTHLESS`.
-    in_vain : bool
-        Whether that number exceeds the largest grid so far that no grid is refined.
-    """
+    """Expected work of a solve, grid by grid."""
 
     kind: Kind
+    """Kind of contact: "point" or "line"."""
     stages: tuple[Stage, ...]
+    """Grids, finer ones last, whose number is the expected one."""
     needed: float = 0.0
+    """Expected number of nodes for an error of `WORTHLESS`."""
     in_vain: bool = False
+    """Whether that number exceeds the largest grid so far that no grid is refined."""
 
     @property
     def finest(self) -> float:

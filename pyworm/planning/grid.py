@@ -15,24 +15,20 @@ Box = tuple[float, float, float, float]
 
 @dataclass(frozen=True)
 class Grid:
-    """A uniform grid of nodes.
-
-    Attributes
-    ----------
-    west, south : float
-        Position of the first node [m].
-    dx, dy : float
-        Spacing [m].
-    nx, ny : int
-        Number of nodes along x and y.
-    """
+    """A uniform grid of nodes."""
 
     west: float
+    """Position of the first node along x [m]."""
     south: float
+    """Position of the first node along y [m]."""
     dx: float
+    """Spacing along x [m]."""
     dy: float
+    """Spacing along y [m]."""
     nx: int
+    """Number of nodes along x."""
     ny: int
+    """Number of nodes along y."""
 
     @property
     def x(self) -> np.ndarray:

@@ -38,21 +38,14 @@ On coarser grids at M > 800, Newton's iteration diverged on 64 cells and the win
 
 @dataclass(frozen=True)
 class LineGrid:
-    """A uniform grid of nodes, one of them at the contact point.
-
-    Attributes
-    ----------
-    dx : float
-        Spacing [m].
-    first : int
-        Number of the first node, counted from the contact point.
-    nodes : int
-        Number of nodes.
-    """
+    """A uniform grid of nodes, one of them at the contact point."""
 
     dx: float
+    """Spacing [m]."""
     first: int
+    """Number of the first node, counted from the contact point."""
     nodes: int
+    """Number of nodes."""
 
     @property
     def x(self) -> np.ndarray:

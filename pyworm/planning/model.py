@@ -10,24 +10,16 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class Model:
-    """Model of a contact: levels across the film, heat.
-
-    Attributes
-    ----------
-    levels : int
-        Levels across the film, walls included; 0 for an isothermal Newtonian film between smooth surfaces.
-    heated : bool
-        Whether heat is simulated, in the film and the bodies.
-    level_error : float
-        Largest relative error of films, friction and largest temperatures by the number of levels [-].
-    rough : bool
-        Whether the surfaces' roughness is simulated.
-    """
+    """Model of a contact: levels across the film, heat."""
 
     levels: int = 0
+    """Levels across the film, walls included; 0 for an isothermal Newtonian film between smooth surfaces."""
     heated: bool = False
+    """Whether heat is simulated, in the film and the bodies."""
     level_error: float = 0.0
+    """Largest relative error of films, friction and largest temperatures by the number of levels [-]."""
     rough: bool = False
+    """Whether the surfaces' roughness is simulated."""
 
 
 PARABOLA = 3

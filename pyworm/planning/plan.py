@@ -37,58 +37,39 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True, repr=False)
 class Plan(Shown):
-    """Effects, model, grids and tolerance of a solve.
-
-    Attributes
-    ----------
-    accuracy : float
-        Relative error wanted in the quantities asked for [-].
-    quantities : tuple of str
-        Quantities asked for, of `pyworm.planning.effects.effect.QUANTITIES`.
-    asked : str or None
-        Effects named by the user; None where the accuracy decides.
-    effects : tuple of Judgement
-        Every effect with its judgement.
-    regime : Regime
-        The regime of lubrication.
-    aim : Aim
-        The figures whose error bars the accuracy is asked of.
-    model : Model
-        Levels across the film and heat, as the kernel simulates them.
-    grids : tuple of Grid or LineGrid
-        Grids from the outermost to the first one of the figures; finer ones are added as needed.
-    wider_grids : tuple of Grid or LineGrid
-        Grids of the same spacing to a window of twice the reach, for the window error; empty if that is
-        not to be estimated, and no part of error bars.
-    largest_grid : int
-        Nodes beyond which grids are not refined further.
-    tolerance : float
-        Residual and load error, at most, at which a grid of the figures is solved.
-    work : Work
-        Expected Newton steps; `pyworm.solver.cost.expected_time` gives their time.
-    refusal : str or None
-        Reason why no grid is refined, the film needing far more nodes than allowed; else None.
-    excluded : mapping of str to str
-        Effects left out whatever the accuracy requires, and the reason of each.
-    contact : tuple of float
-        Load, reduced modulus, viscosity, radii and velocities of the contact that it is made for.
-    """
+    """Effects, model, grids and tolerance of a solve."""
 
     accuracy: float
+    """Relative error wanted in the quantities asked for [-]."""
     quantities: tuple[str, ...]
+    """Quantities asked for, of `pyworm.planning.effects.effect.QUANTITIES`."""
     asked: str | None
+    """Effects named by the user; None where the accuracy decides."""
     effects: tuple[Judgement, ...]
+    """Every effect with its judgement."""
     regime: Regime
+    """The regime of lubrication."""
     aim: Aim
+    """The figures whose error bars the accuracy is asked of."""
     model: Model
+    """Levels across the film and heat, as the kernel simulates them."""
     grids: tuple[Grid | LineGrid, ...]
+    """Grids from the outermost to the first one of the figures; finer ones are added as needed."""
     wider_grids: tuple[Grid | LineGrid, ...]
+    """Grids of the same spacing to a window of twice the reach, for the window error; empty if that is not to
+    be estimated, and no part of error bars."""
     largest_grid: int
+    """Nodes beyond which grids are not refined further."""
     tolerance: float
+    """Residual and load error, at most, at which a grid of the figures is solved."""
     work: Work
+    """Expected Newton steps; `pyworm.solver.cost.expected_time` gives their time."""
     refusal: str | None = None
+    """Reason why no grid is refined, the film needing far more nodes than allowed; else None."""
     excluded: Mapping[str, str] = field(default_factory=dict)
+    """Effects left out whatever the accuracy requires, and the reason of each."""
     contact: tuple[float, ...] = ()
+    """Load, reduced modulus, viscosity, radii and velocities of the contact that it is made for."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of its picture in words."""

@@ -33,56 +33,43 @@ INLET_HEAT = 100.0
 
 @dataclass(frozen=True)
 class Prediction:
-    """Lengths, pressures, films, friction and temperatures of a contact, predicted or solved.
-
-    Attributes
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    half_width, half_length : float
-        Half-width of the contact along the entrainment and across it [m]; the latter infinite for a line.
-    mean_to_max : float
-        Ratio of mean to largest pressure [-].
-    pressure_max : float
-        Largest pressure [Pa]; predicted by Hertz, limited to `SOLID`, too high where a thick film spreads the
-        load.
-    film_central, film_min : float
-        Central and minimum film [m].
-    speed, sliding : float
-        Entrainment and sliding at the contact point [m/s]; for pure spin the mean entrainment about it.
-    velocities : tuple of float
-        Speeds of the surfaces at the contact point [m/s].
-    groups : PointGroups or LineGroups
-        Dimensionless groups along the entrainment.
-    regime : Regime
-        The regime of lubrication by closed forms, of smooth surfaces with enough oil.
-    supply_ratio : float
-        Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough.
-    carried_by_heat : bool
-        Whether no film forms without heat.
-    work : float or None
-        Solved heat of shearing for each area [W/m2]; None before it is known.
-    rise_film, rise_bodies : float or None
-        Solved largest temperature above the inlet's of film and warmer surface [K]; None before it is known.
-    """
+    """Lengths, pressures, films, friction and temperatures of a contact, predicted or solved."""
 
     scene: Scene | LineScene
+    """The contact."""
     half_width: float
+    """Half-width of the contact along the entrainment [m]."""
     half_length: float
+    """Half-width of the contact across the entrainment [m]; infinite for a line."""
     mean_to_max: float
+    """Ratio of mean to largest pressure [-]."""
     pressure_max: float
+    """Largest pressure [Pa]; predicted by Hertz, limited to `SOLID`, too high where a thick film spreads the
+    load."""
     film_central: float
+    """Central film [m]."""
     film_min: float
+    """Minimum film [m]."""
     speed: float
+    """Entrainment at the contact point [m/s]; for pure spin the mean entrainment about it."""
     sliding: float
+    """Sliding at the contact point [m/s]."""
     velocities: tuple[float, float]
+    """Speeds of the surfaces at the contact point [m/s]."""
     groups: PointGroups | LineGroups
+    """Dimensionless groups along the entrainment."""
     regime: Regime
+    """The regime of lubrication by closed forms, of smooth surfaces with enough oil."""
     supply_ratio: float = inf
+    """Thickness of the oil that arrives over the flooded film [-]; infinite where there is always enough."""
     carried_by_heat: bool = False
+    """Whether no film forms without heat."""
     work: float | None = None
+    """Solved heat of shearing for each area [W/m2]; None before it is known."""
     rise_film: float | None = None
+    """Solved largest temperature of the film above the inlet's [K]; None before it is known."""
     rise_bodies: float | None = None
+    """Solved largest temperature of the warmer surface above the inlet's [K]; None before it is known."""
 
     @property
     def transit(self) -> float:

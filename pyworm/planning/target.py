@@ -21,17 +21,12 @@ class Aim:
     The largest pressure is never among them: under light loads it is the tip of a spike at the exit, which no
     practicable grid resolves. Nor is the film's largest temperature on the largest grid allowed, where it is
     the tip of a spike (`solver.error_estimate.hot_spike`).
-
-    Attributes
-    ----------
-    figures : tuple of str
-        Names of the figures.
-    warmth : float
-        Temperature difference to which errors of temperatures are relative where the rise is smaller [K].
     """
 
     figures: tuple[str, ...]
+    """Names of the figures."""
     warmth: float = 0.0
+    """Temperature difference to which errors of temperatures are relative where the rise is smaller [K]."""
 
     def without(self, *names: str) -> "Aim":
         """The aim without some figures."""

@@ -25,18 +25,12 @@ OUTFLOW_FRACTION = 0.5
 
 @dataclass(frozen=True)
 class Reach:
-    """Height of the undeformed gap at a window's sides, in film thicknesses.
-
-    Attributes
-    ----------
-    inlet : float
-        Gap where oil enters or passes by [films].
-    exit : float
-        Gap where oil leaves [films]; at most `inlet`.
-    """
+    """Height of the undeformed gap at a window's sides, in film thicknesses."""
 
     inlet: float
+    """Gap where oil enters or passes by [films]."""
     exit: float
+    """Gap where oil leaves [films]; at most `inlet`."""
 
     @classmethod
     def around(cls, inlet: float) -> "Reach":

@@ -15,20 +15,15 @@ QUANTITIES = (FILM, FRICTION, TEMPERATURE)
 
 @dataclass(frozen=True)
 class Influence:
-    """Relative change of film, friction and temperature by leaving an effect out.
-
-    Attributes
-    ----------
-    film, friction : float
-        Relative change of the films and of the friction [-].
-    temperature : float
-        Change of the largest temperatures, over their rise or, where that is smaller, over the temperature
-        difference by which the inlet's viscosity falls e-fold [-].
-    """
+    """Relative change of film, friction and temperature by leaving an effect out."""
 
     film: float = 0.0
+    """Relative change of the films [-]."""
     friction: float = 0.0
+    """Relative change of the friction [-]."""
     temperature: float = 0.0
+    """Change of the largest temperatures, over their rise or, where that is smaller, over the temperature
+    difference by which the inlet's viscosity falls e-fold [-]."""
 
     def on(self, quantities: tuple[str, ...]) -> float:
         """The largest influence on some quantities."""
@@ -41,42 +36,27 @@ EVERYTHING = Influence(inf, inf, inf)
 
 @dataclass(frozen=True)
 class Effect:
-    """One entry of the catalogue.
-
-    Attributes
-    ----------
-    name : str
-        Name in `--effects` and tables.
-    symbol : str
-        The indicator as a formula.
-    source : str
-        Source of the indicator, or of the law of influence.
-    indicator : callable
-        Prediction -> the number by which the effect is judged [-].
-    influence : callable
-        Prediction -> the influence of leaving it out.
-    without : callable or None
-        Scene -> the scene without the effect, unchanged where the solver omits it; None if not simulated.
-    lacking : callable
-        Scene -> reason why the contact does not have it, or why that is unknown; None where it has.
-    together : tuple of str
-        Effects without which it is not simulated.
-    eased_by : tuple of str
-        Effects that are simulated with it: they cost nothing more then and ease its solution.
-    part_of : str or None
-        An effect earlier in the catalogue that includes this one.
-    passing : bool
-        Whether contacts of one drive may have it at some phases of the mesh only.
-    """
+    """One entry of the catalogue."""
 
     name: str
+    """Name in `--effects` and tables."""
     symbol: str
+    """The indicator as a formula."""
     source: str
+    """Source of the indicator, or of the law of influence."""
     indicator: Callable[[Prediction], float]
+    """Prediction -> the number by which the effect is judged [-]."""
     influence: Callable[[Prediction], Influence]
+    """Prediction -> the influence of leaving it out."""
     without: Callable[[AnyContact], AnyContact] | None
+    """Scene -> the scene without the effect, unchanged where the solver omits it; None if not simulated."""
     lacking: Callable[[AnyContact], str | None] = lambda scene: None
+    """Scene -> reason why the contact does not have it, or why that is unknown; None where it has."""
     together: tuple[str, ...] = ()
+    """Effects without which it is not simulated."""
     eased_by: tuple[str, ...] = ()
+    """Effects that are simulated with it: they cost nothing more then and ease its solution."""
     part_of: str | None = None
+    """An effect earlier in the catalogue that includes this one."""
     passing: bool = False
+    """Whether contacts of one drive may have it at some phases of the mesh only."""

@@ -11,27 +11,18 @@ from pyworm.scene.any_contact import AnyContact
 
 @dataclass(frozen=True)
 class Judgement:
-    """Decision of a plan about one effect.
-
-    Attributes
-    ----------
-    name : str
-        Name of the effect.
-    on : bool
-        Whether it is simulated.
-    indicator : float or None
-        Number by which it is judged [-]; None where the contact does not have it or that is unknown.
-    influence : dict
-        Relative change of each quantity asked for by leaving it out (`Influence`); empty likewise.
-    reason : str
-        Reason why it is on or off.
-    """
+    """Decision of a plan about one effect."""
 
     name: str
+    """Name of the effect."""
     on: bool
+    """Whether it is simulated."""
     indicator: float | None
+    """Number by which it is judged [-]; None where the contact does not have it or that is unknown."""
     influence: dict[str, float]
+    """Relative change of each quantity asked for by leaving it out (`Influence`); empty likewise."""
     reason: str
+    """Reason why it is on or off."""
 
 
 def judge(

@@ -55,18 +55,12 @@ def words(text: str) -> tuple[str, ...]:
 
 @dataclass(frozen=True)
 class BesideAuto:
-    """Effects named beside "auto".
-
-    Attributes
-    ----------
-    required : frozenset of str
-        Effects to simulate in any case.
-    excluded : frozenset of str
-        Effects not to simulate, with those that depend on them.
-    """
+    """Effects named beside "auto"."""
 
     required: frozenset[str] = frozenset()
+    """Effects to simulate in any case."""
     excluded: frozenset[str] = frozenset()
+    """Effects not to simulate, with those that depend on them."""
 
 
 def beside_auto(text: str) -> BesideAuto | None:
