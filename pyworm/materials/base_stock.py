@@ -29,59 +29,47 @@ _TABLE = Path(__file__).with_name("oils.toml")
 
 @dataclass(frozen=True)
 class BaseStock:
-    """Common properties of the oils of one base stock.
-
-    Attributes
-    ----------
-    name : str
-        Base stock.
-    density_15, density_coefficient : float
-        Density at 15 degC [kg/m3] and its relative fall with temperature [1/K].
-    specific_heat : float
-        [J/(kg K)].
-    gold_s, gold_t : float
-        Constants of Gold's law of the pressure-viscosity coefficient (`oil_laws.gold_alpha`).
-    alpha_spread : float
-        Relative uncertainty of that coefficient [-].
-    density_d1, density_d2 : float
-        Rise of the density with pressure [1/Pa] (`pyworm.materials.viscosity_density.Density`).
-    conductivity : float or None
-        Thermal conductivity [W/(m K)]; None where Cragoe's formula gives it.
-    agma_k, agma_s : float or None
-        Constants of AGMA's law, k in mm2/N (`oil_laws.agma_alpha`); None where it has none.
-    limiting_coefficient : float or None
-        Limiting stress over pressure [-], which also gives the Eyring stress; None where stresses are given.
-    eyring_stress, limiting_stress : float or None
-        Constant stresses [Pa]; None where the coefficient gives them.
-    boundary_friction : float
-        Friction coefficient of asperities of steel on steel or tin bronze [-].
-    heat : dict of str to float
-        Further constants of `pyworm.materials.thermal_properties.OilHeat`.
-    grades : dict of int to tuple of float
-        ISO viscosity grade -> Walther's m and n.
-    sources : dict of str to str
-        Where the numbers come from.
-    """
+    """Common properties of the oils of one base stock."""
 
     name: Base
+    """Base stock."""
     density_15: float
+    """Density at 15 degC [kg/m3]."""
     density_coefficient: float
+    """Relative fall of the density with temperature [1/K]."""
     specific_heat: float
+    """Specific heat [J/(kg K)]."""
     gold_s: float
+    """Constant s of Gold's law of the pressure-viscosity coefficient (`oil_laws.gold_alpha`)."""
     gold_t: float
+    """Constant t of Gold's law of that coefficient."""
     alpha_spread: float = 0.0
+    """Relative uncertainty of that coefficient [-]."""
     density_d1: float = 0.6e-9
+    """d1 of the rise of the density with pressure [1/Pa] (`pyworm.materials.viscosity_density.Density`)."""
     density_d2: float = 1.7e-9
+    """d2 of the rise of the density with pressure [1/Pa]."""
     conductivity: float | None = None
+    """Thermal conductivity [W/(m K)]; None where Cragoe's formula gives it."""
     agma_k: float | None = None
+    """Constant k of AGMA's law, in mm2/N (`oil_laws.agma_alpha`); None where it has none."""
     agma_s: float | None = None
+    """Constant s of AGMA's law; None where it has none."""
     limiting_coefficient: float | None = None
+    """Limiting stress over pressure [-], which also gives the Eyring stress; None where stresses are
+    given."""
     eyring_stress: float | None = None
+    """Constant Eyring stress [Pa]; None where the coefficient gives it."""
     limiting_stress: float | None = None
+    """Constant limiting stress [Pa]; None where the coefficient gives it."""
     boundary_friction: float = BOUNDARY_FRICTION
+    """Friction coefficient of asperities of steel on steel or tin bronze [-]."""
     heat: dict[str, float] = field(default_factory=dict)
+    """Further constants of `pyworm.materials.thermal_properties.OilHeat`."""
     grades: dict[int, tuple[float, float]] = field(default_factory=dict)
+    """ISO viscosity grade -> Walther's m and n."""
     sources: dict[str, str] = field(default_factory=dict)
+    """Where the numbers come from."""
 
 
 def base_stock(name: str) -> BaseStock:

@@ -27,44 +27,6 @@ surfaces (Greenwood and Tripp 1970)."""
 class Body:
     """One of the two solids.
 
-    Attributes
-    ----------
-    youngs_modulus : float
-        Young's modulus [Pa]; with `modulus_by_temperature` and a bulk temperature that of the latter.
-    poisson_ratio : float
-        Poisson's ratio [-].
-    density, conductivity, specific_heat : float or None
-        Density [kg/m3], thermal conductivity [W/(m K)] and specific heat [J/(kg K)];
-        needed only where heat is simulated.
-    bulk_temperature : float or None
-        Temperature far below the surface and of the surface before the contact [K]; needed with them.
-    roughness : float or None
-        Root mean square height of the surface, Rq [m]; None if it is not known. Drawings often give the
-        arithmetic mean Ra, from which it is about 1.25 Ra where heights are spread normally.
-    roughness_slope : float
-        Root mean square slope of the surface [-].
-    roughness_aspect : float
-        Correlation length of the roughness along its lay over that across it [-]; 1 where it has no lay.
-    lay : float
-        Angle of the lay from the surface's own motion through the contact [rad].
-    asperity_sharpness : float or None
-        Composite roughness over the radius of the asperities' tips [-], all alike; None of a surface that is
-        rough on all scales.
-    asperity_density : float
-        Such asperities for each area times radius times composite roughness [-].
-    hardness : float or None
-        Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield.
-    boundary_friction_factor : float
-        Boundary friction of its asperities over that of steel or tin bronze under the same oil [-].
-    topography : Topography or None
-        Heights of the surface, in place of averages by the figures above; None where they are not known.
-    long_waves : LongWaves or None
-        Its waves longer than those of the roughness; None where they are not known.
-    modulus_by_temperature : tuple of tuple of float
-        Temperatures [K] and Young's moduli there [Pa] of a solid that softens; empty of one that does not.
-    temperature_limit : float or None
-        Temperature that it bears in continuous use [K]; None where it is not known.
-
     Raises
     ------
     ValueError
@@ -72,23 +34,43 @@ class Body:
     """
 
     youngs_modulus: float
+    """Young's modulus [Pa]; with `modulus_by_temperature` and a bulk temperature that of the latter."""
     poisson_ratio: float
+    """Poisson's ratio [-]."""
     density: float | None = None
+    """Density [kg/m3]; needed only where heat is simulated."""
     conductivity: float | None = None
+    """Thermal conductivity [W/(m K)]; needed only where heat is simulated."""
     specific_heat: float | None = None
+    """Specific heat [J/(kg K)]; needed only where heat is simulated."""
     bulk_temperature: float | None = None
+    """Temperature far below the surface and of the surface before the contact [K]; needed with heat."""
     roughness: float | None = None
+    """Root mean square height of the surface, Rq [m]; None if it is not known. Drawings often give the
+    arithmetic mean Ra, from which it is about 1.25 Ra where heights are spread normally."""
     roughness_slope: float = RUN_IN_SLOPE
+    """Root mean square slope of the surface [-]."""
     roughness_aspect: float = 1.0
+    """Correlation length of the roughness along its lay over that across it [-]; 1 where it has no lay."""
     lay: float = 0.0
+    """Angle of the lay from the surface's own motion through the contact [rad]."""
     asperity_sharpness: float | None = None
+    """Composite roughness over the radius of the asperities' tips [-], all alike; None of a surface that is
+    rough on all scales."""
     asperity_density: float = ASPERITY_DENSITY
+    """Such asperities for each area times radius times composite roughness [-]."""
     hardness: float | None = None
+    """Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield."""
     boundary_friction_factor: float = 1.0
+    """Boundary friction of its asperities over that of steel or tin bronze under the same oil [-]."""
     topography: Topography | None = None
+    """Heights of the surface, in place of averages by the figures above; None where they are not known."""
     long_waves: LongWaves | None = None
+    """Its waves longer than those of the roughness; None where they are not known."""
     modulus_by_temperature: Points = ()
+    """Temperatures [K] and Young's moduli there [Pa] of a solid that softens; empty of one that does not."""
     temperature_limit: float | None = None
+    """Temperature that it bears in continuous use [K]; None where it is not known."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "youngs_modulus": units.Modulus,

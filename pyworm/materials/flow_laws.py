@@ -23,22 +23,16 @@ FlowLawName = Literal[
 
 @dataclass(frozen=True)
 class Branch:
-    """One branch of a liquid of several: a part of its viscosity that thins by Carreau and Yasuda's law.
-
-    Attributes
-    ----------
-    fraction : float
-        Its part of the viscosity at rest [-].
-    ratio : float
-        Its stress G over that of the flow law [-].
-    exponent, yasuda : float
-        n and a [-].
-    """
+    """One branch of a liquid of several: a part of its viscosity that thins by Carreau and Yasuda's law."""
 
     fraction: float
+    """Its part of the viscosity at rest [-]."""
     ratio: float
+    """Its stress G over that of the flow law [-]."""
     exponent: float
+    """Exponent n [-]."""
     yasuda: float = 2.0
+    """Yasuda's exponent a [-]."""
 
     def __post_init__(self) -> None:
         """Refuse what is no branch."""
@@ -68,39 +62,28 @@ class FlowLaw:
     but at least 0.1 MPa; n = `exponent`, a = `yasuda`, or f, r, n, a of each of several
     `branches`. The last two laws are limited as eyring-limited is where `limit` or `limit_pressure` is given.
     What a law does not name it does not read.
-
-    Attributes
-    ----------
-    law : str
-        Name of the law.
-    stress : float
-        Eyring stress tau0 or Carreau's G at ambient pressure and inlet temperature [Pa].
-    stress_pressure, stress_temperature : float
-        How these follow pressure [1/Pa] and temperature [1/K].
-    limit : float
-        Limiting stress at ambient pressure [Pa].
-    limit_pressure : float
-        Its rise with pressure [-].
-    exponent : float
-        lambda of equation 6, which the paper takes as 1, or Carreau's n [-].
-    yasuda : float
-        Yasuda's a [-]; 2 is Carreau's law.
-    branches : tuple of Branch
-        Branches of a liquid of several, whose fractions add up to one.
-    table : tuple of tuple of float
-        Pairs of Newtonian stress eta rate and stress tau, both over G, increasing (`FlowLaw.of`).
     """
 
     law: FlowLawName
+    """Name of the law."""
     stress: float = 0.0
+    """Eyring stress tau0 or Carreau's G at ambient pressure and inlet temperature [Pa]."""
     stress_pressure: float = 0.0
+    """How the stress follows pressure [1/Pa]."""
     stress_temperature: float = 0.0
+    """How the stress follows temperature [1/K]."""
     limit: float = 0.0
+    """Limiting stress at ambient pressure [Pa]."""
     limit_pressure: float = 0.0
+    """Its rise with pressure [-]."""
     exponent: float = 1.0
+    """lambda of equation 6, which the paper takes as 1, or Carreau's n [-]."""
     yasuda: float = 2.0
+    """Yasuda's a [-]; 2 is Carreau's law."""
     branches: tuple[Branch, ...] = ()
+    """Branches of a liquid of several, whose fractions add up to one."""
     table: tuple[tuple[float, float], ...] = ()
+    """Pairs of Newtonian stress eta rate and stress tau, both over G, increasing (`FlowLaw.of`)."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "stress": units.StressOrZero,

@@ -31,25 +31,18 @@ _NAME = re.compile(rf"({'|'.join(BASES)})\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECAS
 
 @dataclass(frozen=True)
 class NamedOil:
-    """An oil whose properties are known over temperature.
-
-    Attributes
-    ----------
-    name : str
-        What it is called.
-    stock : BaseStock
-        What it shares with its base stock.
-    walther_m, walther_n : float
-        Constants of its viscosity (`oil_laws.walther_viscosity`).
-    source : str
-        Where its viscosity comes from.
-    """
+    """An oil whose properties are known over temperature."""
 
     name: str
+    """What it is called."""
     stock: BaseStock
+    """What it shares with its base stock."""
     walther_m: float
+    """Constant m of its viscosity (`oil_laws.walther_viscosity`)."""
     walther_n: float
+    """Constant n of its viscosity (`oil_laws.walther_viscosity`)."""
     source: str
+    """Where its viscosity comes from."""
 
     @property
     def viscosity_index(self) -> float:

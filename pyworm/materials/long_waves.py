@@ -23,15 +23,10 @@ ON_A_WAVE = 32
 
 @dataclass(frozen=True)
 class LongWaves:
-    """Waves of a surface; beyond what was measured they go on as in a mirror.
-
-    Attributes
-    ----------
-    surface : Topography
-        Heights [m], outwards of the body, and the direction of their x axis from the surface's own motion.
-    """
+    """Waves of a surface; beyond what was measured they go on as in a mirror."""
 
     surface: Topography
+    """Heights [m], outwards of the body, and the direction of their x axis from the surface's own motion."""
 
     @property
     def rms(self) -> float:
@@ -83,21 +78,14 @@ class LongWaves:
 
 @dataclass(frozen=True, eq=False)
 class Ridges:
-    """Waves that are constant along one direction.
-
-    Attributes
-    ----------
-    height : numpy.ndarray
-        Heights across it [m], of mean zero.
-    spacing : float
-        Distance of places across it [m].
-    middle : float
-        Row of the place in the middle of the waves.
-    """
+    """Waves that are constant along one direction."""
 
     height: Array
+    """Heights across it [m], of mean zero."""
     spacing: float
+    """Distance of places across it [m]."""
     middle: float
+    """Row of the place in the middle of the waves."""
 
     @property
     def rms(self) -> float:

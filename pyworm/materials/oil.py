@@ -74,38 +74,27 @@ class Oil:
 
     The kernel computes these laws itself, from their constants: a class derived from one of them, whose
     formula it would not use, is refused.
-
-    Attributes
-    ----------
-    viscosity : Barus, Roelands or TabulatedViscosity
-        Viscosity against pressure at the inlet temperature.
-    density : Density or TabulatedDensity
-        Density against pressure at the inlet temperature.
-    flow : FlowLaw or None
-        How it shears under stress; None if nothing is known but its viscosity.
-    heat : OilHeat or None
-        How it takes heat; None where that is not known, and cannot be simulated.
-    supply : float, OilLayer or None
-        Thickness of the oil that arrives at a contact, on both surfaces together [m], or its profile across
-        the track; None where there is always enough.
-    boundary_friction : float
-        Friction coefficient of the bodies' asperities in contact under this oil [-].
-    boundary_friction_spread : float or None
-        Relative uncertainty of that coefficient [-] where it was fitted to measured friction of such
-        contacts, together with the law of contact of asperities; None where it is given.
-    alpha_spread : float
-        Relative uncertainty of the pressure-viscosity coefficient [-]: its base stock's for an oil of the
-        library, zero where it was measured.
     """
 
     viscosity: Barus | Roelands | TabulatedViscosity
+    """Viscosity against pressure at the inlet temperature."""
     density: Density | TabulatedDensity
+    """Density against pressure at the inlet temperature."""
     flow: FlowLaw | None = None
+    """How it shears under stress; None if nothing is known but its viscosity."""
     heat: OilHeat | None = None
+    """How it takes heat; None where that is not known, and cannot be simulated."""
     supply: float | OilLayer | None = None
+    """Thickness of the oil that arrives at a contact, on both surfaces together [m], or its profile across
+    the track; None where there is always enough."""
     boundary_friction: float = BOUNDARY_FRICTION
+    """Friction coefficient of the bodies' asperities in contact under this oil [-]."""
     boundary_friction_spread: float | None = None
+    """Relative uncertainty of that coefficient [-] where it was fitted to measured friction of such contacts,
+    together with the law of contact of asperities; None where it is given."""
     alpha_spread: float = 0.0
+    """Relative uncertainty of the pressure-viscosity coefficient [-]: its base stock's for an oil of the
+    library, zero where it was measured."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"supply": units.Film}
 

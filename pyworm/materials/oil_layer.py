@@ -15,13 +15,6 @@ from pyworm.io.given import Given, in_si, take
 class OilLayer:
     """Thickness of the oil that arrives at a contact, over the place across its track.
 
-    Attributes
-    ----------
-    across : tuple of float
-        Places across the entrainment from the contact point, to its left, increasing [m].
-    thickness : tuple of float
-        Thickness of the oil on both surfaces together there [m]; in between linear, beyond as at the ends.
-
     Raises
     ------
     ValueError
@@ -29,7 +22,9 @@ class OilLayer:
     """
 
     across: tuple[float, ...]
+    """Places across the entrainment from the contact point, to its left, increasing [m]."""
     thickness: tuple[float, ...]
+    """Thickness of the oil on both surfaces together there [m]; in between linear, beyond as at the ends."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "across": tuple[units.Offset, ...],

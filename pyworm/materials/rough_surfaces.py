@@ -34,54 +34,38 @@ LEAST_AREA = 1e-30
 
 @dataclass(frozen=True)
 class RoughSurface:
-    """Roughness of one surface.
-
-    Attributes
-    ----------
-    height : float
-        Root mean square height Rq [m].
-    slope : float
-        Root mean square slope [-].
-    aspect : float
-        Correlation length along the lay over that across it [-].
-    lay : float
-        Angle of the lay from the x axis [rad].
-    hardness : float or None
-        Indentation hardness [Pa]; None of a surface that does not yield.
-    sharpness : float or None
-        Composite roughness over the radius of asperities of one radius [-]; None if rough on all scales.
-    density : float
-        Such asperities for each area times radius times composite roughness [-].
-    """
+    """Roughness of one surface."""
 
     height: float
+    """Root mean square height Rq [m]."""
     slope: float
+    """Root mean square slope [-]."""
     aspect: float = 1.0
+    """Correlation length along the lay over that across it [-]."""
     lay: float = 0.0
+    """Angle of the lay from the x axis [rad]."""
     hardness: float | None = None
+    """Indentation hardness [Pa]; None of a surface that does not yield."""
     sharpness: float | None = None
+    """Composite roughness over the radius of asperities of one radius [-]; None if rough on all scales."""
     density: float = ASPERITY_DENSITY
+    """Such asperities for each area times radius times composite roughness [-]."""
 
 
 @dataclass(frozen=True)
 class GapCurves:
-    """Averages of a pair of rough surfaces over the gap between their mean planes, as the kernel takes them.
-
-    Attributes
-    ----------
-    scale : float
-        Scale of the gap [m].
-    first, spacing : float
-        asinh(gap/scale) of the first row, and between rows.
-    values, slopes : numpy.ndarray
-        Curves (`fortran/film/rough_surfaces.f90`) and their derivatives by the rows' coordinate, (9, rows).
-    """
+    """Averages of two rough surfaces over the gap between their mean planes, as the kernel takes them."""
 
     scale: float
+    """Scale of the gap [m]."""
     first: float
+    """asinh(gap/scale) of the first row."""
     spacing: float
+    """Difference of asinh(gap/scale) between rows."""
     values: Array
+    """Curves (`fortran/film/rough_surfaces.f90`), (9, rows)."""
     slopes: Array
+    """Derivatives of the curves by the rows' coordinate, (9, rows)."""
 
     @classmethod
     def through(cls, scale: float, first: float, spacing: float, values: Array) -> Self:
@@ -125,18 +109,12 @@ class GapCurves:
 
 @dataclass(frozen=True)
 class RoughPair:
-    """Two rough surfaces in contact.
-
-    Attributes
-    ----------
-    surfaces : tuple of RoughSurface
-        Surfaces of body 1 and body 2.
-    modulus : float
-        E* = E'/2 [Pa].
-    """
+    """Two rough surfaces in contact."""
 
     surfaces: tuple[RoughSurface, RoughSurface]
+    """Surfaces of body 1 and body 2."""
     modulus: float
+    """E* = E'/2 [Pa]."""
 
     @property
     def height(self) -> float:

@@ -72,21 +72,14 @@ class RoughSurfaces(Protocol):
 
 @dataclass(frozen=True)
 class Variation:
-    """Rough surfaces with one assumption changed by a part of its uncertainty.
-
-    Attributes
-    ----------
-    curves : GapCurves
-        Averages over the gap.
-    boundary_friction : float
-        Friction coefficient of asperities in contact [-].
-    by_factor : bool
-        Whether the assumption is known to a factor, so that what it changes compounds.
-    """
+    """Rough surfaces with one assumption changed by a part of its uncertainty."""
 
     curves: GapCurves
+    """Averages over the gap."""
     boundary_friction: float
+    """Friction coefficient of asperities in contact [-]."""
     by_factor: bool = False
+    """Whether the assumption is known to a factor, so that what it changes compounds."""
 
 
 def variations(

@@ -36,47 +36,32 @@ COLDER, WARMER = 60.0, 240.0
 
 @dataclass(frozen=True)
 class KernelTable:
-    """A table as the kernel takes it (`fortran/oil/property_table.f90`).
-
-    Attributes
-    ----------
-    coefficient : numpy.ndarray
-        Of powers of pressure and temperature in each cell, shape (4, 4, cells, cells).
-    cold : numpy.ndarray
-        Those at the reference temperature, shape (4, cells).
-    per_pressure, per_rise : float
-        Cells for each pascal and each kelvin.
-    first_rise : float
-        Least temperature above the reference [K].
-    """
+    """A table as the kernel takes it (`fortran/oil/property_table.f90`)."""
 
     coefficient: Array
+    """Of powers of pressure and temperature in each cell, shape (4, 4, cells, cells)."""
     cold: Array
+    """Those at the reference temperature, shape (4, cells)."""
     per_pressure: float
+    """Cells for each pascal."""
     per_rise: float
+    """Cells for each kelvin."""
     first_rise: float
+    """Least temperature above the reference [K]."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Tabulated(ABC):
-    """A property at places of pressure and temperature.
-
-    Attributes
-    ----------
-    pressures : numpy.ndarray
-        Increasing, the first of them ambient, which counts as zero [Pa].
-    temperatures : numpy.ndarray
-        Increasing [K]; one of them is a property without a dependence on temperature.
-    values : numpy.ndarray
-        The property, shape (pressures, temperatures).
-    reference : float
-        Temperature at which the oil enters [K].
-    """
+    """A property at places of pressure and temperature."""
 
     pressures: Array
+    """Increasing, the first of them ambient, which counts as zero [Pa]."""
     temperatures: Array
+    """Increasing [K]; one of them is a property without a dependence on temperature."""
     values: Array
+    """The property, shape (pressures, temperatures)."""
     reference: float
+    """Temperature at which the oil enters [K]."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "pressures": units.PressureCoordinate,
@@ -266,17 +251,7 @@ AMBIENT = 1e6
 
 
 class TabulatedViscosity(Tabulated):
-    """Viscosity [Pa s] by a function or by measurements, `TabulatedViscosity.of(function, inlet)`.
-
-    Attributes
-    ----------
-    pressures, temperatures : numpy.ndarray
-        Where it is given, increasing from ambient pressure [Pa], and increasing [K].
-    values : numpy.ndarray
-        Viscosity [Pa s], shape (pressures, temperatures).
-    reference : float
-        Temperature at which the oil enters [K].
-    """
+    """Viscosity [Pa s] by a function or by measurements, `TabulatedViscosity.of(function, inlet)`."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = Tabulated.QUANTITIES | {"values": units.Viscosity}
 
@@ -304,17 +279,7 @@ class TabulatedViscosity(Tabulated):
 
 
 class TabulatedDensity(Tabulated):
-    """Density [kg/m3] by a function or by measurements, `TabulatedDensity.of(function, inlet)`.
-
-    Attributes
-    ----------
-    pressures, temperatures : numpy.ndarray
-        Where it is given, increasing from ambient pressure [Pa], and increasing [K].
-    values : numpy.ndarray
-        Density [kg/m3], shape (pressures, temperatures).
-    reference : float
-        Temperature at which the oil enters [K].
-    """
+    """Density [kg/m3] by a function or by measurements, `TabulatedDensity.of(function, inlet)`."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = Tabulated.QUANTITIES | {"values": units.OilDensity}
 

@@ -17,43 +17,38 @@ class OilHeat:
     at ambient pressure. Viscosity
     falls by Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z ((T - 138 K)/(T0 - 138 K))^-s0 - 1]}
     (equation 20), or by Barus' law with eta0 exp(alpha p - beta (T - T0)).
-
-    Attributes
-    ----------
-    inlet_temperature : float
-        T0 [K].
-    viscosity_exponent : float
-        s0 [-] of an oil with Roelands' law, beta [1/K] of one with Barus'.
-    conductivity, conductivity_c1, conductivity_c2 : float
-        k0 [W/(m K)], c1, c2 [1/Pa] of the conductivity k = k0 [1 + c1 p / (1 + c2 p)].
-    specific_heat : float
-        c0 [J/(kg K)] of rho c = rho0 c0 {1 + b0 (1 + b1 p + b2 p^2) (T - T0)} {1 + k1 p / (1 + k2 p)}.
-    heat_capacity_b0, heat_capacity_b1, heat_capacity_b2 : float
-        b0 [1/K], b1 [1/Pa], b2 [1/Pa2] in it.
-    heat_capacity_k1, heat_capacity_k2 : float
-        k1, k2 [1/Pa] in it.
-    expansivity, expansivity_decay : float
-        eps0 [1/K] and lambda [1/Pa] of the expansivity eps = eps0 exp(-lambda p), by which the density is
-        rho(p) [1 - eps (T - T0)].
-    supply_temperature : float or None
-        Temperature of the oil before it met bodies of another one, which it has taken since [K]; None where
-        it is the inlet's.
     """
 
     inlet_temperature: float
+    """Inlet temperature T0 [K]."""
     viscosity_exponent: float
+    """s0 [-] of an oil with Roelands' law, beta [1/K] of one with Barus'."""
     conductivity: float
+    """k0 [W/(m K)] of the conductivity k = k0 [1 + c1 p / (1 + c2 p)]."""
     specific_heat: float
+    """c0 [J/(kg K)] of rho c = rho0 c0 {1 + b0 (1 + b1 p + b2 p^2) (T - T0)} {1 + k1 p / (1 + k2 p)}."""
     expansivity: float = 0.0
+    """eps0 [1/K] of the expansivity eps = eps0 exp(-lambda p), by which the density is rho(p)
+    [1 - eps (T - T0)]."""
     expansivity_decay: float = 0.0
+    """lambda [1/Pa] of the expansivity."""
     conductivity_c1: float = 0.0
+    """c1 [1/Pa] of the conductivity."""
     conductivity_c2: float = 0.0
+    """c2 [1/Pa] of the conductivity."""
     heat_capacity_b0: float = 0.0
+    """b0 of rho c [1/K]."""
     heat_capacity_b1: float = 0.0
+    """b1 of rho c [1/Pa]."""
     heat_capacity_b2: float = 0.0
+    """b2 of rho c [1/Pa2]."""
     heat_capacity_k1: float = 0.0
+    """k1 of rho c [1/Pa]."""
     heat_capacity_k2: float = 0.0
+    """k2 of rho c [1/Pa]."""
     supply_temperature: float | None = None
+    """Temperature of the oil before it met bodies of another one, which it has taken since [K]; None where it
+    is the inlet's."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "inlet_temperature": units.Temperature,

@@ -11,28 +11,19 @@ Array = np.ndarray
 
 @dataclass(frozen=True, eq=False)
 class Topography:
-    """Heights over a rectangle; two of the same heights are equal.
-
-    Attributes
-    ----------
-    height : numpy.ndarray
-        Heights [m], outwards of the body, of mean zero, shape (nx, ny).
-    spacing : tuple of float
-        Distance of points along x and y [m].
-    periodic : bool
-        Whether the heights repeat themselves beyond the rectangle.
-    x_direction : float
-        Angle of the x axis from the surface's own motion through the contact [rad].
-    measured : numpy.ndarray or None
-        True where a height was measured, false where one was filled in between those around it, which no
-        figure counts; None where all were measured or generated.
-    """
+    """Heights over a rectangle; two of the same heights are equal."""
 
     height: Array
+    """Heights [m], outwards of the body, of mean zero, shape (nx, ny)."""
     spacing: tuple[float, float]
+    """Distance of points along x and y [m]."""
     periodic: bool = False
+    """Whether the heights repeat themselves beyond the rectangle."""
     x_direction: float = 0.0
+    """Angle of the x axis from the surface's own motion through the contact [rad]."""
     measured: Array | None = None
+    """True where a height was measured, false where one was filled in between those around it, which no
+    figure counts; None where all were measured or generated."""
 
     @property
     def extent(self) -> tuple[float, float]:

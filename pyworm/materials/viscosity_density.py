@@ -29,18 +29,12 @@ LARGEST_Z = 1e6
 
 @dataclass(frozen=True)
 class Barus:
-    """Barus' law, eta = eta0 exp(alpha p); alpha = 0 is an isoviscous oil.
-
-    Attributes
-    ----------
-    eta0 : float
-        Viscosity at ambient pressure [Pa s].
-    alpha : float
-        Pressure-viscosity coefficient [1/Pa].
-    """
+    """Barus' law, eta = eta0 exp(alpha p); alpha = 0 is an isoviscous oil."""
 
     eta0: float
+    """Viscosity at ambient pressure [Pa s]."""
     alpha: float
+    """Pressure-viscosity coefficient [1/Pa]."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "eta0": units.Viscosity,
@@ -62,21 +56,14 @@ class Barus:
 
 @dataclass(frozen=True)
 class Roelands:
-    """Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z - 1]} (Roelands 1966).
-
-    Attributes
-    ----------
-    eta0 : float
-        Viscosity at ambient pressure [Pa s].
-    z : float
-        Pressure exponent [-].
-    p0 : float
-        Pole pressure [Pa].
-    """
+    """Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z - 1]} (Roelands 1966)."""
 
     eta0: float
+    """Viscosity at ambient pressure [Pa s]."""
     z: float
+    """Pressure exponent [-]."""
     p0: float = ROELANDS_PRESSURE
+    """Pole pressure [Pa]."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {"eta0": units.Viscosity, "p0": units.Pressure}
 
@@ -124,19 +111,14 @@ class Roelands:
 
 @dataclass(frozen=True)
 class Density:
-    """Density law rho = rho0 [1 + d1 p / (1 + d2 p)] (Dowson and Higginson 1966).
-
-    Attributes
-    ----------
-    rho0 : float
-        Density at ambient pressure [kg/m3].
-    d1, d2 : float
-        Coefficients [1/Pa]; d1 = 0 is an incompressible oil.
-    """
+    """Density law rho = rho0 [1 + d1 p / (1 + d2 p)] (Dowson and Higginson 1966)."""
 
     rho0: float
+    """Density at ambient pressure [kg/m3]."""
     d1: float
+    """Coefficient [1/Pa]; d1 = 0 is an incompressible oil."""
     d2: float
+    """Coefficient [1/Pa]."""
 
     QUANTITIES: ClassVar[dict[str, Any]] = {
         "rho0": units.OilDensity,
