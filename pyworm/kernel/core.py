@@ -42,17 +42,12 @@ NO_MEMORY = 6
 
 
 class KernelError(RuntimeError):
-    """A kernel procedure failed.
-
-    Attributes
-    ----------
-    status : int
-        The kernel's status number (`fortran/base/status.f90`).
-    """
+    """A kernel procedure failed."""
 
     def __init__(self, status: int):
         super().__init__(_MESSAGES[status])
         self.status = status
+        """The kernel's status number (`fortran/base/status.f90`)."""
 
 
 def check_status(status: int) -> None:

@@ -23,24 +23,16 @@ def elastic_deflection(
 
 @dataclass(frozen=True)
 class DryContact:
-    """Frictionless contact of a gap under a load.
-
-    Attributes
-    ----------
-    pressure : numpy.ndarray
-        Pressure [Pa], shape (nx, ny).
-    approach : float
-        Rigid approach of the bodies [m].
-    iterations : int
-        Conjugate-gradient iterations.
-    converged : bool
-        Whether the iterations met the tolerance.
-    """
+    """Frictionless contact of a gap under a load."""
 
     pressure: np.ndarray
+    """Pressure [Pa], shape (nx, ny)."""
     approach: float
+    """Rigid approach of the bodies [m]."""
     iterations: int
+    """Conjugate-gradient iterations."""
     converged: bool
+    """Whether the iterations met the tolerance."""
 
 
 def dry_contact(

@@ -19,22 +19,15 @@ from pyworm.materials.tabulated import Tabulated
 
 @dataclass(frozen=True)
 class Balance:
-    """Residuals of a film's equations.
-
-    Attributes
-    ----------
-    residual : float
-        Summed Reynolds residual over the summed wedge flow.
-    load_error : float
-        Missing load over the load.
-    warming : float
-        Last change of the film's temperature over its largest rise; zero where heat is not simulated,
-        infinite before the first.
-    """
+    """Residuals of a film's equations."""
 
     residual: float
+    """Summed Reynolds residual over the summed wedge flow."""
     load_error: float
+    """Missing load over the load."""
     warming: float = 0.0
+    """Last change of the film's temperature over its largest rise; zero where heat is not simulated, infinite
+    before the first."""
 
     @property
     def worst(self) -> float:
@@ -51,53 +44,32 @@ class Balance:
 
 @dataclass(frozen=True)
 class Step:
-    """One Newton step.
-
-    Attributes
-    ----------
-    balance : Balance
-        Residuals after the step.
-    krylov : int
-        GMRES iterations.
-    damping : float
-        Damping factor: the fraction of the full Newton step taken [-].
-    """
+    """One Newton step."""
 
     balance: Balance
+    """Residuals after the step."""
     krylov: int
+    """GMRES iterations."""
     damping: float
+    """Damping factor: the fraction of the full Newton step taken [-]."""
 
 
 @dataclass(frozen=True)
 class Shear:
-    """Shear of a film at the nodes.
-
-    Attributes
-    ----------
-    stress : tuple of numpy.ndarray
-        Shear stress at the middle of the film along each direction of the grid, along the velocity of body 2
-        relative to body 1 [Pa].
-    friction : numpy.ndarray
-        Heat of shearing [W/m2].
-    rate : numpy.ndarray
-        Largest shear rate across the film [1/s].
-    """
+    """Shear of a film at the nodes."""
 
     stress: tuple[np.ndarray, ...]
+    """Shear stress at the middle of the film along each direction of the grid, along the velocity of body 2
+    relative to body 1 [Pa]."""
     friction: np.ndarray
+    """Heat of shearing [W/m2]."""
     rate: np.ndarray
+    """Largest shear rate across the film [1/s]."""
 
 
 @dataclass(frozen=True)
 class ShearFields(Shear):
     """Shear of a film with its flow factors and slip.
-
-    Attributes
-    ----------
-    along, across : numpy.ndarray
-        Flow factors D and C of Sharif et al. (2001), equations 13a and 14a [m3/(Pa s)].
-    slip : numpy.ndarray
-        Where the film slips: 1 at body 1, 2 at body 2, 3 at both.
 
     Notes
     -----
@@ -105,40 +77,31 @@ class ShearFields(Shear):
     """
 
     along: np.ndarray
+    """Flow factor D of Sharif et al. (2001), equations 13a and 14a [m3/(Pa s)]."""
     across: np.ndarray
+    """Flow factor C of Sharif et al. (2001), equations 13a and 14a [m3/(Pa s)]."""
     slip: np.ndarray
+    """Where the film slips: 1 at body 1, 2 at body 2, 3 at both."""
 
 
 @dataclass(frozen=True)
 class HeatFields:
-    """Heat flows of a film at the nodes at its last sweep of heat.
-
-    Attributes
-    ----------
-    flux : numpy.ndarray
-        Heat flux into each body [W/m2], body along the last axis.
-    carried : numpy.ndarray
-        Heat convected or stored by the oil, less that of its compression [W/m2].
-    """
+    """Heat flows of a film at the nodes at its last sweep of heat."""
 
     flux: np.ndarray
+    """Heat flux into each body [W/m2], body along the last axis."""
     carried: np.ndarray
+    """Heat convected or stored by the oil, less that of its compression [W/m2]."""
 
 
 @dataclass(frozen=True)
 class HeatStorage:
-    """Rates of change of a film's oil at the nodes.
-
-    Attributes
-    ----------
-    warming : numpy.ndarray
-        That of its temperature, at the levels along the last axis [K/s].
-    pressing : numpy.ndarray
-        That of its pressure [Pa/s].
-    """
+    """Rates of change of a film's oil at the nodes."""
 
     warming: np.ndarray
+    """That of its temperature, at the levels along the last axis [K/s]."""
     pressing: np.ndarray
+    """That of its pressure [Pa/s]."""
 
 
 SLIP_STEP = 1e-3
@@ -147,21 +110,14 @@ SLIP_STEP = 1e-3
 
 @dataclass(frozen=True)
 class Asperities:
-    """What asperities of rough surfaces bear at the nodes.
-
-    Attributes
-    ----------
-    pressure : numpy.ndarray
-        Pressure that they bear, a part of the total [Pa].
-    curve : numpy.ndarray
-        Pressure of their curve at the present gap [Pa], another one until the film is solved.
-    area : numpy.ndarray
-        Real area of contact over the nominal one [-].
-    """
+    """What asperities of rough surfaces bear at the nodes."""
 
     pressure: np.ndarray
+    """Pressure that they bear, a part of the total [Pa]."""
     curve: np.ndarray
+    """Pressure of their curve at the present gap [Pa], another one until the film is solved."""
     area: np.ndarray
+    """Real area of contact over the nominal one [-]."""
 
 
 LEAST_RISE = 10.0

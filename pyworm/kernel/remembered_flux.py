@@ -11,44 +11,30 @@ from pyworm.kernel.core import fortran_array
 
 @dataclass(frozen=True)
 class FluxHistory:
-    """Fluxes into a body at some times, the present first.
-
-    Attributes
-    ----------
-    flux : sequence of numpy.ndarray
-        Flux at the nodes of each time's grid, all of as many nodes [W/m2].
-    first, spacing : sequence of tuple of float
-        First node and spacing of that grid along each direction [m].
-    """
+    """Fluxes into a body at some times, the present first."""
 
     flux: Sequence[np.ndarray]
+    """Flux at the nodes of each time's grid, all of as many nodes [W/m2]."""
     first: Sequence[tuple[float, ...]]
+    """First node of that grid along each direction [m]."""
     spacing: Sequence[tuple[float, ...]]
+    """Spacing of that grid along each direction [m]."""
 
 
 @dataclass(frozen=True)
 class FluxReading:
-    """An age of the heat at which its flux is read.
-
-    Attributes
-    ----------
-    age : float
-        Time before the present [s].
-    weight : float
-        Weight of what is read in the integral over the age [sqrt(s)].
-    interval : int
-        Number of the time of the history, from 0 at present, that ends the interval of time it lies in.
-    share : float
-        Part of that interval before its end.
-    way : tuple of float
-        Way of the surface through the contact point since then, along each direction [m].
-    """
+    """An age of the heat at which its flux is read."""
 
     age: float
+    """Time before the present [s]."""
     weight: float
+    """Weight of what is read in the integral over the age [sqrt(s)]."""
     interval: int
+    """Number of the time of the history, from 0 at present, that ends the interval of time it lies in."""
     share: float
+    """Part of that interval before its end."""
     way: tuple[float, ...]
+    """Way of the surface through the contact point since then, along each direction [m]."""
 
 
 def remembered_flux(

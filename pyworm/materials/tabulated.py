@@ -39,9 +39,9 @@ class KernelTable:
     """A table as the kernel takes it (`fortran/oil/property_table.f90`)."""
 
     coefficient: Array
-    """Of powers of pressure and temperature in each cell, shape (4, 4, cells, cells)."""
+    """Coefficients of powers of pressure and temperature in each cell, shape (4, 4, cells, cells)."""
     cold: Array
-    """Those at the reference temperature, shape (4, cells)."""
+    """Coefficients at the reference temperature, shape (4, cells)."""
     per_pressure: float
     """Cells for each pascal."""
     per_rise: float
