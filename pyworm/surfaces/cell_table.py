@@ -44,32 +44,24 @@ FORMAT = 2
 
 @dataclass(frozen=True)
 class CellTable:
-    """A rough surface against a smooth one over its separation, the widest first.
-
-    Attributes
-    ----------
-    height : float
-        Root mean square height [m].
-    separation : numpy.ndarray
-        Flat from the mean plane of the deformed surface [m].
-    pressure, area : numpy.ndarray
-        Mean pressure of the contact [Pa] and its real area over the nominal one.
-    thickness, flowing : numpy.ndarray
-        Mean gap, and that with what remains for the flow where surfaces touch (`SHALLOWEST`) [m].
-    conducted : numpy.ndarray
-        Cube of the gap that conducts as much as the cell [m3]: tensors xx, yy, xy, shape (3, separations).
-    dragged : numpy.ndarray
-        Mean flowing gap less the thickness that a moving rough wall carries along [m]: likewise.
-    """
+    """A rough surface against a smooth one over its separation, the widest first."""
 
     height: float
+    """Root mean square height [m]."""
     separation: Array
+    """Flat from the mean plane of the deformed surface [m]."""
     pressure: Array
+    """Mean pressure of the contact [Pa]."""
     area: Array
+    """Real area of the contact over the nominal one."""
     thickness: Array
+    """Mean gap [m]."""
     flowing: Array
+    """Mean gap with what remains for the flow where surfaces touch (`SHALLOWEST`) [m]."""
     conducted: Array
+    """Cube of the gap that conducts as much as the cell [m3]: tensors xx, yy, xy, shape (3, separations)."""
     dragged: Array
+    """Mean flowing gap less the thickness that a moving rough wall carries along [m]: likewise."""
 
 
 @lru_cache(maxsize=16)

@@ -25,50 +25,44 @@ PEKLENIK, TEXTURE = 0.5, 0.2
 
 @dataclass(frozen=True)
 class Texture:
-    """Figures of a surface, over its area: those of profiles' standards in name, of ISO 25178-2 in kind.
-
-    Attributes
-    ----------
-    rq, ra : float
-        Root mean square and arithmetic mean height [m]; Sq and Sa of areas.
-    skewness, kurtosis : float
-        Rsk and Rku [-]; 0 and 3 of heights spread normally.
-    rk, rpk, rvk : float
-        Core height, reduced peak and reduced valley heights [m].
-    mr1, mr2 : float
-        Ends of the core on the Abbott curve [-].
-    slope, slope_x, slope_y : float
-        Root mean square slope, and that along x and along y [-].
-    length_across, length_along : float
-        Shortest and longest distance at which the autocorrelation has fallen to 0.5 [m].
-    aspect : float
-        Peklenik number: the longer of these over the shorter [-].
-    shortest_length : float
-        Shortest distance at which the autocorrelation has fallen to 0.2 [m], Sal.
-    texture_ratio : float
-        That over the longest such distance [-], Str: 1 without lay, 0 with a lay without end.
-    lay : float
-        Angle of the lay from the x axis [rad], -pi/2 to pi/2.
-    """
+    """Figures of a surface, over its area: those of profiles' standards in name, of ISO 25178-2 in kind."""
 
     rq: float
+    """Root mean square height [m]; Sq of areas."""
     ra: float
+    """Arithmetic mean height [m]; Sa of areas."""
     skewness: float
+    """Rsk [-]; 0 of heights spread normally."""
     kurtosis: float
+    """Rku [-]; 3 of heights spread normally."""
     rk: float
+    """Core height [m]."""
     rpk: float
+    """Reduced peak height [m]."""
     rvk: float
+    """Reduced valley height [m]."""
     mr1: float
+    """Lower end of the core on the Abbott curve [-]."""
     mr2: float
+    """Upper end of the core on the Abbott curve [-]."""
     slope: float
+    """Root mean square slope [-]."""
     slope_x: float
+    """Root mean square slope along x [-]."""
     slope_y: float
+    """Root mean square slope along y [-]."""
     length_across: float
+    """Shortest distance at which the autocorrelation has fallen to 0.5 [m]."""
     length_along: float
+    """Longest distance at which the autocorrelation has fallen to 0.5 [m]."""
     aspect: float
+    """Peklenik number: the longer of these over the shorter [-]."""
     shortest_length: float
+    """Shortest distance at which the autocorrelation has fallen to 0.2 [m], Sal."""
     texture_ratio: float
+    """That over the longest such distance [-], Str: 1 without lay, 0 with a lay without end."""
     lay: float
+    """Angle of the lay from the x axis [rad], -pi/2 to pi/2."""
 
 
 def texture(surface: Topography) -> Texture:

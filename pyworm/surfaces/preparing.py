@@ -40,21 +40,14 @@ Outliers = Literal["refuse", "fill", "keep"]
 
 @dataclass(frozen=True)
 class SeparatedWaves:
-    """Heights of a surface as separated by filters.
-
-    Attributes
-    ----------
-    roughness : Topography
-        Waves shorter than the nesting index, without form.
-    long_waves : Topography
-        Waves longer than that, without form, which belong to the contact's gap.
-    filled : float
-        Fraction of points that were missing or left out, and filled.
-    """
+    """Heights of a surface as separated by filters."""
 
     roughness: Topography
+    """Waves shorter than the nesting index, without form."""
     long_waves: Topography
+    """Waves longer than that, without form, which belong to the contact's gap."""
     filled: float
+    """Fraction of points that were missing or left out, and filled."""
 
     @property
     def all_waves(self) -> Topography:

@@ -30,18 +30,12 @@ _DECIMAL_COMMA = re.compile(r"[-+]?\d*,\d+(?:[eE][-+]?\d+)?")
 
 @dataclass(frozen=True)
 class TextHeights:
-    """Numbers of a text file as they stand there.
-
-    Attributes
-    ----------
-    numbers : numpy.ndarray
-        Rows and columns, NaN where points are missing.
-    header : Header
-        What the lines before them say.
-    """
+    """Numbers of a text file as they stand there."""
 
     numbers: Array
+    """Rows and columns, NaN where points are missing."""
     header: Header
+    """What the lines before them say."""
 
 
 def read_text(path: Path) -> TextHeights:

@@ -49,24 +49,16 @@ _SPELLED = {"å": "angstrom", "microns": "micron", "ångström": "angstrom"}
 
 @dataclass(frozen=True)
 class Header:
-    """What the lines before the numbers say; None where they do not.
-
-    Attributes
-    ----------
-    height_metres : float
-        Metres of a unit of height.
-    metres : tuple of float
-        Metres of a unit along x and along y.
-    sides : tuple of float
-        Lengths of the sides along x and y [m].
-    steps : tuple of float
-        Distance of points along x and y [m].
-    """
+    """What the lines before the numbers say; None where they do not."""
 
     height_metres: float | None = None
+    """Metres of a unit of height."""
     metres: tuple[float, float] | None = None
+    """Metres of a unit along x and along y."""
     sides: tuple[float, float] | None = None
+    """Lengths of the sides along x and y [m]."""
     steps: tuple[float, float] | None = None
+    """Distance of points along x and y [m]."""
 
 
 def metres_of(unit: str) -> float | None:

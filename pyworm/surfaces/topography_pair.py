@@ -24,24 +24,17 @@ class TopographyPair:
     """Two rough surfaces in contact, at least one of them a topography.
 
     The other, of which only the height is known, counts as of the same texture, higher or lower.
-
-    Attributes
-    ----------
-    surfaces : tuple of (Topography or None)
-        Those of body 1 and body 2, their x axes from the x axis of the contact; None where only the height is
-        known.
-    heights : tuple of float
-        Root mean square heights of both [m].
-    reduced_modulus : float
-        E' [Pa].
-    hardness : float or None
-        Indentation hardness of the softer body [Pa]; None of surfaces that do not yield.
     """
 
     surfaces: tuple[Topography | None, Topography | None]
+    """Those of body 1 and body 2, their x axes from the x axis of the contact; None where only the height is
+    known."""
     heights: tuple[float, float]
+    """Root mean square heights of both [m]."""
     reduced_modulus: float
+    """Reduced modulus E' [Pa]."""
     hardness: float | None
+    """Indentation hardness of the softer body [Pa]; None of surfaces that do not yield."""
 
     @property
     def height(self) -> float:

@@ -18,8 +18,7 @@ ROOT = Path(__file__).parents[2]
 PACKAGE = Path(pyworm.__file__).parent
 LISTED = tuple(
     (
-        "surfaces formulas ratings batch case drives io report plots cli result precision "
-        "solver/solution"
+        "formulas ratings batch case drives io report plots cli result precision solver/solution"
     ).split()
 )
 """Rooms whose docstrings still list attributes."""
