@@ -6,19 +6,14 @@ from math import inf, pi
 
 @dataclass(frozen=True)
 class Bending:
-    """A shaft at the place of its load, in one plane.
-
-    Attributes
-    ----------
-    deflection, slope : float
-        Deflection along the force [m], and its derivative along the shaft [rad].
-    reactions : tuple of float
-        Forces of the two supports on the shaft, along the same direction [N].
-    """
+    """A shaft at the place of its load, in one plane."""
 
     deflection: float
+    """Deflection along the force [m]."""
     slope: float
+    """Derivative of the deflection along the shaft [rad]."""
     reactions: tuple[float, float]
+    """Forces of the two supports on the shaft, along the same direction [N]."""
 
 
 def second_moment(diameter: float) -> float:

@@ -307,38 +307,30 @@ class BearingRating:
 
     Each is computed when it is asked for: ValueError with the reason where it lies outside the standard, or
     what it needs is `Unknown`.
-
-    Attributes
-    ----------
-    elements, direction : str
-        "ball" or "roller", "radial" or "thrust".
-    dynamic_rating, load : float
-        C and the equivalent load P [N].
-    speed : float
-        [rad/s].
-    fatigue_load_limit : float
-        C_u [N].
-    mean_diameter : float
-        [m].
-    viscosity : float
-        Kinematic viscosity of the oil at the bearing [m2/s].
-    contamination : float
-        e_C [-], see `contamination_factor` and `contamination_range`.
-    additives, reliability
-        See `life_modification` and `reliability_factor`.
     """
 
     elements: Elements
+    """Rolling elements, "ball" or "roller"."""
     dynamic_rating: float
+    """Dynamic load rating C [N]."""
     load: float
+    """Equivalent load P [N]."""
     speed: float
+    """Speed [rad/s]."""
     fatigue_load_limit: float | Unknown
+    """Fatigue load limit C_u [N]."""
     mean_diameter: float | Unknown
+    """Mean diameter [m]."""
     viscosity: float | Unknown
+    """Kinematic viscosity of the oil at the bearing [m2/s]."""
     contamination: float | Unknown
+    """e_C [-], see `contamination_factor` and `contamination_range`."""
     direction: Direction = "radial"
+    """Direction of the load, "radial" or "thrust"."""
     additives: bool = False
+    """See `life_modification`."""
     reliability: float = 0.9
+    """See `reliability_factor`."""
     source = SOURCE
 
     @property

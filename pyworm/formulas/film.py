@@ -18,18 +18,12 @@ from pyworm.formulas.ranges import Values
 
 @dataclass(frozen=True)
 class Film:
-    """Films by one formula.
-
-    Attributes
-    ----------
-    central : float or array or None
-        Film in the middle of the contact [m]; None if the formula does not give it.
-    minimum : float or array or None
-        Minimum film [m]; None if the formula does not give it.
-    """
+    """Films by one formula."""
 
     central: float | np.ndarray | None
+    """Film in the middle of the contact [m]; None if the formula does not give it."""
     minimum: float | np.ndarray | None
+    """Minimum film [m]; None if the formula does not give it."""
 
     @property
     def central_number(self) -> float:
@@ -55,27 +49,18 @@ class Film:
 
 @dataclass(frozen=True)
 class PointGroups:
-    """Dimensionless groups of a point contact, numbers or arrays.
-
-    Attributes
-    ----------
-    radius : float
-        Relative radius of curvature R along the entrainment [m].
-    ratio : float
-        D, radius along over radius across the entrainment [-].
-    speed : float
-        U = eta0 um / (E' R) [-].
-    load : float
-        W = F / (E' R^2) [-].
-    material : float
-        G = alpha E' [-].
-    """
+    """Dimensionless groups of a point contact, numbers or arrays."""
 
     radius: float
+    """Relative radius of curvature R along the entrainment [m]."""
     ratio: float
+    """D, radius along over radius across the entrainment [-]."""
     speed: float
+    """U = eta0 um / (E' R) [-]."""
     load: float
+    """W = F / (E' R^2) [-]."""
     material: float
+    """G = alpha E' [-]."""
 
     @property
     def moes_m(self) -> float:
@@ -104,24 +89,16 @@ class PointGroups:
 
 @dataclass(frozen=True)
 class LineGroups:
-    """Dimensionless groups of a line contact, numbers or arrays.
-
-    Attributes
-    ----------
-    radius : float
-        Relative radius of curvature R [m].
-    speed : float
-        U = eta0 um / (E' R) [-].
-    load : float
-        W = w / (E' R) with w the load for each length [-].
-    material : float
-        G = alpha E' [-].
-    """
+    """Dimensionless groups of a line contact, numbers or arrays."""
 
     radius: Any
+    """Relative radius of curvature R [m]."""
     speed: Any
+    """U = eta0 um / (E' R) [-]."""
     load: Any
+    """W = w / (E' R) with w the load for each length [-]."""
     material: Any
+    """G = alpha E' [-]."""
 
     @property
     def moes_m(self) -> float:
@@ -354,18 +331,16 @@ def dowson_toyoda(groups: LineGroups) -> Film:
 
 @dataclass(frozen=True)
 class Asymptotes:
-    """Films of the four limits, in Moes' dimensionless film (h/R) (2U)^(-1/2).
-
-    Attributes
-    ----------
-    rigid_isoviscous, elastic_isoviscous, rigid_piezoviscous, elastic_piezoviscous : float
-        H_RI, H_EI, H_RP and H_EP [-].
-    """
+    """Films of the four limits, in Moes' dimensionless film (h/R) (2U)^(-1/2)."""
 
     rigid_isoviscous: float
+    """H_RI [-]."""
     elastic_isoviscous: float
+    """H_EI [-]."""
     rigid_piezoviscous: float
+    """H_RP [-]."""
     elastic_piezoviscous: float
+    """H_EP [-]."""
 
 
 def point_asymptotes(moes_m: float, moes_l: float, ratio: float) -> Asymptotes:

@@ -34,34 +34,25 @@ MOST_SLENDER = 1e3
 
 @dataclass(frozen=True)
 class AtlasGroups:
-    """Similarity groups of isothermal point contacts, numbers or arrays that broadcast together.
-
-    Attributes
-    ----------
-    moes_m, moes_l : float or array
-        Moes' M and L by the radius along the entrainment (`radii_at_angle`), L with alpha at zero pressure.
-    ratio : float or array
-        Larger relative radius over the smaller one, 1 or more [-].
-    angle : float or array
-        Of the entrainment from the direction of the smaller radius, 0 to pi/2 [rad]: at 0 the long axis of
-        the contact lies across the entrainment.
-    spin : float or array
-        Mean angular velocity, positive from the smaller towards the larger radius, times Hertz's longer
-        semi-axis over the entrainment speed [-].
-    alpha_ratio : float or array
-        Reciprocal asymptotic isoviscous pressure coefficient over alpha [-], `reciprocal_alpha`; 1 of Barus'
-        law.
-    compression : float or array
-        Relative increase of the oil's density at the Hertz pressure [-].
-    """
+    """Similarity groups of isothermal point contacts, numbers or arrays that broadcast together."""
 
     moes_m: Values
+    """Moes' M by the radius along the entrainment (`radii_at_angle`)."""
     moes_l: Values
+    """Moes' L by the radius along the entrainment, with alpha at zero pressure."""
     ratio: Values
+    """Larger relative radius over the smaller one, 1 or more [-]."""
     angle: Values
+    """Angle of the entrainment from the direction of the smaller radius, 0 to pi/2 [rad]: at 0 the long axis
+    of the contact lies across the entrainment."""
     spin: Values = 0.0
+    """Mean angular velocity, positive from the smaller towards the larger radius, times Hertz's longer
+    semi-axis over the entrainment speed [-]."""
     alpha_ratio: Values = 1.0
+    """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-], `reciprocal_alpha`; 1 of Barus'
+    law."""
     compression: Values = 0.0
+    """Relative increase of the oil's density at the Hertz pressure [-]."""
 
     @cached_property
     def cos2(self) -> Values:
@@ -133,42 +124,34 @@ class AtlasGroups:
 
 @dataclass(frozen=True)
 class AtlasFilms:
-    """Films by the formula, each shaped as the groups together.
-
-    Attributes
-    ----------
-    central, minimum : array
-        Film at the contact point and least film in Moes' unit, R (2U)^(1/2) [-].
-    central_error, minimum_error : array
-        Relative errors within which 19 of 20 contacts lay that the fit had not seen [-].
-    inside : array of bool
-        Whether the contact is in the box of the atlas; outside it the errors are not known.
-    """
+    """Films by the formula, each shaped as the groups together."""
 
     central: np.ndarray
+    """Film at the contact point in Moes' unit, R (2U)^(1/2) [-]."""
     minimum: np.ndarray
+    """Least film in Moes' unit, R (2U)^(1/2) [-]."""
     central_error: np.ndarray
+    """Relative error of the central film within which 19 of 20 contacts lay that the fit had not seen [-]."""
     minimum_error: np.ndarray
+    """Relative error of the least film within which 19 of 20 contacts lay that the fit had not seen [-]."""
     inside: np.ndarray
+    """Whether the contact is in the box of the atlas; outside it the errors are not known."""
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Logarithms of the central film of the four limits, in Moes' unit.
-
-    Attributes
-    ----------
-    rigid_isoviscous, elastic_isoviscous, rigid_piezoviscous, elastic_piezoviscous : array
-        ln H of each.
-    wedge : array
-        Part of the wedge that is entrained along the smaller radius, 0 to 1 [-].
-    """
+    """Logarithms of the central film of the four limits, in Moes' unit."""
 
     rigid_isoviscous: np.ndarray
+    """ln H of rigid bodies and an isoviscous oil."""
     elastic_isoviscous: np.ndarray
+    """ln H of elastic bodies and an isoviscous oil."""
     rigid_piezoviscous: np.ndarray
+    """ln H of rigid bodies and a piezoviscous oil."""
     elastic_piezoviscous: np.ndarray
+    """ln H of elastic bodies and a piezoviscous oil."""
     wedge: np.ndarray
+    """Part of the wedge that is entrained along the smaller radius, 0 to 1 [-]."""
 
 
 def limits(groups: AtlasGroups, constants: dict) -> Limits:

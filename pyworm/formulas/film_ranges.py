@@ -9,18 +9,12 @@ from pyworm.formulas.regimes import PIEZOVISCOUS_ELASTIC, REGIMES, Regime
 
 @dataclass(frozen=True)
 class FormulaRange:
-    """Contacts for which a formula was made.
-
-    Attributes
-    ----------
-    ellipticity : tuple of float
-        Least and largest ellipticity, axis across over axis along the entrainment [-].
-    regimes : tuple of str
-        Regimes of `pyworm.formulas.regimes`.
-    """
+    """Contacts for which a formula was made."""
 
     ellipticity: tuple[float, float] = (0.0, inf)
+    """Least and largest ellipticity, axis across over axis along the entrainment [-]."""
     regimes: tuple[str, ...] = REGIMES
+    """Regimes of `pyworm.formulas.regimes`."""
 
     def objection(self, groups: PointGroups | LineGroups, regime: Regime) -> str:
         """Reason why a contact is outside; empty inside. A regime within its uncertainty counts as inside."""

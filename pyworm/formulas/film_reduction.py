@@ -24,64 +24,49 @@ LEAST_SHEAR = 1e-3
 
 @dataclass(frozen=True)
 class HeatGroups:
-    """Similarity groups of heat and flow of point contacts, numbers or arrays.
-
-    Attributes
-    ----------
-    loading : float or array
-        Thermal loading eta0 beta u^2/k of the entrainment speed u [-].
-    sliding : float or array
-        Slide-roll ratio, the size of sliding over entrainment [-]; above 2 the surfaces move in opposite
-        directions.
-    shear : float or array
-        eta0 u/(h tau0) with the central film h without heat and the Eyring stress tau0 [-].
-    conductivity_ratio : float or array
-        Conductivity of the oil over that of the bodies [-].
-    eyring : float or array
-        Eyring stress over the Hertz pressure [-].
-    limiting : float or array
-        Limiting stress at the Hertz pressure over that pressure [-].
-    graetz : float or array
-        Heat carried by the film over heat conducted across it, rho c u h^2/(k b) with the half b of Hertz's
-        ellipse along the entrainment [-].
-    peclet : float or array
-        rho c u b/k of the bodies [-].
-    film_warmth, surface_warmth : float or array
-        beta times the rise of the film over its walls, q h/8k, and of the walls, q [b/(u rho c k)]^(1/2),
-        with the heat q of the shear at the mean pressure in an oil that heat leaves alone [-].
-    """
+    """Similarity groups of heat and flow of point contacts, numbers or arrays."""
 
     loading: Values
+    """Thermal loading eta0 beta u^2/k of the entrainment speed u [-]."""
     sliding: Values
+    """Slide-roll ratio, the size of sliding over entrainment [-]; above 2 the surfaces move in opposite
+    directions."""
     shear: Values
+    """eta0 u/(h tau0) with the central film h without heat and the Eyring stress tau0 [-]."""
     conductivity_ratio: Values
+    """Conductivity of the oil over that of the bodies [-]."""
     eyring: Values
+    """Eyring stress over the Hertz pressure [-]."""
     limiting: Values
+    """Limiting stress at the Hertz pressure over that pressure [-]."""
     graetz: Values
+    """Heat carried by the film over heat conducted across it, rho c u h^2/(k b) with the half b of Hertz's
+    ellipse along the entrainment [-]."""
     peclet: Values
+    """rho c u b/k of the bodies [-]."""
     film_warmth: Values
+    """beta times the rise of the film over its walls, q h/8k, with the heat q of the shear at the mean
+    pressure in an oil that heat leaves alone [-]."""
     surface_warmth: Values
+    """beta times the rise of the walls, q [b/(u rho c k)]^(1/2), with the same heat q [-]."""
 
 
 @dataclass(frozen=True)
 class FilmReduction:
-    """Factors of films by heat and shear thinning, each shaped as the groups together.
-
-    Attributes
-    ----------
-    central, minimum : array
-        Factor of the film at the contact point and of the least film [-].
-    central_error, minimum_error : array
-        Relative errors of the factors that 19 of 20 contacts kept which the fit had not seen [-].
-    inside : array of bool
-        Whether the contact is in the box of the thermal contacts; outside it the errors are not known.
-    """
+    """Factors of films by heat and shear thinning, each shaped as the groups together."""
 
     central: np.ndarray
+    """Factor of the film at the contact point [-]."""
     minimum: np.ndarray
+    """Factor of the least film [-]."""
     central_error: np.ndarray
+    """Relative error of the factor of the central film that 19 of 20 contacts kept which the fit had not seen
+    [-]."""
     minimum_error: np.ndarray
+    """Relative error of the factor of the least film that 19 of 20 contacts kept which the fit had not seen
+    [-]."""
     inside: np.ndarray
+    """Whether the contact is in the box of the thermal contacts; outside it the errors are not known."""
 
 
 def reduction(groups: AtlasGroups, central: Values, heat: HeatGroups) -> FilmReduction:

@@ -71,21 +71,14 @@ def nearest_grade(viscosity_40: float) -> int:
 
 @dataclass(frozen=True)
 class TableAdvice:
-    """Recommendation of a table of practice.
-
-    Attributes
-    ----------
-    grades : tuple of int
-        ISO viscosity grades, thinnest first.
-    row : str
-        The row of the table.
-    source : str
-        The table.
-    """
+    """Recommendation of a table of practice."""
 
     grades: tuple[int, ...]
+    """ISO viscosity grades, thinnest first."""
     row: str
+    """The row of the table."""
     source: str
+    """The table."""
 
 
 # centre distance up to [in], AGMA numbers for a cold (15 to 50 degF) and a warm (50 to 125 degF) place
@@ -273,27 +266,18 @@ def oil_flow(power: float, flow: str) -> float:
 
 @dataclass(frozen=True)
 class Jets:
-    """Oil jets of one mesh.
-
-    Attributes
-    ----------
-    number : int
-        How many.
-    diameter : float
-        Of each [m].
-    velocity : float
-        Of the oil [m/s].
-    most : int
-        The most jets for which the diameter is not below `SMALLEST_JET`; 0 if even one is.
-    advice : tuple of str
-        Where the jets leave usual practice; empty if they do not.
-    """
+    """Oil jets of one mesh."""
 
     number: int
+    """Number of jets."""
     diameter: float
+    """Diameter of each jet [m]."""
     velocity: float
+    """Velocity of the oil [m/s]."""
     most: int
+    """The most jets for which the diameter is not below `SMALLEST_JET`; 0 if even one is."""
     advice: tuple[str, ...]
+    """Where the jets leave usual practice; empty if they do not."""
 
 
 def oil_jets(

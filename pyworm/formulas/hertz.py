@@ -13,22 +13,16 @@ import numpy.typing as npt
 
 @dataclass(frozen=True)
 class HertzContact:
-    """An elliptic contact of two smooth elastic bodies without friction.
-
-    Attributes
-    ----------
-    semi_axis_x, semi_axis_y : float
-        Semi-axes of the ellipse along x and y [m].
-    pressure_max : float
-        Pressure at the centre [Pa].
-    approach : float
-        Rigid approach of points far from the contact [m].
-    """
+    """An elliptic contact of two smooth elastic bodies without friction."""
 
     semi_axis_x: float
+    """Semi-axis of the ellipse along x [m]."""
     semi_axis_y: float
+    """Semi-axis of the ellipse along y [m]."""
     pressure_max: float
+    """Pressure at the centre [Pa]."""
     approach: float
+    """Rigid approach of points far from the contact [m]."""
 
     @property
     def ellipticity(self) -> float:
@@ -46,17 +40,12 @@ class HertzLine:
     """A line contact of two parallel cylinders.
 
     The rigid approach is not given: per unit length it depends on the shape of the whole bodies.
-
-    Attributes
-    ----------
-    half_width : float
-        Half of the width of the contact [m].
-    pressure_max : float
-        Pressure on the centre line [Pa].
     """
 
     half_width: float
+    """Half of the width of the contact [m]."""
     pressure_max: float
+    """Pressure on the centre line [Pa]."""
 
     def pressure(self, x: Any) -> Any:
         """Pressure [Pa] at a distance x [m] from the centre line, a number or an array."""

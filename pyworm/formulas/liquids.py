@@ -12,27 +12,20 @@ class Tait:
     """Tait's equation of state, V/VR = [1 - ln(1 + p (1 + K0')/K0)/(1 + K0')] [1 + aV (T - TR)].
 
     K0 = `bulk_modulus` exp[-`bulk_decay` (T - TR)] (Fakhreddine and Zoller 1990, as Bair uses it).
-
-    Attributes
-    ----------
-    reference : float
-        TR [K].
-    density : float
-        Density at TR and ambient pressure [kg/m3].
-    bulk_modulus, bulk_decay : float
-        Isothermal bulk modulus at TR and ambient pressure [Pa], and its decay with temperature [1/K].
-    bulk_rate : float
-        K0', its rise with pressure [-].
-    expansivity : float
-        aV [1/K].
     """
 
     reference: float
+    """Reference temperature TR [K]."""
     density: float
+    """Density at TR and ambient pressure [kg/m3]."""
     bulk_modulus: float
+    """Isothermal bulk modulus at TR and ambient pressure [Pa]."""
     bulk_decay: float
+    """Decay of the bulk modulus with temperature [1/K]."""
     bulk_rate: float
+    """K0', its rise with pressure [-]."""
     expansivity: float
+    """aV [1/K]."""
 
     def relative_volume(self, pressure: Values, temperature: Values) -> Values:
         """Volume over that at TR and ambient pressure [-], at pressures [Pa] and temperatures [K]."""
@@ -48,27 +41,18 @@ class Tait:
 
 @dataclass(frozen=True)
 class Doolittle:
-    """Doolittle's free volume, eta = etaR exp{B R0 [q/(V/VR - R0 q) - 1/(1 - R0)]}, q = 1 + eps (T - TR).
-
-    Attributes
-    ----------
-    volume : Tait
-        V/VR and TR.
-    viscosity : float
-        etaR, at TR and ambient pressure [Pa s].
-    parameter : float
-        B [-].
-    occupied : float
-        R0, occupied over whole volume at TR and ambient pressure [-].
-    occupied_expansivity : float
-        eps [1/K].
-    """
+    """Doolittle's free volume, eta = etaR exp{B R0 [q/(V/VR - R0 q) - 1/(1 - R0)]}, q = 1 + eps (T - TR)."""
 
     volume: Tait
+    """V/VR and TR."""
     viscosity: float
+    """etaR, at TR and ambient pressure [Pa s]."""
     parameter: float
+    """B [-]."""
     occupied: float
+    """R0, occupied over whole volume at TR and ambient pressure [-]."""
     occupied_expansivity: float = 0.0
+    """eps [1/K]."""
 
     def __call__(self, pressure: Values, temperature: Values) -> Values:
         """Viscosity [Pa s] at pressures [Pa] and temperatures [K]."""
@@ -84,29 +68,24 @@ class Yasutomi:
     """Yasutomi's law, eta = etag exp[-2.303 C1 (T - Tg) F/(C2 + (T - Tg) F)] (Yasutomi, Bair and Winer 1984).
 
     Tg = `glass` + A1 ln(1 + A2 p), F = 1 - B1 ln(1 + B2 p).
-
-    Attributes
-    ----------
-    glass_viscosity : float
-        etag, viscosity at the glass transition [Pa s].
-    glass : float
-        Glass transition at ambient pressure [K].
-    a1, a2 : float
-        Of Tg: A1 [K], A2 [1/Pa].
-    b1, b2 : float
-        Of F: B1 [-], B2 [1/Pa].
-    c1, c2 : float
-        C1 [-], C2 [K].
     """
 
     glass_viscosity: float
+    """etag, viscosity at the glass transition [Pa s]."""
     glass: float
+    """Glass transition at ambient pressure [K]."""
     a1: float
+    """A1 of Tg [K]."""
     a2: float
+    """A2 of Tg [1/Pa]."""
     b1: float
+    """B1 of F [-]."""
     b2: float
+    """B2 of F [1/Pa]."""
     c1: float
+    """C1 [-]."""
     c2: float
+    """C2 [K]."""
 
     def __call__(self, pressure: Values, temperature: Values) -> Values:
         """Viscosity [Pa s] at pressures [Pa] and temperatures [K]."""
@@ -124,17 +103,16 @@ class RoelandsFit:
 
     lg eta0 = -4.2 + G0 (1 + t/135)^-S0, z = Dz + Cz lg(1 + t/135), t in degrees Celsius, and
     eta = eta0 exp{(ln eta0 + 9.67) [(1 + 5.1e-9 p)^z - 1]}.
-
-    Attributes
-    ----------
-    g0, s0, dz, cz : float
-        G0, S0, Dz, Cz [-].
     """
 
     g0: float
+    """G0 [-]."""
     s0: float
+    """S0 [-]."""
     dz: float
+    """Dz [-]."""
     cz: float
+    """Cz [-]."""
 
     def __call__(self, pressure: Values, temperature: Values) -> Values:
         """Viscosity [Pa s] at pressures [Pa] and temperatures [K]."""

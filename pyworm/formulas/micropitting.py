@@ -28,47 +28,34 @@ TEST_FACTOR = 1.4
 
 @dataclass(frozen=True)
 class GearOil:
-    """An oil as this rating needs it.
-
-    Attributes
-    ----------
-    viscosity, alpha : callable
-        Dynamic viscosity [Pa s] and pressure-viscosity coefficient [1/Pa] of temperatures [K], at ambient
-        pressure.
-    friction_factor : float
-        X_L, `FRICTION_FACTORS` [-].
-    """
+    """An oil as this rating needs it."""
 
     viscosity: Callable[[Array], Array]
+    """Dynamic viscosity [Pa s] of temperatures [K], at ambient pressure."""
     alpha: Callable[[Array], Array]
+    """Pressure-viscosity coefficient [1/Pa] of temperatures [K], at ambient pressure."""
     friction_factor: float
+    """X_L, `FRICTION_FACTORS` [-]."""
 
 
 @dataclass(frozen=True)
 class Flanks:
-    """Contacts of two flanks along their line of action.
-
-    Attributes
-    ----------
-    radius, unit_load : ndarray
-        Relative radius of curvature [m] and normal load for each length [N/m].
-    speed_1, speed_2 : ndarray
-        Speeds of the surfaces across the contact line [m/s].
-    modulus : float
-        Reduced modulus E' [Pa].
-    effusivities : tuple of float
-        Thermal contact coefficients of both bodies [N/(m s^0.5 K)].
-    roughness : float
-        Ra, mean of both flanks [m].
-    """
+    """Contacts of two flanks along their line of action."""
 
     radius: Array
+    """Relative radius of curvature [m]."""
     unit_load: Array
+    """Normal load for each length [N/m]."""
     speed_1: Array
+    """Speed of surface 1 across the contact line [m/s]."""
     speed_2: Array
+    """Speed of surface 2 across the contact line [m/s]."""
     modulus: float
+    """Reduced modulus E' [Pa]."""
     effusivities: tuple[float, float]
+    """Thermal contact coefficients of both bodies [N/(m s^0.5 K)]."""
     roughness: float
+    """Ra, mean of both flanks [m]."""
 
     @property
     def half_width(self) -> Array:
@@ -79,24 +66,16 @@ class Flanks:
 
 @dataclass(frozen=True)
 class MicropittingFilms:
-    """What the standard makes of contacts along a line of action.
-
-    Attributes
-    ----------
-    friction : float
-        mu_m [-].
-    contact_temperature : ndarray
-        theta_B, bulk plus flash [K].
-    film : ndarray
-        Local film h_Y [m].
-    specific_film : ndarray
-        lambda_GF, over the mean Ra [-].
-    """
+    """What the standard makes of contacts along a line of action."""
 
     friction: float
+    """Mean coefficient of friction mu_m [-]."""
     contact_temperature: Array
+    """theta_B, bulk plus flash [K]."""
     film: Array
+    """Local film h_Y [m]."""
     specific_film: Array
+    """lambda_GF, over the mean Ra [-]."""
 
 
 def mean_friction(

@@ -48,36 +48,31 @@ of elastic bodies (`benchmarks/atlas/regimes.py`) [-]."""
 
 @dataclass(frozen=True)
 class Regime:
-    """The regime of a contact by its distance from both borders.
-
-    Attributes
-    ----------
-    deflection, thickening : float
-        The numbers of this module, 1 at the border [-].
-    deflection_error, thickening_error : float
-        Relative uncertainties of both [-].
-    moes_m, moes_l : float
-        Moes' parameters along the entrainment, L with alpha at zero pressure [-].
-    alpha_ratio, compression : float
-        Of `pyworm.formulas.film_atlas.AtlasGroups` [-].
-    ratio, angle : float or None
-        Larger over smaller relative radius [-], and angle of the entrainment from the direction of the
-        smaller one [rad]; None of a line contact.
-    spin : float
-        As of those groups [-].
-    """
+    """The regime of a contact by its distance from both borders."""
 
     deflection: float
+    """Deflection number of this module, 1 at the border [-]."""
     thickening: float
+    """Thickening number of this module, 1 at the border [-]."""
     deflection_error: float
+    """Relative uncertainty of the deflection number [-]."""
     thickening_error: float
+    """Relative uncertainty of the thickening number [-]."""
     moes_m: float
+    """Moes' M along the entrainment [-]."""
     moes_l: float
+    """Moes' L along the entrainment, with alpha at zero pressure [-]."""
     alpha_ratio: float = 1.0
+    """The alpha ratio of `pyworm.formulas.film_atlas.AtlasGroups` [-]."""
     compression: float = 0.0
+    """The compression of `pyworm.formulas.film_atlas.AtlasGroups` [-]."""
     ratio: float | None = None
+    """Larger over smaller relative radius [-]; None of a line contact."""
     angle: float | None = None
+    """Angle of the entrainment from the direction of the smaller relative radius [rad]; None of a line
+    contact."""
     spin: float = 0.0
+    """As of those groups [-]."""
 
     @property
     def name(self) -> str:

@@ -25,18 +25,16 @@ Values = float | np.ndarray
 
 @dataclass(frozen=True)
 class PrintedFilms:
-    """The source's four films with SI numbers put in; only the first and last are lengths [m].
-
-    Attributes
-    ----------
-    rigid_isoviscous, rigid_piezoviscous, elastic_isoviscous, elastic_piezoviscous : float or array
-        In the order of the source.
-    """
+    """The source's four films with SI numbers put in; only the first and last are lengths [m]."""
 
     rigid_isoviscous: Values
+    """Film of rigid bodies and an isoviscous oil, the first of the source."""
     rigid_piezoviscous: Values
+    """Film of rigid bodies and a piezoviscous oil, the second of the source."""
     elastic_isoviscous: Values
+    """Film of elastic bodies and an isoviscous oil, the third of the source."""
     elastic_piezoviscous: Values
+    """Film of elastic bodies and a piezoviscous oil, the fourth of the source."""
 
 
 def printed_films(

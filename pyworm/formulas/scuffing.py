@@ -190,34 +190,24 @@ def risk(probability: float) -> str:
 
 @dataclass(frozen=True)
 class ScuffingRating:
-    """Scuffing along the line of action of a pair of teeth, or at one contact.
-
-    Attributes
-    ----------
-    flash, contact : array
-        Flash and contact temperature at each contact [K].
-    contact_max : float
-        Largest contact temperature [K].
-    worst : int
-        Index of the contact that has it.
-    scuffing : float
-        Mean scuffing temperature of the oil [K].
-    probability : float
-        Of scuffing [-].
-    risk : str
-        "low", "moderate" or "high".
-    source : str
-        Of the method.
-    """
+    """Scuffing along the line of action of a pair of teeth, or at one contact."""
 
     flash: np.ndarray
+    """Flash temperature at each contact [K]."""
     contact: np.ndarray
+    """Contact temperature at each contact [K]."""
     contact_max: float
+    """Largest contact temperature [K]."""
     worst: int
+    """Index of the contact that has it."""
     scuffing: float
+    """Mean scuffing temperature of the oil [K]."""
     probability: float
+    """Probability of scuffing [-]."""
     risk: str
+    """Risk: "low", "moderate" or "high"."""
     source: str = SOURCE
+    """Source of the method."""
 
 
 def rate_scuffing(

@@ -9,15 +9,10 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Unknown:
-    """A value that is not known.
-
-    Attributes
-    ----------
-    why : str
-        The reason, a clause; names the key that would give it, if there is one.
-    """
+    """A value that is not known."""
 
     why: str
+    """The reason, a clause; names the key that would give it, if there is one."""
 
 
 def known(value: T | Unknown) -> T:

@@ -77,30 +77,20 @@ def film_of_probability(probability: float, pitch_line_velocity: float) -> float
 
 @dataclass(frozen=True)
 class WearRating:
-    """Specific film along a pair of teeth, or at one contact.
-
-    Attributes
-    ----------
-    roughness : float
-        Composite roughness [m].
-    specific_film_min : float
-        Smallest lambda [-].
-    worst : int
-        Index of the contact that has it.
-    regime : str
-        "boundary", "mixed" or "full film" there.
-    probability : float
-        Of wear-related distress [-].
-    source : str
-        Of the method.
-    """
+    """Specific film along a pair of teeth, or at one contact."""
 
     roughness: float
+    """Composite roughness [m]."""
     specific_film_min: float
+    """Smallest lambda [-]."""
     worst: int
+    """Index of the contact that has it."""
     regime: str
+    """Regime there: "boundary", "mixed" or "full film"."""
     probability: float
+    """Probability of wear-related distress [-]."""
     source: str = SOURCE
+    """Source of the method."""
 
 
 def rate_wear(film_min: Values, roughness: float, pitch_line_velocity: float) -> WearRating:

@@ -17,25 +17,6 @@ ALLOWED_WEAR = 0.3
 class WormGear:
     """Geometry of a worm gear as the standards see it.
 
-    Attributes
-    ----------
-    centre_distance : float
-        a [m]; 25 mm to 2 m.
-    starts, teeth : int
-        z1 of the worm, z2 of the wheel.
-    module : float
-        Axial module m_x [m].
-    diameter_factor : float
-        q, reference diameter of the worm over the module [-]; above 0.5.
-    face_width : float
-        b_2H of the wheel [m].
-    profile_shift : float
-        x2 of the wheel [-].
-    pressure_angle : float
-        alpha_0 of the tool, normal to the thread (of ZA axial) [rad].
-    concave : bool
-        Whether the worm's flanks are hollow (ZC, ZC2).
-
     Raises
     ------
     ValueError
@@ -43,14 +24,23 @@ class WormGear:
     """
 
     centre_distance: float
+    """Centre distance a [m]; 25 mm to 2 m."""
     starts: int
+    """Starts of the worm, z1."""
     teeth: int
+    """Teeth of the wheel, z2."""
     module: float
+    """Axial module m_x [m]."""
     diameter_factor: float
+    """q, reference diameter of the worm over the module [-]; above 0.5."""
     face_width: float
+    """b_2H of the wheel [m]."""
     profile_shift: float = 0.0
+    """x2 of the wheel [-]."""
     pressure_angle: float = pi / 9
+    """alpha_0 of the tool, normal to the thread (of ZA axial) [rad]."""
     concave: bool = False
+    """Whether the worm's flanks are hollow (ZC, ZC2)."""
 
     def __post_init__(self) -> None:
         """Refuse a geometry that is no worm gear."""

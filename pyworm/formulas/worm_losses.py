@@ -30,17 +30,14 @@ _BEARING_LOSS = {"adjusted": 0.03, "fixed and floating": 0.013}
 
 @dataclass(frozen=True)
 class OtherLosses:
-    """Losses of a worm gearbox besides its teeth.
-
-    Attributes
-    ----------
-    churning, bearings, seals : float
-        P_V0 without load, P_VLP of rolling bearings under load, P_VD of the worm's seals [W].
-    """
+    """Losses of a worm gearbox besides its teeth."""
 
     churning: float
+    """P_V0 without load [W]."""
     bearings: float
+    """P_VLP of rolling bearings under load [W]."""
     seals: float
+    """P_VD of the worm's seals [W]."""
 
     @property
     def power(self) -> float:

@@ -42,73 +42,50 @@ NOT_GIVEN = Unknown("it is not given")
 
 @dataclass(frozen=True)
 class WormConditions:
-    """Conditions that a worm gear is rated for; a figure whose data are `Unknown` has none.
-
-    Attributes
-    ----------
-    oil : str
-        "mineral", "PAO" or "PAG".
-    viscosity : float
-        Dynamic viscosity at the wheel's bulk temperature [Pa s].
-    worm_speed : float
-        [rad/s].
-    torque : float
-        T2 on the wheel, with its application factor [N m].
-    reduced_modulus : float
-        E_red [Pa].
-    roughness : float
-        Ra of the worm's flanks [m].
-    lubrication : str
-        "injection" or "bath".
-    material : WheelMaterial
-        Of the wheel; where it is not known, friction is that of tin bronze.
-    material_factor : float, optional
-        Y_W [-]; that of the material if not given.
-    life : float
-        Wanted life [h].
-    structure_factor, pressure_factor : float, optional
-        W_S and W_H of the wear [-]; the standard's if not given.
-    starts_per_hour : float
-        [1/h].
-    sump_temperature : float
-        Temperature of the oil in the sump, or injected [K].
-    wheel_temperature : float, optional
-        Bulk temperature of the wheel [K] where it is given; else the standard's.
-    supplied_viscosity : float
-        Kinematic viscosity at the sump's temperature [m2/s]; for injected oil.
-    immersion_factor : float
-        c_k of `bulk_temperature` [-].
-    rim : float
-        Thickness of the wheel's rim over the module [-].
-    bearings : str
-        How the worm is held (`pyworm.formulas.worm_losses.BEARINGS`).
-    other_loss : float, optional
-        Losses besides the teeth [W] where they are given; else the standard's.
-    driver : str
-        "worm" or "wheel".
-    """
+    """Conditions that a worm gear is rated for; a figure whose data are `Unknown` has none."""
 
     oil: OilKind | Unknown
+    """Kind of oil: "mineral", "PAO" or "PAG"."""
     viscosity: float | Unknown
+    """Dynamic viscosity at the wheel's bulk temperature [Pa s]."""
     worm_speed: float
+    """Speed of the worm [rad/s]."""
     torque: float
+    """T2 on the wheel, with its application factor [N m]."""
     reduced_modulus: float
+    """Reduced modulus E_red [Pa]."""
     roughness: float | Unknown
+    """Ra of the worm's flanks [m]."""
     lubrication: Lubrication = "injection"
+    """Lubrication: "injection" or "bath"."""
     material: WheelMaterial | Unknown = NOT_GIVEN
+    """Material of the wheel; where it is not known, friction is that of tin bronze."""
     material_factor: float | None = None
+    """Y_W [-]; that of the material if not given."""
     life: float | Unknown = NOT_GIVEN
+    """Wanted life [h]."""
     structure_factor: float | None = None
+    """W_S of the wear [-]; the standard's if not given."""
     pressure_factor: float | None = None
+    """W_H of the wear [-]; the standard's if not given."""
     starts_per_hour: float = 0.0
+    """Starts of the drive [1/h]."""
     sump_temperature: float | Unknown = NOT_GIVEN
+    """Temperature of the oil in the sump, or injected [K]."""
     wheel_temperature: float | None = None
+    """Bulk temperature of the wheel [K] where it is given; else the standard's."""
     supplied_viscosity: float | Unknown = NOT_GIVEN
+    """Kinematic viscosity at the sump's temperature [m2/s]; for injected oil."""
     immersion_factor: float = 1.0
+    """c_k of `bulk_temperature` [-]."""
     rim: float = FULL_RIM
+    """Thickness of the wheel's rim over the module [-]."""
     bearings: Bearings = "adjusted"
+    """How the worm is held (`pyworm.formulas.worm_losses.BEARINGS`)."""
     other_loss: float | None = None
+    """Losses besides the teeth [W] where they are given; else the standard's."""
     driver: Driver = "worm"
+    """Driving member: "worm" or "wheel"."""
 
     @property
     def family(self) -> Family:
@@ -132,26 +109,20 @@ class WormConditions:
 
 @dataclass(frozen=True)
 class WormWear:
-    """Wear of the wheel's flanks by the standard.
-
-    Attributes
-    ----------
-    structure_factor, pressure_factor : float
-        W_S and W_H [-].
-    parameter : float
-        K_W [um].
-    base, intensity : float
-        J_0T and J_W [-].
-    depth : float
-        Worn in the life [m].
-    """
+    """Wear of the wheel's flanks by the standard."""
 
     structure_factor: float
+    """Structure factor W_S [-]."""
     pressure_factor: float
+    """Pressure factor W_H [-]."""
     parameter: float
+    """Parameter K_W [um]."""
     base: float
+    """Base wear intensity J_0T [-]."""
     intensity: float
+    """Wear intensity J_W [-]."""
     depth: float
+    """Worn in the life [m]."""
 
 
 @dataclass(frozen=True)
@@ -160,17 +131,12 @@ class WormRating:
 
     Each is computed when it is asked for: ValueError with the reason, and with the key of a case that would
     give what is missing, where it lies outside the methods or its data are not known.
-
-    Attributes
-    ----------
-    gear : WormGear
-        Geometry.
-    under : WormConditions
-        What it is rated for.
     """
 
     gear: WormGear
+    """Geometry."""
     under: WormConditions
+    """What it is rated for."""
     source = SOURCE
 
     @cached_property

@@ -368,22 +368,16 @@ def temperature_safety(sump_temperature: float, limit: float) -> float:
 
 @dataclass(frozen=True)
 class TeethLoss:
-    """Friction, efficiency and loss of worm gear teeth.
-
-    Attributes
-    ----------
-    friction : float
-        mu_zm [-].
-    forward_efficiency, backward_efficiency : float
-        Of the teeth, worm and wheel driving [-]; backward zero or less where the wheel cannot drive.
-    output : float
-        Power at the wheel [W].
-    """
+    """Friction, efficiency and loss of worm gear teeth."""
 
     friction: float
+    """Mean coefficient of friction mu_zm [-]."""
     forward_efficiency: float
+    """Efficiency of the teeth, worm driving [-]."""
     backward_efficiency: float
+    """Efficiency of the teeth, wheel driving [-]; zero or less where the wheel cannot drive."""
     output: float
+    """Power at the wheel [W]."""
 
     @property
     def power(self) -> float:

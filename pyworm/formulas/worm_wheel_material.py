@@ -18,30 +18,20 @@ FAMILIES: tuple[Family, ...] = ("tin bronze", "aluminium bronze", "cast iron")
 
 @dataclass(frozen=True)
 class WheelMaterial:
-    """A material of worm wheels; what the standard does not have of it is `Unknown`.
-
-    Attributes
-    ----------
-    name : str
-        Designation of EN 1982, EN 1561 or EN 1563, as in the list of materials.
-    family : str
-        Group of materials.
-    friction_factor : float
-        Y_W of the friction [-].
-    wear_factors : dict of str to float
-        W_ML of the wear [-] with mineral oil, PAO and PAG.
-    pitting_strength : float
-        sigma_HlimT [Pa].
-    root_strength : float
-        tau_FlimT, shear that roots of teeth endure [Pa].
-    """
+    """A material of worm wheels; what the standard does not have of it is `Unknown`."""
 
     name: str
+    """Designation of EN 1982, EN 1561 or EN 1563, as in the list of materials."""
     family: Family | Unknown
+    """Group of materials."""
     friction_factor: float | Unknown
+    """Y_W of the friction [-]."""
     wear_factors: dict[str, float] | Unknown
+    """W_ML of the wear [-] with mineral oil, PAO and PAG."""
     pitting_strength: float | Unknown
+    """sigma_HlimT [Pa]."""
     root_strength: float | Unknown
+    """tau_FlimT, shear that roots of teeth endure [Pa]."""
 
 
 def _wear(mineral: float, pao: float, pag: float) -> dict[str, float]:

@@ -17,9 +17,7 @@ import pyworm
 ROOT = Path(__file__).parents[2]
 PACKAGE = Path(pyworm.__file__).parent
 LISTED = tuple(
-    (
-        "formulas ratings batch case drives io report plots cli result precision solver/solution"
-    ).split()
+    "ratings batch case drives io report plots cli result precision solver/solution".split()
 )
 """Rooms whose docstrings still list attributes."""
 
