@@ -42,52 +42,34 @@ smooth ones would have, of which limits of specific films are."""
 
 @dataclass(frozen=True)
 class Limit:
-    """What an oil bears.
-
-    Attributes
-    ----------
-    value : float or None
-        Scuffing temperature [K], or permissible specific film [-]; None where it is not known.
-    why : str
-        Why it is not; empty where it is.
-    by : str
-        What it follows from.
-    """
+    """What an oil bears."""
 
     value: float | None
+    """Scuffing temperature [K], or permissible specific film [-]; None where it is not known."""
     why: str = ""
+    """Why it is not; empty where it is."""
     by: str = ""
+    """What it follows from."""
 
 
 @dataclass(frozen=True)
 class Spot:
-    """A simulated contact as scuffing and micropitting see it.
-
-    Attributes
-    ----------
-    name : str
-        Where it is.
-    temperature : float or None
-        Largest of both flanks [K]; None where heat was not simulated.
-    film : float
-        Least film [m].
-    bars : tuple
-        Numerical and model bars, relative: of the rise over the oil, and of the film.
-    friction : float or None
-        Simulated coefficient of friction [-]; None without.
-    asperities : float
-        Fraction of the load that asperities carry [-]; 0 where roughness was not simulated.
-    phase : float or None
-        Place in the mesh; None where the case has none.
-    """
+    """A simulated contact as scuffing and micropitting see it."""
 
     name: str
+    """Where it is."""
     temperature: float | None
+    """Largest of both flanks [K]; None where heat was not simulated."""
     film: float
+    """Least film [m]."""
     bars: tuple[tuple[float, float | None], tuple[float, float | None]]
+    """Numerical and model bars, relative: of the rise over the oil, and of the film."""
     friction: float | None = None
+    """Simulated coefficient of friction [-]; None without."""
     asperities: float = 0.0
+    """Fraction of the load that asperities carry [-]; 0 where roughness was not simulated."""
     phase: float | None = None
+    """Place in the mesh; None where the case has none."""
 
 
 def gear_oil(oil: Oil, base: str) -> GearOil:

@@ -15,27 +15,18 @@ from pyworm.solver.left_out import LeftOut
 
 @dataclass(frozen=True)
 class ClosedForms:
-    """Closed forms along the line of action, arrays over phase; None where they are not known.
-
-    Attributes
-    ----------
-    phase : ndarray
-        Place in the mesh.
-    temperature : ndarray or None
-        Contact temperature with the case's friction [K].
-    film : ndarray or None
-        Film of ISO/TS 6336-22 [m].
-    flash_over_friction : ndarray or None
-        Flash temperature for each unit of friction [K].
-    bulk : float or None
-        Bulk temperature [K].
-    """
+    """Closed forms along the line of action, arrays over phase; None where they are not known."""
 
     phase: np.ndarray
+    """Place in the mesh."""
     temperature: np.ndarray | None
+    """Contact temperature with the case's friction [K]."""
     film: np.ndarray | None
+    """Film of ISO/TS 6336-22 [m]."""
     flash_over_friction: np.ndarray | None
+    """Flash temperature for each unit of friction [K]."""
     bulk: float | None
+    """Bulk temperature [K]."""
 
     def at(self, name: str, phase: float | None) -> float | None:
         """One of the arrays at a phase."""

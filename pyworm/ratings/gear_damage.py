@@ -47,21 +47,14 @@ def _worst(
 
 @dataclass(frozen=True)
 class GearDamage:
-    """A pair of gears and what its oil bears.
-
-    Attributes
-    ----------
-    duty : GearPairDuty
-        The gears.
-    table : GearRatingTable
-        Tests of the oil, and safeties required.
-    base : str or None
-        Base stock of the oil.
-    """
+    """A pair of gears and what its oil bears."""
 
     duty: GearPairDuty
+    """The gears."""
     table: GearRatingTable
+    """Tests of the oil, and safeties required."""
     base: Base | None
+    """Base stock of the oil."""
 
     @cached_property
     def limits(self) -> tuple[Limit, Limit]:

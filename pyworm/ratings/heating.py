@@ -12,21 +12,14 @@ from pyworm.result.mesh_cycle import DriveCycle
 
 @dataclass(frozen=True)
 class HeatingLoss:
-    """The loss between the teeth for the thermal balance.
-
-    Attributes
-    ----------
-    power : float
-        [W].
-    by : str
-        "simulation" or "standard".
-    words : str
-        Which it is and why.
-    """
+    """The loss between the teeth for the thermal balance."""
 
     power: float
+    """Loss [W]."""
     by: str
+    """Source: "simulation" or "standard"."""
     words: str
+    """Which it is and why."""
 
 
 def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> HeatingLoss:
@@ -64,21 +57,14 @@ def tooth_loss_of(case: Case) -> float:
 
 @dataclass(frozen=True)
 class Heating:
-    """The loss assumed in the thermal balance of a solved drive, and the loss found.
-
-    Attributes
-    ----------
-    taken : float
-        Loss between the teeth that the temperatures belong to [W].
-    found : HeatingLoss
-        What the films solved with them lose.
-    other : BesidesTeeth
-        What bearings, seals and churning lose.
-    """
+    """The loss assumed in the thermal balance of a solved drive, and the loss found."""
 
     taken: float
+    """Loss between the teeth that the temperatures belong to [W]."""
     found: HeatingLoss
+    """What the films solved with them lose."""
     other: BesidesTeeth
+    """What bearings, seals and churning lose."""
 
     @property
     def words(self) -> str:

@@ -28,56 +28,37 @@ PAGE_WIDTH = 100
 
 @dataclass(frozen=True)
 class Step:
-    """One step of the choice.
-
-    Attributes
-    ----------
-    title : str
-        What it is about.
-    text : str
-        What was found, in words with numbers.
-    source : str
-        Where the rule comes from; empty where nothing but arithmetic is used.
-    table : tuple of str
-        Lines of a table that belongs to it.
-    """
+    """One step of the choice."""
 
     title: str
+    """What it is about."""
     text: str
+    """What was found, in words with numbers."""
     source: str = ""
+    """Where the rule comes from; empty where nothing but arithmetic is used."""
     table: tuple[str, ...] = ()
+    """Lines of a table that belongs to it."""
 
 
 @dataclass(frozen=True)
 class OilChoice:
-    """A recommended grade and how it was found.
-
-    Attributes
-    ----------
-    duty : OilDuty
-        What was asked.
-    grade : int
-        The recommended ISO viscosity grade.
-    oil : str
-        The oil's name.
-    reached : bool
-        Whether it gives the wanted specific film.
-    viscosity_needed : float or None
-        Kinematic viscosity at 40 degC [m2/s] that would give it at the temperature of reference; None if
-        none does.
-    rows : tuple of GradeRow
-        Every grade.
-    steps : tuple of Step
-        In the order of the reasoning, the recommendation last.
-    """
+    """A recommended grade and how it was found."""
 
     duty: OilDuty
+    """What was asked."""
     grade: int
+    """The recommended ISO viscosity grade."""
     oil: str
+    """The oil's name."""
     reached: bool
+    """Whether it gives the wanted specific film."""
     viscosity_needed: float | None
+    """Kinematic viscosity at 40 degC [m2/s] that would give it at the temperature of reference; None if none
+    does."""
     rows: tuple[GradeRow, ...]
+    """Every grade."""
     steps: tuple[Step, ...]
+    """In the order of the reasoning, the recommendation last."""
 
 
 def choose_oil(duty: OilDuty) -> OilChoice:

@@ -26,25 +26,17 @@ THICKEST = 9e-3
 
 @dataclass(frozen=True)
 class FilmLaw:
-    """A minimum film as a function of the oil alone.
-
-    Attributes
-    ----------
-    film : callable
-        Of dynamic viscosity [Pa s] and pressure-viscosity coefficient [1/Pa]; the minimum film [m].
-    source : str
-        The formula's.
-    words : str
-        The formula, with the numbers of all but the oil.
-    alpha : float or None
-        The pressure-viscosity coefficient [1/Pa] that the formula has for the base stock; None where it takes
-        the oil's own.
-    """
+    """A minimum film as a function of the oil alone."""
 
     film: Callable[[float, float], float]
+    """Dynamic viscosity [Pa s] and pressure-viscosity coefficient [1/Pa] -> the minimum film [m]."""
     source: str
+    """Source of the formula."""
     words: str
+    """The formula, with the numbers of all but the oil."""
     alpha: float | None = None
+    """The pressure-viscosity coefficient [1/Pa] that the formula has for the base stock; None where it takes
+    the oil's own."""
 
     def of(self, oil: NamedOil, temperature: float) -> float:
         """The film [m] of an oil on teeth of a temperature [K]."""
@@ -116,60 +108,43 @@ def worm_film(
 
 @dataclass(frozen=True)
 class OilDuty:
-    """Requirements of an oil.
-
-    Attributes
-    ----------
-    name : str
-        The drive.
-    base : str
-        Base stock to choose a grade of.
-    film : FilmLaw
-        How the film follows the oil.
-    roughness : float
-        Composite rms roughness of the teeth [m].
-    specific_film : float
-        lambda that is wanted [-].
-    ambient_temperature : float
-        [K].
-    sump_temperature, sump_grade : float, int
-        Sump temperature [K], measured or expected with this grade.
-    bulk_excess : float
-        How far the teeth are hotter than the sump [K].
-    churning_share : float
-        Fraction of the heat in the sump that churning makes with that grade [-], 0 to 0.9.
-    sump_limit : float
-        Highest sump temperature allowed [K].
-    pitch_line_velocity : float or None
-        [m/s], for the rule of speed and the probability of distress; None for a worm gear, to which they
-        do not apply.
-    tables : tuple of TableAdvice or None
-        Grades by tables; None for a table without a row.
-    contact_temperature : float or None
-        Largest contact temperature of the teeth [K], if scuffing is to be judged.
-    bearing_speed, bearing_diameter : float or None
-        Speed [rad/s] and mean diameter [m] of the bearing that needs the thickest oil.
-    coldest_start : float or None
-        Lowest temperature at which the drive starts [K], if the pour point is to be given.
-    """
+    """Requirements of an oil."""
 
     name: str
+    """The drive."""
     base: Base
+    """Base stock to choose a grade of."""
     film: FilmLaw
+    """How the film follows the oil."""
     roughness: float
+    """Composite rms roughness of the teeth [m]."""
     specific_film: float
+    """Specific film lambda that is wanted [-]."""
     ambient_temperature: float
+    """Ambient temperature [K]."""
     sump_temperature: float
+    """Sump temperature [K]."""
     sump_grade: int
+    """Grade with which the sump temperature is measured or expected."""
     bulk_excess: float
+    """How far the teeth are hotter than the sump [K]."""
     churning_share: float
+    """Fraction of the heat in the sump that churning makes with that grade [-], 0 to 0.9."""
     sump_limit: float
+    """Highest sump temperature allowed [K]."""
     pitch_line_velocity: float | None = None
+    """Pitch line velocity [m/s], for the rule of speed and the probability of distress; None for a worm gear,
+    to which they do not apply."""
     tables: tuple[TableAdvice | None, ...] = ()
+    """Grades by tables; None for a table without a row."""
     contact_temperature: float | None = None
+    """Largest contact temperature of the teeth [K], if scuffing is to be judged."""
     bearing_speed: float | None = None
+    """Speed of the bearing that needs the thickest oil [rad/s]."""
     bearing_diameter: float | None = None
+    """Mean diameter of the bearing that needs the thickest oil [m]."""
     coldest_start: float | None = None
+    """Lowest temperature at which the drive starts [K], if the pour point is to be given."""
 
     def __post_init__(self) -> None:
         """Refuse impossible requirements."""
@@ -194,34 +169,24 @@ class OilDuty:
 
 @dataclass(frozen=True)
 class GradeRow:
-    """Performance of one grade.
-
-    Attributes
-    ----------
-    grade : int
-        ISO viscosity grade.
-    sump_temperature, bulk_temperature : float
-        In balance with its own churning [K].
-    viscosity : float
-        Kinematic viscosity at the teeth [m2/s].
-    film : float
-        Minimum film [m].
-    specific_film : float
-        lambda [-].
-    heat : float
-        Heat in the sump over that with the grade of reference [-].
-    kappa : float or None
-        Viscosity ratio of the bearing at the sump temperature [-].
-    """
+    """Performance of one grade."""
 
     grade: int
+    """ISO viscosity grade."""
     sump_temperature: float
+    """Sump temperature in balance with its own churning [K]."""
     bulk_temperature: float
+    """Bulk temperature in balance with its own churning [K]."""
     viscosity: float
+    """Kinematic viscosity at the teeth [m2/s]."""
     film: float
+    """Minimum film [m]."""
     specific_film: float
+    """Specific film lambda [-]."""
     heat: float
+    """Heat in the sump over that with the grade of reference [-]."""
     kappa: float | None
+    """Viscosity ratio of the bearing at the sump temperature [-]."""
 
 
 # ------------------------------------------------------------------------------------- numbers

@@ -63,30 +63,20 @@ class GearRated(Protocol):
 
 @dataclass(frozen=True)
 class Asked:
-    """A case file with its requests for ratings.
-
-    Attributes
-    ----------
-    name : str
-        File name without its ending.
-    directory : Path
-        Where it lies; files that it names are relative to it.
-    tables : RatedCase or RatingCase
-        The file, in SI.
-    drive : Drive or None
-        Its drive, if it has one that can be rated.
-    warnings : tuple of str
-        What is unusual in it, as `Case.warnings`.
-    places : tuple of Place
-        Contacts of the drive that it lists.
-    """
+    """A case file with its requests for ratings."""
 
     name: str
+    """File name without its ending."""
     directory: Path
+    """Where it lies; files that it names are relative to it."""
     tables: RatedCase | RatingCase
+    """The file, in SI."""
     drive: Drive | None = None
+    """Its drive, if it has one that can be rated."""
     warnings: tuple[str, ...] = ()
+    """What is unusual in it, as `Case.warnings`."""
     places: tuple[Place, ...] = ()
+    """Contacts of the drive that it lists."""
 
     @property
     def rated_as(self) -> type[Duty] | None:

@@ -26,33 +26,22 @@ FILM_COLUMNS = {"central film": "film_central", "minimum film": "film_min"}
 
 @dataclass(frozen=True)
 class RatedFigure:
-    """One figure of a rating.
-
-    Attributes
-    ----------
-    key : str
-        Its name where programs read it, unit at the end, SI but for temperatures in degC.
-    label : str
-        Its name for people.
-    values : tuple
-        One for each column of the rating, in the unit of the key; None where a column has none.
-    scale : float
-        From that unit to the one shown.
-    unit : str
-        Unit shown.
-    bars : tuple
-        Numerical and model error bars of each column, in the unit of the key; None where a column has none.
-    why : str
-        Why it has no value, a clause; empty where it has.
-    """
+    """One figure of a rating."""
 
     key: str
+    """Its name where programs read it, unit at the end, SI but for temperatures in degC."""
     label: str
+    """Its name for people."""
     values: tuple[Value, ...]
+    """One for each column of the rating, in the unit of the key; None where a column has none."""
     scale: float = 1.0
+    """From that unit to the one shown."""
     unit: str = ""
+    """Unit shown."""
     bars: tuple[tuple[float, float | None] | None, ...] = ()
+    """Numerical and model error bars of each column, in the unit of the key; None where a column has none."""
     why: str = ""
+    """Why it has no value, a clause; empty where it has."""
 
     def shown(self, column: int) -> str:
         """The value of a column as text."""
@@ -87,38 +76,28 @@ def without_value(figures: Iterable[RatedFigure]) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Safety:
-    """A safety of a standard, with the least it requires.
-
-    Attributes
-    ----------
-    symbol, label : str
-        Its name in the standard and for people: "S_H", "pitting of the wheel's flanks".
-    minimum : float
-        Least value that the standard requires [-].
-    value : float or None
-        What it comes to [-]; None where it cannot be rated.
-    why : str
-        Why it cannot be rated; empty where it is.
-    inputs : dict
-        What it was made of, by symbol and unit.
-    clause : str
-        Where the standard has it.
-    doubts : tuple of str
-        What was assumed, and constants whose value or sign is not certain; a sentence each.
-    error, model : float or None
-        Relative error bars of a simulated one, numerical and of the model [-]; None of closed forms.
-    """
+    """A safety of a standard, with the least it requires."""
 
     symbol: str
+    """Its name in the standard: "S_H"."""
     label: str
+    """Its name for people: "pitting of the wheel's flanks"."""
     minimum: float
+    """Least value that the standard requires [-]."""
     value: float | None = None
+    """What it comes to [-]; None where it cannot be rated."""
     why: str = ""
+    """Why it cannot be rated; empty where it is."""
     inputs: dict[str, Value] = field(default_factory=dict)
+    """What it was made of, by symbol and unit."""
     doubts: tuple[str, ...] = ()
+    """What was assumed, and constants whose value or sign is not certain; a sentence each."""
     error: float | None = None
+    """Relative numerical error bar of a simulated one [-]; None of closed forms."""
     model: float | None = None
+    """Relative error bar of the model of a simulated one [-]; None of closed forms."""
     clause: str = ""
+    """Where the standard has it."""
 
     @property
     def verdict(self) -> str:
@@ -180,47 +159,33 @@ class Safety:
 
 @dataclass(frozen=True)
 class Rating:
-    """Rating of one object.
-
-    Attributes
-    ----------
-    key, title : str
-        Its name for programs and for people.
-    source : str
-        Where its formulas come from.
-    columns : tuple of str
-        Where the values come from: "computed", "printed", "standard", `SIMULATION`.
-    figures : tuple of RatedFigure
-        The figures.
-    safeties : tuple of Safety
-        Safeties of the standard; none of methods that have none.
-    words : tuple of str
-        What they mean, and what was assumed.
-    failed : tuple of str
-        Why it fails, a sentence each; none where nothing of what is rated does.
-    not_rated : tuple of str
-        What is not rated, each with the reason.
-    left_out : LeftOut
-        What its simulated figures do not hold; nothing without any.
-    basis : tuple of str
-        Standard and edition of its safeties, what of it was not read, and what lies outside its scope; a
-        sentence each.
-    differs : tuple of str
-        What simulation and rating of the drive do not share, a sentence each.
-    """
+    """Rating of one object."""
 
     key: str
+    """Its name for programs."""
     title: str
+    """Its name for people."""
     source: str
+    """Where its formulas come from."""
     columns: tuple[str, ...]
+    """Where the values come from: "computed", "printed", "standard", `SIMULATION`."""
     figures: tuple[RatedFigure, ...]
+    """The figures."""
     safeties: tuple[Safety, ...] = ()
+    """Safeties of the standard; none of methods that have none."""
     words: tuple[str, ...] = ()
+    """What they mean, and what was assumed."""
     failed: tuple[str, ...] = ()
+    """Why it fails, a sentence each; none where nothing of what is rated does."""
     not_rated: tuple[str, ...] = ()
+    """What is not rated, each with the reason."""
     left_out: LeftOut = field(default_factory=LeftOut)
+    """What its simulated figures do not hold; nothing without any."""
     basis: tuple[str, ...] = ()
+    """Standard and edition of its safeties, what of it was not read, and what lies outside its scope; a
+    sentence each."""
     differs: tuple[str, ...] = ()
+    """What simulation and rating of the drive do not share, a sentence each."""
 
     @property
     def titled(self) -> str:

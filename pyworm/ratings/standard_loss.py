@@ -18,22 +18,16 @@ from pyworm.result.result import Result
 
 @dataclass(frozen=True)
 class StandardLoss:
-    """Friction, loss and efficiency of all teeth in mesh.
-
-    Attributes
-    ----------
-    friction, efficiency : float
-        Mean coefficient, and power out over power in as the drive runs [-].
-    power : float
-        Lost between the teeth [W].
-    source : str
-        By what.
-    """
+    """Friction, loss and efficiency of all teeth in mesh."""
 
     friction: float
+    """Mean coefficient of friction [-]."""
     efficiency: float
+    """Power out over power in as the drive runs [-]."""
     power: float
+    """Lost between the teeth [W]."""
     source: str
+    """Source of the loss."""
 
     @property
     def words(self) -> str:
@@ -55,15 +49,10 @@ class StandardLoss:
 
 @dataclass(frozen=True)
 class NoStandard:
-    """Reason why a case has no loss by a standard.
-
-    Attributes
-    ----------
-    reason : str
-        A clause.
-    """
+    """Reason why a case has no loss by a standard."""
 
     reason: str
+    """The reason, a clause."""
 
     @property
     def words(self) -> str:

@@ -15,25 +15,18 @@ HOUR = 3600.0
 
 @dataclass(frozen=True)
 class RatedLoad:
-    """A load of a worm gear's life and what the standards make of it.
-
-    Attributes
-    ----------
-    torque, worm_speed : float
-        T2 with its application factor [N m], and speed of the worm [rad/s].
-    hours : float or Unknown
-        How long it lasts [h].
-    conditions : WormConditions
-        What it is rated for.
-    rated : WormRating
-        Its figures.
-    """
+    """A load of a worm gear's life and what the standards make of it."""
 
     torque: float
+    """T2 with its application factor [N m]."""
     worm_speed: float
+    """Speed of the worm [rad/s]."""
     hours: float | Unknown
+    """How long it lasts [h]."""
     conditions: WormConditions
+    """What it is rated for."""
     rated: WormRating
+    """Its figures."""
 
     @property
     def sump(self) -> float | Unknown:
