@@ -28,17 +28,12 @@ CycleOf = Callable[[Drive], Any]
 
 
 class NothingSolvedError(RuntimeError):
-    """No scene of a run has a solution; the message gives the reasons, each once.
-
-    Attributes
-    ----------
-    reasons : dict of str to str
-        Name of each scene and its reason.
-    """
+    """No scene of a run has a solution; the message gives the reasons, each once."""
 
     def __init__(self, reasons: dict[str, str]):
         super().__init__("; ".join(dict.fromkeys(reasons.values())))
         self.reasons = reasons
+        """Name of each scene and its reason."""
 
 
 def run(

@@ -26,21 +26,14 @@ pairs, five contacts each, whose solves take tenths of a second."""
 
 @dataclass(frozen=True)
 class ExpectedRun:
-    """Expected cost of a run.
-
-    Attributes
-    ----------
-    each : tuple of Expectation
-        Cost of each task by itself.
-    once : float
-        Processor time of all of them solved once, with transient solves that they share [s].
-    search : float
-        Processor time of the search for temperatures and lifts before [s].
-    """
+    """Expected cost of a run."""
 
     each: tuple[Expectation, ...]
+    """Cost of each task by itself."""
     once: float
+    """Processor time of all of them solved once, with transient solves that they share [s]."""
     search: float
+    """Processor time of the search for temperatures and lifts before [s]."""
 
     @property
     def seconds(self) -> float:

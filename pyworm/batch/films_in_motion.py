@@ -35,21 +35,14 @@ RATES = "rate", "rise", "warming", "pressing"
 
 @dataclass(frozen=True)
 class LifePart:
-    """One transient solve through a part of a life.
-
-    Attributes
-    ----------
-    of : Task
-        A task of its life: all parts take its course, which costs as much as a scene's plan.
-    tasks : tuple of Task
-        The tasks whose films it holds.
-    refinement : int
-        Halvings of the spacing and of the time step.
-    """
+    """One transient solve through a part of a life."""
 
     of: Task
+    """A task of its life: all parts take its course, which costs as much as a scene's plan."""
     tasks: tuple[Task, ...]
+    """The tasks whose films it holds."""
     refinement: int
+    """Halvings of the spacing and of the time step."""
 
     def solve_into(self, directory: Path) -> str | None:
         """Write the rates of change of its tasks; returns why there are none, or None."""

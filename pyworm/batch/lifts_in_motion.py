@@ -19,18 +19,12 @@ from pyworm.solver.transient.transient import part_at, present_in_life
 
 @dataclass(frozen=True)
 class PartLifts:
-    """Lifts at phases of one part of a life.
-
-    Attributes
-    ----------
-    tasks : tuple of Task
-        Its contacts, all with point contacts in motion.
-    moving : bool
-        Whether by films in motion; else by steady ones in the same window.
-    """
+    """Lifts at phases of one part of a life."""
 
     tasks: tuple[Task, ...]
+    """Its contacts, all with point contacts in motion."""
     moving: bool
+    """Whether by films in motion; else by steady ones in the same window."""
 
     def __call__(self) -> dict[float, float]:
         """Phase -> lift [m]; without those of which no film is found."""

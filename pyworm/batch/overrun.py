@@ -33,19 +33,14 @@ SHARED = (
 
 @dataclass(frozen=True)
 class Overrun:
-    """Processor time of a run that took far more than was expected.
-
-    Attributes
-    ----------
-    taken, expected : float
-        Processor time taken, and expected [s].
-    reasons : tuple of str
-        Contacts that took most beyond what was expected of each, and why.
-    """
+    """Processor time of a run that took far more than was expected."""
 
     taken: float
+    """Processor time taken [s]."""
     expected: float
+    """Processor time expected [s]."""
     reasons: tuple[str, ...]
+    """Contacts that took most beyond what was expected of each, and why."""
 
     @property
     def sentence(self) -> str:

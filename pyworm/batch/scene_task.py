@@ -23,23 +23,18 @@ from pyworm.solver.transient.transient import Rates
 
 @dataclass(frozen=True)
 class SceneTask:
-    """One scene and how accurately to solve it; what `batch.task.Task` is to a contact of a case.
-
-    Attributes
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    accuracy, effects, quantities
-        As `pyworm.plan` takes them.
-    largest_grid : int or None
-        Nodes beyond which grids are not refined, where fewer than the plan's.
-    """
+    """One scene and how accurately to solve it; what `batch.task.Task` is to a contact of a case."""
 
     scene: Scene | LineScene
+    """The contact."""
     accuracy: float
+    """Accuracy as `pyworm.plan` takes it."""
     effects: str = "auto"
+    """Effects as `pyworm.plan` takes them."""
     quantities: tuple[str, ...] | None = None
+    """Quantities as `pyworm.plan` takes them."""
     largest_grid: int | None = None
+    """Nodes beyond which grids are not refined, where fewer than the plan's."""
 
     @property
     def case(self) -> Any:

@@ -20,24 +20,17 @@ class Store:
     """A directory of solved scenes; several processes may fill one together.
 
     Files appear whole or not at all; a damaged one counts as not there.
-
-    Attributes
-    ----------
-    directory : Path
-        Where the files are; made with the first.
-    fields : bool
-        Whether solutions are kept in full, `KEY.nc`, a result of one scene; else only their scalars are,
-        `KEY.json`, with all that decided them.
-    sole : bool
-        Whether one scene is solved, which goes into a result at once, without a file of its own.
-    all_digits : bool
-        Whether fields keep all their digits; else they are rounded to the accuracy they have.
     """
 
     directory: Path
+    """Where the files are; made with the first."""
     fields: bool
+    """Whether solutions are kept in full, `KEY.nc`, a result of one scene; else only their scalars are,
+    `KEY.json`, with all that decided them."""
     sole: bool = False
+    """Whether one scene is solved, which goes into a result at once, without a file of its own."""
     all_digits: bool = False
+    """Whether fields keep all their digits; else they are rounded to the accuracy they have."""
     _solved_here: dict[str, Result] = field(default_factory=dict, compare=False, repr=False)
 
     def file(self, task: Task) -> Path:

@@ -23,28 +23,20 @@ _STEP = re.compile(r"([^.\[\]]+)((?:\[\d+\])*)")
 
 @dataclass(frozen=True)
 class Sweep:
-    """Scenes that differ in some values of one case.
-
-    Attributes
-    ----------
-    name, title : str
-        File name without its ending, and what it is.
-    written : dict
-        The file.
-    axes : list of list of str
-        The keys that vary, those that go together in one list.
-    values : tuple of mapping
-        Of each scene the values that vary, as written, by key.
-    tasks : tuple of Task
-        Its scenes: the values of the last table of `vary` change fastest but for the places of each case.
-    """
+    """Scenes that differ in some values of one case."""
 
     name: str
+    """File name without its ending."""
     title: str
+    """What it is."""
     written: dict[str, Any]
+    """The file."""
     axes: list[list[str]]
+    """The keys that vary, those that go together in one list."""
     values: tuple[Mapping[str, Value], ...]
+    """Values of each scene that vary, as written, by key."""
     tasks: tuple[Task, ...]
+    """Its scenes: the values of the last table of `vary` change fastest but for the places of each case."""
 
 
 def load_sweep(

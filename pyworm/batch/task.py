@@ -28,29 +28,20 @@ class Task:
     """One scene of a case and how accurately to solve it.
 
     Sent to another process it takes along its plan, if it has been made, and makes its scene again there.
-
-    Attributes
-    ----------
-    case : Case
-        The case.
-    place : Place
-        Which of its contacts.
-    accuracy : float
-        Relative error wanted [-].
-    effects : str
-        Which effects to simulate, as `pyworm.plan` takes it.
-    quantities : tuple of str or None
-        What is asked for, likewise.
-    wider_window : bool
-        Whether a wider window is solved too, for the window error; else error bars are without it.
     """
 
     case: Case
+    """The case."""
     place: Place
+    """Which of its contacts."""
     accuracy: float
+    """Relative error wanted [-]."""
     effects: str = "auto"
+    """Which effects to simulate, as `pyworm.plan` takes it."""
     quantities: tuple[str, ...] | None = None
+    """What is asked for, likewise."""
     wider_window: bool = True
+    """Whether a wider window is solved too, for the window error; else error bars are without it."""
 
     @cached_property
     def scene(self) -> Scene | LineScene:

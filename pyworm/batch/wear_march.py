@@ -28,24 +28,16 @@ class UnsolvedError(ValueError):
 
 @dataclass(frozen=True)
 class Worn:
-    """A flank at a time.
-
-    Attributes
-    ----------
-    hours : float
-        [h].
-    depth : ndarray
-        Worn off [m].
-    rate : ndarray
-        Wear then [m/h].
-    step : float
-        Step to try next [h].
-    """
+    """A flank at a time."""
 
     hours: float
+    """Time [h]."""
     depth: Array
+    """Worn off [m]."""
     rate: Array
+    """Wear then [m/h]."""
     step: float
+    """Step to try next [h]."""
 
 
 Rates = Callable[[Array], Array]

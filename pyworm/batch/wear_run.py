@@ -46,83 +46,61 @@ HOUR = 3600.0
 
 @dataclass(frozen=True)
 class WearPlan:
-    """How a wheel's wear is simulated.
-
-    Attributes
-    ----------
-    hours : float
-        Time to simulate [h].
-    coefficient : float
-        k of Archard's law [m2/N].
-    calibrated_to : float or None
-        Mean depth worn off the run-in pattern in an hour [m/h], by which k is found; None where it is given.
-    tolerance : float
-        Largest error of the depth in a step [m], where nothing is worn off yet.
-    relative : float
-        By how much that error may be larger, over the largest depth worn off [-].
-    run_in : float
-        Roughness of the wheel after running in, over that as cut [-].
-    worm_ratio : float
-        k of the worm over that of the wheel, and the worm's worn volume over the wheel's [-].
-    """
+    """How a wheel's wear is simulated."""
 
     hours: float
+    """Time to simulate [h]."""
     coefficient: float = WEAR_COEFFICIENT
+    """k of Archard's law [m2/N]."""
     calibrated_to: float | None = None
+    """Mean depth worn off the run-in pattern in an hour [m/h], by which k is found; None where it is
+    given."""
     tolerance: float = 0.25e-6
+    """Largest error of the depth in a step [m], where nothing is worn off yet."""
     relative: float = 0.02
+    """By how much that error may be larger, over the largest depth worn off [-]."""
     run_in: float = RUN_IN
+    """Roughness of the wheel after running in, over that as cut [-]."""
     worm_ratio: float = harder_ratio(WORM_HARDNESS, WHEEL_HARDNESS)
+    """k of the worm over that of the wheel, and the worm's worn volume over the wheel's [-]."""
 
 
 @dataclass(frozen=True)
 class WearFigures:
-    """Figures of a wheel at a time of its life.
-
-    Attributes
-    ----------
-    hours : float
-        [h].
-    depth_max_m, depth_mean_m : float
-        Largest depth, and that in the pattern, weighted with the work done there [m].
-    step_error_m : float
-        Error of the depth by the step that ended here [m].
-    volume_m3, mass_kg : float
-        Worn off a tooth [m3], and off the wheel [kg].
-    backlash_m : float
-        Growth of the play under load, by which the wheel stays behind, at its reference circle [m].
-    pattern_m2 : float
-        Area of the contact pattern, as seen along the axis of the teeth [m2].
-    asperity_share : float
-        Mean fraction of the load that asperities carry [-].
-    friction : float
-        Mean friction of the teeth [-].
-    film_min_m : float
-        Least film of the solved phases [m].
-    worm_roughness_m, wheel_roughness_m : float
-        Rq of both [m].
-    worm_depth_max_m : float
-        Largest depth worn off the worm's threads [m].
-    worm_volume_m3, worm_mass_kg : float
-        Worn off a thread [m3], and off the worm [kg].
-    """
+    """Figures of a wheel at a time of its life."""
 
     hours: float
+    """Time [h]."""
     depth_max_m: float
+    """Largest depth [m]."""
     depth_mean_m: float
+    """Depth in the pattern, weighted with the work done there [m]."""
     step_error_m: float
+    """Error of the depth by the step that ended here [m]."""
     volume_m3: float
+    """Volume worn off a tooth [m3]."""
     mass_kg: float
+    """Mass worn off the wheel [kg]."""
     backlash_m: float
+    """Growth of the play under load, by which the wheel stays behind, at its reference circle [m]."""
     pattern_m2: float
+    """Area of the contact pattern, as seen along the axis of the teeth [m2]."""
     asperity_share: float
+    """Mean fraction of the load that asperities carry [-]."""
     friction: float
+    """Mean friction of the teeth [-]."""
     film_min_m: float
+    """Least film of the solved phases [m]."""
     worm_roughness_m: float
+    """Rq of the worm [m]."""
     wheel_roughness_m: float
+    """Rq of the wheel [m]."""
     worm_depth_max_m: float
+    """Largest depth worn off the worm's threads [m]."""
     worm_volume_m3: float
+    """Volume worn off a thread [m3]."""
     worm_mass_kg: float
+    """Mass worn off the worm [kg]."""
 
 
 @dataclass(frozen=True)
