@@ -51,24 +51,16 @@ MESH_PLACES = {"section": "sections", "phase": "phases", "station": "stations"}
 
 @dataclass(frozen=True, repr=False)
 class Case(Shown):
-    """A checked case; makes the scenes that are to be solved.
-
-    Attributes
-    ----------
-    name : str
-        File name without its ending.
-    directory : Path
-        Where the case file lies; files that it names are relative to it.
-    tables : CaseTable
-        The file, in SI.
-    doubts : tuple of str
-        Unusual values in the file and its contacts, as sentences of `warnings`.
-    """
+    """A checked case; makes the scenes that are to be solved."""
 
     name: str
+    """File name without its ending."""
     directory: Path
+    """Where the case file lies; files that it names are relative to it."""
     tables: Any  # a CaseTable, of which each kind of case has its own with further keys
+    """The file, in SI."""
     doubts: tuple[str, ...] = ()
+    """Unusual values in the file and its contacts, as sentences of `warnings`."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the case in words."""
