@@ -8,21 +8,14 @@ from pyworm.formulas.worm_losses import OtherLosses
 
 @dataclass(frozen=True)
 class BesidesTeeth:
-    """Losses of a worm drive besides its teeth: by the worm standard, or one number that is given.
-
-    Attributes
-    ----------
-    standard : OtherLosses or None
-        Churning, bearings and seals by the standard.
-    bearings : str
-        How the worm is held there.
-    given : float
-        The number [W], where there is no standard's.
-    """
+    """Losses of a worm drive besides its teeth: by the worm standard, or one number that is given."""
 
     standard: OtherLosses | None = None
+    """Churning, bearings and seals by the standard."""
     bearings: str = ""
+    """How the worm is held there."""
     given: float = 0.0
+    """The number [W], where there is no standard's."""
 
     @property
     def power(self) -> float:

@@ -25,33 +25,23 @@ class Drive(Lubricated, ABC):
     """A machine with lubricated contacts, which it makes and never solves.
 
     A drive implements `scene` and `cycle_data`; all else has a default here.
-
-    Attributes
-    ----------
-    body_names : tuple of str
-        Names of body 1 and body 2 of its contacts.
-    rated_as : type or None
-        Type of its `duty`, by which standards rate it; None where no standard covers such a drive.
-    assumptions : tuple of str
-        Assumptions of its loads and its geometry, a sentence each.
-    warnings : tuple of str
-        Unusual properties that change its contacts, a sentence each, beginning with a key of `[drive]`.
-    bodies : tuple of Body
-        Body 1 and body 2.
     """
 
     body_names: ClassVar[tuple[str, str]] = BODIES
+    """Names of body 1 and body 2 of its contacts."""
     rated_as: ClassVar[type[Duty] | None] = None
+    """Type of its `duty`, by which standards rate it; None where no standard covers such a drive."""
     bodies: tuple[Body, Body]
+    """Body 1 and body 2."""
 
     @property
     def assumptions(self) -> tuple[str, ...]:
-        """What it assumes, a sentence each."""
+        """Assumptions of its loads and its geometry, a sentence each."""
         return ("The load of each contact is that of the drive.",)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What is unusual about it, a sentence each."""
+        """Unusual properties that change its contacts, a sentence each, beginning with a key of `[drive]`."""
         return ()
 
     @abstractmethod

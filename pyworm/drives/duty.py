@@ -15,60 +15,46 @@ Array = np.ndarray
 
 @dataclass(frozen=True)
 class WormDuty:
-    """A worm gear at an operating point.
-
-    Attributes
-    ----------
-    gear : WormGear
-        Geometry.
-    worm_speed : float
-        Speed of the worm [rad/s].
-    torque : float
-        Torque of the wheel [N m].
-    reduced_modulus : float
-        Reduced modulus E' [Pa].
-    roughness : tuple of float or None
-        Root mean square heights of worm and wheel, Rq [m]; None where one is not known.
-    driver : str
-        Driving member, "worm" or "wheel".
-    words : tuple of str
-        Derivation, in sentences.
-    deflection : float or None
-        Deflection of the worm's shaft at the mesh [m]; None where its bearings are not known.
-    oil_temperature, wheel_temperature : float or None
-        Temperature of the oil in the sump, and bulk temperature of the wheel, as they are given or follow
-        from the drive's thermal balance [K]; None where a rating has to find them.
-    wheel_material : str or None
-        Material of the wheel in the drive's contacts; None where it has no name.
-    simulated_wheel_temperature : float or None
-        Bulk temperature of the wheel in the drive's contacts [K].
-    contact_ratio : float or None
-        Pairs of teeth in mesh on average [-]; None of a gear without its flanks.
-    wheel_limit, wheel_modulus : float or None
-        Temperature that the wheel's material bears in continuous use [K], and its Young's modulus at the bulk
-        temperature of the drive's contacts [Pa]; None of a material without such a limit.
-    conductance, other_loss : float or None
-        Heat that the housing gives off for each kelvin of its oil [W/K], and losses besides the teeth [W],
-        where they are given.
-    """
+    """A worm gear at an operating point."""
 
     gear: WormGear
+    """Geometry."""
     worm_speed: float
+    """Speed of the worm [rad/s]."""
     torque: float
+    """Torque of the wheel [N m]."""
     reduced_modulus: float
+    """Reduced modulus E' [Pa]."""
     roughness: tuple[float | None, float | None]
+    """Root mean square heights of worm and wheel, Rq [m]; None where one is not known."""
     driver: Literal["worm", "wheel"] = "worm"
+    """Driving member, "worm" or "wheel"."""
     words: tuple[str, ...] = ()
+    """Derivation, in sentences."""
     deflection: float | None = None
+    """Deflection of the worm's shaft at the mesh [m]; None where its bearings are not known."""
     oil_temperature: float | None = None
+    """Temperature of the oil in the sump, as it is given or follows from the drive's thermal balance [K];
+    None where a rating has to find it."""
     wheel_temperature: float | None = None
+    """Bulk temperature of the wheel, as it is given or follows from the drive's thermal balance [K]; None
+    where a rating has to find it."""
     wheel_material: str | None = None
+    """Material of the wheel in the drive's contacts; None where it has no name."""
     simulated_wheel_temperature: float | None = None
+    """Bulk temperature of the wheel in the drive's contacts [K]."""
     contact_ratio: float | None = None
+    """Pairs of teeth in mesh on average [-]; None of a gear without its flanks."""
     wheel_limit: float | None = None
+    """Temperature that the wheel's material bears in continuous use [K]; None of a material without such a
+    limit."""
     wheel_modulus: float | None = None
+    """Young's modulus of the wheel at the bulk temperature of the drive's contacts [Pa]; None of a material
+    without such a limit."""
     conductance: float | None = None
+    """Heat that the housing gives off for each kelvin of its oil [W/K], where it is given."""
     other_loss: float | None = None
+    """Losses besides the teeth [W], where they are given."""
 
     @property
     def composite_roughness(self) -> float:
@@ -82,35 +68,26 @@ class WormDuty:
 
 @dataclass(frozen=True)
 class LineOfAction:
-    """Contacts along a line of action with their closed forms; arrays over phase.
-
-    Attributes
-    ----------
-    phase : ndarray
-        0 at the start of the pinion's active profile, 1 at its end.
-    radius : ndarray
-        Relative radius of curvature [m].
-    unit_load : ndarray
-        Normal load for each length of the contact line [N/m].
-    pinion_velocity, gear_velocity : ndarray
-        Velocities of the surfaces across the contact line [m/s].
-    hertz_pressure : ndarray
-        Largest pressure of the dry contact [Pa].
-    film_min : ndarray
-        Least film by Dowson and Higginson [m].
-    flash_temperature, contact_temperature : ndarray or None
-        Blok's rise over the mean bulk temperature, and both together [K]; None without friction or heat.
-    """
+    """Contacts along a line of action with their closed forms; arrays over phase."""
 
     phase: Array
+    """0 at the start of the pinion's active profile, 1 at its end."""
     radius: Array
+    """Relative radius of curvature [m]."""
     unit_load: Array
+    """Normal load for each length of the contact line [N/m]."""
     pinion_velocity: Array
+    """Velocity of the pinion's surface across the contact line [m/s]."""
     gear_velocity: Array
+    """Velocity of the gear's surface across the contact line [m/s]."""
     hertz_pressure: Array
+    """Largest pressure of the dry contact [Pa]."""
     film_min: Array
+    """Least film by Dowson and Higginson [m]."""
     flash_temperature: Array | None = None
+    """Blok's rise over the mean bulk temperature [K]; None without friction or heat."""
     contact_temperature: Array | None = None
+    """Mean bulk temperature and Blok's rise together [K]; None without friction or heat."""
 
     @property
     def entrainment(self) -> Array:
@@ -126,48 +103,32 @@ class LineOfAction:
 
 @dataclass(frozen=True)
 class GearPairDuty:
-    """A pair of cylindrical gears at an operating point.
-
-    Attributes
-    ----------
-    centre_distance : float
-        Distance of the axes [m].
-    power : float
-        Power through the mesh [W].
-    pitch_line_velocity : float
-        Velocity of the pitch circles [m/s].
-    loss_factor : float
-        H_V, loss over power and friction [-].
-    reduced_modulus : float
-        Reduced modulus E' [Pa].
-    oil : Oil
-        The oil as it enters the mesh.
-    bulk_temperature : float or None
-        Of the teeth, mean of both gears [K]; None where heat is not known.
-    effusivities : tuple of float or None
-        Thermal contact coefficients of pinion and gear [N/(m s^0.5 K)]; None where one is not known.
-    line_of_action : LineOfAction
-        Contacts along the line of action.
-    roughness : tuple of float or None
-        Root mean square heights of pinion and gear, Rq [m]; None where one is not known.
-    friction : float or None
-        Mean coefficient of friction given by the case [-]; None without.
-    scuffing_temperature : float or None
-        Mean scuffing temperature of the oil [K]; None if not known.
-    """
+    """A pair of cylindrical gears at an operating point."""
 
     centre_distance: float
+    """Distance of the axes [m]."""
     power: float
+    """Power through the mesh [W]."""
     pitch_line_velocity: float
+    """Velocity of the pitch circles [m/s]."""
     loss_factor: float
+    """H_V, loss over power and friction [-]."""
     reduced_modulus: float
+    """Reduced modulus E' [Pa]."""
     oil: Oil
+    """The oil as it enters the mesh."""
     line_of_action: LineOfAction
+    """Contacts along the line of action."""
     bulk_temperature: float | None = None
+    """Bulk temperature of the teeth, mean of both gears [K]; None where heat is not known."""
     effusivities: tuple[float, float] | None = None
+    """Thermal contact coefficients of pinion and gear [N/(m s^0.5 K)]; None where one is not known."""
     roughness: tuple[float, float] | None = None
+    """Root mean square heights of pinion and gear, Rq [m]; None where one is not known."""
     friction: float | None = None
+    """Mean coefficient of friction given by the case [-]; None without."""
     scuffing_temperature: float | None = None
+    """Mean scuffing temperature of the oil [K]; None if not known."""
 
     @property
     def composite_roughness(self) -> float | None:

@@ -6,71 +6,47 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ContactLoss:
-    """Friction of one solved contact of a mesh cycle.
-
-    Attributes
-    ----------
-    phase : float
-        Phase in the mesh cycle, 0 to 1.
-    load : float
-        Normal load [N], for each length of a line contact [N/m].
-    friction : float
-        Friction coefficient [-].
-    power : float
-        Power lost [W], for each length of a line contact [W/m].
-    error : float
-        Relative numerical error bar of the power lost [-].
-    model : float or None
-        Its relative uncertainty by the model of roughness [-]; None where roughness was not simulated.
-    section : str or None
-        Section of a worm that has two.
-    station : float or None
-        Place along a contact line, 0 to 1; None where the contact is solved as a whole.
-    course : tuple of (float, float)
-        Phases since the contact before, and the power lost over the load at each [m/s], of a transient solve;
-        empty where films are steady.
-    """
+    """Friction of one solved contact of a mesh cycle."""
 
     phase: float
+    """Phase in the mesh cycle, 0 to 1."""
     load: float
+    """Normal load [N], for each length of a line contact [N/m]."""
     friction: float
+    """Friction coefficient [-]."""
     power: float
+    """Power lost [W], for each length of a line contact [W/m]."""
     error: float
+    """Relative numerical error bar of the power lost [-]."""
     model: float | None = None
+    """Its relative uncertainty by the model of roughness [-]; None where roughness was not simulated."""
     section: str | None = None
+    """Section of a worm that has two."""
     station: float | None = None
+    """Place along a contact line, 0 to 1; None where the contact is solved as a whole."""
     course: tuple[tuple[float, float], ...] = ()
+    """Phases since the contact before, and the power lost over the load at each [m/s], of a transient solve;
+    empty where films are steady."""
 
 
 @dataclass(frozen=True)
 class MeshLoss:
-    """Power through the teeth and its loss by friction.
-
-    Attributes
-    ----------
-    power : float
-        Input power of the driver [W].
-    loss : float
-        Power lost between the teeth [W].
-    friction : float
-        Mean friction coefficient [-].
-    error : float
-        Largest relative error bar of the friction in it [-].
-    words : str
-        Derivation, in words.
-    model : float or None
-        Relative uncertainty of the friction by the model of roughness [-]; None where none was simulated.
-    missing : str
-        Contacts of the cycle without a converged solution, in words; empty where every one has one.
-    """
+    """Power through the teeth and its loss by friction."""
 
     power: float
+    """Input power of the driver [W]."""
     loss: float
+    """Power lost between the teeth [W]."""
     friction: float
+    """Mean friction coefficient [-]."""
     error: float
+    """Largest relative error bar of the friction in it [-]."""
     words: str
+    """Derivation, in words."""
     model: float | None = None
+    """Relative uncertainty of the friction by the model of roughness [-]; None where none was simulated."""
     missing: str = ""
+    """Contacts of the cycle without a converged solution, in words; empty where every one has one."""
 
     @property
     def efficiency(self) -> float:

@@ -27,53 +27,34 @@ INCOMING_SPEED = 8000 * FOOT_PER_MINUTE
 
 @dataclass(frozen=True)
 class Bath:
-    """An oil bath into which one body dips.
-
-    Attributes
-    ----------
-    body : str
-        Its name.
-    depth : float
-        How deep its tips dip while it runs [m].
-    """
+    """An oil bath into which one body dips."""
 
     body: str
+    """Its name."""
     depth: float
+    """How deep its tips dip while it runs [m]."""
 
 
 @dataclass(frozen=True)
 class Jets:
-    """Jets of oil onto the mesh.
-
-    Attributes
-    ----------
-    flow : float
-        Of all jets of the mesh [m3/s].
-    side : str
-        "incoming", where the teeth meet, or "outgoing", where they part.
-    """
+    """Jets of oil onto the mesh."""
 
     flow: float
+    """Flow of all jets of the mesh [m3/s]."""
     side: Side
+    """Side of the mesh: "incoming", where the teeth meet, or "outgoing", where they part."""
 
 
 @dataclass(frozen=True)
 class OiledBody:
-    """The teeth of one body as they carry oil.
-
-    Attributes
-    ----------
-    tip_radius : float
-        [m].
-    depth : float
-        Depth of its teeth [m].
-    speed : float
-        Of its rotation [rad/s].
-    """
+    """The teeth of one body as they carry oil."""
 
     tip_radius: float
+    """Radius of its tips [m]."""
     depth: float
+    """Depth of its teeth [m]."""
     speed: float
+    """Speed of its rotation [rad/s]."""
 
     @property
     def velocity(self) -> float:
@@ -93,43 +74,28 @@ class OiledBody:
 
 @dataclass(frozen=True)
 class OiledTeeth:
-    """The teeth of a drive as they carry oil.
-
-    Attributes
-    ----------
-    bodies : dict of str to OiledBody
-        By the keys of `[bodies]`.
-    face_width : float
-        Of the mesh [m].
-    rate : float
-        Pairs of teeth that pass the mesh [1/s].
-    power : float
-        That the mesh transmits [W].
-    """
+    """The teeth of a drive as they carry oil."""
 
     bodies: dict[str, OiledBody]
+    """Its bodies by the keys of `[bodies]`."""
     face_width: float
+    """Face width of the mesh [m]."""
     rate: float
+    """Pairs of teeth that pass the mesh [1/s]."""
     power: float
+    """Power that the mesh transmits [W]."""
 
 
 @dataclass(frozen=True)
 class OilBrought:
-    """The oil that is brought to the contacts of a drive.
-
-    Attributes
-    ----------
-    layer : float
-        On both flanks together, at the mesh [m].
-    words : str
-        How it follows and what is assumed, in sentences.
-    warnings : tuple of str
-        Where rules of practice are left, a sentence each that begins with a key of the case.
-    """
+    """The oil that is brought to the contacts of a drive."""
 
     layer: float
+    """Thickness of the oil on both flanks together, at the mesh [m]."""
     words: str
+    """How it follows and what is assumed, in sentences."""
     warnings: tuple[str, ...]
+    """Where rules of practice are left, a sentence each that begins with a key of the case."""
 
 
 def oil_brought(by: Bath | Jets, teeth: OiledTeeth, oil: Oil) -> OilBrought:
@@ -144,18 +110,12 @@ def oil_brought(by: Bath | Jets, teeth: OiledTeeth, oil: Oil) -> OilBrought:
 
 
 class Lubricated:
-    """What meshes in oil, and the oil that its contacts get.
-
-    Attributes
-    ----------
-    oil : Oil
-        The oil.
-    lubrication : Bath, Jets or None
-        How oil comes to its teeth; None where that is not known, and there is enough.
-    """
+    """What meshes in oil, and the oil that its contacts get."""
 
     oil: Oil
+    """The oil."""
     lubrication: Bath | Jets | None = None
+    """How oil comes to its teeth; None where that is not known, and there is enough."""
 
     def oiled_teeth(self) -> OiledTeeth | None:
         """Its teeth as they carry oil; None where that is not known."""

@@ -13,29 +13,21 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class ToothLife:
-    """A contact of a mesh from phase 0 to phase 1, or from 1 to 0 where the drive runs backwards.
-
-    Attributes
-    ----------
-    scene_at : callable
-        Phase -> scene; ValueError where there is none.
-    phases_per_second : float
-        Rate of change of the phase [1/s], negative where the drive runs backwards.
-    axes_at : callable
-        Phase -> x, y and normal of the tangent plane, as rows in the frame of the velocities.
-    before, after : float
-        Phases before the first and after the last one, in the sense in which the drive turns, in which the
-        pair has a scene, too: of flanks that come together, and of edges under load.
-    touch : float
-        Load from which on flanks that come together carry that of the scene (`scene.life.Life`) [N].
-    """
+    """A contact of a mesh from phase 0 to phase 1, or from 1 to 0 where the drive runs backwards."""
 
     scene_at: Callable[[float], Scene | LineScene]
+    """Phase -> scene; ValueError where there is none."""
     phases_per_second: float
+    """Rate of change of the phase [1/s], negative where the drive runs backwards."""
     axes_at: Callable[[float], np.ndarray] = unturned
+    """Phase -> x, y and normal of the tangent plane, as rows in the frame of the velocities."""
     before: float = 0.0
+    """Phases before the first one, in the sense in which the drive turns, in which the pair has a scene, too:
+    of flanks that come together, and of edges under load."""
     after: float = 0.0
+    """Phases after the last one, likewise."""
     touch: float = inf
+    """Load from which on flanks that come together carry that of the scene (`scene.life.Life`) [N]."""
 
     def at(self, phase: float) -> Scene | LineScene:
         """The scene at a phase with its past."""

@@ -29,38 +29,30 @@ FEWEST_PHASES = 3
 
 @dataclass(frozen=True)
 class Loss:
-    """Loss and efficiency of the teeth, averaged over a pitch.
-
-    Attributes
-    ----------
-    power : float
-        Power lost between all teeth in mesh [W].
-    scene_error, phase_error, end_error : float
-        Error bars of the power lost [W]: by those of the scenes; by the phases, from leaving out every other
-        one; and by what is interpolated, beyond the first and the last phase, from its range elsewhere.
-    friction : float
-        Mean coefficient: loss over load times sliding [-].
-    wheel_torque, worm_torque : float
-        Mean torques [N m].
-    efficiency : float
-        Power out over power in, as the drive runs [-].
-    reverse_efficiency : float
-        Efficiency with the power in the other direction, at the same loads and friction [-].
-    model_error : float or None
-        Uncertainty of the power lost by the model of roughness, the same way at all phases [W]; None where
-        roughness was not simulated.
-    """
+    """Loss and efficiency of the teeth, averaged over a pitch."""
 
     power: float
+    """Power lost between all teeth in mesh [W]."""
     scene_error: float
+    """Error bar of the power lost by those of the scenes [W]."""
     phase_error: float
+    """Error bar of the power lost by the phases, from leaving out every other one [W]."""
     end_error: float
+    """Error bar of the power lost by what is interpolated, beyond the first and the last phase, from its
+    range elsewhere [W]."""
     friction: float
+    """Mean coefficient: loss over load times sliding [-]."""
     wheel_torque: float
+    """Mean torque of the wheel [N m]."""
     worm_torque: float
+    """Mean torque of the worm [N m]."""
     efficiency: float
+    """Power out over power in, as the drive runs [-]."""
     reverse_efficiency: float
+    """Efficiency with the power in the other direction, at the same loads and friction [-]."""
     model_error: float | None = None
+    """Uncertainty of the power lost by the model of roughness, the same way at all phases [W]; None where
+    roughness was not simulated."""
 
     @property
     def error(self) -> float:

@@ -16,7 +16,7 @@ import pyworm
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = Path(pyworm.__file__).parent
-LISTED = tuple("drives io report plots cli result precision solver/solution".split())
+LISTED = tuple("io report plots cli result precision solver/solution".split())
 """Rooms whose docstrings still list attributes."""
 
 NAMES = [name for name in pyworm.__all__ if name not in ("__version__", "formulas", "plots")]

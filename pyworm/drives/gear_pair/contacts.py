@@ -9,43 +9,34 @@ Array = np.ndarray
 
 @dataclass(frozen=True)
 class ToothContacts:
-    """Contacts along the line of action; numbers or arrays of one shape.
-
-    Attributes
-    ----------
-    phase : float
-        Place on the path of contact, 0 at the SAP of the pinion, 1 at its EAP.
-    pinion_length, gear_length : float
-        Radii of curvature in the transverse section [m].
-    roll_angle : float
-        Roll angle of the pinion, radius of curvature over base radius [rad].
-    pinion_radius, gear_radius, radius : float
-        Radii of curvature across the contact line, and the relative one [m].
-    pinion_velocity, gear_velocity : float
-        Velocities of the surfaces across the contact line, relative to it [m/s].
-    unit_load : float
-        Normal load for each length of the contact line [N/m].
-    load_share : float
-        Share of the normal force that the contact line carries [-].
-    line_length : float
-        Length of the contact line [m].
-    approach : bool
-        Whether contact is before the pitch point, where friction changes direction.
-    """
+    """Contacts along the line of action; numbers or arrays of one shape."""
 
     phase: Array
+    """Place on the path of contact, 0 at the SAP of the pinion, 1 at its EAP."""
     pinion_length: Array
+    """Radius of curvature of the pinion in the transverse section [m]."""
     gear_length: Array
+    """Radius of curvature of the gear in the transverse section [m]."""
     roll_angle: Array
+    """Roll angle of the pinion, radius of curvature over base radius [rad]."""
     pinion_radius: Array
+    """Radius of curvature of the pinion across the contact line [m]."""
     gear_radius: Array
+    """Radius of curvature of the gear across the contact line [m]."""
     radius: Array
+    """Relative radius of curvature across the contact line [m]."""
     pinion_velocity: Array
+    """Velocity of the pinion's surface across the contact line, relative to it [m/s]."""
     gear_velocity: Array
+    """Velocity of the gear's surface across the contact line, relative to it [m/s]."""
     unit_load: Array
+    """Normal load for each length of the contact line [N/m]."""
     load_share: Array
+    """Share of the normal force that the contact line carries [-]."""
     line_length: Array
+    """Length of the contact line [m]."""
     approach: Array
+    """Whether contact is before the pitch point, where friction changes direction."""
 
     @property
     def entrainment(self) -> Array:

@@ -11,15 +11,9 @@ ContactKind = Literal["line", "point"]
 
 @dataclass(frozen=True)
 class LinearRelief:
-    """Tip relief that grows linearly along the line of action.
-
-    Attributes
-    ----------
-    amount : float
-        Along the normal, at the tip [m].
-    length : float
-        Length of the relieved part on the line of action [m].
-    """
+    """Tip relief that grows linearly along the line of action."""
 
     amount: float = 0.0
+    """Relief along the normal, at the tip [m]."""
     length: float = 0.0
+    """Length of the relieved part on the line of action [m]."""

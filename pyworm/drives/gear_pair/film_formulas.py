@@ -21,50 +21,34 @@ Array = np.ndarray
 
 @dataclass(frozen=True)
 class Surfaces:
-    """Friction and scuffing data of the flanks.
-
-    Attributes
-    ----------
-    friction_coefficient : float
-        Mean coefficient of friction of Blok's flash temperature [-].
-    scuffing_temperature : float or None
-        Mean scuffing temperature of the oil [K]; None if not known.
-    """
+    """Friction and scuffing data of the flanks."""
 
     friction_coefficient: float
+    """Mean coefficient of friction of Blok's flash temperature [-]."""
     scuffing_temperature: float | None = None
+    """Mean scuffing temperature of the oil [K]; None if not known."""
 
 
 @dataclass(frozen=True)
 class GearRating:
-    """Closed forms at contacts along the line of action; numbers or arrays of their shape.
-
-    Attributes
-    ----------
-    hertz_pressure, hertz_half_width : float
-        Largest pressure [Pa] and half width [m] of the dry contact.
-    film_central : float
-        Central film by Dowson and Toyoda, as in AGMA 925-A03 [m].
-    film_min : float
-        Least film by Dowson and Higginson [m].
-    specific_film : float or None
-        Least film over composite roughness [-]; None if the roughness is not known.
-    flash_temperature : float or None
-        Blok's rise of the surfaces over their bulk temperature [K]; None without surfaces or heat.
-    contact_temperature : float or None
-        Mean bulk temperature of both gears plus that rise [K].
-    scuffing_temperature : float or None
-        Mean scuffing temperature of the oil [K].
-    """
+    """Closed forms at contacts along the line of action; numbers or arrays of their shape."""
 
     hertz_pressure: Array
+    """Largest pressure of the dry contact [Pa]."""
     hertz_half_width: Array
+    """Half width of the dry contact [m]."""
     film_central: Array
+    """Central film by Dowson and Toyoda, as in AGMA 925-A03 [m]."""
     film_min: Array
+    """Least film by Dowson and Higginson [m]."""
     specific_film: Array | None = None
+    """Least film over composite roughness [-]; None if the roughness is not known."""
     flash_temperature: Array | None = None
+    """Blok's rise of the surfaces over their bulk temperature [K]; None without surfaces or heat."""
     contact_temperature: Array | None = None
+    """Mean bulk temperature of both gears plus that rise [K]."""
     scuffing_temperature: float | None = None
+    """Mean scuffing temperature of the oil [K]."""
 
 
 def contact_coefficient(body: Body) -> float:

@@ -35,31 +35,22 @@ STEPS = 40
 
 @dataclass(frozen=True)
 class Flank:
-    """One involute helicoid at its contact point.
-
-    Attributes
-    ----------
-    base : float
-        Radius of the base circle [m].
-    length : float
-        Radius of curvature at the contact point, in the transverse section [m].
-    helix : float
-        Base helix angle [rad].
-    form_length, tip_length : float
-        Radii of curvature where the flank begins and ends [m].
-    relief : float
-        How much of the flank is taken off at the tip, along the normal [m].
-    relief_length : float
-        Length on the line of action over which that grows, linearly, up to the tip [m].
-    """
+    """One involute helicoid at its contact point."""
 
     base: float
+    """Radius of the base circle [m]."""
     length: float
+    """Radius of curvature at the contact point, in the transverse section [m]."""
     helix: float
+    """Base helix angle [rad]."""
     form_length: float
+    """Radius of curvature where the flank begins [m]."""
     tip_length: float
+    """Radius of curvature where the flank ends [m]."""
     relief: float = 0.0
+    """How much of the flank is taken off at the tip, along the normal [m]."""
     relief_length: float = 0.0
+    """Length on the line of action over which that grows, linearly, up to the tip [m]."""
 
     def height(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Height [m] over the tangent plane, zero or less, and where the flank exists.
@@ -104,22 +95,16 @@ class Flank:
 
 @dataclass(frozen=True)
 class GearGap:
-    """Undeformed gap of a pair of teeth of finite width.
-
-    Attributes
-    ----------
-    pinion, gear : Flank
-        The flanks at their contact point.
-    face_width : float
-        Common face width [m]; the contact point is in its middle.
-    crowning : float
-        Height removed from both flanks together at the ends of the face, as a parabola [m].
-    """
+    """Undeformed gap of a pair of teeth of finite width."""
 
     pinion: Flank
+    """Flank of the pinion at its contact point."""
     gear: Flank
+    """Flank of the gear at its contact point."""
     face_width: float
+    """Common face width [m]; the contact point is in its middle."""
     crowning: float = 0.0
+    """Height removed from both flanks together at the ends of the face, as a parabola [m]."""
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Gap [m], zero at the contact point, and where both teeth exist."""
@@ -138,15 +123,10 @@ class GearGap:
 
 @dataclass(frozen=True)
 class GearSection:
-    """The gap in the section across the contact line at the contact point, for a line contact.
-
-    Attributes
-    ----------
-    gap : GearGap
-        The gap of the pair of teeth.
-    """
+    """The gap in the section across the contact line at the contact point, for a line contact."""
 
     gap: GearGap
+    """The gap of the pair of teeth."""
 
     def __call__(self, x: Array) -> tuple[Array, Array]:
         """Gap [m] and where both teeth exist."""

@@ -27,21 +27,14 @@ def inverse_involute(value: float) -> float:
 
 @dataclass(frozen=True)
 class ToothSystem:
-    """Data common to both gears: the basic rack's size and angles.
-
-    Attributes
-    ----------
-    module : float
-        Normal module m_n [m].
-    pressure_angle : float
-        Normal pressure angle alpha_n [rad].
-    helix_angle : float
-        Helix angle beta at the reference cylinder [rad]; 0 for spur gears.
-    """
+    """Data common to both gears: the basic rack's size and angles."""
 
     module: float
+    """Normal module m_n [m]."""
     pressure_angle: float
+    """Normal pressure angle alpha_n [rad]."""
     helix_angle: float = 0.0
+    """Helix angle beta at the reference cylinder [rad]; 0 for spur gears."""
 
     @property
     def transverse_module(self) -> float:
@@ -72,79 +65,58 @@ class ToothSystem:
 
 @dataclass(frozen=True)
 class Gear:
-    """One gear as its basic rack makes it, coefficients in normal modules.
-
-    Attributes
-    ----------
-    teeth : int
-        Number of teeth z.
-    profile_shift : float
-        x, positive away from the axis.
-    addendum : float
-        Addendum h_aP* of the basic rack.
-    dedendum : float
-        Its dedendum h_fP*.
-    fillet : float
-        Radius rho_fP* of its root fillet.
-    """
+    """One gear as its basic rack makes it, coefficients in normal modules."""
 
     teeth: int
+    """Number of teeth z."""
     profile_shift: float = 0.0
+    """x, positive away from the axis."""
     addendum: float = 1.0
+    """Addendum h_aP* of the basic rack."""
     dedendum: float = 1.25
+    """Its dedendum h_fP*."""
     fillet: float = 0.38
+    """Radius rho_fP* of its root fillet."""
 
 
 @dataclass(frozen=True)
 class Cylinders:
-    """Radii of one gear of a pair [m].
-
-    Attributes
-    ----------
-    reference, base, pitch, tip, root : float
-        r, r_b, r_w (where it rolls on the other one), r_a and r_f.
-    form_length : float
-        Radius of curvature where the involute begins above the fillet [m]; negative if it is undercut.
-    tip_length : float
-        Radius of curvature at the tip [m].
-    tip_thickness : float
-        Transverse thickness at the tip [m]; zero or less if the flanks meet before it.
-    pitch_thickness : float
-        Transverse thickness at the pitch circle [m].
-    """
+    """Radii of one gear of a pair [m]."""
 
     reference: float
+    """Reference cylinder, r."""
     base: float
+    """Base cylinder, r_b."""
     pitch: float
+    """Pitch cylinder, r_w (where it rolls on the other one)."""
     tip: float
+    """Tip cylinder, r_a."""
     root: float
+    """Root cylinder, r_f."""
     form_length: float
+    """Radius of curvature where the involute begins above the fillet [m]; negative if it is undercut."""
     tip_length: float
+    """Radius of curvature at the tip [m]."""
     tip_thickness: float
+    """Transverse thickness at the tip [m]; zero or less if the flanks meet before it."""
     pitch_thickness: float
+    """Transverse thickness at the pitch circle [m]."""
 
 
 @dataclass(frozen=True)
 class InvolutePair:
-    """Two external gears at their real centre distance.
-
-    Attributes
-    ----------
-    system : ToothSystem
-        Module and angles.
-    pinion, gear : Gear
-        The two gears.
-    centre_distance : float
-        Distance a of the axes [m].
-    face_width : float
-        Common face width b [m].
-    """
+    """Two external gears at their real centre distance."""
 
     system: ToothSystem
+    """Module and angles."""
     pinion: Gear
+    """The pinion."""
     gear: Gear
+    """The gear."""
     centre_distance: float
+    """Distance a of the axes [m]."""
     face_width: float
+    """Common face width b [m]."""
 
     @property
     def ratio(self) -> float:

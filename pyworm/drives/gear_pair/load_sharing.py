@@ -42,13 +42,6 @@ differ in place by so little that the difference of their integrals is rounding.
 class LoadSharing:
     """One rule for one pair of gears.
 
-    Attributes
-    ----------
-    pair : InvolutePair
-        The gears.
-    rule : str
-        "ramp", "uniform" or "elastic".
-
     Raises
     ------
     ValueError
@@ -56,7 +49,9 @@ class LoadSharing:
     """
 
     pair: InvolutePair
+    """The gears."""
     rule: SharingRule
+    """Rule of sharing: "ramp", "uniform" or "elastic"."""
 
     def __post_init__(self) -> None:
         if self.rule not in get_args(SharingRule):

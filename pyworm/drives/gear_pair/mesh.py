@@ -30,52 +30,35 @@ CYCLE_POINTS = 401
 
 @dataclass(frozen=True)
 class GearPairMesh(Lubricated):
-    """The teeth of a pair of gears at a speed and a power.
-
-    Attributes
-    ----------
-    teeth : InvolutePair
-        The gears.
-    driver : str
-        "pinion" (a speed reducer) or "gear" (a speed increaser).
-    pinion_speed : float
-        Speed of the pinion [rad/s].
-    power : float
-        Power through the mesh [W].
-    bodies : tuple of Body
-        Pinion and gear.
-    oil : Oil
-        The oil.
-    load_factor : float
-        Load over that of the power, by shocks, dynamics and uneven distribution over the face: the product
-        of the K factors of ISO 6336 or AGMA 2101 [-].
-    load_sharing : str
-        How contact lines share the load (`LoadSharing`).
-    contact : str
-        Kind of the scenes: "line", or "point" of the whole crowned face.
-    tip_relief : tuple of LinearRelief
-        Tip relief of pinion and gear in the gaps of scenes; load sharing ignores it.
-    lead_crowning : float
-        Lead crowning: height removed from both flanks together at the ends of the face [m].
-    surfaces : Surfaces or None
-        Further input of the closed forms of friction and scuffing; None if not known.
-    lubrication : Bath, Jets or None
-        How oil comes to their teeth; None where there is assumed to be enough.
-    """
+    """The teeth of a pair of gears at a speed and a power."""
 
     teeth: InvolutePair
+    """The gears."""
     driver: Driver
+    """Driving gear: "pinion" (a speed reducer) or "gear" (a speed increaser)."""
     pinion_speed: float
+    """Speed of the pinion [rad/s]."""
     power: float
+    """Power through the mesh [W]."""
     bodies: tuple[Body, Body]
+    """Pinion and gear."""
     oil: Oil
+    """The oil."""
     load_factor: float = 1.0
+    """Load over that of the power, by shocks, dynamics and uneven distribution over the face: the product of
+    the K factors of ISO 6336 or AGMA 2101 [-]."""
     load_sharing: SharingRule = "ramp"
+    """How contact lines share the load (`LoadSharing`)."""
     contact: ContactKind = "line"
+    """Kind of the scenes: "line", or "point" of the whole crowned face."""
     tip_relief: tuple[LinearRelief, LinearRelief] = (LinearRelief(), LinearRelief())
+    """Tip relief of pinion and gear in the gaps of scenes; load sharing ignores it."""
     lead_crowning: float = 0.0
+    """Lead crowning: height removed from both flanks together at the ends of the face [m]."""
     surfaces: Surfaces | None = None
+    """Further input of the closed forms of friction and scuffing; None if not known."""
     lubrication: Bath | Jets | None = None
+    """How oil comes to their teeth; None where there is assumed to be enough."""
 
     @cached_property
     def sharing(self) -> LoadSharing:

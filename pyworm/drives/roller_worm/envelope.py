@@ -65,85 +65,60 @@ class LineContact:
     """Points of contact lines, each touching the roller at its wheel angle.
 
     Vectors are (3, ...) in the drive frame, velocities for a wheel that turns by one radian in a second.
-
-    Attributes
-    ----------
-    place : ndarray
-        Place along the roller's axis, from its middle [m].
-    wheel_angle : ndarray
-        phi [rad].
-    theta : ndarray
-        Angle round the roller [rad].
-    radius : ndarray
-        The roller's radius there [m].
-    point, normal : ndarray
-        The point [m] and the common normal, out of the roller into the worm.
-    along, across : ndarray
-        Unit vectors of the tangent plane along the contact line (with s) and across it; along, across and
-        the normal are right-handed.
-    around : ndarray
-        Unit vector of the tangent plane round the roller's axis.
-    stretch : ndarray
-        Length of the contact line for each length along the axis [-].
-    curvature : ndarray
-        Induced normal curvature across the line [1/m]: that of the gap between worm and roller.
-    limit : ndarray
-        Limit function Psi [m/rad2]: second derivative of the roller's distance from a point of the worm by
-        the wheel's angle. The flank is cut away (undercut) where it is not positive.
-    advance : ndarray
-        Change of the point with phi at fixed s [m/rad], the motion of the line.
-    turning : ndarray
-        Change of theta with phi at fixed s [-].
     """
 
     place: Array
+    """Place along the roller's axis, from its middle [m]."""
     wheel_angle: Array
+    """Wheel angle phi [rad]."""
     theta: Array
+    """Angle round the roller [rad]."""
     radius: Array
+    """The roller's radius there [m]."""
     point: Array
+    """The point [m]."""
     normal: Array
+    """The common normal, out of the roller into the worm."""
     along: Array
+    """Unit vector of the tangent plane along the contact line (with s)."""
     across: Array
+    """Unit vector of the tangent plane across the contact line; along, across and the normal are
+    right-handed."""
     around: Array
+    """Unit vector of the tangent plane round the roller's axis."""
     stretch: Array
+    """Length of the contact line for each length along the axis [-]."""
     curvature: Array
+    """Induced normal curvature across the line [1/m]: that of the gap between worm and roller."""
     limit: Array
+    """Limit function Psi [m/rad2]: second derivative of the roller's distance from a point of the worm by the
+    wheel's angle. The flank is cut away (undercut) where it is not positive."""
     advance: Array
+    """Change of the point with phi at fixed s [m/rad], the motion of the line."""
     turning: Array
+    """Change of theta with phi at fixed s [-]."""
 
 
 @dataclass(frozen=True)
 class RollerEnvelope:
-    """A worm flank enveloped by the rollers of a wheel.
-
-    Attributes
-    ----------
-    profile : RollerProfile
-        The roller; the envelope ignores its crown.
-    ratio : float
-        i, wheel teeth over worm threads [-].
-    centre_distance : float
-        Distance a of worm and wheel axes [m].
-    pitch_radius : float
-        Radius of the rollers' middles about the wheel's axis [m].
-    tilt : float
-        Angle of the roller's axis to the wheel's radius, towards its axis [rad]: 0 radial, pi/2 axial.
-    height : float
-        Height of the rollers' middles over the worm's axis, along the wheel's axis [m].
-    flank : str
-        "driving" touches the rollers from behind, "idle" from the front.
-    hand : int
-        +1 for a left-hand, -1 for a right-hand thread.
-    """
+    """A worm flank enveloped by the rollers of a wheel."""
 
     profile: RollerProfile
+    """The roller; the envelope ignores its crown."""
     ratio: float
+    """i, wheel teeth over worm threads [-]."""
     centre_distance: float
+    """Distance a of worm and wheel axes [m]."""
     pitch_radius: float
+    """Radius of the rollers' middles about the wheel's axis [m]."""
     tilt: float
+    """Angle of the roller's axis to the wheel's radius, towards its axis [rad]: 0 radial, pi/2 axial."""
     height: float
+    """Height of the rollers' middles over the worm's axis, along the wheel's axis [m]."""
     flank: Flank
+    """Flank of the thread: "driving" touches the rollers from behind, "idle" from the front."""
     hand: int
+    """+1 for a left-hand, -1 for a right-hand thread."""
 
     @property
     def worm_turn(self) -> Array:

@@ -20,43 +20,34 @@ from pyworm.materials.oil import Oil
 
 @dataclass(frozen=True)
 class ClosedFilms:
-    """Films of points of contact lines, by formulas.
-
-    Attributes
-    ----------
-    g_v, g_e : ndarray
-        Johnson's viscosity and elasticity parameters [-].
-    printed_g_v, printed_g_e : ndarray
-        Both parameters as printed in the source, without square roots.
-    regime : ndarray
-        Number of the regime in `pyworm.formulas.regimes.REGIMES`; NaN where there is no load.
-    by_regime : ndarray
-        Minimum films of the four by Johnson and Hooke, (4, ...) [m].
-    minimum, central : ndarray
-        Dowson and Higginson's minimum and Moes' central film [m].
-    printed_minimum : ndarray
-        The source's minimum film [m].
-    printed : ndarray
-        The source's four films as printed, (4, ...), in the order of `REGIMES`.
-    heated_share : ndarray
-        Wilson and Sheu's film over the isothermal one; NaN where the oil's thermal properties are not known.
-    specific_film : ndarray
-        Dowson and Higginson's minimum film, heated if known, over the composite roughness [-]; NaN where that
-        is not known.
-    """
+    """Films of points of contact lines, by formulas."""
 
     g_v: Array
+    """Johnson's viscosity parameter [-]."""
     g_e: Array
+    """Johnson's elasticity parameter [-]."""
     printed_g_v: Array
+    """Viscosity parameter as printed in the source, without square root."""
     printed_g_e: Array
+    """Elasticity parameter as printed in the source, without square root."""
     regime: Array
+    """Number of the regime in `pyworm.formulas.regimes.REGIMES`; NaN where there is no load."""
     by_regime: Array
+    """Minimum films of the four by Johnson and Hooke, (4, ...) [m]."""
     minimum: Array
+    """Dowson and Higginson's minimum film [m]."""
     central: Array
+    """Moes' central film [m]."""
     printed_minimum: Array
+    """The source's minimum film [m]."""
     printed: Array
+    """The source's four films as printed, (4, ...), in the order of `REGIMES`."""
     heated_share: Array
+    """Wilson and Sheu's film over the isothermal one; NaN where the oil's thermal properties are not
+    known."""
     specific_film: Array
+    """Dowson and Higginson's minimum film, heated if known, over the composite roughness [-]; NaN where that
+    is not known."""
 
 
 def closed_films(

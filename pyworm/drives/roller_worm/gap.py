@@ -19,22 +19,16 @@ BLOCK = 8192
 
 @dataclass(frozen=True)
 class ContactFrame:
-    """The tangent plane at a contact point: z points from the worm to the roller.
-
-    Attributes
-    ----------
-    section : WormSection
-        The worm's section.
-    contact : LineContact
-        The contact point, a single one.
-    x_axis, y_axis : ndarray
-        Across and along the contact line, (3,).
-    """
+    """The tangent plane at a contact point: z points from the worm to the roller."""
 
     section: WormSection
+    """The worm's section."""
     contact: LineContact
+    """The contact point, a single one."""
     x_axis: Array
+    """Across the contact line, (3,)."""
     y_axis: Array
+    """Along the contact line, (3,)."""
 
     @property
     def z_axis(self) -> Array:
@@ -140,15 +134,10 @@ def rotated(vector: Array, angle: Array) -> Array:
 
 @dataclass(frozen=True)
 class RollerGap:
-    """Undeformed gap between a worm's flank and a real roller over the tangent plane.
-
-    Attributes
-    ----------
-    frame : ContactFrame
-        The contact.
-    """
+    """Undeformed gap between a worm's flank and a real roller over the tangent plane."""
 
     frame: ContactFrame
+    """The contact."""
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Gap [m], and where roller and thread both exist; beyond, their surfaces are continued."""
@@ -174,20 +163,14 @@ class RollerMotion:
     """Velocity of a rigid surface near a contact, relative to the contact point and on its axes.
 
     Both surfaces are evaluated at the roller, since they are a film apart.
-
-    Attributes
-    ----------
-    frame : ContactFrame
-        The contact.
-    velocity : ndarray
-        Velocity of the body's surface relative to the contact point, (3,) [m/s].
-    rotation : ndarray
-        The body's angular velocity, (3,) [rad/s].
     """
 
     frame: ContactFrame
+    """The contact."""
     velocity: Array
+    """Velocity of the body's surface relative to the contact point, (3,) [m/s]."""
     rotation: Array
+    """The body's angular velocity, (3,) [rad/s]."""
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity components (u, v) [m/s] at (x, y)."""

@@ -17,21 +17,14 @@ from pyworm.drives.roller_worm.section import WormSection
 
 @dataclass(frozen=True)
 class RollerGears:
-    """A roller enveloping worm and its wheel of rollers.
-
-    Attributes
-    ----------
-    worm : RollerWorm
-        Design table of the worm.
-    rollers : Rollers
-        Design table of the rollers.
-    centre_distance : float
-        Distance of worm and wheel axes [m].
-    """
+    """A roller enveloping worm and its wheel of rollers."""
 
     worm: RollerWorm
+    """Design table of the worm."""
     rollers: Rollers
+    """Design table of the rollers."""
     centre_distance: float
+    """Distance of worm and wheel axes [m]."""
 
     @property
     def ratio(self) -> float:

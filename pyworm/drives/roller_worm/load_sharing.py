@@ -41,18 +41,12 @@ SETTLED = 1e-12
 
 @dataclass(frozen=True)
 class Compliance:
-    """Compliance of rollers, pins and thread.
-
-    Attributes
-    ----------
-    bodies : tuple of Body
-        Worm and rollers.
-    stiffness : float
-        Stiffness of a roller's pin and the thread behind it together [N/m]; infinite if rigid.
-    """
+    """Compliance of rollers, pins and thread."""
 
     bodies: tuple[Body, Body]
+    """Worm and rollers."""
     stiffness: float = float("inf")
+    """Stiffness of a roller's pin and the thread behind it together [N/m]; infinite if rigid."""
 
     def half_width(self, load: Array, curvature: Array) -> Array:
         """Hertz's half-width b of slices [m] under a load for each length [N/m]."""
@@ -98,36 +92,24 @@ class Compliance:
 
 @dataclass(frozen=True)
 class SharedLoad:
-    """Loads of the rollers of one section at one instant.
-
-    Attributes
-    ----------
-    section : WormSection
-        The section.
-    compliance : Compliance
-        Compliance of rollers, pins and thread.
-    wheel_angles : ndarray
-        Wheel angles of the rollers that touch [rad], (rollers,).
-    turn : float
-        Theta, the wheel's turn by the load [rad]; 0 with equal shares.
-    yielding : ndarray
-        Deflection of pin and thread [m], (rollers,).
-    uniform : float or None
-        The load for each length with equal shares [N/m]; else None.
-    lengths : ndarray
-        Lengths of the rollers' contact lines [m], (rollers,).
-    forces : ndarray
-        Normal load of each roller [N], (rollers,).
-    """
+    """Loads of the rollers of one section at one instant."""
 
     section: WormSection
+    """The section."""
     compliance: Compliance
+    """Compliance of rollers, pins and thread."""
     wheel_angles: Array
+    """Wheel angles of the rollers that touch [rad], (rollers,)."""
     turn: float
+    """Theta, the wheel's turn by the load [rad]; 0 with equal shares."""
     yielding: Array
+    """Deflection of pin and thread [m], (rollers,)."""
     uniform: float | None
+    """The load for each length with equal shares [N/m]; else None."""
     lengths: Array
+    """Lengths of the rollers' contact lines [m], (rollers,)."""
     forces: Array
+    """Normal load of each roller [N], (rollers,)."""
 
     def roller(self, wheel_angle: float) -> int:
         """Index of the roller at a wheel angle [rad]."""

@@ -30,71 +30,47 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class LineState:
-    """One roller at one instant: contacts along its line, with load, motion and closed-form films.
-
-    Attributes
-    ----------
-    section : WormSection
-        The worm's section.
-    shared : SharedLoad
-        The load of all rollers at that instant.
-    force : float
-        The roller's normal load [N].
-    length : float
-        Length of its contact line [m].
-    contact : LineContact
-        Contacts at the stations asked for, (stations,).
-    load : ndarray
-        Load for each length [N/m].
-    motion : LineMotion
-        Velocities.
-    films : ClosedFilms
-        Films by formulas.
-    """
+    """One roller at one instant: contacts along its line, with load, motion and closed-form films."""
 
     section: WormSection
+    """The worm's section."""
     shared: SharedLoad
+    """The load of all rollers at that instant."""
     force: float
+    """The roller's normal load [N]."""
     length: float
+    """Length of its contact line [m]."""
     contact: LineContact
+    """Contacts at the stations asked for, (stations,)."""
     load: Array
+    """Load for each length [N/m]."""
     motion: LineMotion
+    """Velocities."""
     films: ClosedFilms
+    """Films by formulas."""
 
 
 @dataclass(frozen=True)
 class RollerMesh(RollerGears, Lubricated):
-    """Worm and rollers at a speed and a torque.
-
-    Attributes
-    ----------
-    speed : float
-        Speed of the worm [rad/s].
-    torque : float
-        Torque of the worm [N m].
-    preload : float
-        Torque about the wheel's axis by which the sections are braced against each other, the only torque
-        of the idling one [N m]; 0 where that one touches without load.
-    sharing : str
-        "elastic" or "equal" (`pyworm.drives.roller_worm.load_sharing`).
-    rolling : str
-        "free", "locked" or "rolling" (`pyworm.drives.roller_worm.motion`).
-    bodies : tuple of Body
-        Worm and rollers.
-    oil : Oil
-        The oil.
-    lubrication : Bath, Jets or None
-        How oil comes to its rollers; None where there is assumed to be enough.
-    """
+    """Worm and rollers at a speed and a torque."""
 
     speed: float
+    """Speed of the worm [rad/s]."""
     torque: float
+    """Torque of the worm [N m]."""
     preload: float
+    """Torque about the wheel's axis by which the sections are braced against each other, the only torque of
+    the idling one [N m]; 0 where that one touches without load."""
     sharing: Sharing
+    """Rule of load sharing: "elastic" or "equal" (`pyworm.drives.roller_worm.load_sharing`)."""
     rolling: Spinning
+    """Motion of the rollers: "free", "locked" or "rolling" (`pyworm.drives.roller_worm.motion`)."""
     bodies: tuple[Body, Body]
+    """Worm and rollers."""
     oil: Oil
+    """The oil."""
     lubrication: Bath | Jets | None = None
+    """How oil comes to its rollers; None where there is assumed to be enough."""
 
     @property
     def wheel_speed(self) -> float:

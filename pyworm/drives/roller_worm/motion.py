@@ -38,31 +38,25 @@ MOST_STEPS, ROUNDING = 60, 1e-14
 
 @dataclass(frozen=True)
 class LineMotion:
-    """Motion of both surfaces at contacts, relative to the contact line.
-
-    Attributes
-    ----------
-    x_axis, y_axis : ndarray
-        Unit vectors across and along the contact line, (3, ...): x where the worm sweeps to, y such that x,
-        y and the direction from worm to roller are right-handed.
-    worm, roller : ndarray
-        Velocities along x and y, (2, ...) [m/s].
-    spin : ndarray
-        Angular velocity of worm and roller about the direction from worm to roller, (2, ...) [rad/s].
-    round_worm, round_roller : ndarray
-        Their components round the roller's axis, towards growing theta [m/s].
-    roller_speed : ndarray
-        The roller's rotation about its own axis [rad/s].
-    """
+    """Motion of both surfaces at contacts, relative to the contact line."""
 
     x_axis: Array
+    """Unit vector across the contact line, where the worm sweeps to, (3, ...)."""
     y_axis: Array
+    """Unit vector along the contact line, such that x, y and the direction from worm to roller are
+    right-handed, (3, ...)."""
     worm: Array
+    """Velocity of the worm along x and y, (2, ...) [m/s]."""
     roller: Array
+    """Velocity of the roller along x and y, (2, ...) [m/s]."""
     spin: Array
+    """Angular velocity of worm and roller about the direction from worm to roller, (2, ...) [rad/s]."""
     round_worm: Array
+    """Component of the worm's velocity round the roller's axis, towards growing theta [m/s]."""
     round_roller: Array
+    """Component of the roller's velocity round its axis, towards growing theta [m/s]."""
     roller_speed: Array
+    """The roller's rotation about its own axis [rad/s]."""
 
     @property
     def entrainment(self) -> Array:
@@ -129,18 +123,12 @@ def line_motion(
 
 @dataclass(frozen=True)
 class FilmTraction:
-    """Shear of a line contact's film in closed form.
-
-    Attributes
-    ----------
-    oil : Oil
-        The oil.
-    bodies : tuple of Body
-        Worm and rollers.
-    """
+    """Shear of a line contact's film in closed form."""
 
     oil: Oil
+    """The oil."""
     bodies: tuple[Body, Body]
+    """Worm and rollers."""
 
     def film(self, load: Array, curvature: Array, entrainment: Array) -> Array:
         """Moes' central film [m] of slices."""
@@ -210,18 +198,12 @@ def _limited_eyring_stress(newtonian: Array, onset: Array, limit: Array, power: 
 
 @dataclass(frozen=True)
 class Pin:
-    """The pin that a roller turns on.
-
-    Attributes
-    ----------
-    radius : float
-        Radius of the pin [m].
-    friction : float
-        Friction coefficient between pin and roller [-].
-    """
+    """The pin that a roller turns on."""
 
     radius: float
+    """Radius of the pin [m]."""
     friction: float
+    """Friction coefficient between pin and roller [-]."""
 
     def moment(self, force: Array) -> Array:
         """Largest friction moment [N m] under a load [N]."""

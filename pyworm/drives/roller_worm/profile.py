@@ -16,17 +16,12 @@ class Crown:
 
     Beyond a straight middle part the radius falls by (|s| - straight/2)^2 / 2 radius. A roller without a
     straight part is crowned all along.
-
-    Attributes
-    ----------
-    radius : float
-        Radius of the crown along the roller [m].
-    straight : float
-        Length of the middle part without relief [m].
     """
 
     radius: float
+    """Radius of the crown along the roller [m]."""
     straight: float = 0.0
+    """Length of the middle part without relief [m]."""
 
     def __call__(self, place: Array) -> Array:
         """Relief of the radius [m] at a place along the axis [m] from the roller's middle."""
@@ -37,27 +32,18 @@ class Crown:
 
 @dataclass(frozen=True)
 class RollerProfile:
-    """Radius of a roller along its axis: rho(s), with s from the roller's middle [m].
-
-    Attributes
-    ----------
-    shape : str
-        "cylinder", "cone" or "ball".
-    radius : float
-        Radius in the middle [m].
-    length : float
-        Length along the axis [m]; of a ball the part between two planes.
-    half_angle : float
-        Angle of a cone's side to its axis [rad], positive where the radius grows with s.
-    crown : Crown or None
-        Crown of the roller, which the tool that cuts the worm does not have.
-    """
+    """Radius of a roller along its axis: rho(s), with s from the roller's middle [m]."""
 
     shape: Shape
+    """Shape of the roller: "cylinder", "cone" or "ball"."""
     radius: float
+    """Radius in the middle [m]."""
     length: float
+    """Length along the axis [m]; of a ball the part between two planes."""
     half_angle: float = 0.0
+    """Angle of a cone's side to its axis [rad], positive where the radius grows with s."""
     crown: Crown | None = None
+    """Crown of the roller, which the tool that cuts the worm does not have."""
 
     def __call__(self, place: Array) -> tuple[Array, Array]:
         """Radius [m] and angle gamma [rad] of the side to the axis, tan(gamma) = d rho/ds."""

@@ -25,29 +25,22 @@ _QUARTERS = ((floor, pi / 2), (ceil, -pi / 2))
 
 @dataclass(frozen=True)
 class WormSection:
-    """A section of the worm.
-
-    Attributes
-    ----------
-    name : str
-        "left" or "right".
-    envelope : RollerEnvelope
-        The flank.
-    first, last : float
-        Wheel angles at which a roller's middle is at the section's faces [rad]; first < last.
-    lowest, highest : float
-        Ends of the bearing length along the roller, from its middle [m].
-    rollers : int
-        Number of rollers round the whole wheel.
-    """
+    """A section of the worm."""
 
     name: str
+    """Name: "left" or "right"."""
     envelope: RollerEnvelope
+    """The flank."""
     first: float
+    """Wheel angle at which a roller's middle is at the section's first face [rad]."""
     last: float
+    """Wheel angle at which a roller's middle is at the section's other face [rad]; first < last."""
     lowest: float
+    """Lower end of the bearing length along the roller, from its middle [m]."""
     highest: float
+    """Upper end of the bearing length along the roller, from its middle [m]."""
     rollers: int
+    """Number of rollers round the whole wheel."""
 
     @property
     def pitch(self) -> float:

@@ -55,13 +55,6 @@ MIRRORED = (
 class WormDrive(WormMesh, Drive):
     """A worm drive at one operating point; further attributes as of `WormMesh`.
 
-    Attributes
-    ----------
-    taken : tuple of str
-        Usual values that were taken where none was given, a sentence each that begins with the key.
-    warmth : str
-        Where the bulk temperatures of worm and wheel come from, a sentence; empty where they are given.
-
     Raises
     ------
     ValueError
@@ -72,7 +65,9 @@ class WormDrive(WormMesh, Drive):
     rated_as = WormDuty
 
     taken: tuple[str, ...] = ()
+    """Usual values that were taken where none was given, a sentence each that begins with the key."""
     warmth: str = ""
+    """Where the bulk temperatures of worm and wheel come from, a sentence; empty where they are given."""
 
     def __post_init__(self) -> None:
         given = {} if isinstance(self.load, Transmission) else {"load": self.load}

@@ -37,23 +37,19 @@ Limit = Literal["pressure", "backlash", "none within reach"]
 
 @dataclass(frozen=True)
 class Tolerance:
-    """The allowed errors of one kind.
-
-    Attributes
-    ----------
-    entry : str
-        Entry of `Assembly`.
-    low, high : float
-        Smallest and largest allowed error [m] or [rad].
-    low_limit, high_limit : str
-        What limits each: "pressure", "backlash", or "none within reach" of a quarter of a module.
-    """
+    """The allowed errors of one kind."""
 
     entry: str
+    """Entry of `Assembly`."""
     low: float
+    """Smallest allowed error [m] or [rad]."""
     high: float
+    """Largest allowed error [m] or [rad]."""
     low_limit: Limit
+    """What limits the smallest error: "pressure", "backlash", or "none within reach" of a quarter of a
+    module."""
     high_limit: Limit
+    """What limits the largest error, likewise."""
 
     @property
     def row(self) -> dict[str, float | str]:

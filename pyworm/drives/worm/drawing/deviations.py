@@ -13,24 +13,18 @@ Rows = tuple[tuple[float, ...], ...]
 
 @dataclass(frozen=True)
 class FlankDeviations:
-    """Deviations on a grid over the flank by which the worm drives, the same on every thread or tooth.
-
-    Attributes
-    ----------
-    along, radius : tuple of float
-        Of the wheel, places along the face from its middle, positive to the side where the worm's threads
-        leave; of the worm, places along its axis from the line of centres, positive to where the thrust on
-        the driving worm acts. Distances from the own axis. Both rise [m].
-    deviation : tuple of tuple of float
-        Out of the flank's material [m], for each place over the radii.
-    worn : bool
-        Whether they are what wear took off, and not measured or designed.
-    """
+    """Deviations on a grid over the flank by which the worm drives, the same on every thread or tooth."""
 
     along: tuple[float, ...]
+    """Of the wheel, places along the face from its middle, positive to the side where the worm's threads
+    leave; of the worm, places along its axis from the line of centres, positive to where the thrust on the
+    driving worm acts. They rise [m]."""
     radius: tuple[float, ...]
+    """Distances from the own axis. They rise [m]."""
     deviation: Rows
+    """Deviation out of the flank's material [m], for each place over the radii."""
     worn: bool = False
+    """Whether they are what wear took off, and not measured or designed."""
 
     @property
     def spread(self) -> float:

@@ -22,81 +22,66 @@ CLEARANCE = 0.2
 
 @dataclass(frozen=True, kw_only=True)
 class Drawing:
-    """The numbers of a drawing, complete.
-
-    Attributes
-    ----------
-    centre_distance : float
-        a [m].
-    threads, teeth : int
-        z1 of the worm, z2 of the wheel.
-    module : float
-        Axial module m_x [m].
-    diameter_factor : float
-        q, reference diameter of the worm over the module [-].
-    pressure_angle : float
-        alpha_n, normal, at the worm's reference cylinder [rad]; of ZA the axial one, of ZN the blade's, of
-        ZK and ZC the disc's.
-    worm_tip_diameter, worm_root_diameter : float
-        d_a1, d_f1 [m].
-    worm_thickness : float
-        Axial thickness of the thread on the reference cylinder [m].
-    wheel_throat_diameter, wheel_outside_diameter, wheel_root_diameter : float
-        d_a2, d_e2, d_f2 [m].
-    wheel_groove_radius : float
-        Radius r_k of the throat's groove [m].
-    face_width : float
-        b_2H of the wheel [m].
-    backlash : float
-        Circumferential, on the wheel's reference circle [m].
-    worm_fillet_radius, wheel_fillet_radius : float
-        Radii of the worm's fillet at its root and of the rounded edge of the hob's tip, which leaves the
-        wheel's, each in its axial section [m].
-    worm_tip_relief, worm_tip_relief_length, wheel_tip_relief, wheel_tip_relief_length : float
-        What is taken off a flank at its tip, and where below it that begins [m].
-    hob_oversize : float
-        Reference diameter of the hob beyond the worm's [m].
-    hob_axial_shift : float
-        Shift of the hob along the wheel's axis [m].
-    hob_centre_distance : float or None
-        Distance of hob and wheel axes [m]; None: so that both have the same pitch point.
-    hob_swivel : float or None
-        Turn of the hob's axis [rad]; None: so that hob and worm have the same normal in the pitch point.
-    profile : str
-        Form of the flanks.
-    worm_disc_diameter, worm_arc_radius : float or None
-        Diameter of the disc that grinds worm and hob (ZK, ZC), where it touches the reference cylinder, and
-        radius of its convex profile (ZC) [m].
-    """
+    """The numbers of a drawing, complete."""
 
     centre_distance: float
+    """Centre distance a [m]."""
     threads: int
+    """Threads of the worm, z1."""
     teeth: int
+    """Teeth of the wheel, z2."""
     module: float
+    """Axial module m_x [m]."""
     diameter_factor: float
+    """q, reference diameter of the worm over the module [-]."""
     pressure_angle: float
+    """alpha_n, normal, at the worm's reference cylinder [rad]; of ZA the axial one, of ZN the blade's, of ZK
+    and ZC the disc's."""
     worm_tip_diameter: float
+    """Tip diameter of the worm, d_a1 [m]."""
     worm_root_diameter: float
+    """Root diameter of the worm, d_f1 [m]."""
     worm_thickness: float
+    """Axial thickness of the thread on the reference cylinder [m]."""
     wheel_throat_diameter: float
+    """Throat diameter of the wheel, d_a2 [m]."""
     wheel_outside_diameter: float
+    """Outside diameter of the wheel, d_e2 [m]."""
     wheel_root_diameter: float
+    """Root diameter of the wheel, d_f2 [m]."""
     wheel_groove_radius: float
+    """Radius r_k of the throat's groove [m]."""
     face_width: float
+    """b_2H of the wheel [m]."""
     backlash: float
+    """Circumferential backlash on the wheel's reference circle [m]."""
     worm_fillet_radius: float
+    """Radius of the worm's fillet at its root, in its axial section [m]."""
     wheel_fillet_radius: float
+    """Radius of the rounded edge of the hob's tip, which leaves the wheel's fillet, in its axial section
+    [m]."""
     worm_tip_relief: float
+    """What is taken off the worm's flank at its tip [m]."""
     worm_tip_relief_length: float
+    """Where below the worm's tip that begins [m]."""
     wheel_tip_relief: float
+    """What is taken off the wheel's flank at its tip [m]."""
     wheel_tip_relief_length: float
+    """Where below the wheel's tip that begins [m]."""
     hob_oversize: float
+    """Reference diameter of the hob beyond the worm's [m]."""
     hob_axial_shift: float
+    """Shift of the hob along the wheel's axis [m]."""
     hob_centre_distance: float | None = None
+    """Distance of hob and wheel axes [m]; None: so that both have the same pitch point."""
     hob_swivel: float | None = None
+    """Turn of the hob's axis [rad]; None: so that hob and worm have the same normal in the pitch point."""
     profile: Profile = "ZI"
+    """Form of the flanks."""
     worm_disc_diameter: float | None = None
+    """Diameter of the disc that grinds worm and hob (ZK, ZC), where it touches the reference cylinder [m]."""
     worm_arc_radius: float | None = None
+    """Radius of the convex profile of that disc (ZC) [m]."""
 
     @property
     def reference_diameter(self) -> float:

@@ -21,17 +21,6 @@ from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGe
 class AxialArc(ScrewGenerator):
     """A right-hand helicoid swept by an arc in the axial plane; the parameter is the radius.
 
-    Attributes
-    ----------
-    top : float
-        r_c, radius above which the flank would no longer rise [m].
-    arc_radius : float
-        rho [m].
-    screw : float
-        Advance per radian, lead / 2 pi [m].
-    lowest, highest : float
-        Radii between which the flank is used [m].
-
     Raises
     ------
     ValueError
@@ -39,10 +28,15 @@ class AxialArc(ScrewGenerator):
     """
 
     top: float
+    """r_c, radius above which the flank would no longer rise [m]."""
     arc_radius: float
+    """Radius of the arc, rho [m]."""
     screw: float
+    """Advance per radian, lead / 2 pi [m]."""
     lowest: float
+    """Radius from which the flank is used [m]."""
     highest: float
+    """Radius up to which the flank is used [m]."""
 
     def __post_init__(self) -> None:
         bottom = self.top - self.arc_radius

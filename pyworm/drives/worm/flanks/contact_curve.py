@@ -41,24 +41,16 @@ FARTHEST = 2.5
 
 @dataclass(frozen=True)
 class ContactCurve(ContactPath):
-    """The contact point of a worm of any profile; places are worm angles.
-
-    Attributes
-    ----------
-    worm : SweptHelicoid
-        The worm as assembled.
-    flank : SweptWheel
-        The wheel flank.
-    threads : int
-        Number of threads of the worm.
-    reference_radii : tuple of float
-        Reference radii of worm and hob [m], where the path is begun.
-    """
+    """The contact point of a worm of any profile; places are worm angles."""
 
     worm: SweptHelicoid
+    """The worm as assembled."""
     flank: SweptWheel
+    """The wheel flank."""
     threads: int
+    """Number of threads of the worm."""
     reference_radii: tuple[float, float]
+    """Reference radii of worm and hob [m], where the path is begun."""
 
     def touches(self, places: Array) -> Touches:
         """Contacts at worm angles; beyond the path as far as it could be followed they go straight on."""

@@ -10,39 +10,29 @@ from pyworm.drives.worm.flanks.helicoid import Array, Seated
 
 @dataclass(frozen=True)
 class Touches:
-    """Unloaded contacts of a tooth pair at some places of their path.
-
-    Attributes
-    ----------
-    worm_angle, wheel_angle : ndarray
-        Rotation angles [rad], (places,).
-    point, normal : ndarray
-        Contact points [m] and unit normals from worm to wheel, (3, places).
-    travel : ndarray
-        Way of the contact point by the worm's rotation [m], (3, places).
-    worm_start, wheel_start : ndarray
-        Parameters of the flanks there, (parameters, places).
-    """
+    """Unloaded contacts of a tooth pair at some places of their path."""
 
     worm_angle: Array
+    """Rotation angle of the worm [rad], (places,)."""
     wheel_angle: Array
+    """Rotation angle of the wheel [rad], (places,)."""
     point: Array
+    """Contact points [m], (3, places)."""
     normal: Array
+    """Unit normals from worm to wheel, (3, places)."""
     travel: Array
+    """Way of the contact point by the worm's rotation [m], (3, places)."""
     worm_start: Array
+    """Parameters of the worm's flank there, (parameters, places)."""
     wheel_start: Array
+    """Parameters of the wheel's flank there, (parameters, places)."""
 
 
 class ContactPath(ABC):
-    """A path of contact, whose places are in proportion to the worm's rotation.
-
-    Attributes
-    ----------
-    worm : Seated
-        The worm as assembled.
-    """
+    """A path of contact, whose places are in proportion to the worm's rotation."""
 
     worm: Seated
+    """The worm as assembled."""
 
     @abstractmethod
     def touches(self, places: Array) -> Touches:

@@ -43,24 +43,16 @@ OFF_EDGE = 1e-4
 
 @dataclass(frozen=True)
 class Disc:
-    """A grinding disc and its place about a worm.
-
-    Attributes
-    ----------
-    radius : float
-        Radius of the disc where it touches the worm's reference cylinder [m].
-    width : float
-        Width of the disc there, the normal width of the worm's space [m].
-    pressure_angle : float
-        Angle of its profile there.
-    arc_radius : float
-        Radius of its profile [m], convex; infinite of a cone.
-    """
+    """A grinding disc and its place about a worm."""
 
     radius: float
+    """Radius of the disc where it touches the worm's reference cylinder [m]."""
     width: float
+    """Width of the disc there, the normal width of the worm's space [m]."""
     pressure_angle: float
+    """Angle of its profile there."""
     arc_radius: float = inf
+    """Radius of its profile [m], convex; infinite of a cone."""
 
     def profile(self, along: Array) -> tuple[Array, Array, Array, Array]:
         """Radius less the disc's [m], height [m], and normal (s, c), at a way along the profile [m]."""
@@ -84,17 +76,6 @@ class DiscHelicoid(ScrewGenerator):
     Its parameter u is the radius; where an edge of regression ends the profile at a radius r_0, near which it
     bends as (r - r_0)^(3/2), it is that of r = r_0 + u^2 / (end_radius - r_0), of which it is smooth.
 
-    Attributes
-    ----------
-    disc : Disc
-        The disc.
-    reference : float
-        Radius of the worm's reference cylinder [m].
-    screw : float
-        Advance per radian, lead / 2 pi [m].
-    inner_radius, end_radius : float
-        Radii between which the profile is found [m], from its edge on where that lies between them.
-
     Raises
     ------
     ValueError
@@ -102,10 +83,15 @@ class DiscHelicoid(ScrewGenerator):
     """
 
     disc: Disc
+    """The disc."""
     reference: float
+    """Radius of the worm's reference cylinder [m]."""
     screw: float
+    """Advance per radian, lead / 2 pi [m]."""
     inner_radius: float
+    """Radius from which the profile is found [m], from its edge on where that lies between both."""
     end_radius: float
+    """Radius up to which the profile is found [m]."""
 
     def __post_init__(self) -> None:
         self._coefficients  # noqa: B018  a disc that leaves no flank is refused here

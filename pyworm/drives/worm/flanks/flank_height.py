@@ -70,24 +70,16 @@ def _in_blocks(find: Callable[[Array, Array], Array], x: Array, y: Array) -> Arr
 
 @dataclass(frozen=True)
 class FlankHeight:
-    """Height of one flank over the tangent plane.
-
-    Attributes
-    ----------
-    surface : FlankSurface
-        The flank at the instant.
-    origin : ndarray
-        The contact point, (3,) [m].
-    axes : ndarray
-        Rows ex, ey, ez of the contact frame, (3, 3).
-    start : tuple of float
-        Parameters q of the flank at the origin.
-    """
+    """Height of one flank over the tangent plane."""
 
     surface: FlankSurface
+    """The flank at the instant."""
     origin: Array
+    """The contact point, (3,) [m]."""
     axes: Array
+    """Rows ex, ey, ez of the contact frame, (3, 3)."""
     start: tuple[float, ...]
+    """Parameters q of the flank at the origin."""
 
     def _line(self, x: Array, y: Array) -> Components:
         """Points at which lines along the common normal cross the tangent plane [m]."""

@@ -23,18 +23,12 @@ def within(bounds: tuple[float, float], u: Array) -> Array:
 
 @dataclass(frozen=True)
 class WormPoints(FlankSurface):
-    """The worm's flank; the parameters are u and the turn of its curve.
-
-    Attributes
-    ----------
-    worm : SweptHelicoid
-        The worm.
-    angle : float
-        Its rotation angle [rad].
-    """
+    """The worm's flank; the parameters are u and the turn of its curve."""
 
     worm: SweptHelicoid
+    """The worm."""
     angle: float
+    """Its rotation angle [rad]."""
 
     def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """Height where the step leads, step and the determinant of the ways in the tangent plane."""
@@ -68,18 +62,12 @@ class WormPoints(FlankSurface):
 
 @dataclass(frozen=True)
 class WheelPoints(FlankSurface):
-    """The wheel's flank; the parameters are u and turn of the hob's curve and the lag, roll - angle.
-
-    Attributes
-    ----------
-    flank : SweptWheel
-        The wheel flank.
-    angle : float
-        Its rotation angle [rad].
-    """
+    """The wheel's flank; the parameters are u and turn of the hob's curve and the lag, roll - angle."""
 
     flank: SweptWheel
+    """The wheel flank."""
     angle: float
+    """Its rotation angle [rad]."""
 
     def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """Height where the step leads, step and the determinant of the three equations."""

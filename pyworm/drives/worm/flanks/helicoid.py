@@ -26,21 +26,7 @@ Plane = tuple[Array | float, Components]
 
 
 class Seated:
-    """A screw at its place in the drive frame.
-
-    Attributes
-    ----------
-    screw : float
-        Advance per radian, lead / 2 pi [m].
-    start_radius : float
-        Radius at which its flank begins [m].
-    centre_distance : float
-        Distance of the axis from the wheel's axis [m].
-    swivel : float
-        Turn of the axis about X [rad]; positive adds to the lead angle that the wheel sees.
-    axial_shift : float
-        Shift of the axis along the wheel's axis Y [m].
-    """
+    """A screw at its place in the drive frame."""
 
     if TYPE_CHECKING:  # of each kind its own property
 
@@ -53,8 +39,11 @@ class Seated:
             """Radius at which the flank begins [m]."""
 
     centre_distance: float
+    """Distance of the axis from the wheel's axis [m]."""
     swivel: float
+    """Turn of the axis about X [rad]; positive adds to the lead angle that the wheel sees."""
     axial_shift: float
+    """Shift of the axis along the wheel's axis Y [m]."""
 
     @cached_property
     def axis_point(self) -> Array:
@@ -89,27 +78,18 @@ class Seated:
 
 @dataclass(frozen=True)
 class Helicoid(Seated):
-    """A right-hand involute helicoid at its place in the drive frame.
-
-    Attributes
-    ----------
-    base_radius : float
-        Radius of the base cylinder [m].
-    lead : float
-        Advance in one turn [m].
-    centre_distance : float
-        Distance of the axis from the wheel's axis [m].
-    swivel : float
-        Turn of the axis about X [rad]; positive adds to the lead angle that the wheel sees.
-    axial_shift : float
-        Shift of the axis along the wheel's axis Y [m].
-    """
+    """A right-hand involute helicoid at its place in the drive frame."""
 
     base_radius: float
+    """Radius of the base cylinder [m]."""
     lead: float
+    """Advance in one turn [m]."""
     centre_distance: float
+    """Distance of the axis from the wheel's axis [m]."""
     swivel: float = 0.0
+    """Turn of the axis about X [rad]; positive adds to the lead angle that the wheel sees."""
     axial_shift: float = 0.0
+    """Shift of the axis along the wheel's axis Y [m]."""
 
     @cached_property
     def screw(self) -> float:

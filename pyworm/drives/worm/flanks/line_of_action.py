@@ -19,44 +19,30 @@ from pyworm.drives.worm.flanks.wheel_envelope import WheelFlank, across_axis, tu
 
 @dataclass(frozen=True)
 class LineOfAction:
-    """The common normal of worm and wheel, fixed in space.
-
-    Attributes
-    ----------
-    worm_theta, hob_theta : float
-        Generators of the worm and of the hob whose normals lie on the line [rad].
-    lag : float
-        Cutting roll minus wheel angle of the touching point [rad].
-    foot : ndarray
-        Point of the line nearest the wheel's centre, (3,) [m].
-    direction : ndarray
-        Unit normal from the wheel into the worm, (3,).
-    """
+    """The common normal of worm and wheel, fixed in space."""
 
     worm_theta: float
+    """Generator of the worm whose normal lies on the line [rad]."""
     hob_theta: float
+    """Generator of the hob whose normal lies on the line [rad]."""
     lag: float
+    """Cutting roll minus wheel angle of the touching point [rad]."""
     foot: Array
+    """Point of the line nearest the wheel's centre, (3,) [m]."""
     direction: Array
+    """Unit normal from the wheel into the worm, (3,)."""
 
 
 @dataclass(frozen=True)
 class StraightPath(ContactPath):
-    """The contact point on a line of action; places are distances from its foot [m], which the worm reduces.
-
-    Attributes
-    ----------
-    worm : Helicoid
-        The worm as assembled.
-    flank : WheelFlank
-        The wheel flank.
-    line : LineOfAction
-        The line.
-    """
+    """The contact point on a line of action; places, reduced by the worm, are distances from its foot [m]."""
 
     worm: Helicoid
+    """The worm as assembled."""
     flank: WheelFlank
+    """The wheel flank."""
     line: LineOfAction
+    """The line."""
 
     def touches(self, places: Array) -> Touches:
         """Contacts at places; a plane of the worm moves along its normal by the base travel per radian."""

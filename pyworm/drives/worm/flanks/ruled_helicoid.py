@@ -16,21 +16,14 @@ from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGe
 
 @dataclass(frozen=True)
 class RuledHelicoid(ScrewGenerator):
-    """A right-hand ruled helicoid; the line rises outwards, its parameter is the way across the axis.
-
-    Attributes
-    ----------
-    offset : float
-        Distance of the line from the axis [m], negative where it leans against the hand of the screw.
-    slope : float
-        Tangent of its inclination to the transverse plane [-].
-    screw : float
-        Advance per radian, lead / 2 pi [m].
-    """
+    """A right-hand ruled helicoid; the line rises outwards, its parameter is the way across the axis."""
 
     offset: float
+    """Distance of the line from the axis [m], negative where it leans against the hand of the screw."""
     slope: float
+    """Tangent of its inclination to the transverse plane [-]."""
     screw: float
+    """Advance per radian, lead / 2 pi [m]."""
 
     @property
     def start_radius(self) -> float:

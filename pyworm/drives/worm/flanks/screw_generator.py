@@ -22,15 +22,10 @@ Vector = Components | Array | list[Array]
 
 
 class ScrewGenerator(ABC):
-    """A curve and the screw that moves it.
-
-    Attributes
-    ----------
-    screw : float
-        Advance per radian p, lead / 2 pi [m].
-    """
+    """A curve and the screw that moves it."""
 
     screw: float
+    """Advance per radian p, lead / 2 pi [m]."""
 
     @property
     @abstractmethod

@@ -16,43 +16,36 @@ from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGe
 
 @dataclass(frozen=True)
 class Expansion:
-    """Points of a flank and their normals (of any length), with derivatives by u and by the turn.
-
-    Attributes
-    ----------
-    point, by_u, by_turn : Components
-        Places [m] and their derivatives.
-    normal, normal_by_u, normal_by_turn : Components
-        Normals into the thread, and their derivatives.
-    """
+    """Points of a flank and their normals (of any length), with derivatives by u and by the turn."""
 
     point: Components
+    """Places [m]."""
     by_u: Components
+    """Derivatives of the places by u."""
     by_turn: Components
+    """Derivatives of the places by the turn."""
     normal: Components
+    """Normals into the thread."""
     normal_by_u: Components
+    """Derivatives of the normals by u."""
     normal_by_turn: Components
+    """Derivatives of the normals by the turn."""
 
 
 @dataclass(frozen=True)
 class SweptHelicoid(Seated):
-    """A right-hand helicoid of any profile at its place in the drive frame.
-
-    Attributes
-    ----------
-    generator : ScrewGenerator
-        The curve that sweeps it.
-    size : float
-        Length for which the parameter u stands [m].
-    centre_distance, swivel, axial_shift : float
-        As of `Seated`.
-    """
+    """A right-hand helicoid of any profile at its place in the drive frame."""
 
     generator: ScrewGenerator
+    """The curve that sweeps it."""
     size: float
+    """Length for which the parameter u stands [m]."""
     centre_distance: float
+    """Centre distance as of `Seated`."""
     swivel: float = 0.0
+    """Swivel as of `Seated`."""
     axial_shift: float = 0.0
+    """Axial shift as of `Seated`."""
 
     @property
     def screw(self) -> float:

@@ -26,46 +26,30 @@ def across(vector: Components) -> Components:
 
 @dataclass(frozen=True)
 class Cut:
-    """Points at which a hob may cut, in the drive frame as they are cut, with derivatives by (u, turn, roll).
-
-    Attributes
-    ----------
-    point : Components
-        Points of the hob [m].
-    ways : tuple of Components
-        Their derivatives in the wheel's frame, which turns on with the roll.
-    normal : Components
-        Normals of the hob, of any length.
-    swings : tuple of Components
-        Their derivatives in the wheel's frame.
-    miss : ndarray
-        N . V, zero where the hob cuts.
-    slopes : tuple of ndarray
-        Its derivatives.
-    """
+    """Points at which a hob may cut, in the drive frame when cut, with derivatives by (u, turn, roll)."""
 
     point: Components
+    """Points of the hob [m]."""
     ways: tuple[Components, Components, Components]
+    """Their derivatives in the wheel's frame, which turns on with the roll."""
     normal: Components
+    """Normals of the hob, of any length."""
     swings: tuple[Components, Components, Components]
+    """Their derivatives in the wheel's frame."""
     miss: Array
+    """N . V, zero where the hob cuts."""
     slopes: tuple[Array, Array, Array]
+    """Its derivatives."""
 
 
 @dataclass(frozen=True)
 class SweptWheel:
-    """The wheel flank that a hob of any profile cuts; its parameters are u, turn and roll, with N . V = 0.
-
-    Attributes
-    ----------
-    hob : SweptHelicoid
-        The hob at its place on the cutting machine.
-    ratio : float
-        Wheel angle by hob angle, threads / teeth [-].
-    """
+    """The wheel flank that a hob of any profile cuts; its parameters are u, turn and roll, with N . V = 0."""
 
     hob: SweptHelicoid
+    """The hob at its place on the cutting machine."""
     ratio: float
+    """Wheel angle by hob angle, threads / teeth [-]."""
 
     def cut(self, u: Array, turn: Array, roll: Array) -> Cut:
         """Points of the hob at a roll of the wheel [rad], and how far they are from cutting."""

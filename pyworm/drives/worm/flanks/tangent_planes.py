@@ -75,18 +75,12 @@ class PlaneFamily(FlankSurface):
 
 @dataclass(frozen=True)
 class WormPlanes(PlaneFamily):
-    """Tangent planes of the worm flank; the parameter is theta.
-
-    Attributes
-    ----------
-    worm : Helicoid
-        The worm.
-    angle : float
-        Its rotation angle [rad].
-    """
+    """Tangent planes of the worm flank; the parameter is theta."""
 
     worm: Helicoid
+    """The worm."""
     angle: float
+    """Its rotation angle [rad]."""
 
     def at(self, q: Sequence[Array]) -> Family:
         """The planes of parameters q."""
@@ -96,18 +90,12 @@ class WormPlanes(PlaneFamily):
 
 @dataclass(frozen=True)
 class WheelPlanes(PlaneFamily):
-    """Tangent planes of the wheel flank; the parameters are the hob's theta and the lag, roll - angle.
-
-    Attributes
-    ----------
-    flank : WheelFlank
-        The wheel flank.
-    angle : float
-        Its rotation angle [rad].
-    """
+    """Tangent planes of the wheel flank; the parameters are the hob's theta and the lag, roll - angle."""
 
     flank: WheelFlank
+    """The wheel flank."""
     angle: float
+    """Its rotation angle [rad]."""
 
     def at(self, q: Sequence[Array]) -> Family:
         """The planes of parameters q."""

@@ -38,18 +38,12 @@ def across_axis(vector: Array) -> Array:
 
 @dataclass(frozen=True)
 class WheelFlank:
-    """The wheel flank that a hob cuts.
-
-    Attributes
-    ----------
-    hob : Helicoid
-        The hob at its place on the cutting machine.
-    ratio : float
-        Wheel angle by hob angle, threads / teeth [-].
-    """
+    """The wheel flank that a hob cuts."""
 
     hob: Helicoid
+    """The hob at its place on the cutting machine."""
     ratio: float
+    """Wheel angle by hob angle, threads / teeth [-]."""
 
     @property
     def lever(self) -> float:

@@ -54,32 +54,29 @@ BELOW_ROOT, ABOVE_TIP = 0.3, 0.4
 
 @dataclass(frozen=True)
 class Thread:
-    """Numbers that form a flank of a worm or a hob.
-
-    Attributes
-    ----------
-    module, lead, lead_angle : float
-        Axial module of the worm [m], advance in one turn [m] and lead angle on the reference cylinder [rad].
-    pressure_angle : float
-        In the normal section on the reference cylinder; of blades (ZN) and discs that of their profile [rad].
-    reference_radius, root_radius, tip_radius : float
-        Radii of its cylinders [m].
-    space : float
-        Normal width of the space between threads on the reference cylinder [m].
-    disc_diameter, arc_radius : float or None
-        Diameter of the disc where it touches the reference cylinder, and radius of its profile [m].
-    """
+    """Numbers that form a flank of a worm or a hob."""
 
     module: float
+    """Axial module of the worm [m]."""
     lead: float
+    """Advance in one turn [m]."""
     lead_angle: float
+    """Lead angle on the reference cylinder [rad]."""
     pressure_angle: float
+    """Pressure angle in the normal section on the reference cylinder; of blades (ZN) and discs that of their
+    profile [rad]."""
     reference_radius: float
+    """Radius of its reference cylinder [m]."""
     root_radius: float
+    """Radius of its root cylinder [m]."""
     tip_radius: float
+    """Radius of its tip cylinder [m]."""
     space: float
+    """Normal width of the space between threads on the reference cylinder [m]."""
     disc_diameter: float | None = None
+    """Diameter of the disc where it touches the reference cylinder [m]."""
     arc_radius: float | None = None
+    """Radius of the disc's profile [m]."""
 
 
 def generator_of(profile: Profile, of: Thread) -> ScrewGenerator | None:

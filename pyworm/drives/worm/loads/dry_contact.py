@@ -38,19 +38,14 @@ CONTACT = (
 
 @dataclass(frozen=True)
 class DryToothContact(DryContact):
-    """The dry contact of a tooth pair; at an edge, too, where it is no Hertzian contact for another reason.
-
-    Attributes
-    ----------
-    contact : ToothContact
-        The contact without load.
-    x, y : float
-        Middle of its pressure on the tangent plane [m].
-    """
+    """The dry contact of a tooth pair; at an edge, too, where it is not Hertzian for another reason."""
 
     contact: ToothContact
+    """The contact without load."""
     x: float
+    """Middle of its pressure along x on the tangent plane [m]."""
     y: float
+    """Middle of its pressure along y on the tangent plane [m]."""
 
 
 def dry_contact_of(mesh: WormMesh, load: float, phase: float = 0.5) -> DryToothContact:

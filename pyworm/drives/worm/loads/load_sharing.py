@@ -33,30 +33,21 @@ Shaft = Literal["worm", "wheel"]
 
 @dataclass(frozen=True)
 class Transmission:
-    """Torque carried by the teeth in mesh, and its sharing.
-
-    Attributes
-    ----------
-    torque : float
-        Torque [N m].
-    shaft : str
-        Shaft of that torque: "worm" or "wheel".
-    sharing : str
-        "elastic", or "equal": the same load on each pair whose contact point lies on both teeth.
-    friction : float
-        Coefficient of friction in the balance of forces: the teeth's loss over load times sliding [-].
-    stiffness : float
-        Stiffness of thread and wheel tooth together, beyond their contact [N/m]; infinite if rigid.
-    lifts : tuple of tuple of float
-        Phases, rising, and the lift of the bodies by the film there [m]; empty where no film is solved.
-    """
+    """Torque carried by the teeth in mesh, and its sharing."""
 
     torque: float
+    """Torque [N m]."""
     shaft: Shaft
+    """Shaft of that torque: "worm" or "wheel"."""
     sharing: Sharing = "elastic"
+    """Rule of load sharing: "elastic", or "equal": the same load on each pair whose contact point lies on
+    both teeth."""
     friction: float = 0.0
+    """Coefficient of friction in the balance of forces: the teeth's loss over load times sliding [-]."""
     stiffness: float = inf
+    """Stiffness of thread and wheel tooth together, beyond their contact [N/m]; infinite if rigid."""
     lifts: tuple[tuple[float, float], ...] = ()
+    """Phases, rising, and the lift of the bodies by the film there [m]; empty where no film is solved."""
 
     def lift(self, phases: Array) -> Array:
         """Lift of the bodies by the film [m], constant beyond the first and the last known phase."""
@@ -71,21 +62,14 @@ class Transmission:
 
 @dataclass(frozen=True)
 class SharedLoad:
-    """Loads of the tooth pairs at one instant.
-
-    Attributes
-    ----------
-    phases : ndarray
-        Phases of the pairs, one pitch apart, (pairs,); beyond 0 and 1 they touch at an edge.
-    forces : ndarray
-        Normal load of each [N], (pairs,).
-    turn : float
-        Theta, angle of the wheel behind its ideal one [rad]; 0 with equal shares.
-    """
+    """Loads of the tooth pairs at one instant."""
 
     phases: Array
+    """Phases of the pairs, one pitch apart, (pairs,); beyond 0 and 1 they touch at an edge."""
     forces: Array
+    """Normal load of each [N], (pairs,)."""
     turn: float
+    """Theta, angle of the wheel behind its ideal one [rad]; 0 with equal shares."""
 
     def force(self, phase: float) -> float:
         """Normal load of the pair at a phase [N]."""
@@ -94,21 +78,18 @@ class SharedLoad:
 
 @dataclass(frozen=True)
 class Arms:
-    """Moment arms [m] of the forces on tooth pairs at some phases.
-
-    Attributes
-    ----------
-    worm_normal, wheel_normal : ndarray
-        Arms of the normal load about the worm's and the wheel's axis, positive where it resists the worm and
-        drives the wheel in the sense in which the worm turns them.
-    worm_sliding, wheel_sliding : ndarray
-        Arms of a force along the sliding of the worm against the wheel, likewise.
-    """
+    """Moment arms [m] of the forces on tooth pairs at some phases."""
 
     worm_normal: Array
+    """Arm of the normal load about the worm's axis, positive where it resists the worm in the sense in which
+    the worm turns."""
     wheel_normal: Array
+    """Arm of the normal load about the wheel's axis, positive where it drives the wheel in the sense in which
+    the worm turns it."""
     worm_sliding: Array
+    """Arm about the worm's axis of a force along the sliding of the worm against the wheel, likewise."""
     wheel_sliding: Array
+    """Arm about the wheel's axis of a force along the sliding of the worm against the wheel, likewise."""
 
     def of(self, shaft: Shaft, friction: float) -> Array:
         """Torque of a shaft for each normal load [m], equation 2."""

@@ -31,36 +31,24 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True, kw_only=True)
 class WormMesh(WormGears, Lubricated):
-    """Worm and wheel at a speed and a load.
-
-    Attributes
-    ----------
-    speed : float
-        Speed of the worm [rad/s].
-    load : float or Transmission
-        Normal load on the tooth [N], or the torque that the teeth in mesh share.
-    bodies : tuple of Body
-        Worm and wheel.
-    oil : Oil
-        The oil.
-    driver : str
-        Driving member, "worm" or "wheel", on the same flanks.
-    hand : str
-        Hand of the threads; a left-hand drive is computed as its right-hand mirror image.
-    shaft : WormShaft or None
-        The worm's shaft between its bearings, which bends under the load; None if rigid.
-    lubrication : Bath, Jets or None
-        How oil comes to its teeth; None where there is assumed to be enough.
-    """
+    """Worm and wheel at a speed and a load."""
 
     speed: float
+    """Speed of the worm [rad/s]."""
     load: float | Transmission
+    """Normal load on the tooth [N], or the torque that the teeth in mesh share."""
     bodies: tuple[Body, Body]
+    """Worm and wheel."""
     oil: Oil
+    """The oil."""
     driver: Shaft = "worm"
+    """Driving member, "worm" or "wheel", on the same flanks."""
     hand: Hand = "right"
+    """Hand of the threads; a left-hand drive is computed as its right-hand mirror image."""
     shaft: WormShaft | None = None
+    """The worm's shaft between its bearings, which bends under the load; None if rigid."""
     lubrication: Bath | Jets | None = None
+    """How oil comes to its teeth; None where there is assumed to be enough."""
 
     @cached_property
     def rigid(self) -> Self:

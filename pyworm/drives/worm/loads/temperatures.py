@@ -19,42 +19,30 @@ from pyworm.materials.oil import Oil
 
 @dataclass(frozen=True)
 class Cooling:
-    """Cooling of a worm drive, and its losses outside the teeth.
-
-    Attributes
-    ----------
-    ambient_temperature : float
-        Temperature of the surroundings [K].
-    conductance : float
-        Heat from the housing to its surroundings over the temperature difference to the oil [W/K].
-    other : BesidesTeeth
-        Losses of bearings, seals and churning.
-    immersion : float
-        Coefficient c_k of the wheel in the standards [-].
-    worm_excess : float
-        Excess of the worm's bulk temperature over the wheel's [K].
-    """
+    """Cooling of a worm drive, and its losses outside the teeth."""
 
     ambient_temperature: float
+    """Temperature of the surroundings [K]."""
     conductance: float
+    """Heat from the housing to its surroundings over the temperature difference to the oil [W/K]."""
     other: BesidesTeeth
+    """Losses of bearings, seals and churning."""
     immersion: float
+    """Coefficient c_k of the wheel in the standards [-]."""
     worm_excess: float
+    """Excess of the worm's bulk temperature over the wheel's [K]."""
 
 
 @dataclass(frozen=True)
 class DriveTemperatures:
-    """Steady temperatures of a worm drive.
-
-    Attributes
-    ----------
-    sump, worm, wheel : float
-        Inlet temperature of the oil, and bulk temperatures of the bodies [K].
-    """
+    """Steady temperatures of a worm drive."""
 
     sump: float
+    """Inlet temperature of the oil [K]."""
     worm: float
+    """Bulk temperature of the worm [K]."""
     wheel: float
+    """Bulk temperature of the wheel [K]."""
 
     def oil(self, oil: Oil) -> Oil:
         """An oil at the temperature of the sump."""

@@ -47,25 +47,17 @@ farther, as of concave worms beyond their mesh cycle."""
 
 @dataclass(frozen=True)
 class ToothSprings:
-    """Approach of one tooth pair over phase and load.
-
-    Attributes
-    ----------
-    phases : ndarray
-        Phases at which the pair can touch under load, (phases,).
-    loads : ndarray
-        Normal loads [N], (loads,).
-    separations : ndarray
-        Least gap between the teeth without load when the flanks would touch at their contact point [m],
-        (phases,); negative where they touch at an edge before.
-    approaches : ndarray
-        Approach [m] from that instant, (phases, loads).
-    """
+    """Approach of one tooth pair over phase and load."""
 
     phases: Array
+    """Phases at which the pair can touch under load, (phases,)."""
     loads: Array
+    """Normal loads [N], (loads,)."""
     separations: Array
+    """Least gap between the teeth without load when the flanks would touch at their contact point [m],
+    (phases,); negative where they touch at an edge before."""
     approaches: Array
+    """Approach [m] from that instant, (phases, loads)."""
 
     @cached_property
     def _separation(self) -> "scipy.interpolate.PchipInterpolator":
@@ -95,18 +87,12 @@ class ToothSprings:
 
 @dataclass(frozen=True)
 class ToothSpring:
-    """Normal load of one tooth pair at one phase over its approach.
-
-    Attributes
-    ----------
-    separation : float
-        Approach at which it touches [m]; inf where it never does.
-    curve : callable or None
-        Logarithm of the approach from there [ln m] -> logarithm of the load [ln N].
-    """
+    """Normal load of one tooth pair at one phase over its approach."""
 
     separation: float
+    """Approach at which it touches [m]; inf where it never does."""
     curve: "scipy.interpolate.PchipInterpolator | None"
+    """Logarithm of the approach from there [ln m] -> logarithm of the load [ln N]."""
 
     def load(self, approach: float) -> float:
         """Normal load [N] at an approach [m]."""
@@ -179,24 +165,16 @@ def tooth_springs(
 
 @dataclass(frozen=True)
 class MeshedTeeth:
-    """Teeth by what decides their contacts.
-
-    Attributes
-    ----------
-    parts : tuple of Worm, Wheel and Hob
-        The design table.
-    distance : float
-        Distance of worm and wheel axes [m].
-    mounted : Assembly
-        Where the worm runs.
-    gears : WormGears
-        The gears of them, whatever their load and oil.
-    """
+    """Teeth by what decides their contacts."""
 
     parts: tuple[Worm, Wheel, Hob]
+    """The design table."""
     distance: float
+    """Distance of worm and wheel axes [m]."""
     mounted: Assembly
+    """Where the worm runs."""
     gears: WormGears = field(compare=False)
+    """The gears of them, whatever their load and oil."""
 
     @classmethod
     def of(cls, gears: WormGears) -> "MeshedTeeth":
@@ -225,20 +203,16 @@ def mesh_springs(
 
 @dataclass(frozen=True)
 class PlacedGap:
-    """A tooth pair's gap on a grid about the place where it is least.
-
-    Attributes
-    ----------
-    x, y : ndarray
-        Nodes along the axes of the tangent plane [m].
-    gap, covered : ndarray
-        Undeformed gap [m] and where both teeth exist, (x, y).
-    """
+    """A tooth pair's gap on a grid about the place where it is least."""
 
     x: Array
+    """Nodes along the x axis of the tangent plane [m]."""
     y: Array
+    """Nodes along the y axis of the tangent plane [m]."""
     gap: Array
+    """Undeformed gap [m], (x, y)."""
     covered: Array
+    """Where both teeth exist, (x, y)."""
 
     def pressed(self, load: float, reduced_modulus: float, guess: Array) -> kernel.DryContact:
         """The dry contact under a load [N], from a first guess of the pressure."""

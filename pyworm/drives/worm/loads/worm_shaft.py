@@ -23,18 +23,6 @@ LARGEST = 0.1
 class WormShaft:
     """The worm's shaft and its bearings.
 
-    Attributes
-    ----------
-    bearing_span : float
-        Distance of the bearings [m].
-    bearing_offset : float
-        Middle of the bearings from the line of centres along the worm's axis [m], positive to where the
-        driving worm's thrust acts.
-    diameter : float or None
-        Of a uniform shaft that bends as much [m]; None for the worm's root diameter.
-    bearing_stiffness : float
-        Radial stiffness of each bearing with its seat [N/m]; infinite if rigid.
-
     Raises
     ------
     ValueError
@@ -42,9 +30,14 @@ class WormShaft:
     """
 
     bearing_span: float
+    """Distance of the bearings [m]."""
     bearing_offset: float = 0.0
+    """Middle of the bearings from the line of centres along the worm's axis [m], positive to where the
+    driving worm's thrust acts."""
     diameter: float | None = None
+    """Diameter of a uniform shaft that bends as much [m]; None for the worm's root diameter."""
     bearing_stiffness: float = inf
+    """Radial stiffness of each bearing with its seat [N/m]; infinite if rigid."""
 
     def __post_init__(self) -> None:
         half = self.bearing_span / 2
@@ -65,25 +58,18 @@ class WormShaft:
 
 @dataclass(frozen=True)
 class BentShaft:
-    """The worm's shaft under load.
-
-    Attributes
-    ----------
-    force : ndarray
-        Force of the wheel's teeth on the worm in the drive frame, (3,) [N].
-    away, along : float
-        Deflection at the mesh away from the wheel, and along the wheel's axis to the leaving side [m].
-    tilt : float
-        Turn of the worm's axis about the line of centres, as `Assembly.shaft_angle` [rad].
-    reactions : tuple of float
-        Radial force of each bearing [N], first the one that the driving worm's thrust leads away from.
-    """
+    """The worm's shaft under load."""
 
     force: Array
+    """Force of the wheel's teeth on the worm in the drive frame, (3,) [N]."""
     away: float
+    """Deflection at the mesh away from the wheel [m]."""
     along: float
+    """Deflection at the mesh along the wheel's axis to the leaving side [m]."""
     tilt: float
+    """Turn of the worm's axis about the line of centres, as `Assembly.shaft_angle` [rad]."""
     reactions: tuple[float, float]
+    """Radial force of each bearing [N], first the one that the driving worm's thrust leads away from."""
 
     @property
     def deflection(self) -> float:
@@ -101,18 +87,12 @@ class BentShaft:
 
 @dataclass(frozen=True)
 class MeshForce:
-    """The mean force of the teeth in mesh.
-
-    Attributes
-    ----------
-    point : ndarray
-        Where it acts on the worm in the drive frame, (3,) [m].
-    force : ndarray
-        The force, (3,) [N].
-    """
+    """The mean force of the teeth in mesh."""
 
     point: Array
+    """Where it acts on the worm in the drive frame, (3,) [m]."""
     force: Array
+    """The force, (3,) [N]."""
 
 
 def bent_shaft(

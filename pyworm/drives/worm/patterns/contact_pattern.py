@@ -42,19 +42,14 @@ FAR = 1.0
 
 @dataclass(frozen=True)
 class ContactPattern:
-    """Separation of a wheel's flank from the worm over the mesh.
-
-    Attributes
-    ----------
-    face, radius : ndarray
-        Places along the face from its middle, and distances from the wheel's axis [m], (height, face).
-    separation : ndarray
-        Least gap over the mesh [m], NaN where the flank does not reach or meets no worm, (height, face).
-    """
+    """Separation of a wheel's flank from the worm over the mesh."""
 
     face: Array
+    """Places along the face from its middle [m], (height, face)."""
     radius: Array
+    """Distances from the wheel's axis [m], (height, face)."""
     separation: Array
+    """Least gap over the mesh [m], NaN where the flank does not reach or meets no worm, (height, face)."""
 
     @classmethod
     def of_least(cls, grid: FlankGrid, least: Array) -> Self:
@@ -87,22 +82,16 @@ class ContactPattern:
 
 @dataclass(frozen=True)
 class Met:
-    """Places of a flank that lie over the worm's at an instant.
-
-    Attributes
-    ----------
-    which : ndarray
-        Their numbers in the grid, (met,).
-    x, y : ndarray
-        Places in the contact's tangent plane [m], (met,).
-    gap : ndarray
-        Gap along the common normal with both reliefs [m], (met,).
-    """
+    """Places of a flank that lie over the worm's at an instant."""
 
     which: Array
+    """Their numbers in the grid, (met,)."""
     x: Array
+    """Places along x in the contact's tangent plane [m], (met,)."""
     y: Array
+    """Places along y in the contact's tangent plane [m], (met,)."""
     gap: Array
+    """Gap along the common normal with both reliefs [m], (met,)."""
 
 
 def met(gears: WormGears, grid: FlankGrid, contact: ToothContact) -> Met:

@@ -38,18 +38,12 @@ Change = dict[str, float]
 
 @dataclass(frozen=True)
 class Mark:
-    """What is marked of a flank.
-
-    Attributes
-    ----------
-    face : float
-        Middle of the marked part along the face [m], positive to the leaving side.
-    size : float
-        Part of the flank that is marked [-].
-    """
+    """What is marked of a flank."""
 
     face: float
+    """Middle of the marked part along the face [m], positive to the leaving side."""
     size: float
+    """Part of the flank that is marked [-]."""
 
 
 def mark_of(pattern: ContactPattern, thickness: float = THICKNESS) -> Mark:
@@ -68,21 +62,14 @@ MeshT = TypeVar("MeshT", bound=WormMesh)
 
 @dataclass(frozen=True)
 class Setting(Generic[MeshT]):
-    """A set-up of the hob and its pattern.
-
-    Attributes
-    ----------
-    mesh : WormMesh
-        The mesh with that set-up; a drive where one was given.
-    mark : Mark
-        Its pattern without load.
-    reached : bool
-        Whether the pattern is the wanted one.
-    """
+    """A set-up of the hob and its pattern."""
 
     mesh: MeshT
+    """The mesh with that set-up; a drive where one was given."""
     mark: Mark
+    """Its pattern without load."""
     reached: bool = False
+    """Whether the pattern is the wanted one."""
 
     @classmethod
     def of(cls, mesh: MeshT) -> "Setting[MeshT]":

@@ -8,29 +8,21 @@ from pyworm.drives.worm.drawing.design import AS_DESIGNED, Assembly
 
 @dataclass(frozen=True)
 class EdgeContact:
-    """Where misaligned flanks touch without load.
-
-    Attributes
-    ----------
-    phase : float
-        Phase of the mesh cycle.
-    face, radius : float
-        Place along the wheel's face from its middle, and distance from its axis [m].
-    boundary : str
-        Nearest boundary of the teeth.
-    depth : float
-        Depth by which the flanks would cross there if they touched at their contact point [m]; 0 where they
-        have none on the teeth.
-    mounted : Assembly
-        Where the worm runs.
-    """
+    """Where misaligned flanks touch without load."""
 
     phase: float
+    """Phase of the mesh cycle."""
     face: float
+    """Place along the wheel's face from its middle [m]."""
     radius: float
+    """Distance of the place from the wheel's axis [m]."""
     boundary: str
+    """Nearest boundary of the teeth."""
     depth: float
+    """Depth by which the flanks would cross there if they touched at their contact point [m]; 0 where they
+    have none on the teeth."""
     mounted: Assembly
+    """Where the worm runs."""
 
     @property
     def words(self) -> str:

@@ -16,20 +16,15 @@ FINER = 17
 
 @dataclass(frozen=True)
 class FirstTouch:
-    """The place of the least gap between a worm's thread and a wheel's tooth.
-
-    Attributes
-    ----------
-    x, y : float
-        Place on the contact's tangent plane [m].
-    gap : float
-        Gap there without load where the flanks are as their contact point has them [m]; negative where they
-        would cross, and touch at this place instead.
-    """
+    """The place of the least gap between a worm's thread and a wheel's tooth."""
 
     x: float
+    """Place along x on the contact's tangent plane [m]."""
     y: float
+    """Place along y on the contact's tangent plane [m]."""
     gap: float
+    """Gap there without load where the flanks are as their contact point has them [m]; negative where they
+    would cross, and touch at this place instead."""
 
 
 def first_touch(gap: Gap, rim_x: Array, rim_y: Array) -> FirstTouch | None:

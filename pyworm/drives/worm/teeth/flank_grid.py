@@ -18,22 +18,16 @@ REACHED = 1e-6
 
 @dataclass(frozen=True)
 class FlankGrid:
-    """Places of a wheel's flank, whatever worm it meets.
-
-    Attributes
-    ----------
-    face, radius : ndarray
-        Places along the face from its middle, and distances from the wheel's axis [m], (height, face).
-    q : ndarray
-        Parameters of the flank there, (parameters, places).
-    found : ndarray
-        Whether the flank reaches there, (places,).
-    """
+    """Places of a wheel's flank, whatever worm it meets."""
 
     face: Array
+    """Places along the face from its middle [m], (height, face)."""
     radius: Array
+    """Distances from the wheel's axis [m], (height, face)."""
     q: Array
+    """Parameters of the flank there, (parameters, places)."""
     found: Array
+    """Whether the flank reaches there, (places,)."""
 
 
 def flank_grid(tooth: WheelTooth, flank: WheelSurface, within: tuple[float, ...]) -> FlankGrid:

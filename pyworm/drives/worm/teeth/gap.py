@@ -22,18 +22,14 @@ class ToothGap:
     """Undeformed gap between the teeth over the tangent plane, along the common normal.
 
     Without relief it is zero at the contact point.
-
-    Attributes
-    ----------
-    contact : ToothContact
-        The contact.
-    worm_tooth, wheel_tooth : WormTooth, WheelTooth
-        Boundaries of the teeth.
     """
 
     contact: ToothContact
+    """The contact."""
     worm_tooth: WormTooth
+    """Boundaries of the worm's tooth."""
     wheel_tooth: WheelTooth
+    """Boundaries of the wheel's tooth."""
 
     def __call__(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Gap [m], continued beyond the teeth, and where both teeth exist."""
@@ -60,21 +56,16 @@ class ToothMotion:
     """Velocity of one tooth's surface relative to the contact point, on the tangent plane's axes.
 
     The body's rigid rotation is evaluated at the actual point of its surface.
-
-    Attributes
-    ----------
-    contact : ToothContact
-        The contact.
-    flank : FlankHeight
-        The tooth's surface.
-    axis_point, rotation : ndarray
-        A point of the body's axis [m] and its angular velocity [rad/s], each (3,).
     """
 
     contact: ToothContact
+    """The contact."""
     flank: FlankHeight
+    """The tooth's surface."""
     axis_point: Array
+    """A point of the body's axis [m], (3,)."""
     rotation: Array
+    """Angular velocity of the body [rad/s], (3,)."""
 
     def velocity(self, x: Array, y: Array) -> Array:
         """Velocity [m/s] along x, y and the common normal, (3, ...)."""

@@ -39,23 +39,18 @@ PATH = np.linspace(0.0, 1.0, 21)
 
 @dataclass(frozen=True, kw_only=True)
 class WormGears:
-    """A worm and its wheel.
-
-    Attributes
-    ----------
-    worm, wheel, hob : Worm, Wheel, Hob
-        The design table.
-    centre_distance : float
-        Distance of worm and wheel axes [m].
-    assembly : Assembly
-        Errors of the assembly.
-    """
+    """A worm and its wheel."""
 
     worm: Worm
+    """The design table of the worm."""
     wheel: Wheel
+    """The design table of the wheel."""
     hob: Hob
+    """The design table of the hob."""
     centre_distance: float
+    """Distance of worm and wheel axes [m]."""
     assembly: Assembly = AS_DESIGNED
+    """Errors of the assembly."""
 
     @property
     def base_pitches(self) -> tuple[float, float]:

@@ -14,22 +14,16 @@ TOLERATED = 0.1e-6
 
 @dataclass(frozen=True)
 class Interference:
-    """The place of the deepest interference of flanks held by their contact point.
-
-    Attributes
-    ----------
-    depth : float
-        Depth of the worm in the wheel [m]; by so much the flanks stand off, and touch at this place.
-    phase : float
-        Phase of the mesh cycle.
-    x, y : float
-        Place on the contact's tangent plane [m].
-    """
+    """The place of the deepest interference of flanks held by their contact point."""
 
     depth: float
+    """Depth of the worm in the wheel [m]; by so much the flanks stand off, and touch at this place."""
     phase: float
+    """Phase of the mesh cycle."""
     x: float
+    """Place along x on the contact's tangent plane [m]."""
     y: float
+    """Place along y on the contact's tangent plane [m]."""
 
 
 def deepest(touch_at: Callable[[float], FirstTouch | None]) -> Interference | None:

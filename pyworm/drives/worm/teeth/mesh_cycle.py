@@ -24,41 +24,34 @@ class ToothContact:
     """Worm and wheel tooth touching, unloaded, at one instant of the mesh cycle.
 
     Vectors are in the drive frame (see `pyworm.drives.worm.flanks.helicoid`).
-
-    Attributes
-    ----------
-    phase : float
-        Place in the mesh cycle, 0 where the teeth meet, 1 where they part.
-    worm_angle, wheel_angle : float
-        Rotation angles [rad].
-    transmission_error : float
-        Wheel angle ahead of the ideal, worm angle times threads / teeth, zero at phase 0.5 [rad].
-    point : ndarray
-        The contact point, (3,) [m].
-    normal, x_axis, y_axis : ndarray
-        The contact frame, each (3,): the common normal from worm to wheel; the direction of the larger
-        relative radius of curvature, along which the worm sweeps positively; normal cross x_axis.
-    radii : tuple of float
-        Relative radii of curvature along x_axis and y_axis [m]; infinite for line contact, and where flanks
-        that touch at an edge are nearer to each other on both sides of the origin.
-    velocity : ndarray
-        Velocity of the contact point in space, (3,) [m/s].
-    worm_height, wheel_height : FlankHeight
-        The flanks over the tangent plane.
     """
 
     phase: float
+    """Place in the mesh cycle, 0 where the teeth meet, 1 where they part."""
     worm_angle: float
+    """Rotation angle of the worm [rad]."""
     wheel_angle: float
+    """Rotation angle of the wheel [rad]."""
     transmission_error: float
+    """Wheel angle ahead of the ideal, worm angle times threads / teeth, zero at phase 0.5 [rad]."""
     point: Array
+    """The contact point, (3,) [m]."""
     normal: Array
+    """The common normal from worm to wheel, (3,); with both axes the contact frame."""
     x_axis: Array
+    """The direction of the larger relative radius of curvature, along which the worm sweeps positively,
+    (3,)."""
     y_axis: Array
+    """Normal cross x_axis, (3,)."""
     radii: tuple[float, float]
+    """Relative radii of curvature along x_axis and y_axis [m]; infinite for line contact, and where flanks
+    that touch at an edge are nearer to each other on both sides of the origin."""
     velocity: Array
+    """Velocity of the contact point in space, (3,) [m/s]."""
     worm_height: FlankHeight
+    """The worm's flank over the tangent plane."""
     wheel_height: FlankHeight
+    """The wheel's flank over the tangent plane."""
 
     @property
     def axes(self) -> Array:
@@ -68,26 +61,20 @@ class ToothContact:
 
 @dataclass(frozen=True)
 class MeshCycle:
-    """The mesh cycle of one tooth pair: the part of the path of contact that lies on both teeth.
-
-    Attributes
-    ----------
-    path : ContactPath
-        Path of the contact point.
-    ratio : float
-        Threads / teeth [-].
-    begin, end : float
-        Places of the path at phase 0 and 1.
-    begin_boundary, end_boundary : str
-        The tooth boundaries at phase 0 and 1.
-    """
+    """The mesh cycle of one tooth pair: the part of the path of contact that lies on both teeth."""
 
     path: ContactPath
+    """Path of the contact point."""
     ratio: float
+    """Threads / teeth [-]."""
     begin: float
+    """Place of the path at phase 0."""
     end: float
+    """Place of the path at phase 1."""
     begin_boundary: str
+    """The tooth boundary at phase 0."""
     end_boundary: str
+    """The tooth boundary at phase 1."""
 
     def follows(self, phase: float) -> bool:
         """Whether the contact at a phase is followed, not continued from the end of its path."""

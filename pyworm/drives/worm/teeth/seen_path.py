@@ -17,21 +17,14 @@ from pyworm.drives.worm.flanks.tangent_planes import WormPlanes
 
 @dataclass(frozen=True)
 class SeenPath(ContactPath):
-    """The path of contact of aligned flanks, with the worm where errors of the assembly have it.
-
-    Attributes
-    ----------
-    aligned : ContactPath
-        The path without them.
-    worm : Helicoid or SweptHelicoid
-        The worm as assembled.
-    ahead : float
-        Turn of the wheel by which the flanks touch, or nearly so [rad]; wheel angles include it.
-    """
+    """The path of contact of aligned flanks, with the worm where errors of the assembly have it."""
 
     aligned: ContactPath
+    """The path without them."""
     worm: WormSurface
+    """The worm as assembled."""
     ahead: float = 0.0
+    """Turn of the wheel by which the flanks touch, or nearly so [rad]; wheel angles include it."""
 
     def touches(self, places: Array) -> Touches:
         """Contacts without the errors."""

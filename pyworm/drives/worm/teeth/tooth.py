@@ -17,25 +17,18 @@ def wheel_radius(point: Array) -> Array:
 
 @dataclass(frozen=True)
 class WormTooth:
-    """The thread between its root's fillet and its tip cylinder; its length is not limited.
-
-    Attributes
-    ----------
-    worm : Seated
-        The worm flank and its axis.
-    form_radius, tip_radius : float
-        Radii of the cylinders from which and up to which it has its flank [m]: the fillet is below.
-    tip_relief : ParabolicRelief
-        What is taken off towards the tip.
-    deviations : FlankDeviations or None
-        Of the flank from the helicoid.
-    """
+    """The thread between its root's fillet and its tip cylinder; its length is not limited."""
 
     worm: Seated
+    """The worm flank and its axis."""
     form_radius: float
+    """Radius of the cylinder from which it has its flank [m]: the fillet is below."""
     tip_radius: float
+    """Radius of the cylinder up to which it has its flank [m]."""
     tip_relief: ParabolicRelief = NO_RELIEF
+    """What is taken off towards the tip."""
     deviations: FlankDeviations | None = None
+    """Deviations of the flank from the helicoid."""
 
     @property
     def start_radius(self) -> float:
@@ -70,33 +63,27 @@ class WheelTooth:
     wheel, so that the tip's profile is the hob's root cylinder (hob centre distance - throat radius = hob
     root radius in the table of Sharif et al. 2001).  The root is the torus that the hob's tip sweeps; the
     hob's swivel, a fraction of a degree, is left out of both (its influence is its square).
-
-    Attributes
-    ----------
-    hob : Seated
-        The seated hob.
-    face_width, tip_radius, throat_radius : float
-        Width along the axis, radius of the tip cylinder and smallest tip radius [m].
-    hob_tip_radius, hob_form_radius : float
-        Radius of the hob's tip cylinder, and that up to which its flank reaches [m]: the rounded edge of its
-        tip is beyond, which cuts the fillet.
-    tip_relief : ParabolicRelief
-        What is taken off towards tip and throat.
-    groove_radius : float or None
-        Radius of the throat's profile [m]; None where it is concentric with the hob.
-    deviations : FlankDeviations or None
-        Of the flank from the one that the hob cuts.
     """
 
     hob: Seated
+    """The seated hob."""
     face_width: float
+    """Width along the axis [m]."""
     tip_radius: float
+    """Radius of the tip cylinder [m]."""
     throat_radius: float
+    """Smallest tip radius [m]."""
     hob_tip_radius: float
+    """Radius of the hob's tip cylinder [m]."""
     hob_form_radius: float
+    """Radius up to which the hob's flank reaches [m]: the rounded edge of its tip is beyond, which cuts the
+    fillet."""
     tip_relief: ParabolicRelief = NO_RELIEF
+    """What is taken off towards tip and throat."""
     groove_radius: float | None = None
+    """Radius of the throat's profile [m]; None where it is concentric with the hob."""
     deviations: FlankDeviations | None = None
+    """Deviations of the flank from the one that the hob cuts."""
 
     def taken_off(self, point: Array) -> Array:
         """What the flank is below the highest place of the hobbed one, at its points (3, ...) [m]."""

@@ -36,39 +36,28 @@ LONGEST = 0.5
 
 @dataclass(frozen=True)
 class ToothOutline:
-    """The wheel tooth and the path of contact on it, projected on a contact's tangent plane [m].
-
-    Attributes
-    ----------
-    x, y : ndarray
-        Closed outline of the wheel flank: tip, face end, root, face end.
-    path_x, path_y : ndarray
-        Path of contact on the wheel tooth from phase 0 to 1.
-    """
+    """The wheel tooth and the path of contact on it, projected on a contact's tangent plane [m]."""
 
     x: Array
+    """Closed outline of the wheel flank along x: tip, face end, root, face end."""
     y: Array
+    """Closed outline of the wheel flank along y, likewise."""
     path_x: Array
+    """Path of contact on the wheel tooth along x from phase 0 to 1."""
     path_y: Array
+    """Path of contact on the wheel tooth along y from phase 0 to 1."""
 
 
 @dataclass(frozen=True)
 class RimmedFlank:
-    """A wheel's flank with its rim.
-
-    Attributes
-    ----------
-    flank : WheelFlank or SweptWheel
-        The flank.
-    tooth : WheelTooth
-        Its rim.
-    start : tuple of float
-        Parameters of any point within the rim, from which it is found.
-    """
+    """A wheel's flank with its rim."""
 
     flank: WheelSurface
+    """The flank."""
     tooth: WheelTooth
+    """Its rim."""
     start: tuple[float, ...] = field(compare=False)
+    """Parameters of any point within the rim, from which it is found."""
 
 
 @lru_cache(maxsize=4)
