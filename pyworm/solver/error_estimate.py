@@ -203,9 +203,9 @@ def algebra_errors(before: Mapping[str, float], last: Mapping[str, float]) -> di
 
     What later steps of a geometric series would still add, at most four times the last change, which is also
     taken where changes rise; the last change itself where they have only begun. A last change below the least
-    credible fall is taken as that: a minimum film that moved by 6.4 % and then by 0.006 % moved by 0.77 % with
-    the next step. The fall of the residual is no measure here: it shows the roughest errors, and a step may
-    divide it by ten while the central film, a smooth figure, is still on its way.
+    credible fall is taken as that: a minimum film that moved by 6.4 % and then by 0.006 % moved by 0.77 %
+    with the next step. The fall of the residual is no measure here: it shows the roughest errors, and a step
+    may divide it by ten while the central film, a smooth figure, is still on its way.
     """
     errors = {}
     for name in last:

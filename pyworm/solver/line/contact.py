@@ -181,6 +181,7 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
         return finer
 
     def begun_again(self, level: LineLevel) -> tuple[LineLevel, list[NewtonStep]]:
+        """The level of half the spacing in the same window, started from the dry contact."""
         return self.begin([level.grid.finer()])
 
     def _warm(

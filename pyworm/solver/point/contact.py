@@ -206,6 +206,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         return finer
 
     def begun_again(self, level: PointLevel) -> tuple[PointLevel, list[NewtonStep]]:
+        """The level of half the spacing in the same window, started from the dry contact."""
         scene, size = self._assisted, self._size
         finer = next_level(scene, size, level, level.grid.finer(), level.state().finer())
         restart(scene, size, finer)

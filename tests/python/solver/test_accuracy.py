@@ -174,7 +174,7 @@ def test_the_algebraic_error_is_the_change_by_further_steps(before, last, error)
 
 
 def test_temperatures_that_conduction_leaves_inaccurate_ask_for_no_finer_grid():
-    """The models of conduction in the bodies are no better on a finer grid: all else decides, and it is said."""
+    """Models of conduction in the bodies are no better on a finer grid: all else decides, and it is said."""
 
     def ended(conduction, film=0.01, rest=0.01):
         names = ("film_min", *HEAT_FIGURES)
