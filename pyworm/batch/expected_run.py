@@ -6,7 +6,14 @@ It goes by what `drive_iteration` usually does.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pyworm.batch.drive_iteration import GLANCE, GLANCES, STRIDE, every, steady
+from pyworm.batch.drive_iteration import (
+    GLANCE,
+    GLANCES,
+    STRIDE,
+    every,
+    steady,
+    worth_a_glance,
+)
 from pyworm.batch.films_in_motion import in_motion
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
@@ -47,7 +54,7 @@ def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
     open_, search = case.left_open, 0.0
     if "cooling" in open_:
         search += WARM * _solved([steady(task) for task in every(STRIDE, tasks)])[1]
-    if "lifts" in open_.get("operation", ()) and tasks[0].accuracy < GLANCE:
+    if "lifts" in open_.get("operation", ()) and worth_a_glance(tasks):
         search += _lifts(tasks)
     return ExpectedRun(each, once, search)
 
@@ -61,7 +68,8 @@ def _solved(tasks: Sequence[Task]) -> tuple[tuple[Expectation, ...], float]:
 
 def _lifts(tasks: Sequence[Task]) -> float:
     """Processor time of the search for lifts, from some of the tasks [s]."""
-    some = [replace(task, accuracy=GLANCE, wider_window=False) for task in every(STRIDE, tasks)]
+    accuracy = max(GLANCE, tasks[0].accuracy)
+    some = [replace(task, accuracy=accuracy, wider_window=False) for task in every(STRIDE, tasks)]
     all_of_them = len(tasks) / len(some)
     moving = [task for task in some if in_motion(task)]
     if not moving:
