@@ -57,27 +57,18 @@ SPEED = Path("docs/evidence/speed.md")
 
 @dataclass(frozen=True)
 class InMotion:
-    """Contacts of a case whose films are solved in motion, together.
-
-    Attributes
-    ----------
-    name : str
-        Name of the case.
-    accuracies : tuple of float
-        Accuracies asked for [-].
-    effects : str
-        Which effects to simulate.
-    places : dict
-        Which contacts; by default all that the case lists.
-    chosen_with : bool
-        Whether the constants of the law were chosen with these.
-    """
+    """Contacts of a case whose films are solved in motion, together."""
 
     name: str
+    """Name of the case."""
     accuracies: tuple[float, ...]
+    """Accuracies asked for [-]."""
     effects: str = "auto,squeeze"
+    """Which effects to simulate."""
     places: dict[str, Any] = field(default_factory=dict)
+    """Which contacts; by default all that the case lists."""
     chosen_with: bool = False
+    """Whether the constants of the law were chosen with these."""
 
 
 IN_MOTION = (

@@ -42,21 +42,14 @@ GRIDS = 2, 3
 
 @dataclass(frozen=True)
 class Left:
-    """Error left in a figure.
-
-    Attributes
-    ----------
-    figure : str
-        The figure.
-    grids : int
-        Number of grids.
-    ratio : float
-        True error over the one told.
-    """
+    """Error left in a figure."""
 
     figure: str
+    """The figure."""
     grids: int
+    """Number of grids."""
     ratio: float
+    """True error over the one told."""
 
 
 def left(readings: list[Reading]) -> Iterator[Left]:

@@ -61,39 +61,28 @@ on them."""
 
 @dataclass(frozen=True)
 class Groups:
-    """Similarity groups of a contact.
-
-    Attributes
-    ----------
-    moes_m, moes_l : float
-        Moes' parameters by the radius along the entrainment.
-    ratio : float
-        Larger relative radius over the smaller one [-].
-    angle : float
-        Of the entrainment from the direction of the smaller radius, 0 to 90 [deg]: at 0 the long axis of the
-        contact lies across the entrainment.
-    spin : float
-        Mean angular velocity, positive from the smaller to the larger radius, times Hertz's long semi-axis
-        over the entrainment speed [-].
-    viscosity : float
-        Of Roelands' law [Pa s].
-    z : float
-        Exponent of Roelands' law [-].
-    barus : bool
-        Whether the viscosity follows Barus' law with the same alpha instead.
-    compressible : bool
-        Whether the oil has Dowson and Higginson's density.
-    """
+    """Similarity groups of a contact."""
 
     moes_m: float
+    """Moes' M by the radius along the entrainment."""
     moes_l: float
+    """Moes' L by the radius along the entrainment."""
     ratio: float
+    """Larger relative radius over the smaller one [-]."""
     angle: float
+    """Angle of the entrainment from the direction of the smaller radius, 0 to 90 [deg]: at 0 the long axis of
+    the contact lies across the entrainment."""
     spin: float
+    """Mean angular velocity, positive from the smaller to the larger radius, times Hertz's long semi-axis
+    over the entrainment speed [-]."""
     viscosity: float
+    """Viscosity of Roelands' law [Pa s]."""
     z: float
+    """Exponent of Roelands' law [-]."""
     barus: bool
+    """Whether the viscosity follows Barus' law with the same alpha instead."""
     compressible: bool
+    """Whether the oil has Dowson and Higginson's density."""
 
     @property
     def alpha(self) -> float:

@@ -39,18 +39,14 @@ def differences(x: np.ndarray):
 
 @dataclass(frozen=True)
 class RigidFilm:
-    """Pressure of an isoviscous oil between rigid paraboloids, over 12 eta u (2 Rx/h^3)^(1/2).
-
-    Attributes
-    ----------
-    pressure, closed, area : array
-        At the inner nodes with the exit condition; p above where it is positive; area of each node over
-        2 h (Rx Ry)^(1/2).
-    """
+    """Pressure of an isoviscous oil between rigid paraboloids, over 12 eta u (2 Rx/h^3)^(1/2)."""
 
     pressure: np.ndarray
+    """Pressure at the inner nodes with the exit condition."""
     closed: np.ndarray
+    """p above where it is positive."""
     area: np.ndarray
+    """Area of each node over 2 h (Rx Ry)^(1/2)."""
 
 
 def solved(ratio: float, angle: float, nodes: int) -> RigidFilm:
@@ -104,23 +100,17 @@ def factors(ratio: float, angle: float, nodes: int) -> tuple[float, float]:
 
 @dataclass(frozen=True)
 class RigidLimits:
-    """Minimum films of rigid paraboloids along x, H = (h/R) (W/U)^2, and where they pass into each other.
-
-    Attributes
-    ----------
-    isoviscous : float
-        Film without pressure-viscosity [-].
-    piezoviscous : float
-        The film at which alpha times the largest isoviscous pressure is 1, over g_V^(2/3) [-]; no thinner
-        one holds oil of Barus' law, whatever the load.
-    viscosity, film : float
-        g_V from which this film holds, and the film there [-].
-    """
+    """Minimum films of rigid paraboloids along x, H = (h/R) (W/U)^2, and where they pass into each other."""
 
     isoviscous: float
+    """Film without pressure-viscosity [-]."""
     piezoviscous: float
+    """The film at which alpha times the largest isoviscous pressure is 1, over g_V^(2/3) [-]; no thinner one
+    holds oil of Barus' law, whatever the load."""
     viscosity: float
+    """The g_V from which this film holds [-]."""
     film: float
+    """The film there [-]."""
 
 
 def rigid_limits(ratio: float, nodes: tuple[int, int] = NODES) -> RigidLimits:

@@ -52,27 +52,18 @@ BODY_HEAT = 3.6e6
 
 @dataclass(frozen=True)
 class Heat:
-    """Similarity groups of heat and flow.
-
-    Attributes
-    ----------
-    sliding : float
-        Slide-roll ratio [-].
-    loading : float
-        eta0 beta u^2/k [-].
-    conductivity_ratio : float
-        Oil over bodies [-].
-    eyring : float
-        Eyring stress over the Hertz pressure [-].
-    limiting : float
-        Limiting stress over pressure [-].
-    """
+    """Similarity groups of heat and flow."""
 
     sliding: float
+    """Slide-roll ratio [-]."""
     loading: float
+    """eta0 beta u^2/k [-]."""
     conductivity_ratio: float
+    """Conductivity of the oil over that of the bodies [-]."""
     eyring: float
+    """Eyring stress over the Hertz pressure [-]."""
     limiting: float
+    """Limiting stress over pressure [-]."""
 
 
 def thermal_order() -> list[int]:

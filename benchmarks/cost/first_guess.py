@@ -71,24 +71,24 @@ SETS = {
 
 @dataclass(frozen=True)
 class Solved:
-    """What a solve took.
-
-    Attributes
-    ----------
-    first, steps, convolutions, converged, widened, nodes : float
-        As of the module.
-    central, least : float
-        Expected film over the solved one.
-    """
+    """What a solve took."""
 
     first: float
+    """Newton steps on the outermost grid."""
     steps: float
+    """Newton steps in all."""
     convolutions: float
+    """Convolutions."""
     converged: float
+    """Whether the film converged, 1 or 0."""
     widened: float
+    """Whether the window had to be widened, 1 or 0."""
     nodes: float
+    """Nodes of the last grid."""
     central: float
+    """Expected central film over the solved one."""
     least: float
+    """Expected least film over the solved one."""
 
 
 def solved(scene: Scene, effects: str, formula: str) -> Solved:

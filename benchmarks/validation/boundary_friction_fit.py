@@ -171,24 +171,16 @@ def contacts_of(row: Row, phases: tuple[float, ...]) -> list[dict]:
 
 @dataclass(frozen=True)
 class OverTheMesh:
-    """Friction of a row over the mesh.
-
-    Attributes
-    ----------
-    loss : MeshLoss
-        With the mu_b of the solve.
-    mu_b : float
-        That mu_b [-].
-    rubbing : float
-        Relative change of friction over that of mu_b [-].
-    laws : dict of str to float
-        Other law of contact -> relative change of friction [-].
-    """
+    """Friction of a row over the mesh."""
 
     loss: MeshLoss
+    """With the mu_b of the solve."""
     mu_b: float
+    """That mu_b [-]."""
     rubbing: float
+    """Relative change of friction over that of mu_b [-]."""
     laws: dict[str, float]
+    """Other law of contact -> relative change of friction [-]."""
 
     def friction(self, mu_b: float) -> float:
         """Mean friction with another mu_b [-]."""
@@ -236,27 +228,20 @@ def contact_model(contact: dict, family: Family) -> float:
 
 @dataclass(frozen=True)
 class Fit:
-    """mu_b fitted to all rows, and what follows by leaving each out.
-
-    Attributes
-    ----------
-    mu_b : dict of str to float
-        Oil -> mu_b with the wheel of `MATERIAL` [-].
-    factors : dict of str to float
-        Other wheel material -> factor of mu_b [-].
-    wanted, predicted, bars : numpy.ndarray
-        Of each row the standard's friction, that by a fit to all other rows, and its relative model
-        uncertainty [-].
-    off : numpy.ndarray
-        The mu_b that a row needs over that of a fit to all others, less 1 [-].
-    """
+    """mu_b fitted to all rows, and what follows by leaving each out."""
 
     mu_b: dict[str, float]
+    """Oil -> mu_b with the wheel of `MATERIAL` [-]."""
     factors: dict[str, float]
+    """Other wheel material -> factor of mu_b [-]."""
     wanted: np.ndarray
+    """Friction by the standard, of each row [-]."""
     predicted: np.ndarray
+    """Friction by a fit to all other rows [-]."""
     bars: np.ndarray
+    """Relative model uncertainty of that [-]."""
     off: np.ndarray
+    """The mu_b that a row needs over that of a fit to all others, less 1 [-]."""
 
     @property
     def spreads(self) -> dict[Family, float]:

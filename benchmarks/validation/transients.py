@@ -82,21 +82,17 @@ ENDLESS = 0.03
 
 @dataclass(frozen=True)
 class Transient:
-    """A film in motion.
-
-    Attributes
-    ----------
-    times : numpy.ndarray
-        Times, in transits, of the rigid line in milliseconds.
-    solved, theory, steady : numpy.ndarray
-        Its central film by the transient solve, by the theory, and the theory's steady film of each time:
-        of the elastic line over that before anything changes, of the rigid line in metres.
-    """
+    """A film in motion."""
 
     times: Array
+    """Times, in transits, of the rigid line in milliseconds."""
     solved: Array
+    """Its central film by the transient solve: of the elastic line over that before anything changes, of the
+    rigid line in metres."""
     theory: Array
+    """Its central film by the theory, likewise."""
     steady: Array
+    """The theory's steady film of each time, likewise."""
 
 
 def bump(part: float, begin: float, width: float) -> Factor:
@@ -305,23 +301,18 @@ COURSES: dict[str, Callable[[], Transient]] = {
 
 @dataclass(frozen=True)
 class Waves:
-    """Film thickness along a contact whose load swings.
-
-    Attributes
-    ----------
-    speed : float
-        Speed of its waves over the mean one of the surfaces [-].
-    length, published : float
-        Their length, and 2 pi / Omega [half-widths].
-    least, largest : float
-        Amplitude along the contact, over the film [-].
-    """
+    """Film thickness along a contact whose load swings."""
 
     speed: float
+    """Speed of its waves over the mean one of the surfaces [-]."""
     length: float
+    """Their length [half-widths]."""
     published: float
+    """2 pi / Omega [half-widths]."""
     least: float
+    """Least amplitude along the contact, over the film [-]."""
     largest: float
+    """Largest amplitude along the contact, over the film [-]."""
 
 
 def waves(period: float, refinement: int = 1) -> Waves:

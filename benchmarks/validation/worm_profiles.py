@@ -70,21 +70,14 @@ temperature = "60 degC"
 
 @dataclass(frozen=True)
 class Mesh:
-    """A drive and its solved contacts.
-
-    Attributes
-    ----------
-    drive : WormDrive
-        The drive.
-    solutions : tuple of Solution
-        One for each of `PHASES`.
-    loss : MeshLoss
-        Of all teeth.
-    """
+    """A drive and its solved contacts."""
 
     drive: WormDrive
+    """The drive."""
     solutions: tuple[Solution, ...]
+    """One for each of `PHASES`."""
     loss: MeshLoss
+    """Of all teeth."""
 
 
 def solved(profile: str) -> Mesh:

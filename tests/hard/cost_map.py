@@ -13,21 +13,14 @@ from trial import Verdict
 
 @dataclass(frozen=True)
 class Axis:
-    """What runs along a side of a panel.
-
-    Attributes
-    ----------
-    trait : str
-        The trait of a scene.
-    label : str
-        Its name with its unit.
-    unit : float
-        The unit in SI.
-    """
+    """What runs along a side of a panel."""
 
     trait: str
+    """The trait of a scene."""
     label: str
+    """Its name with its unit."""
     unit: float = 1.0
+    """The unit in SI."""
 
 
 M = Axis("moes_m", "Moes' load parameter M")

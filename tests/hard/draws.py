@@ -34,16 +34,12 @@ marks such films (`docs/evidence/hard-cases.md`); they are not hard, they are no
 
 @dataclass(frozen=True)
 class Range:
-    """What a quantity is drawn from, or must lie in.
-
-    Attributes
-    ----------
-    low, high : float
-        Its ends, in SI.
-    """
+    """What a quantity is drawn from, or must lie in."""
 
     low: float
+    """Its lower end, in SI."""
     high: float
+    """Its upper end, in SI."""
 
     def draw(self, random: np.random.Generator) -> float:
         """A value, log-uniformly."""
@@ -115,18 +111,12 @@ which the contact is no longer Hertz's."""
 
 @dataclass(frozen=True)
 class Drawn:
-    """A drawn scene.
-
-    Attributes
-    ----------
-    tables : dict
-        What its case file holds.
-    traits : dict
-        The quantities by which scenes are told apart on the map.
-    """
+    """A drawn scene."""
 
     tables: dict[str, Any]
+    """What its case file holds."""
     traits: dict[str, float]
+    """The quantities by which scenes are told apart on the map."""
 
 
 def isothermal(number: int, seed: int = SEED) -> Drawn:

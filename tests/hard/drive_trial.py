@@ -45,31 +45,22 @@ PROGRAM = (sys.executable, "-m", "pyworm.cli")
 
 @dataclass(frozen=True)
 class Called:
-    """What a command came to.
-
-    Attributes
-    ----------
-    command : str
-        Its words, the case file and directories left out.
-    code : int
-        Exit code; negative where a signal ended it.
-    wall, processor : float
-        Time that passed, and that of its processes [s].
-    said : str
-        The end of what it said on standard error.
-    flaws : tuple of str
-        What no command may do.
-    figures : dict
-        What its JSON says of interest (`_figures`).
-    """
+    """What a command came to."""
 
     command: str
+    """Its words, the case file and directories left out."""
     code: int
+    """Exit code; negative where a signal ended it."""
     wall: float
+    """Time that passed [s]."""
     processor: float
+    """Time of its processes [s]."""
     said: str
+    """The end of what it said on standard error."""
     flaws: tuple[str, ...] = ()
+    """What no command may do."""
     figures: dict[str, Any] = field(default_factory=dict)
+    """What its JSON says of interest (`_figures`)."""
 
     @property
     def outcome(self) -> str:
@@ -204,33 +195,29 @@ def _figures(content: dict[str, Any]) -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class DriveVerdict:
-    """What a drive of the suite came to at an accuracy.
-
-    Attributes
-    ----------
-    name, kind, accuracy : str
-        The drive, what it is, and the accuracy asked for.
-    outcome : str
-        "complete", all phases converged; "incomplete"; "refused" in a sentence; "out of time"; or
-        "broken".
-    phases, converged : int
-        Phases that were asked for, and those that converged.
-    wall, processor, expected : float
-        Time that passed, processor time taken, and that announced by `check` [s].
-    reason : str
-        Why it is not complete.
-    """
+    """What a drive of the suite came to at an accuracy."""
 
     name: str
+    """The drive."""
     kind: str
+    """What it is."""
     accuracy: str
+    """The accuracy asked for."""
     outcome: str
+    """Outcome: "complete", all phases converged; "incomplete"; "refused" in a sentence; "out of time"; or
+    "broken"."""
     phases: int = 0
+    """Phases that were asked for."""
     converged: int = 0
+    """Phases that converged."""
     wall: float = 0.0
+    """Time that passed [s]."""
     processor: float = 0.0
+    """Processor time taken [s]."""
     expected: float = 0.0
+    """Processor time announced by `check` [s]."""
     reason: str = ""
+    """Why it is not complete."""
 
     @property
     def line(self) -> str:

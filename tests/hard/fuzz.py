@@ -61,24 +61,16 @@ FACTORS = (0.0, -1.0, 1e-30, 1e-12, 1e-6, 1e-3, 0.5, 2.0, 1e3, 1e6, 1e12, 1e30, 
 
 @dataclass(frozen=True)
 class Mutant:
-    """A mutated case file.
-
-    Attributes
-    ----------
-    base : str
-        The case that it was.
-    what : str
-        What was done to it.
-    key : str or None
-        The key whose value was changed, where it was one.
-    content : bytes
-        The file.
-    """
+    """A mutated case file."""
 
     base: str
+    """The case that it was."""
     what: str
+    """What was done to it."""
     key: str | None
+    """The key whose value was changed, where it was one."""
     content: bytes
+    """The file."""
 
 
 def mutants(bases: tuple[str, ...]) -> st.SearchStrategy[Mutant]:

@@ -53,25 +53,18 @@ density_15 = "861 kg/m^3"
 
 @dataclass(frozen=True)
 class Reader:
-    """A reader of files.
-
-    Attributes
-    ----------
-    name, ending : str
-        What it reads, and the ending of such files.
-    content : bytes
-        A sound file.
-    read : callable
-        Reads a file; ValueError, or OSError with a sentence, where it cannot.
-    kind : str
-        "text" and "toml" are mutated as such, "bytes" only as bytes.
-    """
+    """A reader of files."""
 
     name: str
+    """What it reads."""
     ending: str
+    """The ending of such files."""
     content: bytes
+    """A sound file."""
     read: Callable[[Path], Any]
+    """Reads a file; ValueError, or OSError with a sentence, where it cannot."""
     kind: str = "bytes"
+    """Kind of mutations: "text" and "toml" are mutated as such, "bytes" only as bytes."""
 
 
 def readers() -> list[Reader]:

@@ -53,18 +53,12 @@ ODD = (
 
 @dataclass(frozen=True)
 class Base:
-    """A sound file.
-
-    Attributes
-    ----------
-    case : str
-        The case or the sweep that it is of.
-    content : bytes
-        The file.
-    """
+    """A sound file."""
 
     case: str
+    """The case or the sweep that it is of."""
     content: bytes
+    """The file."""
 
     @property
     def commands(self) -> tuple[str, ...]:

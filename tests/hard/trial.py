@@ -89,30 +89,20 @@ def trial(
 
 @dataclass(frozen=True)
 class Verdict:
-    """What a scene of the suite came to.
-
-    Attributes
-    ----------
-    name : str
-        The scene.
-    outcome : str
-        "converged", "not converged" or "broken".
-    reason : str
-        Why it did not converge, or what broke.
-    cost : float
-        Convolutions times the nodes of the finest grid, in millions.
-    grid : tuple of int
-        Nodes of the finest grid along x and y.
-    figures : dict
-        The summary of its solution; empty if there is none.
-    """
+    """What a scene of the suite came to."""
 
     name: str
+    """The scene."""
     outcome: str
+    """Outcome: "converged", "not converged" or "broken"."""
     reason: str
+    """Why it did not converge, or what broke."""
     cost: float
+    """Convolutions times the nodes of the finest grid, in millions."""
     grid: tuple[int, ...]
+    """Nodes of the finest grid along x and y."""
     figures: dict[str, Any]
+    """The summary of its solution; empty if there is none."""
 
     @property
     def line(self) -> str:

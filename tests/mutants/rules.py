@@ -23,28 +23,20 @@ HERE = Path(__file__).parent
 
 @dataclass(frozen=True)
 class Mutation:
-    """One line of the program changed.
-
-    Attributes
-    ----------
-    name : str
-        What it is called.
-    file : str
-        The file, from the root of the tree.
-    old, new : str
-        A part of a line, and what stands there instead.
-    tests : tuple of str
-        What touches it.
-    survives : str or None
-        Why no test can tell; None where one has to.
-    """
+    """One line of the program changed."""
 
     name: str
+    """What it is called."""
     file: str
+    """The file, from the root of the tree."""
     old: str
+    """A part of a line."""
     new: str
+    """What stands there instead."""
     tests: tuple[str, ...]
+    """What touches it."""
     survives: str | None = None
+    """Why no test can tell; None where one has to."""
 
     @property
     def programs(self) -> list[str]:

@@ -29,15 +29,10 @@ KERNEL = f"_core{sysconfig.get_config_var('EXT_SUFFIX')}"
 
 @dataclass(frozen=True)
 class Scratch:
-    """The copy.
-
-    Attributes
-    ----------
-    directory : Path
-        Where it is; `tree` in it is the copy, `build` a debug build of that.
-    """
+    """The copy."""
 
     directory: Path
+    """Where it is; `tree` in it is the copy, `build` a debug build of that."""
 
     @property
     def tree(self) -> Path:

@@ -53,21 +53,14 @@ class Units:
 
 @dataclass(frozen=True)
 class View:
-    """A way to look at the same contact.
-
-    Attributes
-    ----------
-    axes : tuple
-        Rows of the matrix by which directions are turned or mirrored; a line contact takes its first entry.
-    exchanged : bool
-        Whether body 2 is called body 1.
-    units : Units
-        Units of length, time and mass.
-    """
+    """A way to look at the same contact."""
 
     axes: tuple[tuple[int, int], tuple[int, int]] = ((1, 0), (0, 1))
+    """Rows of the matrix by which directions are turned or mirrored; a line contact takes its first entry."""
     exchanged: bool = False
+    """Whether body 2 is called body 1."""
     units: Units = Units()
+    """Units of length, time and mass."""
 
     def turned(self, u: float, v: float) -> tuple[float, float]:
         """Components of a direction in these axes."""
