@@ -96,7 +96,7 @@ def run_balanced(
         if "cooling" in open_:
             some = [steady(task) for task in every(STRIDE, tasks)]
             case, _, _ = search.settle(case, some, how, WARM_PASSES)
-        if "lifts" in open_.get("operation", ()) and worth_a_glance(tasks):
+        if "lifts" in open_.get("operation", ()) and search.accuracy < GLANCE:
             case = search.glance(case, tasks, how)
     case, result, tasks = search.settle(case, tasks, how, PASSES)
     return result, tasks
@@ -112,8 +112,7 @@ class _Search:
 
     def glance(self, case: Case, tasks: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with the values found by films of lower accuracy."""
-        accuracy = max(GLANCE, self.accuracy)
-        given = [replace(task, case=case, accuracy=accuracy, wider_window=False) for task in tasks]
+        given = [replace(task, case=case, accuracy=GLANCE, wider_window=False) for task in tasks]
         moving = [task for task in given if in_motion(task)]
         some = [steady(task) for task in given] if moving else given
         for _ in range(1 if moving else GLANCES):
@@ -211,11 +210,6 @@ class _Search:
             if misses > WARMTH:
                 return False
         return load_change(case, new, cycle.phases) <= LOAD_SHARE * self.accuracy
-
-
-def worth_a_glance(tasks: Sequence[Task]) -> bool:
-    """Whether it is cheaper to seek lifts by films of lower accuracy, or by steady ones, than by those asked for."""
-    return tasks[0].accuracy < GLANCE or any(in_motion(task) for task in tasks)
 
 
 def steady(task: Task) -> Task:

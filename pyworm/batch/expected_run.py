@@ -6,14 +6,7 @@ It goes by what `drive_iteration` usually does.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pyworm.batch.drive_iteration import (
-    GLANCE,
-    GLANCES,
-    STRIDE,
-    every,
-    steady,
-    worth_a_glance,
-)
+from pyworm.batch.drive_iteration import GLANCE, GLANCES, STRIDE, every, steady
 from pyworm.batch.films_in_motion import in_motion
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
@@ -21,6 +14,10 @@ from pyworm.solver.cost.expected_time import Expectation, expectations, together
 
 WARM = 2
 """Usual number of passes until temperatures are found: that of `cases/zi_cooled.toml`."""
+
+PASSES = 2
+"""Usual number of passes until loads are found by films of the accuracy asked for, where it is no higher than
+the one of the search."""
 
 MARCHES = 2
 """Work of the search for lifts in motion, in first transient solves of the life: one, and the steady films
@@ -54,8 +51,8 @@ def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
     open_, search = case.left_open, 0.0
     if "cooling" in open_:
         search += WARM * _solved([steady(task) for task in every(STRIDE, tasks)])[1]
-    if "lifts" in open_.get("operation", ()) and worth_a_glance(tasks):
-        search += _lifts(tasks)
+    if "lifts" in open_.get("operation", ()):
+        search += _lifts(tasks) if tasks[0].accuracy < GLANCE else (PASSES - 1) * once
     return ExpectedRun(each, once, search)
 
 
@@ -68,8 +65,7 @@ def _solved(tasks: Sequence[Task]) -> tuple[tuple[Expectation, ...], float]:
 
 def _lifts(tasks: Sequence[Task]) -> float:
     """Processor time of the search for lifts, from some of the tasks [s]."""
-    accuracy = max(GLANCE, tasks[0].accuracy)
-    some = [replace(task, accuracy=accuracy, wider_window=False) for task in every(STRIDE, tasks)]
+    some = [replace(task, accuracy=GLANCE, wider_window=False) for task in every(STRIDE, tasks)]
     all_of_them = len(tasks) / len(some)
     moving = [task for task in some if in_motion(task)]
     if not moving:

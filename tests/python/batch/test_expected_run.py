@@ -20,16 +20,12 @@ def test_phases_of_one_life_share_its_transient_solves():
     assert expected.search == 0
 
 
-def test_lifts_are_searched_for_where_they_are_left_open_and_that_is_cheaper():
-    """By steady films where films are in motion; others at the accuracy asked for, where it is that of the search."""
-    how = {"path": "cases/zi_drive.toml", "phase": PHASES}
-    fine, coarse = (
-        of_run(accuracy=accuracy, effects="isothermal,squeeze", **how) for accuracy in (0.05, 0.2)
-    )
+def test_lifts_are_searched_for_where_they_are_left_open():
+    """By films of lower accuracy, or in another pass of the accuracy asked for."""
+    how = {"path": "cases/zi_drive.toml", "effects": "isothermal,squeeze", "phase": PHASES}
+    fine, coarse = (of_run(accuracy=accuracy, **how) for accuracy in (0.05, 0.2))
     assert 0 < fine.search < fine.once
-    assert 0 < coarse.search < coarse.once < fine.once
-    still = of_run(accuracy=0.2, effects="isothermal", **how)
-    assert still.search == 0 < still.once
+    assert coarse.search == coarse.once < fine.once
 
 
 def test_temperatures_are_searched_for_too():

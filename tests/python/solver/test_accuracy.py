@@ -22,7 +22,7 @@ from pyworm.solver.error_estimate import (
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.newton import Settled
 from pyworm.solver.prospect import spike_stays
-from pyworm.solver.stop_reason import bound_by_conduction, stop_reason
+from pyworm.solver.stop_reason import bound_by_conduction, stop_reason, with_wider_bars
 
 SECOND = dict.fromkeys(FIGURES, 2.0)
 
@@ -199,3 +199,21 @@ def test_temperatures_that_conduction_leaves_inaccurate_ask_for_no_finer_grid():
     assert ended(0.01) == ((), "the figures are as accurate as asked for")
     assert ended(0.1, film=0.06) == (HEAT_FIGURES, None)  # a finer grid mends the film
     assert ended(0.1, rest=0.06) == ((), None)
+
+
+def test_films_are_used_whose_temperatures_at_an_edge_are_not_known():
+    """Films and friction count for losses over a cycle; a film that is itself not known does not."""
+    plan = SimpleNamespace(aim=Aim(("film_min", *HEAT_FIGURES)))
+
+    def told(film, heat):
+        found = {"film_min": Estimate(1.0, film)} | {
+            name: Estimate(20.0, heat) for name in HEAT_FIGURES
+        }
+        figures = {"film_min": 1.0} | dict.fromkeys(HEAT_FIGURES, 20.0)
+        return with_wider_bars("no finer grid", found, figures, plan)
+
+    assert told(0.1, 0.3) == "less accurate than asked for, 30 %: no finer grid"
+    assert told(0.1, np.inf) == (
+        "less accurate than asked for, 10 %, of temperatures more than 50 %: no finer grid"
+    )
+    assert told(0.6, 0.3) == "no finer grid"

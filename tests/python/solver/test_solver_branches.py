@@ -9,6 +9,7 @@ from circular_contact import circular
 from synthetic_solution import make_hot_worm, make_solution
 
 import pyworm
+from pyworm.io.quantities import QUANTITIES
 from pyworm.kernel.core import NO_DESCENT, NO_MEMORY, KernelError
 from pyworm.solver import newton, timing
 from pyworm.solver import passes as passes_module
@@ -96,6 +97,7 @@ def test_a_solution_shows_whether_it_converged(converged, word):
     _, rows = solution.shown()
     assert rows["status"].startswith(word)
     assert ("specific_film" in solution.summary()) is converged
+    assert bool(solution.figure_text(QUANTITIES["film_min"])) is converged
 
 
 def test_a_transient_solve_beyond_memory_is_lost(monkeypatch):
