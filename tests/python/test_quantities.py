@@ -414,6 +414,7 @@ PLAIN = {
     "Result.save": "path",
     "Solution.held": "part",
     "Solution.dataset": "part",
+    "Solution.figure_text": "quantity",
     "Solution.changed": "changes",
     "Solution.rise": "temperature",
     "SweepResult.save": "path",
