@@ -17,18 +17,13 @@ GRACE = 3.0
 
 
 class Stopped(KeyboardInterrupt):
-    """A signal that asks the program to end.
-
-    Attributes
-    ----------
-    number : int
-        Which one.
-    """
+    """A signal that asks the program to end."""
 
     def __init__(self, number: int) -> None:
         """By the signal of a number."""
         super().__init__()
         self.number = number
+        """Number of the signal."""
 
 
 def exit_code(stop: KeyboardInterrupt) -> int:

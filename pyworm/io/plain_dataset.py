@@ -16,21 +16,14 @@ from pyworm.io.quantities import attributes
 
 @dataclass(frozen=True)
 class PlainVariable:
-    """An array with names of its dimensions.
-
-    Attributes
-    ----------
-    dims : tuple of str
-        Names of its dimensions.
-    values : numpy.ndarray
-        The array.
-    attrs : Mapping
-        Unit and long name.
-    """
+    """An array with names of its dimensions."""
 
     dims: tuple[str, ...]
+    """Names of its dimensions."""
     values: np.ndarray
+    """The array."""
     attrs: Mapping[str, str]
+    """Unit and long name."""
 
     def transpose(self, *dims: str) -> "PlainVariable":
         """The variable with its dimensions in another order."""
@@ -40,21 +33,14 @@ class PlainVariable:
 
 @dataclass(frozen=True)
 class PlainDataset:
-    """Variables that share dimensions.
-
-    Attributes
-    ----------
-    variables : Mapping
-        Name -> variable.
-    coords : tuple of str
-        Names of those that are coordinates.
-    attrs : Mapping
-        Attributes of the whole.
-    """
+    """Variables that share dimensions."""
 
     variables: Mapping[str, PlainVariable]
+    """Name -> variable."""
     coords: tuple[str, ...]
+    """Names of those that are coordinates."""
     attrs: Mapping[str, Any]
+    """Attributes of the whole."""
 
     @cached_property
     def sizes(self) -> dict[str, int]:

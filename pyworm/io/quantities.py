@@ -37,62 +37,42 @@ KEY_UNITS = {
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity and how it is shown.
-
-    Attributes
-    ----------
-    name : str
-        Name in code and in datasets.
-    unit : str
-        SI unit, "1" without dimension.
-    label : str
-        Words of the field in lower case; "{0}" and "{1}" stand for the bodies.
-    shown : str
-        Unit on screens and pages, of `SCALES`.
-    symbol : str
-        Symbol, for headings of narrow columns.
-    source : str or callable
-        Where a solution has its value: a path such as "figures.film_min", or a function of the solution;
-        empty where no solution has it. None there means that it was not simulated.
-    figure : str
-        Stem of the keys of its error bars, and its name under [published]; of a field the figure whose error
-        bar it has. By default its name.
-    key : str
-        Key in JSON objects; by default the name with the ending of the unit.
-    kind : str
-        Kind of contact that alone has it; empty where both have.
-    places : str
-        Where it is shown, words of `listed`.
-    given : bool
-        Whether it is an input, without error bars.
-    part : bool
-        Whether its row stands beneath the one before as a part of it.
-    extreme : str
-        "minimum" or "maximum", whichever decides over several contacts; empty where neither does.
-    colours : str
-        Colour map.
-    logarithmic : bool
-        Whether maps are logarithmic.
-    clip : float
-        Upper end of its maps over the least value; 0 where colours span all values.
-    """
+    """A quantity and how it is shown."""
 
     name: str
+    """Name in code and in datasets."""
     unit: str
+    """SI unit, "1" without dimension."""
     label: str
+    """Words of the field in lower case; "{0}" and "{1}" stand for the bodies."""
     shown: str = ""
+    """Unit on screens and pages, of `SCALES`."""
     symbol: str = ""
+    """Symbol, for headings of narrow columns."""
     source: str | Callable[[Any], Any] = ""
+    """Where a solution has its value: a path such as "figures.film_min", or a function of the solution; empty
+    where no solution has it. None there means that it was not simulated."""
     figure: str = ""
+    """Stem of the keys of its error bars, and its name under [published]; of a field the figure whose error
+    bar it has. By default its name."""
     key: str = ""
+    """Key in JSON objects; by default the name with the ending of the unit."""
     kind: str = ""
+    """Kind of contact that alone has it; empty where both have."""
     places: str = ""
+    """Where it is shown, words of `listed`."""
     given: bool = False
+    """Whether it is an input, without error bars."""
     part: bool = False
+    """Whether its row stands beneath the one before as a part of it."""
     extreme: str = ""
+    """Extreme that decides over several contacts, "minimum" or "maximum"; empty where neither does."""
     colours: str = "inferno"
+    """Colour map."""
     logarithmic: bool = False
+    """Whether maps are logarithmic."""
     clip: float = 0.0
+    """Upper end of its maps over the least value; 0 where colours span all values."""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "figure", self.figure or self.name)

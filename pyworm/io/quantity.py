@@ -50,31 +50,21 @@ Range = tuple[str, str]
 
 @dataclass(frozen=True)
 class Kind:
-    """Kind of quantity of a value: its dimension, ranges and the words of messages.
-
-    Attributes
-    ----------
-    noun : str
-        What it is called, article included ("a force").
-    unit : str
-        The SI unit it is kept in; empty for a share.
-    example : str
-        A right value, to be shown beside a wrong one.
-    sign : str
-        Which values are taken: "positive", "not negative" or "any".
-    possible : tuple of str
-        Sizes between which every value lies that is not zero.
-    usual : tuple of str, optional
-        Sizes beyond which a value gives a warning, the smallest empty where none is too small; by default
-        none.
-    """
+    """Kind of quantity of a value: its dimension, ranges and the words of messages."""
 
     noun: str
+    """What it is called, article included ("a force")."""
     unit: str
+    """The SI unit it is kept in; empty for a share."""
     example: str
+    """A right value, to be shown beside a wrong one."""
     sign: Sign = "positive"
+    """Which values are taken: "positive", "not negative" or "any"."""
     possible: Range | None = None
+    """Sizes between which every value lies that is not zero."""
     usual: Range | None = None
+    """Sizes beyond which a value gives a warning, the smallest empty where none is too small; by default
+    none."""
 
 
 SHARE = Kind("a share", "", "1 %", possible=("1e-12 %", "1000 %"))

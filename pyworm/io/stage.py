@@ -17,18 +17,12 @@ STILL = "still"
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """Work that may take longer than a reader of a silent terminal waits.
-
-    Attributes
-    ----------
-    work : str
-        What is done, to follow "still".
-    begun : float
-        When it began, by the clock of `time.monotonic` [s].
-    """
+    """Work that may take longer than a reader of a silent terminal waits."""
 
     work: str
+    """What is done, to follow "still"."""
     begun: float = field(default_factory=monotonic)
+    """When it began, by the clock of `time.monotonic` [s]."""
 
 
 _current: list[Stage] = []

@@ -14,21 +14,14 @@ BASE = ("A", "K", "kg", "m", "rad", "s")
 
 @dataclass(frozen=True)
 class Unit:
-    """A unit.
-
-    Attributes
-    ----------
-    factor : float
-        Size in SI base units.
-    powers : tuple of int
-        Powers of the base units, in their order.
-    zero : float
-        Its zero in the base unit, of temperature scales.
-    """
+    """A unit."""
 
     factor: float
+    """Size in SI base units."""
     powers: tuple[int, ...]
+    """Powers of the base units, in their order."""
     zero: float = 0.0
+    """Its zero in the base unit, of temperature scales."""
 
     @property
     def base(self) -> str:

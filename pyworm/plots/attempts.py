@@ -17,34 +17,23 @@ Where there is less they end the process by a signal. 0.21e9 were measured (`tes
 
 
 class PicturesError(RuntimeError):
-    """Some pictures could not be drawn, the others exist; the message is one sentence.
-
-    Attributes
-    ----------
-    drawn : list of Path
-        Those that are there.
-    """
+    """Some pictures could not be drawn, the others exist; the message is one sentence."""
 
     def __init__(self, message: str, drawn: list[Path]) -> None:
         """From the reasons of failures and the pictures drawn."""
         super().__init__(message)
         self.drawn = drawn
+        """Pictures that are there."""
 
 
 @dataclass
 class Attempts:
-    """Pictures drawn and reasons of failures.
-
-    Attributes
-    ----------
-    drawn : list of Path
-        Files of those drawn.
-    failed : dict of str to str
-        Name of each other one, and why there is none.
-    """
+    """Pictures drawn and reasons of failures."""
 
     drawn: list[Path] = field(default_factory=list)
+    """Files of those drawn."""
     failed: dict[str, str] = field(default_factory=dict)
+    """Name of each other one, and why there is none."""
 
     def draw(self, path: Path, figure: Callable[[], Figure | None]) -> None:
         """Draw a picture into a file, if there is anything to draw; an exception becomes the reason."""

@@ -54,18 +54,16 @@ LOAD_UNITS = {"point": "N", "line": "N/m"}
 
 @dataclass(frozen=True)
 class Window:
-    """A rectangle of the tangent plane [mm].
-
-    Attributes
-    ----------
-    left, right, bottom, top : float
-        Its sides.
-    """
+    """A rectangle of the tangent plane [mm]."""
 
     left: float
+    """Its left side."""
     right: float
+    """Its right side."""
     bottom: float
+    """Its lower side."""
     top: float
+    """Its upper side."""
 
     @property
     def width(self) -> float:

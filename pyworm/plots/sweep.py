@@ -35,21 +35,14 @@ MOST_COLUMNS = 6
 
 @dataclass(frozen=True)
 class _Axis:
-    """One varied quantity.
-
-    Attributes
-    ----------
-    label : str
-        What it is, with its unit.
-    values : numpy.ndarray
-        Of each scene; places 0, 1, ... where they are texts.
-    names : tuple of str
-        The texts; none where they are numbers.
-    """
+    """One varied quantity."""
 
     label: str
+    """What it is, with its unit."""
     values: np.ndarray
+    """Values of each scene; places 0, 1, ... where they are texts."""
     names: tuple[str, ...] = ()
+    """The texts; none where they are numbers."""
 
     @property
     def distinct(self) -> np.ndarray:

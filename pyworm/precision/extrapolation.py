@@ -13,21 +13,14 @@ SURE = 0.1
 
 @dataclass(frozen=True)
 class Limit:
-    """A figure on an infinitely fine grid.
-
-    Attributes
-    ----------
-    value : float
-        Extrapolated value, in its unit.
-    error : float
-        Uncertainty of the value, in the same unit.
-    order : float or None
-        Observed order on the last three grids; None where the changes do not fall from grid to grid.
-    """
+    """A figure on an infinitely fine grid."""
 
     value: float
+    """Extrapolated value, in its unit."""
     error: float
+    """Uncertainty of the value, in the same unit."""
     order: float | None
+    """Observed order on the last three grids; None where the changes do not fall from grid to grid."""
 
 
 def observed_order(values: Sequence[float]) -> float | None:

@@ -29,34 +29,23 @@ LEAST_ERROR = 5e-4
 
 @dataclass(frozen=True)
 class Point:
-    """One grid of a model, or one value of a numerical parameter.
-
-    Attributes
-    ----------
-    shape : tuple of int
-        Grid points along each direction; none of a formula.
-    seconds : float
-        Processor time up to this point, coarser grids included [s].
-    unit : float
-        Processor time of one convolution on the grid [s]; 0 of a formula.
-    figures : dict
-        The simulated `FIGURES` [m, m, -, K].
-    settled : bool
-        Whether the equations are met.
-    setting : str
-        Value of the numerical parameter, where it is not the grid.
-    limits : dict
-        Figures extrapolated from this grid and the one before, as those of a solve are
-        (`pyworm.solver.grid_limit`).
-    """
+    """One grid of a model, or one value of a numerical parameter."""
 
     shape: tuple[int, ...]
+    """Grid points along each direction; none of a formula."""
     seconds: float
+    """Processor time up to this point, coarser grids included [s]."""
     unit: float
+    """Processor time of one convolution on the grid [s]; 0 of a formula."""
     figures: dict[str, float] = field(default_factory=dict)
+    """The simulated `FIGURES` [m, m, -, K]."""
     settled: bool = True
+    """Whether the equations are met."""
     setting: str = ""
+    """Value of the numerical parameter, where it is not the grid."""
     limits: dict[str, float] = field(default_factory=dict)
+    """Figures extrapolated from this grid and the one before, as those of a solve are
+    (`pyworm.solver.grid_limit`)."""
 
     @property
     def nodes(self) -> int:

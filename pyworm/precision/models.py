@@ -20,21 +20,14 @@ eleven."""
 
 @dataclass(frozen=True)
 class Fidelity:
-    """One model of the hierarchy.
-
-    Attributes
-    ----------
-    name : str
-        Name in tables and pictures.
-    scene : Scene or LineScene
-        The contact with the model's effects and no others.
-    plan : Plan
-        Plan of its solve.
-    """
+    """One model of the hierarchy."""
 
     name: str
+    """Name in tables and pictures."""
     scene: Scene | LineScene
+    """The contact with the model's effects and no others."""
     plan: Plan
+    """Plan of its solve."""
 
 
 def fidelities(

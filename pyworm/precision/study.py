@@ -11,71 +11,46 @@ TARGETS = (0.1, 0.05, 0.01, 0.001)
 
 @dataclass(frozen=True)
 class Curve:
-    """Figures of one model, formula or numerical parameter at rising cost.
-
-    Attributes
-    ----------
-    name : str
-        Name in tables and pictures.
-    kind : str
-        "formula", "model" or "parameter".
-    points : tuple of Point
-        Points of increasing cost; those of a model on grids of halving spacing.
-    limits : dict
-        Figure -> its limit on finer grids; for models only.
-    """
+    """Figures of one model, formula or numerical parameter at rising cost."""
 
     name: str
+    """Name in tables and pictures."""
     kind: str
+    """Kind of curve: "formula", "model" or "parameter"."""
     points: tuple[Point, ...]
+    """Points of increasing cost; those of a model on grids of halving spacing."""
     limits: dict[str, Limit]
+    """Figure -> its limit on finer grids; for models only."""
 
 
 @dataclass(frozen=True)
 class Reference:
-    """Reference value of a figure, for its errors.
-
-    Attributes
-    ----------
-    value : float
-        Value of the most complete model on an infinitely fine grid in an infinite window, in its unit.
-    size : float
-        Reference of relative errors, in the same unit.
-    band : float
-        Uncertainty of the value, relative to the size [-].
-    """
+    """Reference value of a figure, for its errors."""
 
     value: float
+    """Value of the most complete model on an infinitely fine grid in an infinite window, in its unit."""
     size: float
+    """Reference of relative errors, in the same unit."""
     band: float
+    """Uncertainty of the value, relative to the size [-]."""
 
 
 @dataclass(frozen=True)
 class Study:
-    """The data of a work-precision picture.
-
-    Attributes
-    ----------
-    scene_name : str
-        The contact.
-    inlet_temperature : float or None
-        Temperature from which rises are counted [K].
-    references : dict
-        Figure -> reference.
-    curves : tuple of Curve
-        Curves of formulas, models from the simplest to the most complete, numerical parameters.
-    left_out : tuple of str
-        Models and grids that are not shown, each with the reason.
-    seconds : float
-        Time of the study [s].
-    """
+    """The data of a work-precision picture."""
 
     scene_name: str
+    """The contact."""
     inlet_temperature: float | None
+    """Temperature from which rises are counted [K]."""
     references: dict[str, Reference]
+    """Figure -> reference."""
     curves: tuple[Curve, ...]
+    """Curves of formulas, models from the simplest to the most complete, numerical parameters."""
     left_out: tuple[str, ...]
+    """Models and grids that are not shown, each with the reason."""
     seconds: float
+    """Time of the study [s]."""
 
     def error(self, point: Point, figure: str) -> float | None:
         """Relative error of a figure; None where the point has none."""

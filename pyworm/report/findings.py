@@ -19,36 +19,24 @@ from pyworm.solver.left_out import LeftOut
 
 @dataclass(frozen=True)
 class Findings:
-    """All that the sections of a report show.
-
-    Attributes
-    ----------
-    case : Case
-        The case, which may be another than the solved one, such as one with other ratings.
-    result : Result
-        Every contact that was solved.
-    sound : Result
-        Those that converged.
-    ratings : tuple of Rating
-        Ratings that the case asks for.
-    not_rated : tuple of str
-        What is not rated, with the reason.
-    standard : StandardLoss or NoStandard
-        Loss between the teeth by a standard.
-    mesh_loss : MeshLoss or None
-        Simulated loss of a whole mesh cycle; None where it is not known.
-    left_out : LeftOut
-        Effects left out of the figures, at the worst of the contacts.
-    """
+    """All that the sections of a report show."""
 
     case: Case
+    """The case, which may be another than the solved one, such as one with other ratings."""
     result: Result
+    """Every contact that was solved."""
     sound: Result
+    """Those that converged."""
     ratings: tuple[Rating, ...]
+    """Ratings that the case asks for."""
     not_rated: tuple[str, ...]
+    """What is not rated, with the reason."""
     standard: StandardLoss | NoStandard
+    """Loss between the teeth by a standard."""
     mesh_loss: MeshLoss | None
+    """Simulated loss of a whole mesh cycle; None where it is not known."""
     left_out: LeftOut
+    """Effects left out of the figures, at the worst of the contacts."""
 
     @cached_property
     def composite_roughness(self) -> float | None:

@@ -15,31 +15,21 @@ SHORT = 12
 
 @dataclass(frozen=True)
 class Table:
-    """A table of text; the first column names its rows.
-
-    Attributes
-    ----------
-    head : tuple of str
-        Headings; the first may be empty.
-    rows : tuple of tuple of str
-        Cells, on the right fewer than headings where the others are empty; a row without any is a rule. A
-        scene that did not converge has a cell with that statement.
-    title : str
-        Above it.
-    note : str
-        Below it.
-    texts : tuple of int
-        Columns of words beside the first, which a terminal breaks into lines; the others are right-aligned.
-    narrow : bool
-        Whether its columns must share a terminal's width: without lines between them.
-    """
+    """A table of text; the first column names its rows."""
 
     head: tuple[str, ...]
+    """Headings; the first may be empty."""
     rows: tuple[tuple[str, ...], ...]
+    """Cells, on the right fewer than headings where the others are empty; a row without any is a rule. A
+    scene that did not converge has a cell with that statement."""
     title: str = ""
+    """Title above it."""
     note: str = ""
+    """Note below it."""
     texts: tuple[int, ...] = ()
+    """Columns of words beside the first, which a terminal breaks into lines; the others are right-aligned."""
     narrow: bool = False
+    """Whether its columns must share a terminal's width: without lines between them."""
 
     def column(self, number: int) -> tuple[str, ...]:
         """Cells of a column, empty where a row has none."""

@@ -9,18 +9,12 @@ from pyworm.solver.solution import Solution
 
 @dataclass(frozen=True, repr=False)
 class Comparison(Shown):
-    """Figures of two solutions.
-
-    Attributes
-    ----------
-    names : tuple of str
-        Names of both.
-    figures : dict
-        Name of a figure that both have -> the pair.
-    """
+    """Figures of two solutions."""
 
     names: tuple[str, str]
+    """Names of both."""
     figures: dict[str, tuple[Estimate, Estimate]]
+    """Name of a figure that both have -> the pair."""
 
     @property
     def ratios(self) -> dict[str, Estimate]:

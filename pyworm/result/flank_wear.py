@@ -34,17 +34,12 @@ MARGIN = 6e-3
 
 @dataclass(frozen=True)
 class FlankGrid:
-    """Cells over a wheel's flank, or a worm's thread.
-
-    Attributes
-    ----------
-    face, radius : ndarray
-        Their middles along the wheel's face, or along the worm's axis, and away from the own axis, evenly
-        spaced [m].
-    """
+    """Cells over a wheel's flank, or a worm's thread."""
 
     face: Array
+    """Their middles along the wheel's face, or along the worm's axis, evenly spaced [m]."""
     radius: Array
+    """Their middles away from the own axis, evenly spaced [m]."""
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -88,18 +83,12 @@ def _between(place: Array, axis: Array) -> tuple[Array, Array]:
 
 @dataclass(frozen=True)
 class Pass:
-    """What a pass through the mesh does to a flank.
-
-    Attributes
-    ----------
-    work : ndarray
-        Pressure of asperities times sliding speed, over the time of a pass, (radius, face) [Pa m].
-    volume : float
-        The same over the flank's true area [N m].
-    """
+    """What a pass through the mesh does to a flank."""
 
     work: Array
+    """Pressure of asperities times sliding speed, over the time of a pass, (radius, face) [Pa m]."""
     volume: float
+    """The same over the flank's true area [N m]."""
 
 
 Side = Literal["wheel", "worm"]

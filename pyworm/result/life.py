@@ -33,64 +33,46 @@ solved: a curve has a gap there."""
 
 @dataclass(frozen=True)
 class Fields:
-    """Fields at one instant.
-
-    Attributes
-    ----------
-    seconds : float
-        Time since the life began [s].
-    x, y : numpy.ndarray
-        Places of the nodes [m]; y is None of a line contact.
-    pressure, film : numpy.ndarray
-        Pressure [Pa] and film [m] over (x, y).
-    rubbing : numpy.ndarray or None
-        Pressure that asperities bear times the sliding [W/m2]; None between smooth surfaces.
-    """
+    """Fields at one instant."""
 
     seconds: float
+    """Time since the life began [s]."""
     x: Array
+    """Places of the nodes along x [m]."""
     y: Array | None
+    """Places of the nodes along y [m]; None of a line contact."""
     pressure: Array
+    """Pressure over (x, y) [Pa]."""
     film: Array
+    """Film over (x, y) [m]."""
     rubbing: Array | None = None
+    """Pressure that asperities bear times the sliding [W/m2]; None between smooth surfaces."""
 
 
 @dataclass(frozen=True)
 class ContactLife:
-    """Figures of a contact over its life.
-
-    Attributes
-    ----------
-    place : Place
-        Which contact of the case it is, without a phase.
-    kind : str
-        "point" or "line".
-    seconds : numpy.ndarray
-        Times since the life began [s].
-    phases : numpy.ndarray or None
-        Place in the mesh cycle at each time; None of a contact that is not one of a drive.
-    load : numpy.ndarray
-        Load [N], of a line contact for each length [N/m].
-    entrainment : numpy.ndarray
-        Mean velocity of the surfaces at the contact point, along the last one [m/s].
-    figures, errors : dict
-        Figures by name (`io.quantities.OVER_LIFE`) and their numerical error bars, in SI.
-    frames : tuple of Fields
-        Fields at some of the times.
-    solutions : tuple of Solution
-        The contacts of this life that were solved on the grids of the figures.
-    """
+    """Figures of a contact over its life."""
 
     place: Place
+    """Which contact of the case it is, without a phase."""
     kind: str
+    """Kind of contact: "point" or "line"."""
     seconds: Array
+    """Times since the life began [s]."""
     phases: Array | None
+    """Place in the mesh cycle at each time; None of a contact that is not one of a drive."""
     load: Array
+    """Load [N], of a line contact for each length [N/m]."""
     entrainment: Array
+    """Mean velocity of the surfaces at the contact point, along the last one [m/s]."""
     figures: dict[str, Array]
+    """Figures by name (`io.quantities.OVER_LIFE`), in SI."""
     errors: dict[str, Array]
+    """Numerical error bars of the figures, in SI."""
     frames: tuple[Fields, ...]
+    """Fields at some of the times."""
     solutions: tuple[Solution, ...]
+    """The contacts of this life that were solved on the grids of the figures."""
 
     @property
     def span(self) -> float:

@@ -19,78 +19,55 @@ from pyworm.solver.solution import Estimate, Solution
 
 @dataclass(frozen=True)
 class Extreme:
-    """The largest or least of a figure over the phases solved.
-
-    Attributes
-    ----------
-    value : float
-        The figure in SI units.
-    error : float
-        Its numerical error bar in the same unit.
-    phase : float
-        Phase in the mesh cycle.
-    place : tuple of float or None
-        On the wheel's flank: along the face from its middle, and distance from the wheel's axis [m]; None of
-        a temperature.
-    reason : str or None
-        Reason why its error bar is infinite (`solution.Estimate`).
-    model : float or None
-        Its model uncertainty in the same unit; None where there is none.
-    """
+    """The largest or least of a figure over the phases solved."""
 
     value: float
+    """The figure in SI units."""
     error: float
+    """Its numerical error bar in the same unit."""
     phase: float
+    """Phase in the mesh cycle."""
     place: tuple[float, float] | None = None
+    """On the wheel's flank: along the face from its middle, and distance from the wheel's axis [m]; None of a
+    temperature."""
     reason: str | None = None
+    """Reason why its error bar is infinite (`solution.Estimate`)."""
     model: float | None = None
+    """Its model uncertainty in the same unit; None where there is none."""
 
 
 @dataclass(frozen=True)
 class DriveCycle:
-    """Figures of a mesh cycle.
-
-    Attributes
-    ----------
-    phases : tuple of float
-        Phases that converged.
-    unconverged : tuple of float
-        Phases that did not converge.
-    film_min, pressure_max : Extreme
-        Over all phases [m], [Pa].
-    temperatures : dict of str to Extreme
-        Largest of "body_1", "body_2" and "film" [K]; empty where heat was not simulated.
-    lambda_min, lambda_central : Extreme or None
-        Least film, and least central film, over composite roughness [-]; None where a roughness is not known.
-    loss : Loss or None
-        Loss of the drive; None where the shear of the film was not computed.
-    bulk : dict of str to float
-        Temperatures of "sump", "worm" and "wheel" in the solved scenes [K]; empty where heat was not
-        simulated.
-    lifts : tuple of tuple of float
-        Phases and the lift of the teeth by the film there [m]; empty where it is not known.
-    lifted : tuple of float or None
-        Largest relative change of the load of a solved phase by the films' lift, and that phase; None where
-        the load sharing is without lift.
-    left_out : LeftOut
-        Effects left out of these figures, at the worst of the phases.
-    missing : str
-        Contacts without a converged solution, in words; empty where every one has one.
-    """
+    """Figures of a mesh cycle."""
 
     phases: tuple[float, ...]
+    """Phases that converged."""
     unconverged: tuple[float, ...]
+    """Phases that did not converge."""
     film_min: Extreme
+    """Least film over all phases [m]."""
     pressure_max: Extreme
+    """Largest pressure over all phases [Pa]."""
     temperatures: dict[str, Extreme]
+    """Largest of "body_1", "body_2" and "film" [K]; empty where heat was not simulated."""
     lambda_min: Extreme | None
+    """Least film over composite roughness [-]; None where a roughness is not known."""
     loss: Loss | None
+    """Loss of the drive; None where the shear of the film was not computed."""
     bulk: dict[str, float]
+    """Temperatures of "sump", "worm" and "wheel" in the solved scenes [K]; empty where heat was not
+    simulated."""
     lifts: tuple[tuple[float, float], ...] = ()
+    """Phases and the lift of the teeth by the film there [m]; empty where it is not known."""
     lifted: tuple[float, float] | None = None
+    """Largest relative change of the load of a solved phase by the films' lift, and that phase; None where
+    the load sharing is without lift."""
     lambda_central: Extreme | None = None
+    """Least central film over composite roughness [-]; None where a roughness is not known."""
     left_out: LeftOut = field(default_factory=LeftOut)
+    """Effects left out of these figures, at the worst of the phases."""
     missing: str = ""
+    """Contacts without a converged solution, in words; empty where every one has one."""
 
     def summary(self) -> dict:
         """The figures as one object, units in the keys."""

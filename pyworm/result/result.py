@@ -51,27 +51,18 @@ LARGEST = 2**31
 
 @dataclass(frozen=True, repr=False)
 class Result(Shown):
-    """Solutions of one case and their provenance.
-
-    Attributes
-    ----------
-    case_name : str
-        Name of the case.
-    case : dict
-        The case in full, checked and in SI.
-    solutions : tuple of Solution
-        One for each scene, in the order of the mesh cycle or the sweep.
-    mesh_cycle : xarray.Dataset or None
-        The unloaded mesh cycle of a drive, as `Drive.cycle_data` makes it.
-    provenance : dict
-        Version of pyworm, effects, tolerances and all else that is needed to repeat the run.
-    """
+    """Solutions of one case and their provenance."""
 
     case_name: str
+    """Name of the case."""
     case: dict
+    """The case in full, checked and in SI."""
     solutions: tuple[Solution, ...]
+    """One for each scene, in the order of the mesh cycle or the sweep."""
     mesh_cycle: "xr.Dataset | None"
+    """The unloaded mesh cycle of a drive, as `Drive.cycle_data` makes it."""
     provenance: dict
+    """Version of pyworm, effects, tolerances and all else that is needed to repeat the run."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the result in words."""

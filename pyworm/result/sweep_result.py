@@ -36,25 +36,18 @@ LEFT_OUT = "left_out_"
 
 @dataclass(frozen=True)
 class SweepResult:
-    """Result of a sweep.
-
-    Attributes
-    ----------
-    name, title : str
-        Name and title of the sweep.
-    axes : list of list of str
-        Varied variables of the table; those that vary together in one list.
-    table : xarray.Dataset
-        Variables over `scene`.
-    provenance : dict
-        The sweep as written, versions, time and machine.
-    """
+    """Result of a sweep: a table over its scenes, and its provenance."""
 
     name: str
+    """Name of the sweep."""
     title: str
+    """Title of the sweep."""
     axes: list[list[str]]
+    """Varied variables of the table; those that vary together in one list."""
     table: "xr.Dataset"
+    """Variables over `scene`."""
     provenance: dict
+    """The sweep as written, versions, time and machine."""
 
     @property
     def converged(self) -> np.ndarray:

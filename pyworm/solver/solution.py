@@ -23,92 +23,79 @@ from pyworm.solver.oil_supply import SupplyFigures
 
 @dataclass(frozen=True)
 class DryFigures:
-    """Figures of the dry contact under the same load.
-
-    Attributes
-    ----------
-    pressure_max : float
-        Largest pressure [Pa].
-    length, width : float
-        Extent of the contact along its long direction and across it [m].
-    approach : float
-        Rigid approach [m].
-    """
+    """Figures of the dry contact under the same load."""
 
     pressure_max: float
+    """Largest pressure [Pa]."""
     length: float
+    """Extent of the contact along its long direction [m]."""
     width: float
+    """Extent of the contact across its long direction [m]."""
     approach: float
+    """Rigid approach [m]."""
 
 
 @dataclass(frozen=True, repr=False)
 class Figures(Shown):
-    """The figures of one lubricated contact.
-
-    Attributes
-    ----------
-    film_min, film_central, pressure_max : Estimate
-        Minimum film [m] (sub-grid), film at the contact point [m] and largest pressure [Pa].
-    film_min_at : tuple of float
-        Place of the minimum film along each direction of the grid [m]: (x, y), or (x,) of a line contact.
-    moes_m, moes_l : float
-        Moes' load and lubricant parameters along the entrainment.
-    load_error, mass_error : float
-        Relative load imbalance; net over gross mass flow through the outline of the contact.
-    residual : float
-        Summed Reynolds residual over the summed wedge flow, at the end.
-    film_min_kind : str
-        Kind of that minimum: "side lobe", "exit" or "middle"; of a line contact always "exit".
-    film_exit_min, film_exit_min_at : float or None
-        Minimum film on the entrainment line through the contact point [m] and its place on it [m]; None for
-        a line contact, where it is the minimum film.
-    lift : float or None
-        Increase of the rigid separation of the bodies by the film under the same load [m]; None for a line
-        contact, which has no approach.
-    dry : DryFigures or None
-        The dry contact; None for a line contact, where it is Hertz's in closed form.
-    friction_coefficient, power_loss, shear_rate_max : Estimate or None
-        Friction over load along the sliding [-], work of the friction [W] (of a line contact for each length
-        [W/m]) and largest shear rate [1/s]; None where the shear of the film was not computed. They count
-        where both surfaces exist and the pressure is above 1 % of the largest. Friction is the sum there of
-        the shear stress in the middle of the film, of oil and asperities, times the area of a node, over the
-        whole load, a part of which may lie beyond the window of the fields.
-    temperature_max_body_1, temperature_max_body_2, temperature_max_film : Estimate or None
-        Largest temperature of each surface and inside the film [K], the error relative to the rise over the
-        inlet temperature; None where heat was not simulated.
-    asperity_load_fraction, friction_boundary : Estimate or None
-        Share of the load that asperities carry, and the part of the friction coefficient by their friction
-        [-]; None where roughness was not simulated.
-    supply : SupplyFigures or None
-        What a limited supply of oil does; None where starvation was not simulated.
-    heat_balance : float or None
-        Relative imbalance: heat into the bodies and the oil, less the work of friction, over that work.
-    """
+    """The figures of one lubricated contact."""
 
     film_min: Estimate
+    """Minimum film [m] (sub-grid)."""
     film_central: Estimate
+    """Film at the contact point [m]."""
     pressure_max: Estimate
+    """Largest pressure [Pa]."""
     film_min_at: tuple[float, ...]
+    """Place of the minimum film along each direction of the grid [m]: (x, y), or (x,) of a line contact."""
     moes_m: float
+    """Moes' load parameter along the entrainment."""
     moes_l: float
+    """Moes' lubricant parameter along the entrainment."""
     load_error: float
+    """Relative load imbalance."""
     mass_error: float
+    """Net over gross mass flow through the outline of the contact."""
     residual: float
+    """Summed Reynolds residual over the summed wedge flow, at the end."""
     film_min_kind: str = "exit"
+    """Kind of the minimum film: "side lobe", "exit" or "middle"; of a line contact always "exit"."""
     film_exit_min: float | None = None
+    """Minimum film on the entrainment line through the contact point [m]; None for a line contact, where it
+    is the minimum film."""
     film_exit_min_at: float | None = None
+    """Place of that film on the entrainment line [m]; None for a line contact."""
     lift: float | None = None
+    """Increase of the rigid separation of the bodies by the film under the same load [m]; None for a line
+    contact, which has no approach."""
     dry: DryFigures | None = None
+    """The dry contact; None for a line contact, where it is Hertz's in closed form."""
     friction_coefficient: Estimate | None = None
+    """Friction over load along the sliding [-]; None where the shear of the film was not computed. Friction
+    counts where both surfaces exist and the pressure is above 1 % of the largest. It is the sum there of the
+    shear stress in the middle of the film, of oil and asperities, times the area of a node, over the whole
+    load, a part of which may lie beyond the window of the fields."""
     power_loss: Estimate | None = None
+    """Work of the friction [W] (of a line contact for each length [W/m]), which counts like it; None where
+    the shear of the film was not computed."""
     shear_rate_max: Estimate | None = None
+    """Largest shear rate [1/s], which counts where the friction does; None where the shear of the film was
+    not computed."""
     temperature_max_body_1: Estimate | None = None
+    """Largest temperature of the surface of body 1 [K], the error relative to the rise over the inlet
+    temperature; None where heat was not simulated."""
     temperature_max_body_2: Estimate | None = None
+    """Largest temperature of the surface of body 2, likewise [K]."""
     temperature_max_film: Estimate | None = None
+    """Largest temperature inside the film, likewise [K]."""
     asperity_load_fraction: Estimate | None = None
+    """Share of the load that asperities carry [-]; None where roughness was not simulated."""
     friction_boundary: Estimate | None = None
+    """Part of the friction coefficient by the friction of asperities [-]; None where roughness was not
+    simulated."""
     supply: SupplyFigures | None = None
+    """What a limited supply of oil does; None where starvation was not simulated."""
     heat_balance: float | None = None
+    """Relative imbalance: heat into the bodies and the oil, less the work of friction, over that work."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the figures in words."""
@@ -123,24 +110,16 @@ class Figures(Shown):
 
 @dataclass(frozen=True)
 class Cost:
-    """Cost of a solve.
-
-    Attributes
-    ----------
-    seconds : float
-        Elapsed time of the film solve, all grids [s].
-    convolutions : float
-        Processor time of the film solve, in padded FFT convolutions on the finest grid.
-    unit_seconds : float
-        Processor time of one such convolution [s].
-    transient_solves : int
-        Transient solves of its life whose rates of change its film took; 0 of a steady film.
-    """
+    """Cost of a solve."""
 
     seconds: float
+    """Elapsed time of the film solve, all grids [s]."""
     convolutions: float
+    """Processor time of the film solve, in padded FFT convolutions on the finest grid."""
     unit_seconds: float = 0.0
+    """Processor time of one such convolution [s]."""
     transient_solves: int = 0
+    """Transient solves of its life whose rates of change its film took; 0 of a steady film."""
 
     @property
     def processor_seconds(self) -> float:
@@ -155,87 +134,63 @@ DATASETS = ("fields", "history", "profile", "life")
 @reads_as_xarray(*DATASETS)
 @dataclass(frozen=True, repr=False)
 class Solution(Shown):
-    """One solved scene.
-
-    Attributes
-    ----------
-    name : str
-        The scene's name.
-    kind : str
-        "point" or "line".
-    phase : float or None
-        Place in the mesh cycle.
-    load : float
-        Normal load [N], of a line contact that for each length [N/m].
-    converged : bool
-        Whether the figures may be trusted within their error bars, which may be wider than asked for
-        (`accurate`).
-    stop_reason : str
-        Reason why the solver stopped.
-    figures : Figures
-        Scalars.
-    regime : Regime
-        The regime of lubrication.
-    fields : xarray.Dataset
-        Fields over (y, x) in SI with units, in single precision: gap, covered, dry_pressure, pressure, film,
-        entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was computed also
-        shear_stress_x, shear_stress_y, shear_rate, friction_power, slip, flow_factor_sliding,
-        flow_factor_across; where heat was simulated temperature_body_1, temperature_body_2,
-        temperature_middle; where roughness was simulated asperity_pressure, real_area; where starvation was
-        oil_fraction. Those of a line
-        contact are over x, and have no dry_pressure and nothing along y.
-    history : xarray.Dataset
-        Over iteration: points_x, points_y (not of a line contact), residual, load_error, krylov; of a point
-        contact also the work of each step: convolutions, cycles and processor times by part.
-    cost : Cost
-        Time taken.
-    inlet_temperature : float or None
-        Temperature of the oil at the inlet [K]; None where heat was not simulated.
-    slide_roll_ratio : float or None
-        Place on a traction curve [-].
-    section, station : str or None, float or None
-        Section of a worm that has two, and place along the contact line, 0 to 1.
-    composite_roughness : float or None
-        Root mean square height of both surfaces together [m]; None if it is not known.
-    profile : xarray.Dataset or None
-        Over level, across the film at its hottest point: level_position, profile_temperature,
-        profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact).
-        None where heat was not simulated.
-    life : xarray.Dataset or None
-        Over instant, of a film in motion since the contact solved before it, or since its first touch:
-        life_seconds, life_phase, life_load, and by each figure's name life_NAME and life_NAME_error; over
-        frame and nodes: frame_seconds, frame_x, frame_y, frame_pressure, frame_film (no y of a line contact),
-        of rough surfaces frame_rubbing.
-        They are of the transient solve's own grids. None of a steady film.
-    effects : tuple of Judgement
-        Every effect, judged by the solved figures.
-    accuracy : float
-        Relative error asked for [-]; 0 where it is not known, so that every effect left out counts.
-    accuracy_of : tuple of str
-        Names of the figures to which it refers (`pyworm.planning.target.Aim`); empty where that is not known.
-    """
+    """One solved scene: its figures, its fields and what they rest on."""
 
     name: str
+    """The scene's name."""
     kind: Literal["point", "line"]
+    """Kind of contact: "point" or "line"."""
     phase: float | None
+    """Place in the mesh cycle."""
     load: float
+    """Normal load [N], of a line contact that for each length [N/m]."""
     converged: bool
+    """Whether the figures may be trusted within their error bars, which may be wider than asked for
+    (`accurate`)."""
     stop_reason: str
+    """Reason why the solver stopped."""
     figures: Figures
+    """Scalars."""
     regime: Regime
+    """The regime of lubrication."""
     fields: "xr.Dataset"
+    """Fields over (y, x) in SI with units, in single precision: gap, covered, dry_pressure, pressure, film,
+    entrainment_x, entrainment_y, sliding_x, sliding_y. Where the shear of the film was computed also
+    shear_stress_x, shear_stress_y, shear_rate, friction_power, slip, flow_factor_sliding, flow_factor_across;
+    where heat was simulated temperature_body_1, temperature_body_2, temperature_middle; where roughness was
+    simulated asperity_pressure, real_area; where starvation was oil_fraction. Those of a line contact are
+    over x, and have no dry_pressure and nothing along y."""
     history: "xr.Dataset"
+    """Over iteration: points_x, points_y (not of a line contact), residual, load_error, krylov; of a point
+    contact also the work of each step: convolutions, cycles and processor times by part."""
     cost: Cost
+    """Time taken."""
     inlet_temperature: float | None = None
+    """Temperature of the oil at the inlet [K]; None where heat was not simulated."""
     slide_roll_ratio: float | None = None
+    """Place on a traction curve [-]."""
     section: str | None = None
+    """Section of a worm that has two."""
     station: float | None = None
+    """Place along the contact line, 0 to 1."""
     composite_roughness: float | None = None
+    """Root mean square height of both surfaces together [m]; None if it is not known."""
     profile: "xr.Dataset | None" = None
+    """Over level, across the film at its hottest point: level_position, profile_temperature,
+    profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact). None
+    where heat was not simulated."""
     life: "xr.Dataset | None" = None
+    """Over instant, of a film in motion since the contact solved before it, or since its first touch:
+    life_seconds, life_phase, life_load, and by each figure's name life_NAME and life_NAME_error; over frame
+    and nodes: frame_seconds, frame_x, frame_y, frame_pressure, frame_film (no y of a line contact), of rough
+    surfaces frame_rubbing. They are of the transient solve's own grids. None of a steady film."""
     effects: tuple[Judgement, ...] = ()
+    """Every effect, judged by the solved figures."""
     accuracy: float = 0.0
+    """Relative error asked for [-]; 0 where it is not known, so that every effect left out counts."""
     accuracy_of: tuple[str, ...] = ()
+    """Names of the figures to which it refers (`pyworm.planning.target.Aim`); empty where that is not
+    known."""
 
     plot = later(
         "pyworm.plots.of_solution", "Pictures", "Its pictures, such as `solution.plot.film()`."

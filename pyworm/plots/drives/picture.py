@@ -10,18 +10,11 @@ from pyworm.result.result import Result
 
 @dataclass(frozen=True)
 class CyclePicture:
-    """What a drive shows of its whole mesh cycle.
-
-    Attributes
-    ----------
-    caption : str
-        What a report writes over it.
-    draw : callable
-        Result -> figure; None where too few phases are solved for it.
-    signed : bool
-        Whether it belongs to what is signed.
-    """
+    """What a drive shows of its whole mesh cycle."""
 
     caption: str
+    """What a report writes over it."""
     draw: Callable[[Result], Figure | None]
+    """Result -> figure; None where too few phases are solved for it."""
     signed: bool = False
+    """Whether it belongs to what is signed."""

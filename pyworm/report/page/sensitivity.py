@@ -34,42 +34,29 @@ WARMER = 10.0
 
 @dataclass(frozen=True)
 class Variation:
-    """Variation of one input.
-
-    Attributes
-    ----------
-    label : str
-        What.
-    film : float
-        Minimum film thickness of all contacts that follows [m]; nan, as its ratio, where there is no contact,
-        or one comes to rest on an edge, for which there is no closed form.
-    film_ratio, pressure_ratio : float
-        Film there and largest dry pressure of all contacts over what they were [-].
-    note : str
-        What else it does.
-    """
+    """Variation of one input."""
 
     label: str
+    """What is varied."""
     film: float
+    """Minimum film thickness of all contacts that follows [m]; nan, as its ratio, where there is no contact,
+    or one comes to rest on an edge, for which there is no closed form."""
     film_ratio: float
+    """Film there over what it was [-]."""
     pressure_ratio: float
+    """Largest dry pressure of all contacts over what it was [-]."""
     note: str = ""
+    """What else it does."""
 
 
 @dataclass(frozen=True)
 class Sensitivity:
-    """What changes of oil and mounting do to a result.
-
-    Attributes
-    ----------
-    variations : tuple of Variation
-        One change at a time.
-    mounting : str or None
-        How those of mounting were found, a sentence; None of a contact without a drive.
-    """
+    """What changes of oil and mounting do to a result."""
 
     variations: tuple[Variation, ...]
+    """One change at a time."""
     mounting: str | None
+    """How those of mounting were found, a sentence; None of a contact without a drive."""
 
 
 def sensitivity_section(found: Findings) -> Section | None:
