@@ -323,6 +323,20 @@ def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float])
     return again if again.on == plan.on else planned(*how)
 
 
+def with_accuracy(scene: Scene | LineScene, plan: Plan, accuracy: float) -> Plan:
+    """The plan of a scene at another accuracy; its effects stay on, and its largest grid the same."""
+    made = planned(
+        scene,
+        accuracy,
+        plan.quantities,
+        predicted(scene),
+        plan.asked,
+        plan.on,
+        plan.excluded,
+    )
+    return replace(made, largest_grid=plan.largest_grid)
+
+
 def _judged(
     scene: Scene | LineScene,
     accuracy: float,

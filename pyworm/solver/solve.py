@@ -1,17 +1,23 @@
 """Solve a scene by its plan, on finer grids until the figures are as accurate as asked."""
 
 from collections.abc import Mapping
+from math import inf
 
 from pyworm.io.progress import Progress
+from pyworm.io.quantity_text import percent
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.effects.starvation import STARVATION
-from pyworm.planning.plan import Plan, reviewed, steady
+from pyworm.planning.plan import Plan, reviewed, steady, with_accuracy
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
+from pyworm.solver.accuracy_met import LESS_ACCURATE
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.solution import Solution
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient.transient import Rates, finer, rates_at_present
+
+COARSER = 0.05, 0.2
+"""Accuracies of coarser requests, of which the next one is tried where a finer one ends with more error."""
 
 
 def solve(
@@ -68,12 +74,45 @@ def solve(
             figures = solution.figures.values() if solution.converged else None
             updated = _updated(scene, plan, figures)
             if updated.on <= plan.on:
-                return solution.changed(effects=updated.effects)
+                solution = solution.changed(effects=updated.effects)
+                return _no_worse(scene, plan, solution, report) if rates is None else solution
         if STARVATION.name in updated.on - plan.on:
             warm_start = None  # its window holds the meniscus, and nothing beyond
         missed = ", ".join(sorted(updated.on - plan.on))
         report(f"{scene.name}: calls for {missed} too", 0.0)
         plan = updated
+
+
+def _no_worse(
+    scene: Scene | LineScene, plan: Plan, solution: Solution, report: Progress
+) -> Solution:
+    """The solution, or that of a coarser request where less error is left by it.
+
+    A finer request has a wider window and a lower tolerance, on grids of the same size: by either its error
+    may be larger in the end, or its film be lost.
+    """
+    error = _error(solution, plan)
+    coarser = next((of for of in COARSER if of > plan.accuracy), None)
+    if coarser is None or error <= coarser:
+        return solution
+    report(f"{scene.name}: again at {percent(coarser)}", 0.0)
+    again = solve(scene, with_accuracy(scene, plan, coarser), report)
+    left = _error(again, plan)
+    if not left < error:
+        return solution
+    reason = f"{LESS_ACCURATE}, {percent(left)}: asked for {percent(plan.accuracy)}, {solution.stop_reason}"
+    return again.changed(accuracy=plan.accuracy, stop_reason=reason)
+
+
+def _error(solution: Solution, plan: Plan) -> float:
+    """Largest error of the figures asked for; infinite where there is no film, or one is not known."""
+    if not solution.converged:
+        return inf
+    found = {name: getattr(solution.figures, name) for name in plan.aim.figures}
+    return plan.aim.worst(
+        {name: of.error for name, of in found.items()},
+        {name: of.value - of.datum for name, of in found.items()},
+    )
 
 
 def _required(scene: Scene | LineScene, plan: Plan | None) -> Plan:

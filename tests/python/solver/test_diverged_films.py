@@ -12,6 +12,7 @@ from pyworm.kernel.core import NOT_CONVERGED, KernelError
 from pyworm.kernel.film import Balance, Film
 from pyworm.solver import arrival_uncertainty, grid_sequence
 from pyworm.solver.contact import FIRMEST, ContactSolver
+from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.line.contact import LineContactSolver
 from pyworm.solver.newton import lead
 from pyworm.solver.point.contact import PointContactSolver
@@ -225,3 +226,35 @@ def test_a_film_that_does_not_follow_its_bodies_has_no_model_uncertainty(monkeyp
     assert solution.figures.film_central.value == pytest.approx(
         usual.figures.film_central.value, rel=1e-3
     )
+
+
+@pytest.mark.parametrize("film", ["lost", "inaccurate", "accurate"])
+def test_a_finer_request_ends_no_worse_than_a_coarser_one(film, monkeypatch):
+    """Its window is wider, its tolerance lower: where it loses by either, the coarser film is taken."""
+    scene = ball()
+    coarse = pyworm.plan(scene, 0.05, "isothermal", ("film",))
+    usual = pyworm.solve(scene, coarse)
+    finish, asked = GridSequence.finish, []
+
+    def spoiled(sequence):
+        accuracy = sequence._plan.accuracy
+        asked.append(accuracy)
+        solution = finish(sequence)
+        if accuracy == 0.05 or film == "accurate":
+            return solution
+        figures = replace(solution.figures, film_min=replace(solution.figures.film_min, grid=0.4))
+        return solution.changed(
+            converged=film != "lost",
+            stop_reason="films depend on surfaces far out",
+            figures=figures,
+        )
+
+    monkeypatch.setattr(GridSequence, "finish", spoiled)
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.01, "isothermal", ("film",)))
+    assert asked == ([0.01] if film == "accurate" else [0.01, 0.05])
+    assert solution.accuracy == 0.01
+    if film != "accurate":
+        assert solution.figures.film_min == usual.figures.film_min
+        assert solution.converged
+        assert solution.stop_reason.startswith("less accurate than asked for, ")
+        assert solution.stop_reason.endswith("asked for 1 %, films depend on surfaces far out")
