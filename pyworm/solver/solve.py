@@ -5,12 +5,13 @@ from math import inf
 
 from pyworm.io.progress import Progress
 from pyworm.io.quantity_text import percent
+from pyworm.kernel.core import KernelError
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.effects.starvation import STARVATION
 from pyworm.planning.plan import Plan, reviewed, steady, with_accuracy
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.accuracy_met import LESS_ACCURATE
+from pyworm.solver.accuracy_met import LESS_ACCURATE, is_accurate
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.solution import Solution
 from pyworm.solver.timing import Stopwatch
@@ -93,10 +94,17 @@ def _no_worse(
     """
     error = _error(solution, plan)
     coarser = next((of for of in COARSER if of > plan.accuracy), None)
-    if coarser is None or error <= coarser:
+    if is_accurate(solution.stop_reason) or coarser is None or error <= coarser:
+        return solution
+    own = with_accuracy(scene, plan, plan.accuracy)
+    chosen = (own.grids, own.tolerance) != (plan.grids, plan.tolerance)
+    if chosen or plan.refusal is not None:
         return solution
     report(f"{scene.name}: again at {percent(coarser)}", 0.0)
-    again = solve(scene, with_accuracy(scene, plan, coarser), report)
+    try:
+        again = solve(scene, with_accuracy(scene, plan, coarser), report)
+    except KernelError:
+        return solution
     left = _error(again, plan)
     if not left < error:
         return solution

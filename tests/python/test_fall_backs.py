@@ -116,6 +116,8 @@ MADE_BY = {
         "solver/test_memory.py::test_a_finer_grid_beyond_memory_ends_the_grid_sequence",
     "solver/newton.py newton_step KernelError":
         "solver/test_solver_fall_backs.py::test_a_newton_step_that_does_not_descend_is_none_and_other_failures_are_raised",
+    "solver/solve.py _no_worse KernelError":
+        "solver/test_memory.py::test_a_wider_window_beyond_memory_ends_the_grid_sequence",
     "solver/transient/course.py _at ValueError":
         "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
     "solver/transient/course.py _predicted ValueError":
