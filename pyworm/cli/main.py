@@ -6,8 +6,9 @@ marked); 130 and 143 stopped by Ctrl-C and by SIGTERM.
 """
 
 import argparse
+import sys
 from collections.abc import Sequence
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from pyworm.batch.workers import WorkerDiedError
 from pyworm.cli.check import add_check
@@ -29,7 +30,7 @@ from pyworm.cli.sweep import add_sweep
 from pyworm.cli.wear import add_wear
 from pyworm.io.input_error import CaseError
 from pyworm.io.stage import long_stages_said
-from pyworm.io.terminal import flush, prepare, put, say
+from pyworm.io.terminal import flush, prepare, put, say, silence
 
 
 class _Parser(argparse.ArgumentParser):
@@ -38,6 +39,14 @@ class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         say(message)
         self.exit(BAD_INPUT)
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """Print a help text, longer maybe than a stream's buffer; who does not listen is no error."""
+        stream = file or sys.stderr
+        try:
+            stream.write(message)
+        except BrokenPipeError:
+            silence(stream)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -210,4 +210,4 @@ def test_sensitivities_are_those_of_drives_built_with_the_errors():
     middle = data.sel(side=0)
     assert np.ptp(middle["varied_contact_face"].values) == 0
     table = sensitivity_table(data)
-    assert table.row_count == 9
+    assert sum(map(bool, table.rows)) == 9

@@ -1,5 +1,6 @@
 """The terminal: what files say is shown as data, in letters it has; who does not listen is no error."""
 
+import io
 import json
 import os
 import subprocess
@@ -123,6 +124,19 @@ def test_a_closed_pipe_is_quiet_and_no_failure(arguments):
 
 def test_help_into_a_closed_pipe_is_quiet():
     assert shell('"$@" > >(exec <&-); exit $?', "run", "--help") == (0, "", "")
+
+
+def test_a_help_text_longer_than_the_buffer_of_a_closed_pipe_is_quiet(monkeypatch):
+    """Python 3.11.2 lets `argparse` raise then."""
+
+    class Closed(io.StringIO):
+        def write(self, text):
+            raise BrokenPipeError
+
+    monkeypatch.setattr("sys.stdout", Closed())
+    with pytest.raises(SystemExit) as ended:
+        main(["run", "--help"])
+    assert ended.value.code == 0
 
 
 def test_closed_streams_cost_nothing(tmp_path):
