@@ -76,7 +76,7 @@ def solve(
             updated = _updated(scene, plan, figures)
             if updated.on <= plan.on:
                 solution = solution.changed(effects=updated.effects)
-                return _no_worse(scene, plan, solution, report) if rates is None else solution
+                return _no_worse(scene, plan, solution, rates, report)
         if STARVATION.name in updated.on - plan.on:
             warm_start = None  # its window holds the meniscus, and nothing beyond
         missed = ", ".join(sorted(updated.on - plan.on))
@@ -85,12 +85,16 @@ def solve(
 
 
 def _no_worse(
-    scene: Scene | LineScene, plan: Plan, solution: Solution, report: Progress
+    scene: Scene | LineScene,
+    plan: Plan,
+    solution: Solution,
+    rates: Rates | None,
+    report: Progress,
 ) -> Solution:
     """The solution, or that of a coarser request where less error is left by it.
 
     A finer request has a wider window and a lower tolerance, on grids of the same size: by either its error
-    may be larger in the end, or its film be lost.
+    may be larger in the end, or its film be lost. A film in motion keeps its rates of change.
     """
     error = _error(solution, plan)
     coarser = next((of for of in COARSER if of > plan.accuracy), None)
@@ -102,7 +106,7 @@ def _no_worse(
         return solution
     report(f"{scene.name}: again at {percent(coarser)}", 0.0)
     try:
-        again = solve(scene, with_accuracy(scene, plan, coarser), report)
+        again = solve(scene, with_accuracy(scene, plan, coarser), report, rates)
     except KernelError:
         return solution
     left = _error(again, plan)
