@@ -43,10 +43,9 @@ def solve(
     Returns
     -------
     Solution
-        Marked not converged, with the reason, where the figures are not to be trusted within the accuracy
-        asked for. Effects that the plan left out and the solved figures require, those of the first grid or
-        of the last, are added, unless the effects were given; where no film in motion is found, a steady one
-        is told to stand for it, likewise.
+        Marked not converged, with the reason, where the figures are not to be trusted; that of a coarser
+        request where it leaves less error. Unless effects were given those are added that the solved figures
+        require, and a steady film stands for one in motion that is not found.
 
     Raises
     ------
@@ -77,10 +76,10 @@ def solve(
             if updated.on <= plan.on:
                 solution = solution.changed(effects=updated.effects)
                 return _no_worse(scene, plan, solution, rates, report)
-        if STARVATION.name in updated.on - plan.on:
+        missed = updated.on - plan.on
+        if STARVATION.name in missed:
             warm_start = None  # its window holds the meniscus, and nothing beyond
-        missed = ", ".join(sorted(updated.on - plan.on))
-        report(f"{scene.name}: calls for {missed} too", 0.0)
+        report(f"{scene.name}: calls for {', '.join(sorted(missed))} too", 0.0)
         plan = updated
 
 
