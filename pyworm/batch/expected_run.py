@@ -15,7 +15,7 @@ from pyworm.solver.cost.expected_time import Expectation, expectations, together
 WARM = 2
 """Usual number of passes until temperatures are found: that of `cases/zi_cooled.toml`."""
 
-PASSES = 2
+USUAL_PASSES = 2
 """Usual number of passes until loads are found by films of the accuracy asked for, where it is no higher than
 the one of the search."""
 
@@ -52,7 +52,7 @@ def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
     if "cooling" in open_:
         search += WARM * _solved([steady(task) for task in every(STRIDE, tasks)])[1]
     if "lifts" in open_.get("operation", ()):
-        search += _lifts(tasks) if tasks[0].accuracy < GLANCE else (PASSES - 1) * once
+        search += _lifts(tasks) if tasks[0].accuracy < GLANCE else (USUAL_PASSES - 1) * once
     return ExpectedRun(each, once, search)
 
 

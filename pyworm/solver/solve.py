@@ -9,11 +9,13 @@ from pyworm.kernel.core import KernelError
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.effects.starvation import STARVATION
 from pyworm.planning.plan import Plan, reviewed, steady, with_accuracy
+from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.accuracy_met import LESS_ACCURATE, is_accurate
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.solution import Solution
+from pyworm.solver.stop_reason import WIDEST
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient.transient import Rates, finer, rates_at_present
 
@@ -116,14 +118,17 @@ def _no_worse(
 
 
 def _error(solution: Solution, plan: Plan) -> float:
-    """Largest error of the figures asked for; infinite where there is no film, or one is not known."""
+    """Largest error of the figures asked for; infinite without a film.
+
+    Temperatures that are not known, as at a sharp edge, are so by a coarser request as well: films decide.
+    """
     if not solution.converged:
         return inf
     found = {name: getattr(solution.figures, name) for name in plan.aim.figures}
-    return plan.aim.worst(
-        {name: of.error for name, of in found.items()},
-        {name: of.value - of.datum for name, of in found.items()},
-    )
+    errors = {name: of.error for name, of in found.items()}
+    rises = {name: of.value - of.datum for name, of in found.items()}
+    worst = plan.aim.worst(errors, rises)
+    return worst if worst <= WIDEST else plan.aim.without(*HEAT_FIGURES).worst(errors, rises)
 
 
 def _required(scene: Scene | LineScene, plan: Plan | None) -> Plan:
