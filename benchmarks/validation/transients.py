@@ -34,11 +34,11 @@ import scipy
 from line import ALPHA, ETA0, OILS, RADIUS, line
 
 import pyworm
+from pyworm.formulas.arrays import Array
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
-from pyworm.scene.contact import Array
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.scales import line_scales

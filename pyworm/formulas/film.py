@@ -8,21 +8,20 @@ Conventions: 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2; the speed is the mean (u1 +
 """
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
+from pyworm.formulas.arrays import Values
 from pyworm.formulas.hertz import ellipticity
-from pyworm.formulas.ranges import Values
 
 
 @dataclass(frozen=True)
 class Film:
     """Films by one formula."""
 
-    central: float | np.ndarray | None
+    central: Values | None
     """Film in the middle of the contact [m]; None if the formula does not give it."""
-    minimum: float | np.ndarray | None
+    minimum: Values | None
     """Minimum film [m]; None if the formula does not give it."""
 
     @property
@@ -33,7 +32,7 @@ class Film:
         return float(self.central)
 
     @property
-    def minima(self) -> float | np.ndarray:
+    def minima(self) -> Values:
         """Minimum films of one contact or of several [m], by a formula that gives them."""
         if self.minimum is None:
             raise ValueError("the formula gives no minimum film")
@@ -81,41 +80,40 @@ class PointGroups:
         return moes_film
 
     @property
-    def ellipticity(self) -> float:
+    def ellipticity(self) -> Values:
         """Ellipticity k of the Hertz contact: axis across over axis along the entrainment [-]."""
-        found: float = ellipticity(1 / self.ratio)
-        return found
+        return ellipticity(1 / self.ratio)
 
 
 @dataclass(frozen=True)
 class LineGroups:
     """Dimensionless groups of a line contact, numbers or arrays."""
 
-    radius: Any
+    radius: Values
     """Relative radius of curvature R [m]."""
-    speed: Any
+    speed: Values
     """U = eta0 um / (E' R) [-]."""
-    load: Any
+    load: Values
     """W = w / (E' R) with w the load for each length [-]."""
-    material: Any
+    material: Values
     """G = alpha E' [-]."""
 
     @property
-    def moes_m(self) -> float:
+    def moes_m(self) -> Values:
         """Load parameter M = W (2U)^(-1/2) (Moes)."""
-        moes_m: float = self.load * (2 * self.speed) ** -0.5
+        moes_m: Values = self.load * (2 * self.speed) ** -0.5
         return moes_m
 
     @property
-    def moes_l(self) -> float:
+    def moes_l(self) -> Values:
         """Lubricant parameter L = G (2U)^(1/4) (Moes)."""
-        moes_l: float = self.material * (2 * self.speed) ** 0.25
+        moes_l: Values = self.material * (2 * self.speed) ** 0.25
         return moes_l
 
     @property
-    def moes_film(self) -> float:
+    def moes_film(self) -> Values:
         """Film [m] for which Moes' dimensionless film (h/R) (2U)^(-1/2) is 1."""
-        moes_film: float = self.radius * (2 * self.speed) ** 0.5
+        moes_film: Values = self.radius * (2 * self.speed) ** 0.5
         return moes_film
 
 
@@ -155,12 +153,12 @@ def point_groups(
 
 
 def line_groups(
-    radius: Any,
-    load_per_length: Any,
-    reduced_modulus: Any,
-    speed: Any,
-    viscosity: Any,
-    alpha: Any,
+    radius: Values,
+    load_per_length: Values,
+    reduced_modulus: Values,
+    speed: Values,
+    viscosity: Values,
+    alpha: Values,
 ) -> LineGroups:
     """Groups of a line contact; parameters as in `point_groups`, the load in [N/m]."""
     return LineGroups(
@@ -333,13 +331,13 @@ def dowson_toyoda(groups: LineGroups) -> Film:
 class Asymptotes:
     """Films of the four limits, in Moes' dimensionless film (h/R) (2U)^(-1/2)."""
 
-    rigid_isoviscous: float
+    rigid_isoviscous: Values
     """H_RI [-]."""
-    elastic_isoviscous: float
+    elastic_isoviscous: Values
     """H_EI [-]."""
-    rigid_piezoviscous: float
+    rigid_piezoviscous: Values
     """H_RP [-]."""
-    elastic_piezoviscous: float
+    elastic_piezoviscous: Values
     """H_EP [-]."""
 
 
@@ -363,7 +361,7 @@ def point_asymptotes(moes_m: float, moes_l: float, ratio: float) -> Asymptotes:
     )
 
 
-def line_asymptotes(moes_m: Any, moes_l: Any) -> Asymptotes:
+def line_asymptotes(moes_m: Values, moes_l: Values) -> Asymptotes:
     """Films of a line contact in its four limits, where the pressure is largest.
 
     Source: H. Moes, Lubrication and Beyond, University of Twente (2000); 3 and 1.287 are exact for
@@ -385,24 +383,24 @@ def joined_line(limits: Asymptotes) -> tuple[Values, Values]:
     return isoviscous, _soft_min(limits.rigid_piezoviscous, limits.elastic_piezoviscous, 3.5)
 
 
-def _soft_min(a: Any, b: Any, power: float) -> Any:
+def _soft_min(a: Values, b: Values, power: float) -> Values:
     """(a^-n + b^-n)^(-1/n), written so that a zero gives zero instead of an overflow."""
     small, large = np.minimum(a, b), np.maximum(a, b)
     return small * (1 + _over(small, large) ** power) ** (-1 / power)
 
 
-def _join(a: Any, b: Any, power: Any) -> Any:
+def _join(a: Values, b: Values, power: Values) -> Values:
     """(a^n + b^n)^(1/n)."""
     small, large = np.minimum(a, b), np.maximum(a, b)
     return large * (1 + _over(small, large) ** power) ** (1 / power)
 
 
-def _decay(numerator: Any, denominator: Any) -> Any:
+def _decay(numerator: Values, denominator: Values) -> Values:
     """exp(-numerator/denominator), zero where the denominator is."""
     with np.errstate(divide="ignore"):
         return np.exp(-np.divide(numerator, denominator))
 
 
-def _over(small: Any, large: Any) -> Any:
+def _over(small: Values, large: Values) -> Values:
     """small / large, zero where both are."""
     return np.divide(small, np.where(np.equal(large, 0), 1.0, large))

@@ -9,17 +9,17 @@ Inside, lengths are over the smaller radius, and 2U along the entrainment is 1.
 """
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from functools import cache, cached_property
 from importlib.resources import files
 from math import log, pi
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Flags, Values
 from pyworm.formulas.hertz import hertz
-from pyworm.formulas.ranges import Values
 from pyworm.formulas.regimes import flattening, thickening
 
 PART = 4096
@@ -97,7 +97,8 @@ class AtlasGroups:
         aspect, cos, sin = np.exp(np.polyval(_ellipses()[0], self.slender)), *self._course
         half = self._arc(aspect, -1.0)
         x, y = aspect * (cos - half * sin), sin + half * cos
-        return x**2 / (x**2 + y**2)
+        outlet: Values = x**2 / (x**2 + y**2)
+        return outlet
 
     @cached_property
     def _course(self) -> tuple[Values, Values]:
@@ -119,42 +120,61 @@ class AtlasGroups:
     @cached_property
     def approach(self) -> Values:
         """ln of the Hertz approach in Moes' unit."""
-        return np.polyval(_ellipses()[3], self.slender) + 2 * self.load / 3 - self.along
+        of_unit_load = np.asarray(np.polyval(_ellipses()[3], self.slender), dtype=np.float64)
+        approach: Values = of_unit_load + 2 * self.load / 3 - self.along
+        return approach
 
 
 @dataclass(frozen=True)
 class AtlasFilms:
     """Films by the formula, each shaped as the groups together."""
 
-    central: np.ndarray
+    central: Array
     """Film at the contact point in Moes' unit, R (2U)^(1/2) [-]."""
-    minimum: np.ndarray
+    minimum: Array
     """Least film in Moes' unit, R (2U)^(1/2) [-]."""
-    central_error: np.ndarray
+    central_error: Array
     """Relative error of the central film within which 19 of 20 contacts lay that the fit had not seen [-]."""
-    minimum_error: np.ndarray
+    minimum_error: Array
     """Relative error of the least film within which 19 of 20 contacts lay that the fit had not seen [-]."""
-    inside: np.ndarray
+    inside: Flags
     """Whether the contact is in the box of the atlas; outside it the errors are not known."""
+
+
+class AtlasConstants(TypedDict):
+    """The constants of the fit."""
+
+    isoviscous: Mapping[str, float]
+    """Factor of the limit of elastic bodies and an isoviscous oil, over the ratio of radii and the angle."""
+    piezoviscous: Mapping[str, float]
+    """Factor of the limit of elastic bodies and a piezoviscous oil, over the ratio of radii and the angle."""
+    joined: Mapping[str, float]
+    """Powers by which the limits are joined, and how far a compressible oil thins the film."""
+    network: Mapping[str, Array]
+    """Weights of the network and the box of its features."""
+    errors: Mapping[str, Array]
+    """ln of the error of each film, linear in the features."""
+    box: Mapping[str, tuple[float, float]]
+    """Least and largest value of each group in the atlas."""
 
 
 @dataclass(frozen=True)
 class Limits:
     """Logarithms of the central film of the four limits, in Moes' unit."""
 
-    rigid_isoviscous: np.ndarray
+    rigid_isoviscous: Array
     """ln H of rigid bodies and an isoviscous oil."""
-    elastic_isoviscous: np.ndarray
+    elastic_isoviscous: Array
     """ln H of elastic bodies and an isoviscous oil."""
-    rigid_piezoviscous: np.ndarray
+    rigid_piezoviscous: Array
     """ln H of rigid bodies and a piezoviscous oil."""
-    elastic_piezoviscous: np.ndarray
+    elastic_piezoviscous: Array
     """ln H of elastic bodies and a piezoviscous oil."""
-    wedge: np.ndarray
+    wedge: Array
     """Part of the wedge that is entrained along the smaller radius, 0 to 1 [-]."""
 
 
-def limits(groups: AtlasGroups, constants: dict) -> Limits:
+def limits(groups: AtlasGroups, constants: AtlasConstants) -> Limits:
     """The four limits of the central film.
 
     Rigid bodies: p = 4 eta (u x/(1 + 2D/3) + v y/(1 + 2/(3D)))/h^2 solves Reynolds' equation for a paraboloid
@@ -173,7 +193,7 @@ def limits(groups: AtlasGroups, constants: dict) -> Limits:
     ----------
     groups : AtlasGroups
         The contacts, arrays of one shape.
-    constants : dict
+    constants : AtlasConstants
         Of the fit.
     """
     r, load, re, cos2 = groups.slender, groups.load, groups.along, groups.cos2
@@ -184,11 +204,10 @@ def limits(groups: AtlasGroups, constants: dict) -> Limits:
     )  # ln 2U of the speed into the contact along either axis
     alpha = np.log(groups.moes_l * groups.alpha_ratio)
     elastic = []
-    for name, speed, bearing, oil in (
-        ("isoviscous", 0.6, 2 / 15, 0.0),
-        ("piezoviscous", 0.75, 1 / 12, 0.75),
+    for given, speed, bearing, oil in (
+        (constants["isoviscous"], 0.6, 2 / 15, 0.0),
+        (constants["piezoviscous"], 0.75, 1 / 12, 0.75),
     ):
-        given = constants[name]
         long = _shape(-r, bearing / 2, given) - bearing * load + speed * along
         tip = _shape(r, bearing / 2, given) - bearing * (load - 2 * r) + speed * across + r
         elastic.append(tip + _turned(side, given["turn"]) * (long - tip) + oil * alpha - re)
@@ -216,7 +235,7 @@ def _exit(wedge: Values, delta: Values) -> Values:
     return 1 + 0.22374 * (wedge / (1 + 0.83 * delta) + (1 - wedge) / (1 + 0.83 / delta))
 
 
-def _shape(log_ratio: Values, slope: float, given: dict) -> Values:
+def _shape(log_ratio: Values, slope: float, given: Mapping[str, float]) -> Values:
     """ln of a limit's factor for D = radius along over radius across; D^-slope towards a line contact."""
     bend = np.log1p(given["bend"] * np.exp(given["rate"] * log_ratio))
     shape: Values = given["factor"] - slope * log_ratio - given["fall"] * bend
@@ -229,7 +248,7 @@ def _turned(side: Values, power: float) -> Values:
     return one / (one + other)
 
 
-def joined(groups: AtlasGroups, found: Limits, constants: dict) -> Values:
+def joined(groups: AtlasGroups, found: Limits, constants: AtlasConstants) -> Values:
     """ln of the central film of the limits joined, without the network."""
     how = constants["joined"]
     thin, thick = _thin_and_thick(groups, found, how)
@@ -238,7 +257,9 @@ def joined(groups: AtlasGroups, found: Limits, constants: dict) -> Values:
     return joined
 
 
-def _thin_and_thick(groups: AtlasGroups, found: Limits, how: dict) -> tuple[Values, Values]:
+def _thin_and_thick(
+    groups: AtlasGroups, found: Limits, how: Mapping[str, float]
+) -> tuple[Values, Values]:
     """ln of the central film of an oil that does not thicken under pressure, and of one that does."""
     n = how["isoviscous"]
     rigid, elastic = found.rigid_piezoviscous, found.elastic_piezoviscous
@@ -253,7 +274,7 @@ def _rising(value: Values) -> Values:
 
 
 @cache
-def _ellipses() -> tuple[np.ndarray, ...]:
+def _ellipses() -> tuple[Array, ...]:
     """Polynomials of ln of the ratio of radii, highest power first.
 
     They give ln of ellipticity, longer semi-axis, pressure and approach of contacts of unit load, modulus and
@@ -272,12 +293,14 @@ def _ellipses() -> tuple[np.ndarray, ...]:
 
 def longer_semi_axis(ratio: Values) -> Values:
     """Hertz's longer semi-axis over (F R/E')^(1/3), R the smaller radius [-], from the ratio of radii."""
-    return np.exp(np.polyval(_ellipses()[1], np.log(ratio)))
+    semi_axis: Values = np.exp(np.polyval(_ellipses()[1], np.log(ratio)))
+    return semi_axis
 
 
 def hertz_pressure(ratio: Values) -> Values:
     """Hertz's pressure over (F E'^2/R^2)^(1/3), R the smaller radius [-], from the ratio of radii."""
-    return np.exp(np.polyval(_ellipses()[2], np.log(ratio)))
+    pressure: Values = np.exp(np.polyval(_ellipses()[2], np.log(ratio)))
+    return pressure
 
 
 def pressure(groups: AtlasGroups) -> Values:
@@ -294,7 +317,7 @@ THICKNESS, PRESSURE = 13, 14
 """Places of the film over the approach and of alpha p_H in what the network reads, as logarithms."""
 
 
-def features(groups: AtlasGroups, found: Limits, film: Values) -> np.ndarray:
+def features(groups: AtlasGroups, found: Limits, film: Values) -> Array:
     """What the network reads, (contacts, features); of a circular contact nothing turns with the angle."""
     oval = 1 - np.exp(-groups.slender)
     side, normal = groups.inlet
@@ -333,15 +356,15 @@ def fade(groups: AtlasGroups, film: Values) -> Values:
     return _rising(2 * (log(RIGID) - thickness(groups, film)))
 
 
-def scaled(read: np.ndarray, constants: dict) -> np.ndarray:
+def scaled(read: Array, constants: Mapping[str, Array]) -> Array:
     """What the network reads inside the box, about 0 and of the size of 1."""
-    inside: np.ndarray = np.clip(read, constants["low"], constants["high"])
+    inside: Array = np.clip(read, constants["low"], constants["high"])
     inside -= constants["shift"]
     inside /= constants["scale"]
     return inside
 
 
-def network(kept: np.ndarray, constants: dict) -> np.ndarray:
+def network(kept: Array, constants: Mapping[str, Array]) -> Array:
     """The network: one layer of hyperbolic tangents, and straight lines beside it, (contacts, 2).
 
     The first column is added to ln of the central film, the second tells how far the least film is below it.
@@ -351,9 +374,7 @@ def network(kept: np.ndarray, constants: dict) -> np.ndarray:
     )  # in place from here: new arrays of this size cost more than tangents
     hidden += constants["inner_bias"]
     np.tanh(hidden, out=hidden)
-    network: np.ndarray = (
-        hidden @ constants["outer"] + kept @ constants["straight"] + constants["bias"]
-    )
+    network: Array = hidden @ constants["outer"] + kept @ constants["straight"] + constants["bias"]
     return network
 
 
@@ -384,7 +405,7 @@ def films(groups: AtlasGroups) -> AtlasFilms:
     return AtlasFilms(central, minimum, errors[0], errors[1], inside.reshape(shape))
 
 
-def _films(groups: AtlasGroups, constants: dict) -> tuple[np.ndarray, np.ndarray]:
+def _films(groups: AtlasGroups, constants: AtlasConstants) -> tuple[Array, Flags]:
     found = limits(groups, constants)
     film = joined(groups, found, constants)
     read = features(groups, found, film)
@@ -398,10 +419,10 @@ def _films(groups: AtlasGroups, constants: dict) -> tuple[np.ndarray, np.ndarray
     )
 
 
-def scatter(kept: np.ndarray, constants: dict) -> np.ndarray:
+def scatter(kept: Array, constants: Mapping[str, Array]) -> Array:
     """Relative errors of central and least film that 19 of 20 left-out contacts kept, (contacts, 2)."""
     level = kept @ constants["slope"] + constants["level"]
-    scatter: np.ndarray = np.exp(np.clip(level, log(LEAST_ERROR), 0))
+    scatter: Array = np.exp(np.clip(level, log(LEAST_ERROR), 0))
     return scatter
 
 
@@ -409,7 +430,7 @@ LEAST_ERROR = 0.005
 """Errors below the atlas' own are not told."""
 
 
-def _inside(groups: AtlasGroups, read: np.ndarray, box: dict) -> np.ndarray:
+def _inside(groups: AtlasGroups, read: Array, box: Mapping[str, tuple[float, float]]) -> Flags:
     """Whether contacts are in the box of the atlas."""
     values = {
         "moes_m": groups.moes_m,
@@ -421,8 +442,11 @@ def _inside(groups: AtlasGroups, read: np.ndarray, box: dict) -> np.ndarray:
         "pressure": np.exp(read[:, PRESSURE]),
         "thickness": np.exp(read[:, THICKNESS]),
     }
-    within = [(low <= values[name]) & (values[name] <= high) for name, (low, high) in box.items()]
-    inside: np.ndarray = np.all(within, axis=0)
+    within = [
+        np.logical_and(low <= values[name], values[name] <= high)
+        for name, (low, high) in box.items()
+    ]
+    inside: Flags = np.all(within, axis=0)
     return inside
 
 
@@ -452,7 +476,7 @@ def oil_thickening(groups: AtlasGroups, deflection: Values) -> Values:
     return thickening(np.exp(thick - thin), deflection)
 
 
-def reciprocal_alpha(viscosity: Callable[[np.ndarray], Any], alpha: float) -> float:
+def reciprocal_alpha(viscosity: Callable[[Array], Array], alpha: float) -> float:
     """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-].
 
     1/(alpha int_0^inf eta0/eta dp): what Weibull, Blok and Bair take for the pressure-viscosity coefficient
@@ -477,17 +501,24 @@ def reciprocal_alpha(viscosity: Callable[[np.ndarray], Any], alpha: float) -> fl
 
 
 @cache
-def _gauss() -> tuple[np.ndarray, np.ndarray]:
+def _gauss() -> tuple[Array, Array]:
     """Places and weights of Gauss and Legendre's rule between -1 and 1."""
     return np.polynomial.legendre.leggauss(64)
 
 
 @cache
-def _constants() -> dict:
+def _constants() -> AtlasConstants:
     """The constants of the fit."""
-    content: dict = json.loads(
-        files("pyworm.formulas").joinpath("film_atlas.json").read_text("utf-8")
-    )
-    for name in ("network", "errors"):
-        content[name] = {key: np.asarray(of) for key, of in content[name].items()}
-    return content
+    content = json.loads(files("pyworm.formulas").joinpath("film_atlas.json").read_text("utf-8"))
+    arrays = {
+        name: {key: np.asarray(of) for key, of in content[name].items()}
+        for name in ("network", "errors")
+    }
+    return {
+        "isoviscous": content["isoviscous"],
+        "piezoviscous": content["piezoviscous"],
+        "joined": content["joined"],
+        "network": arrays["network"],
+        "errors": arrays["errors"],
+        "box": content["box"],
+    }

@@ -7,19 +7,36 @@ box (`benchmarks/atlas/fit_thermal.py`). So a factor is below 1, and 1 where nei
 """
 
 import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 from math import log
+from typing import TypedDict
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Flags, Values
 from pyworm.formulas.film_atlas import AtlasGroups, pressure, thickness
-from pyworm.formulas.ranges import Values
 from pyworm.formulas.thermal_reduction import wilson_sheu
 
 LEAST_SHEAR = 1e-3
 """Shear rate of the inlet from which the series of the sinh's inverse no longer serves."""
+
+
+class HeatConstants(TypedDict):
+    """The constants of the fit."""
+
+    low: Array
+    """Lower bound of each feature's box."""
+    high: Array
+    """Upper bound of each feature's box."""
+    slope: Array
+    """Rise of ln of the error of each film with each feature, (features, 2)."""
+    level: Array
+    """ln of the error of each film in the middle of the box, (2)."""
+    films: Mapping[str, Array]
+    """Weights of the network, by name."""
 
 
 @dataclass(frozen=True)
@@ -55,17 +72,17 @@ class HeatGroups:
 class FilmReduction:
     """Factors of films by heat and shear thinning, each shaped as the groups together."""
 
-    central: np.ndarray
+    central: Array
     """Factor of the film at the contact point [-]."""
-    minimum: np.ndarray
+    minimum: Array
     """Factor of the least film [-]."""
-    central_error: np.ndarray
+    central_error: Array
     """Relative error of the factor of the central film that 19 of 20 contacts kept which the fit had not seen
     [-]."""
-    minimum_error: np.ndarray
+    minimum_error: Array
     """Relative error of the factor of the least film that 19 of 20 contacts kept which the fit had not seen
     [-]."""
-    inside: np.ndarray
+    inside: Flags
     """Whether the contact is in the box of the thermal contacts; outside it the errors are not known."""
 
 
@@ -90,10 +107,10 @@ def reduction(groups: AtlasGroups, central: Values, heat: HeatGroups) -> FilmRed
     return FilmReduction(factors[..., 0], factors[..., 1], errors[..., 0], errors[..., 1], inside)
 
 
-def bars(kept: np.ndarray, constants: dict) -> np.ndarray:
+def bars(kept: Array, constants: HeatConstants) -> Array:
     """Relative errors of both factors that 19 of 20 left-out contacts kept, (..., 2)."""
     level = kept @ constants["slope"] + constants["level"]
-    bars: np.ndarray = np.exp(np.clip(level, log(LEAST_ERROR), 0))
+    bars: Array = np.exp(np.clip(level, log(LEAST_ERROR), 0))
     return bars
 
 
@@ -108,7 +125,7 @@ LEAST_WARMTH = 1e-3
 """Warmth that changes nothing: as of pure rolling."""
 
 
-def features(groups: AtlasGroups, central: Values, heat: HeatGroups) -> np.ndarray:
+def features(groups: AtlasGroups, central: Values, heat: HeatGroups) -> Array:
     """What the network reads, (..., features); of a circular contact nothing turns with the angle."""
     oval = 1 - np.exp(-groups.slender)
     side, _ = groups.inlet
@@ -135,20 +152,20 @@ def features(groups: AtlasGroups, central: Values, heat: HeatGroups) -> np.ndarr
     )
 
 
-def scaled(read: np.ndarray, constants: dict) -> np.ndarray:
+def scaled(read: Array, constants: HeatConstants) -> Array:
     """The features inside their box, -1 to 1."""
     low, high = constants["low"], constants["high"]
-    scaled: np.ndarray = (2 * np.clip(read, low, high) - low - high) / (high - low)
+    scaled: Array = (2 * np.clip(read, low, high) - low - high) / (high - low)
     return scaled
 
 
-def lost(kept: np.ndarray, heat: HeatGroups, constants: dict) -> np.ndarray:
+def lost(kept: Array, heat: HeatGroups, constants: Mapping[str, Array]) -> Array:
     """-ln of both factors, (..., 2)."""
-    lost: np.ndarray = (terms(heat)[..., None, :] * np.exp(exponents(kept, constants))).sum(axis=-1)
+    lost: Array = (terms(heat)[..., None, :] * np.exp(exponents(kept, constants))).sum(axis=-1)
     return lost
 
 
-def terms(heat: HeatGroups) -> np.ndarray:
+def terms(heat: HeatGroups) -> Array:
     """-ln of Wilson and Sheu's factor, and ln of the inlet's viscosity over the thinned one, (..., 2)."""
     warm = -np.log(wilson_sheu(heat.loading, np.minimum(heat.sliding, MOST_SLIDING)))
     given = np.asarray(heat.shear, float)
@@ -161,19 +178,24 @@ MOST_SLIDING = 2.0
 """Slide-roll ratio beyond which Wilson and Sheu's factor is that of this one."""
 
 
-def exponents(kept: np.ndarray, constants: dict) -> np.ndarray:
+def exponents(kept: Array, constants: Mapping[str, Array]) -> Array:
     """a and b, exponents of the shares of heat and thinning in both films, (..., film, share)."""
     hidden = np.tanh(kept @ constants["inner"] + constants["inner_bias"])
     out = hidden @ constants["outer"] + kept @ constants["straight"] + constants["bias"]
-    exponents: np.ndarray = out.reshape(*out.shape[:-1], 2, 2)
+    exponents: Array = out.reshape(*out.shape[:-1], 2, 2)
     return exponents
 
 
 @cache
-def _constants() -> dict:
+def _constants() -> HeatConstants:
     """The constants of the fit."""
     content = json.loads(
         files("pyworm.formulas").joinpath("film_reduction.json").read_text("utf-8")
     )
-    films = {name: np.asarray(of) for name, of in content.pop("films").items()}
-    return {name: np.asarray(of) for name, of in content.items()} | {"films": films}
+    return {
+        "low": np.asarray(content["low"]),
+        "high": np.asarray(content["high"]),
+        "slope": np.asarray(content["slope"]),
+        "level": np.asarray(content["level"]),
+        "films": {name: np.asarray(of) for name, of in content["films"].items()},
+    }

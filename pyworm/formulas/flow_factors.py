@@ -10,9 +10,8 @@ fits fall too fast.
 import numpy as np
 import numpy.typing as npt
 
+from pyworm.formulas.arrays import Array
 from pyworm.formulas.rough_contact import open_gap
-
-Array = np.ndarray
 
 ASPECTS = np.array([1 / 9, 1 / 6, 1 / 3, 1.0, 3.0, 6.0, 9.0])
 """Peklenik numbers of the tables: correlation length along the flow over that across it."""

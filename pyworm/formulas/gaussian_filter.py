@@ -6,7 +6,7 @@ from math import log, pi, sqrt
 import numpy as np
 import scipy
 
-Array = np.ndarray
+from pyworm.formulas.arrays import Array
 
 ALPHA = sqrt(log(2) / pi)
 """Constant of the weights exp(-pi (x/(ALPHA index))^2): 50 % of a wave as long as the nesting index pass."""

@@ -5,10 +5,11 @@ No curve fits: the ellipticity is solved from the exact ratio of elliptic integr
 
 from dataclasses import dataclass
 from math import exp, inf, log, pi, sqrt
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+
+from pyworm.formulas.arrays import Alike, Values
 
 
 @dataclass(frozen=True)
@@ -29,10 +30,11 @@ class HertzContact:
         """Semi-axis along y over semi-axis along x [-]."""
         return self.semi_axis_y / self.semi_axis_x
 
-    def pressure(self, x: Any, y: Any) -> Any:
+    def pressure(self, x: Alike, y: Alike) -> Alike:
         """Pressure [Pa] at (x, y) [m], numbers or arrays; zero outside the ellipse."""
         inside = 1 - (x / self.semi_axis_x) ** 2 - (y / self.semi_axis_y) ** 2
-        return self.pressure_max * np.sqrt(np.maximum(inside, 0.0))
+        pressure: Alike = self.pressure_max * np.sqrt(np.maximum(inside, 0.0))
+        return pressure
 
 
 @dataclass(frozen=True)
@@ -47,10 +49,11 @@ class HertzLine:
     pressure_max: float
     """Pressure on the centre line [Pa]."""
 
-    def pressure(self, x: Any) -> Any:
+    def pressure(self, x: Alike) -> Alike:
         """Pressure [Pa] at a distance x [m] from the centre line, a number or an array."""
         inside = 1 - (x / self.half_width) ** 2
-        return self.pressure_max * np.sqrt(np.maximum(inside, 0.0))
+        pressure: Alike = self.pressure_max * np.sqrt(np.maximum(inside, 0.0))
+        return pressure
 
 
 def hertz(radius_x: float, radius_y: float, load: float, reduced_modulus: float) -> HertzContact:
@@ -112,7 +115,7 @@ def hertz_line(radius: float, load_per_length: float, reduced_modulus: float) ->
     return HertzLine(half_width, 2 * load_per_length / (pi * half_width))
 
 
-def ellipticity(radius_ratio: npt.ArrayLike) -> Any:
+def ellipticity(radius_ratio: npt.ArrayLike) -> Values:
     """Semi-axis along over semi-axis across, of the radius along over the radius across.
 
     Parameters
@@ -120,7 +123,8 @@ def ellipticity(radius_ratio: npt.ArrayLike) -> Any:
     radius_ratio : float or array
         Ratio of the relative radii of curvature [-], positive.
     """
-    return np.vectorize(_ellipticity, otypes=[float])(radius_ratio)[()]
+    found: Values = np.vectorize(_ellipticity, otypes=[float])(radius_ratio)[()]
+    return found
 
 
 def _ellipticity(radius_ratio: float) -> float:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pyworm.formulas.ranges import Values
+from pyworm.formulas.arrays import Values
 
 
 @dataclass(frozen=True)

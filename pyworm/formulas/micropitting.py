@@ -11,11 +11,10 @@ from math import pi
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Values
 from pyworm.formulas.film import line_groups
-from pyworm.formulas.ranges import Values, positive, within
+from pyworm.formulas.ranges import positive, within
 from pyworm.formulas.scuffing import flash_temperature
-
-Array = np.ndarray
 
 SOURCE = "ISO/TS 6336-22:2018 (as ISO/TR 15144-1), by a public program"
 

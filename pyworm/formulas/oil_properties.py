@@ -9,7 +9,8 @@ from math import log, log10
 import numpy as np
 import scipy
 
-from pyworm.formulas.ranges import Values, within
+from pyworm.formulas.arrays import Values
+from pyworm.formulas.ranges import within
 from pyworm.formulas.unit_factors import SQUARE_METRE, ZERO_CELSIUS
 
 WALTHER_SHIFT = 0.7

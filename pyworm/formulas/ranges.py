@@ -8,13 +8,12 @@ from typing import TypeVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Values
+
 ROUNDING = 1e-12
 """What a bound that was given in another unit may have lost by its conversion, over the bound."""
 
 Choice = TypeVar("Choice", bound=str)
-
-Values = float | np.ndarray
-"""A number or an array of numbers."""
 
 
 def apart(value: float, bound: float, digits: int = 6) -> str:
@@ -26,7 +25,7 @@ def apart(value: float, bound: float, digits: int = 6) -> str:
     return repr(value)
 
 
-def numbers(name: str, value: object) -> np.ndarray:
+def numbers(name: str, value: object) -> Array:
     """A value, or several, as an array of numbers.
 
     Raises

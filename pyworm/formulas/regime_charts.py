@@ -12,8 +12,8 @@ from math import atan, exp
 
 import numpy as np
 
+from pyworm.formulas.arrays import Indices, Values
 from pyworm.formulas.hertz import ellipticity
-from pyworm.formulas.ranges import Values
 from pyworm.formulas.regimes import (
     ISOVISCOUS_ELASTIC,
     ISOVISCOUS_RIGID,
@@ -76,10 +76,10 @@ def point_films(viscosity: Values, elasticity: Values, ratio: float) -> dict[str
     }
 
 
-def point_chart(viscosity: Values, elasticity: Values, ratio: float) -> np.ndarray:
+def point_chart(viscosity: Values, elasticity: Values, ratio: float) -> Indices:
     """Place in `REGIMES` by Hamrock and Dowson's chart; arguments as of `point_films`."""
     films = point_films(viscosity, elasticity, ratio)
-    point_chart: np.ndarray = np.argmax(
+    point_chart: Indices = np.argmax(
         np.stack(np.broadcast_arrays(*(films[name] for name in REGIMES))), axis=0
     )
     return point_chart
@@ -114,7 +114,7 @@ def line_films(viscosity: Values, elasticity: Values) -> dict[str, Values]:
     }
 
 
-def line_chart(viscosity: Values, elasticity: Values) -> np.ndarray:
+def line_chart(viscosity: Values, elasticity: Values) -> Indices:
     """Place in `REGIMES` by Johnson and Hooke's chart; arguments as of `line_films`.
 
     Elastic flattening adds film to an isoviscous oil, and caps what thickening adds to a piezoviscous one.
@@ -127,5 +127,5 @@ def line_chart(viscosity: Values, elasticity: Values) -> np.ndarray:
         films[PIEZOVISCOUS_RIGID] > films[PIEZOVISCOUS_ELASTIC],
         films[ISOVISCOUS_ELASTIC] > films[ISOVISCOUS_RIGID],
     )
-    line_chart: np.ndarray = 2 * flat + 1 * (thick > thin)
+    line_chart: Indices = 2 * flat + 1 * (thick > thin)
     return line_chart

@@ -21,8 +21,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pyworm.formulas.arrays import Indices, Values
 from pyworm.formulas.film import LineGroups, joined_line, line_asymptotes, moes_line
-from pyworm.formulas.ranges import Values
 
 ISOVISCOUS_RIGID = "isoviscous-rigid"
 PIEZOVISCOUS_RIGID = "piezoviscous-rigid"
@@ -115,7 +115,7 @@ class Regime:
         }
 
 
-def regime_number(deflection: Values, thickening: Values) -> np.ndarray:
+def regime_number(deflection: Values, thickening: Values) -> Indices:
     """Place in `REGIMES` from both numbers; where one is NaN no comparison holds, and 0 is returned."""
     return np.asarray(2 * (np.asarray(deflection) > 1) + 1 * (np.asarray(thickening) > 1))
 

@@ -13,14 +13,10 @@ not to be trusted. Its four film formulas are the line contact's of Hooke's char
 from dataclasses import dataclass
 from math import cos, sin
 
-import numpy as np
+from pyworm.formulas.arrays import Values
 
 MINIMUM_FRACTION = 0.75
 """What the source takes for minimum over central film."""
-
-
-Values = float | np.ndarray
-"""A number or an array."""
 
 
 @dataclass(frozen=True)

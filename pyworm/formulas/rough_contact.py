@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy
 
-Array = np.ndarray
+from pyworm.formulas.arrays import Array
 
 RQ_OVER_RA = sqrt(pi / 2)
 """Root mean square over arithmetic mean of heights spread normally."""

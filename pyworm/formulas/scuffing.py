@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from pyworm.formulas.ranges import Values, positive, within
+from pyworm.formulas.arrays import Array, Values
+from pyworm.formulas.ranges import positive, within
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 
 SOURCE = "Blok 1937; AGMA 2001-B88 and 925-A03"
@@ -192,9 +193,9 @@ def risk(probability: float) -> str:
 class ScuffingRating:
     """Scuffing along the line of action of a pair of teeth, or at one contact."""
 
-    flash: np.ndarray
+    flash: Array
     """Flash temperature at each contact [K]."""
-    contact: np.ndarray
+    contact: Array
     """Contact temperature at each contact [K]."""
     contact_max: float
     """Largest contact temperature [K]."""

@@ -6,7 +6,8 @@ speeds have other constants. None is larger than 1.
 
 import numpy as np
 
-from pyworm.formulas.ranges import Values, positive, within
+from pyworm.formulas.arrays import Values
+from pyworm.formulas.ranges import positive, within
 
 
 def thermal_loading(

@@ -26,7 +26,6 @@ def left_of_waves(length: float, groups: Groups) -> float:
         return 0.0
     if isinstance(groups, LineGroups):
         n = length * groups.moes_m**0.75 / sqrt(groups.moes_l)
-        left_of_waves: float = 1 / (1 + 0.17 * n + 0.03 * n**2)
-        return left_of_waves
+        return float(1 / (1 + 0.17 * n + 0.03 * n**2))
     n = length * sqrt(groups.moes_m / groups.moes_l)
     return 1 / (1 + 0.15 * n + 0.015 * n**2)

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
+from pyworm.formulas.arrays import Values
 from pyworm.formulas.lubrication import BOUNDARY, FULL_FILM
-from pyworm.formulas.ranges import Values, positive, within
+from pyworm.formulas.ranges import positive, within
 
 SOURCE = "Wellauer and Holloway 1976, as fitted in AGMA 925-A03"
 

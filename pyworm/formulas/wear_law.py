@@ -5,7 +5,8 @@ from math import exp, pi, sqrt
 import numpy as np
 import scipy
 
-from pyworm.formulas.ranges import Values, positive, within
+from pyworm.formulas.arrays import Values
+from pyworm.formulas.ranges import positive, within
 
 WEAR_COEFFICIENT = 7e-18
 """k of steel on tin bronze between asperities that touch [m2/N], depth over their pressure and path.

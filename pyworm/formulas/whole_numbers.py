@@ -2,8 +2,10 @@
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Indices
 
-def whole(values: np.ndarray) -> np.ndarray:
+
+def whole(values: Array) -> Indices:
     """Integers of computed numbers, without their fractions.
 
     Raises

@@ -57,7 +57,7 @@ def kind_of(annotated: Any) -> Kind:
     return next(part for part in annotated.__metadata__ if isinstance(part, Kind))
 
 
-def _several(name: str, value: Any, kind: Kind, *, sizes: bool = True) -> tuple[float, ...]:
+def _several(name: str, value: object, kind: Kind, *, sizes: bool = True) -> tuple[float, ...]:
     """Numbers in SI from numbers or texts with units in a row; ValueError as of `take`."""
     return tuple(
         number(f"{name}[{place}]", one, kind, sizes=sizes)
@@ -65,7 +65,7 @@ def _several(name: str, value: Any, kind: Kind, *, sizes: bool = True) -> tuple[
     )
 
 
-def text(name: str, value: Any) -> str:
+def text(name: str, value: object) -> str:
     """A text; ValueError of anything else."""
     if not isinstance(value, str):
         raise ValueError(f"{name} = {value!r:.{LONGEST}}: must be a text in quotes")
@@ -125,7 +125,7 @@ def in_si(name: str, value: Given, annotated: Any) -> Any:
     return value
 
 
-def number(name: str, value: Any, kind: Kind, *, sizes: bool = True) -> float:
+def number(name: str, value: object, kind: Kind, *, sizes: bool = True) -> float:
     """A number in SI from a number or a text with its unit; ValueError as of `take`.
 
     Zero, negative and infinite numbers are left to the caller, who knows what they mean.
@@ -181,7 +181,7 @@ def unusual(of: Any, above: str = "") -> Iterator[str]:
             yield from unusual(value, f"{name}.")
 
 
-def _doubted(name: str, value: Any, kind: Kind) -> str | None:
+def _doubted(name: str, value: object, kind: Kind) -> str | None:
     """The sentence on an unusual number in SI; None of a usual one, and of what is no number."""
     if not isinstance(value, Real) or not isfinite(value):
         return None
@@ -191,6 +191,6 @@ def _doubted(name: str, value: Any, kind: Kind) -> str | None:
     )
 
 
-def _holds(value: Any) -> bool:
+def _holds(value: object) -> bool:
     """Whether a value is a dataclass that may name quantities."""
     return is_dataclass(value) and not isinstance(value, type)

@@ -2,6 +2,7 @@
 
 import difflib
 import typing
+from collections.abc import Sequence
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
@@ -31,6 +32,10 @@ _WANTED = {
 }
 
 
+Location = tuple[str | int, ...]
+"""Keys of tables and places in lists on the way to a value, with those of the models that pydantic chose."""
+
+
 class CaseError(ValueError):
     """Invalid input; the message is one sentence for the user."""
 
@@ -57,7 +62,7 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")
     name = shortened(dotted(keys))
     if problem["type"] == "extra_forbidden":
-        return f"{name}: no such key; {_right_key(keys[-1], _choices(model, problem['loc'][:-1]))}"
+        return f"{name}: no such key; {_right_key(str(keys[-1]), _choices(model, problem['loc'][:-1]))}"
     if problem["type"] == "missing":
         return f"{name} is missing"
     if problem["type"] == "union_tag_not_found":
@@ -74,13 +79,14 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     return f"{name} = {shortened(toml(value))}: {wanted}"
 
 
-def _as_written(loc: tuple, data: dict[str, Any], absent: bool) -> tuple[list, Any]:
+def _as_written(loc: Location, data: dict[str, Any], absent: bool) -> tuple[list[str | int], Any]:
     """Keys of a pydantic location as they stand in the file, and the value there.
 
     Pydantic names the chosen model of a union among the keys; the file does not. With `absent` the last
     key is one that the file lacks.
     """
-    keys, value = [], data
+    keys: list[str | int] = []
+    value: Any = data
     for key in loc[:-1] if absent else loc:
         try:
             value = value[key]
@@ -90,7 +96,7 @@ def _as_written(loc: tuple, data: dict[str, Any], absent: bool) -> tuple[list, A
     return ([*keys, loc[-1]], None) if absent else (keys, value)
 
 
-def dotted(keys: list) -> str:
+def dotted(keys: Sequence[str | int]) -> str:
     """Keys of tables and places in lists as one name: "operation.lifts[0]"."""
     name = ""
     for key in keys:
@@ -98,7 +104,7 @@ def dotted(keys: list) -> str:
     return name
 
 
-def _choices(model: type[BaseModel], loc: tuple) -> list[type[BaseModel]]:
+def _choices(model: type[BaseModel], loc: Location) -> list[type[BaseModel]]:
     """Models that the table may have to which a pydantic location leads."""
     choices: list[type[BaseModel]] = [model]
     for key in loc:
@@ -144,7 +150,7 @@ def shortened(text: str) -> str:
     return text if len(text) <= LONGEST else f"{text[:LONGEST]}... ({len(text)} characters)"
 
 
-def toml(value: Any) -> str:
+def toml(value: object) -> str:
     """A value as a case file has it."""
     if isinstance(value, bool):
         return str(value).lower()

@@ -36,7 +36,7 @@ def read_toml(path: Path) -> dict[str, Any]:
     return content
 
 
-def _require_bounded(value: Any, keys: list[str | int]) -> None:
+def _require_bounded(value: object, keys: list[str | int]) -> None:
     """Refuse a value of a file, or one in it, that is a number out of bounds; ValueError names its key."""
     if isinstance(value, dict | list):
         entries = value.items() if isinstance(value, dict) else enumerate(value)

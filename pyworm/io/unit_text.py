@@ -120,7 +120,7 @@ def factors(text: str) -> tuple[tuple[str, int], ...]:
     return tuple(found)
 
 
-def _powers(match: re.Match, divisor: bool) -> list[tuple[str, int]]:
+def _powers(match: re.Match[str], divisor: bool) -> list[tuple[str, int]]:
     """One name with its power, or two that are run together."""
     name = _RENAMED.get(match["name"], match["name"])
     if name == "percent" or (name in DIVISORS_ONLY and not divisor):

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from pyworm.formulas.arrays import Array
 from pyworm.kernel.levels import loaded, taken
 
 LEVEL, _file = taken()
@@ -56,7 +57,7 @@ def check_status(status: int) -> None:
         raise KernelError(status)
 
 
-def fortran_array(values: npt.ArrayLike) -> np.ndarray:
+def fortran_array(values: npt.ArrayLike) -> Array:
     """Values in double precision and Fortran order, copied if necessary."""
     return np.asfortranarray(values, dtype=np.float64)
 

@@ -5,15 +5,16 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from pyworm.formulas.arrays import Array
 from pyworm.kernel import core
 from pyworm.kernel.core import NOT_CONVERGED, check_status, fortran_array
 
 
 def elastic_deflection(
     pressure: npt.ArrayLike, dx: float, dy: float, reduced_modulus: float
-) -> np.ndarray:
+) -> Array:
     """Sum of the deflections of both half-spaces [m] under nodal pressure [Pa], shape (nx, ny)."""
-    found: tuple[np.ndarray, int] = core.bindings.elastic_deflection(
+    found: tuple[Array, int] = core.bindings.elastic_deflection(
         fortran_array(pressure), dx, dy, reduced_modulus
     )
     deflection, status = found
@@ -25,7 +26,7 @@ def elastic_deflection(
 class DryContact:
     """Frictionless contact of a gap under a load."""
 
-    pressure: np.ndarray
+    pressure: Array
     """Pressure [Pa], shape (nx, ny)."""
     approach: float
     """Rigid approach of the bodies [m]."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
+from pyworm.formulas.arrays import Array
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.interpolation import at_levels
@@ -58,12 +59,12 @@ class Step:
 class Shear:
     """Shear of a film at the nodes."""
 
-    stress: tuple[np.ndarray, ...]
+    stress: tuple[Array, ...]
     """Shear stress at the middle of the film along each direction of the grid, along the velocity of body 2
     relative to body 1 [Pa]."""
-    friction: np.ndarray
+    friction: Array
     """Heat of shearing [W/m2]."""
-    rate: np.ndarray
+    rate: Array
     """Largest shear rate across the film [1/s]."""
 
 
@@ -76,11 +77,11 @@ class ShearFields(Shear):
     The other attributes are those of `Shear`.
     """
 
-    along: np.ndarray
+    along: Array
     """Flow factor D of Sharif et al. (2001), equations 13a and 14a [m3/(Pa s)]."""
-    across: np.ndarray
+    across: Array
     """Flow factor C of Sharif et al. (2001), equations 13a and 14a [m3/(Pa s)]."""
-    slip: np.ndarray
+    slip: Array
     """Where the film slips: 1 at body 1, 2 at body 2, 3 at both."""
 
 
@@ -88,9 +89,9 @@ class ShearFields(Shear):
 class HeatFields:
     """Heat flows of a film at the nodes at its last sweep of heat."""
 
-    flux: np.ndarray
+    flux: Array
     """Heat flux into each body [W/m2], body along the last axis."""
-    carried: np.ndarray
+    carried: Array
     """Heat convected or stored by the oil, less that of its compression [W/m2]."""
 
 
@@ -98,9 +99,9 @@ class HeatFields:
 class HeatStorage:
     """Rates of change of a film's oil at the nodes."""
 
-    warming: np.ndarray
+    warming: Array
     """That of its temperature, at the levels along the last axis [K/s]."""
-    pressing: np.ndarray
+    pressing: Array
     """That of its pressure [Pa/s]."""
 
 
@@ -112,11 +113,11 @@ SLIP_STEP = 1e-3
 class Asperities:
     """What asperities of rough surfaces bear at the nodes."""
 
-    pressure: np.ndarray
+    pressure: Array
     """Pressure that they bear, a part of the total [Pa]."""
-    curve: np.ndarray
+    curve: Array
     """Pressure of their curve at the present gap [Pa], another one until the film is solved."""
-    area: np.ndarray
+    area: Array
     """Real area of contact over the nominal one [-]."""
 
 
@@ -163,17 +164,17 @@ class Film:
                     self._handle, number, table.coefficient, table.cold, *scales
                 )
 
-    def _on_nodes(self, field: npt.ArrayLike) -> np.ndarray:
+    def _on_nodes(self, field: npt.ArrayLike) -> Array:
         """A field in the kernel's shape, with a second direction of one node for a line contact; no copy."""
         field = fortran_array(field)
         return field[:, np.newaxis] if len(self._shape) == 1 else field
 
-    def _on_grid(self, field: np.ndarray) -> np.ndarray:
+    def _on_grid(self, field: Array) -> Array:
         """A field of the kernel in the shape of the grid; no copy."""
         return field[:, 0] if len(self._shape) == 1 else field
 
     def start(
-        self, pressure: npt.ArrayLike, rigid_film: float, oil: np.ndarray | None = None
+        self, pressure: npt.ArrayLike, rigid_film: float, oil: Array | None = None
     ) -> Balance:
         """Start from a pressure [Pa] and a rigid film h0 [m]; pressure on the outline stays fixed.
 
@@ -193,7 +194,7 @@ class Film:
         )
         return self._evaluate(total, rigid_film)
 
-    def _evaluate(self, pressure: np.ndarray, rigid_film: float) -> Balance:
+    def _evaluate(self, pressure: Array, rigid_film: float) -> Balance:
         self.pressure = pressure
         self.rigid_film = rigid_film
         residual, load_error = core.bindings.film_evaluate(
@@ -206,7 +207,7 @@ class Film:
         """Restart from the present pressure and rigid film after a change of the equations."""
         return self._evaluate(self.pressure, self.rigid_film)
 
-    def oil_pressure(self) -> np.ndarray:
+    def oil_pressure(self) -> Array:
         """Pressure that the oil bears [Pa]."""
         return self.pressure - self.asperities().pressure if self.rough else self.pressure
 
@@ -286,13 +287,13 @@ class Film:
         check_status(status)
         return Step(self.balance, krylov, damping)
 
-    def fields(self) -> tuple[np.ndarray, ...]:
+    def fields(self) -> tuple[Array, ...]:
         """Film [m], relative density and net outflow of each cell over its size [m/s]."""
         return tuple(
             self._on_grid(field) for field in core.bindings.film_state(self._handle, *self._nodes)
         )
 
-    def thickness(self) -> np.ndarray:
+    def thickness(self) -> Array:
         """Film [m]."""
         return self._on_grid(core.bindings.film_thickness(self._handle, *self._nodes))
 
@@ -304,7 +305,7 @@ class Film:
         """Number of faces and columns whose shear stress did not converge when last solved."""
         return int(core.bindings.film_unsolved(self._handle))
 
-    def convolve(self) -> np.ndarray:
+    def convolve(self) -> Array:
         """Deflection [m] under the present pressure: one convolution, the unit of cost."""
         return self._on_grid(
             core.bindings.film_convolve(self._handle, self._on_nodes(self.pressure))
@@ -315,7 +316,7 @@ class Film:
         _, status = core.bindings.film_warm(self._handle)
         check_status(status)
 
-    def rise(self) -> np.ndarray:
+    def rise(self) -> Array:
         """Temperature above the inlet's [K] at the levels, from body 1 to body 2 along the last axis."""
         return self._on_grid(core.bindings.film_rise(self._handle, *self._nodes, self.levels))
 
@@ -405,7 +406,7 @@ class Film:
         check_status(core.bindings.film_feed(self._handle, self._on_nodes(supply)))
         self.fed = True
 
-    def fraction(self) -> np.ndarray:
+    def fraction(self) -> Array:
         """Fraction of the gap that oil fills [-], as last evaluated."""
         if not self.fed:
             return np.ones(self._shape)
@@ -450,9 +451,7 @@ class Film:
         fields = core.bindings.film_heat_fields(self._handle, *self._nodes)
         return HeatFields(*(self._on_grid(field) for field in fields))
 
-    def profile(
-        self, node: tuple[int, ...], velocity: Sequence[np.ndarray]
-    ) -> tuple[np.ndarray, ...]:
+    def profile(self, node: tuple[int, ...], velocity: Sequence[Array]) -> tuple[Array, ...]:
         """Velocity [m/s] at the levels above an inner node along each direction of the grid.
 
         Parameters

@@ -6,6 +6,7 @@ from functools import lru_cache
 import numpy as np
 import scipy
 
+from pyworm.formulas.arrays import Array
 from pyworm.io.present import present
 from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import SHAPED, FlowLaw
@@ -21,7 +22,7 @@ _FLOW_LAWS = {
 """Numbers of the laws in `fortran/oil/flow_laws.f90`."""
 
 
-def oil_numbers(oil: Oil) -> tuple:
+def oil_numbers(oil: Oil) -> tuple[float, ...]:
     """The oil for the kernel: law, eta0, exponent, pole pressure, d1, d2 (`viscosity_density`)."""
     law, density = oil.viscosity, oil.density
     compressed = (0.0, 0.0) if isinstance(density, TabulatedDensity) else (density.d1, density.d2)
@@ -32,7 +33,7 @@ def oil_numbers(oil: Oil) -> tuple:
     return 2, law.eta0, law.z, law.p0, *compressed
 
 
-def flow_numbers(law: FlowLaw) -> tuple:
+def flow_numbers(law: FlowLaw) -> tuple[float | Array, ...]:
     """A flow law for the kernel: law, stress and its courses, limit and its rise, exponent, tables."""
     shaped = law.law in SHAPED
     tables = _shape_tables(law) if shaped else (np.zeros((4, 1), order="F"),) * 2
@@ -49,7 +50,7 @@ def flow_numbers(law: FlowLaw) -> tuple:
     )
 
 
-def heat_numbers(oil: Oil) -> np.ndarray:
+def heat_numbers(oil: Oil) -> Array:
     """Thermal properties of an oil as arguments of the kernel (`bindings.f90`, point_film_heat)."""
     heat = oil.thermal
     return np.array(
@@ -71,7 +72,7 @@ def heat_numbers(oil: Oil) -> np.ndarray:
     )
 
 
-def bodies_numbers(bodies: Sequence[Body], heat: OilHeat) -> np.ndarray:
+def bodies_numbers(bodies: Sequence[Body], heat: OilHeat) -> Array:
     """Thermal properties of both bodies as arguments of the kernel, a column each."""
     columns = [
         (
@@ -89,7 +90,7 @@ CELLS_PER_LOG, LOG_CELLS = 20, 600
 
 
 @lru_cache(maxsize=8)
-def _shape_tables(law: FlowLaw) -> tuple[np.ndarray, np.ndarray]:
+def _shape_tables(law: FlowLaw) -> tuple[Array, Array]:
     """Tables of eta rate/tau over (tau/G)^2 and (eta rate/G)^2 (`fortran/oil/thinning_table.f90`)."""
     newtonian = np.geomspace(1e-6, 1e16, 8000)
     stress = law.shape_at(newtonian)
@@ -97,7 +98,7 @@ def _shape_tables(law: FlowLaw) -> tuple[np.ndarray, np.ndarray]:
     return _factor_table(stress, thinning), _factor_table(newtonian, thinning)
 
 
-def _factor_table(ratio: np.ndarray, logarithm: np.ndarray) -> np.ndarray:
+def _factor_table(ratio: Array, logarithm: Array) -> Array:
     """Coefficients of the cubic spline of a logarithm over ln(1 + ratio^2), shape (4, cells)."""
     places, chosen = np.unique(np.log1p(ratio**2), return_index=True)
     course = scipy.interpolate.PchipInterpolator(

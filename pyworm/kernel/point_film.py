@@ -5,6 +5,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 import numpy.typing as npt
 
+from pyworm.formulas.arrays import Array
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.film import Film, Shear
@@ -60,7 +61,7 @@ class PointFilm(Film):
         self._tabulate(oil)
         self._told = self._tallies()
 
-    def _tallies(self) -> np.ndarray:
+    def _tallies(self) -> Array:
         """Operations since the film was made: counts, then processor times [s]."""
         counts, seconds = core.bindings.film_tally(self._handle)
         return np.concatenate([counts, seconds])

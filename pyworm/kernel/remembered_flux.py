@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.kernel import core
 from pyworm.kernel.core import fortran_array
 
@@ -13,7 +14,7 @@ from pyworm.kernel.core import fortran_array
 class FluxHistory:
     """Fluxes into a body at some times, the present first."""
 
-    flux: Sequence[np.ndarray]
+    flux: Sequence[Array]
     """Flux at the nodes of each time's grid, all of as many nodes [W/m2]."""
     first: Sequence[tuple[float, ...]]
     """First node of that grid along each direction [m]."""
@@ -42,9 +43,9 @@ def remembered_flux(
     readings: Sequence[FluxReading],
     turning: float,
     at_origin: Sequence[float],
-    places: Sequence[np.ndarray],
-    velocity: Sequence[np.ndarray],
-) -> np.ndarray:
+    places: Sequence[Array],
+    velocity: Sequence[Array],
+) -> Array:
     """Integral of the flux met a time s ago, less the present one a way u s before, over sqrt(s) ds.
 
     Parameters
@@ -74,7 +75,7 @@ def remembered_flux(
     flux = np.empty((*nodes, len(history.flux)), order="F")
     for number, of in enumerate(history.flux):
         flux[..., number] = of.reshape(nodes)
-    found: np.ndarray = core.bindings.integrate_remembered_flux(
+    found: Array = core.bindings.integrate_remembered_flux(
         flux,
         _pairs(history.first, 0.0),
         _pairs(history.spacing, 1.0),
@@ -90,6 +91,6 @@ def remembered_flux(
     return found[:, 0] if line else found
 
 
-def _pairs(of_directions: Sequence[Sequence[float]], second: float) -> np.ndarray:
+def _pairs(of_directions: Sequence[Sequence[float]], second: float) -> Array:
     """Numbers along each direction in columns, with one along a second direction that a line has not."""
     return fortran_array(np.transpose([(*of, second)[:2] for of in of_directions]))

@@ -3,10 +3,9 @@
 import numpy as np
 import numpy.typing as npt
 
+from pyworm.formulas.arrays import Array
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
-
-Array = np.ndarray
 
 MOST_ITERATIONS = 1000
 

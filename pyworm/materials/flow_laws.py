@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Literal, get_args
 import numpy as np
 import scipy
 
+from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import one_of, positive, scalar, within
 from pyworm.io import units
 from pyworm.io.given import in_si, kind_of, number, take
@@ -138,7 +139,7 @@ class FlowLaw:
         table = tuple((float(y), float(function(y * stress)) / stress) for y in places)
         return replace(cls("tabulated", stress=stress, table=table), **limit)
 
-    def shape_at(self, newtonian: np.ndarray) -> np.ndarray:
+    def shape_at(self, newtonian: Array) -> Array:
         """Stress over G at a Newtonian stress over G, without the limit, of the laws in `SHAPED`."""
         if self.law == "carreau-yasuda":
             branches = self.branches or (Branch(1.0, 1.0, self.exponent, self.yasuda),)
@@ -154,7 +155,7 @@ class FlowLaw:
         curve = scipy.interpolate.PchipInterpolator(places, stresses)
         # before the table the oil is Newtonian, beyond it a power law
         slope = np.where(place < places[0], 1.0, float(curve(places[-1], nu=1)))
-        shape_at: np.ndarray = np.exp(curve(inside) + slope * (place - inside))
+        shape_at: Array = np.exp(curve(inside) + slope * (place - inside))
         return shape_at
 
     def limit_at(self, pressure: float | str) -> float:

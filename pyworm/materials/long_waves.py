@@ -7,9 +7,8 @@ from math import ceil, cos, hypot, pi, sin
 import numpy as np
 import scipy
 
+from pyworm.formulas.arrays import Array
 from pyworm.materials.topography import Topography
-
-Array = np.ndarray
 
 FULL = 0.5
 """Length of a track over the longest one from which on it counts for the mean along tracks."""
@@ -36,7 +35,10 @@ class LongWaves:
     @cached_property
     def length(self) -> float:
         """Mean length of the waves [m]: of one sine wave as high and as steep."""
-        slopes = np.gradient(self.surface.height, *self.surface.spacing)
+        slopes = [
+            np.gradient(self.surface.height, step, axis=axis)
+            for axis, step in enumerate(self.surface.spacing)
+        ]
         steepness = hypot(*(float(slope[self.surface.known].std()) for slope in slopes))
         return 2 * pi * self.rms / steepness if steepness > 0 else 0.0
 

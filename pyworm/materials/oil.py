@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
@@ -30,7 +31,7 @@ SAME_WARMTH = 0.01
 """Largest difference of temperatures that count as one [K]."""
 
 
-def require_kinds(name: str, law: Any, *kinds: type) -> None:
+def require_kinds(name: str, law: object, *kinds: type) -> None:
     """Refuse a law that is not exactly one of these classes.
 
     Raises
@@ -46,7 +47,7 @@ def require_kinds(name: str, law: Any, *kinds: type) -> None:
         )
 
 
-def require_oil(oil: Any) -> None:
+def require_oil(oil: object) -> None:
     """Refuse what is no `Oil`, an oil over temperature among it.
 
     Raises
@@ -119,7 +120,7 @@ class Oil:
         if self.boundary_friction_spread is not None:
             within("boundary_friction_spread", self.boundary_friction_spread, 0, 1, "")
 
-    def layer_at(self, across: Given) -> np.ndarray:
+    def layer_at(self, across: Given) -> Array:
         """Thickness of the oil that arrives at places across the entrainment [m], where it is limited."""
         across = in_si("across", across, units.Offset)
         if isinstance(self.supply, OilLayer):

@@ -6,6 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import within
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, take
@@ -40,7 +41,7 @@ class OilLayer:
             raise ValueError("across: must increase")
         within("thickness", self.thickness, 0.0, 1.0, "m")
 
-    def at(self, across: Given) -> np.ndarray:
+    def at(self, across: Given) -> Array:
         """Thickness [m] at places across the entrainment [m]."""
         return np.asarray(
             np.interp(in_si("across", across, units.Offset), self.across, self.thickness)

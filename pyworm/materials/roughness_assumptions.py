@@ -12,10 +12,9 @@ from typing import Protocol
 import numpy as np
 import numpy.typing as npt
 
+from pyworm.formulas.arrays import Array
 from pyworm.formulas.rough_contact import overlap_moment
 from pyworm.materials.rough_surfaces import GapCurves
-
-Array = np.ndarray
 
 HEIGHT_SPREAD = 0.2
 """Relative uncertainty of a composite roughness: measured tracks of one flank differ as much."""

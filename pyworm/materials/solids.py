@@ -41,7 +41,7 @@ class SolidTable(BaseModel):
 
 
 @cache
-def _tables() -> dict[str, dict]:
+def _tables() -> dict[str, dict[str, Any]]:
     """The checked table, its values as they are written."""
     data = read_toml(_TABLE)
     for name, table in data.items():

@@ -15,11 +15,10 @@ from typing import Any, ClassVar, Self
 import numpy as np
 import scipy
 
-from pyworm.formulas.ranges import Values, positive, scalar
+from pyworm.formulas.arrays import Array, Values
+from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
 from pyworm.io.given import Given, in_si
-
-Array = np.ndarray
 
 Law = Callable[[Array, Array], Values]
 """Pressures [Pa], temperatures [K] -> values."""
@@ -170,7 +169,7 @@ class Tabulated(ABC):
         return found if found.ndim else float(found)
 
     @cached_property
-    def _spline(self) -> Any:
+    def _spline(self) -> scipy.interpolate.RectBivariateSpline:
         """Spline of the property as it is written, over pressure and temperature."""
         pressures = self.pressures - self.pressures[0]
         warmths, values = self.temperatures, self._write(self.values)
@@ -190,8 +189,8 @@ class Tabulated(ABC):
         low = self.reference if single else self.temperatures[0]
         high = low + 1.0 if single else self.temperatures[-1]
         step_p, step_t = self.pressures[-1] / PRESSURE_CELLS, (high - low) / warmth_cells
-        pressures = step_p * np.arange(PRESSURE_CELLS + 1)
-        warmths = low + step_t * np.arange(warmth_cells + 1)
+        pressures = step_p * np.arange(PRESSURE_CELLS + 1, dtype=np.float64)
+        warmths = low + step_t * np.arange(warmth_cells + 1, dtype=np.float64)
         written = self._written(pressures[:, np.newaxis], warmths[np.newaxis, :])
         # a spline along pressure whose coefficients are splines along temperature, powers rising
         along_p = scipy.interpolate.CubicSpline(np.arange(pressures.size), written).c[::-1]

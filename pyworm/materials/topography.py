@@ -6,7 +6,7 @@ from hashlib import sha256
 
 import numpy as np
 
-Array = np.ndarray
+from pyworm.formulas.arrays import Array, Flags
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +21,7 @@ class Topography:
     """Whether the heights repeat themselves beyond the rectangle."""
     x_direction: float = 0.0
     """Angle of the x axis from the surface's own motion through the contact [rad]."""
-    measured: Array | None = None
+    measured: Flags | None = None
     """True where a height was measured, false where one was filled in between those around it, which no
     figure counts; None where all were measured or generated."""
 
@@ -36,7 +36,7 @@ class Topography:
         return float(self.measured_heights.std())
 
     @property
-    def known(self) -> Array:
+    def known(self) -> Flags:
         """Where heights were measured, as an array of truths."""
         return np.ones(self.height.shape, bool) if self.measured is None else self.measured
 

@@ -126,8 +126,9 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
             "warms without end; give it a velocity, or leave heat out (effects = isothermal)"
         )
     grid, wider = first_grids(scene, size, accuracy, model.heated)
+    moes_l = float(size.groups.moes_l)
     change = first_change(
-        grid.spacing, (size.hertz.half_width,), (scene.radius,), size.open_film, size.groups.moes_l
+        grid.spacing, (size.hertz.half_width,), (scene.radius,), size.open_film, moes_l
     )
     work = expected_work(
         "line",
@@ -136,7 +137,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
         accuracy,
         LARGEST_LINE,
         full=model.levels > 0,
-        stiffness=stiffness(model.heated, size.groups.moes_l),
+        stiffness=stiffness(model.heated, moes_l),
     )
     return _Numerics(
         grids=(grid,),

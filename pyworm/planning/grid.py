@@ -6,6 +6,8 @@ from math import ceil, floor
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
+
 CELLS_MULTIPLE = 8
 """Cells of every grid come in multiples of this, so that multigrid finds coarser grids."""
 
@@ -31,14 +33,14 @@ class Grid:
     """Number of nodes along y."""
 
     @property
-    def x(self) -> np.ndarray:
+    def x(self) -> Array:
         """Positions of the nodes along x [m]."""
-        return self.west + self.dx * np.arange(self.nx)
+        return self.west + self.dx * np.arange(self.nx, dtype=np.float64)
 
     @property
-    def y(self) -> np.ndarray:
+    def y(self) -> Array:
         """Positions of the nodes along y [m]."""
-        return self.south + self.dy * np.arange(self.ny)
+        return self.south + self.dy * np.arange(self.ny, dtype=np.float64)
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -65,7 +67,7 @@ class Grid:
         """The rectangle that it spans."""
         return self.west, float(self.x[-1]), self.south, float(self.y[-1])
 
-    def mesh(self) -> tuple[np.ndarray, np.ndarray]:
+    def mesh(self) -> tuple[Array, Array]:
         """Positions of all nodes, each (nx, ny) in Fortran order."""
         x, y = np.meshgrid(self.x, self.y)
         return x.T, y.T

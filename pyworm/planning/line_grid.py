@@ -6,6 +6,7 @@ from math import ceil, hypot, log, sqrt
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales
 
@@ -48,9 +49,9 @@ class LineGrid:
     """Number of nodes."""
 
     @property
-    def x(self) -> np.ndarray:
+    def x(self) -> Array:
         """Positions of the nodes [m]."""
-        return self.dx * np.arange(self.first, self.first + self.nodes)
+        return self.dx * np.arange(self.first, self.first + self.nodes, dtype=np.float64)
 
     @property
     def shape(self) -> tuple[int]:
@@ -67,7 +68,7 @@ class LineGrid:
         """Length of a cell [m]."""
         return self.dx
 
-    def mesh(self) -> tuple[np.ndarray]:
+    def mesh(self) -> tuple[Array]:
         """Positions of all nodes [m]."""
         return (self.x,)
 

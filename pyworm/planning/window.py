@@ -4,9 +4,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Flags, Indices
 from pyworm.formulas.film import point_asymptotes
 from pyworm.planning.grid import Box
-from pyworm.scene.contact import Array
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales
 
@@ -72,7 +72,8 @@ def near_reach(size: Scales) -> Reach:
     asymptote).
     """
     groups = size.groups
-    rigid = point_asymptotes(groups.moes_m, groups.moes_l, groups.ratio).rigid_isoviscous
+    limits = point_asymptotes(groups.moes_m, groups.moes_l, groups.ratio)
+    rigid = float(limits.rigid_isoviscous)
     share_squared = min(1.0, rigid * groups.moes_film / size.film)
     return Reach.around(NEAR_ELASTIC + NEAR_RIGID * share_squared)
 
@@ -147,10 +148,10 @@ def _lowest(scene: Scene, boxes: Array) -> Array:
     return lowest
 
 
-def _leaves(scene: Scene, side: Array, place: Array) -> Array:
+def _leaves(scene: Scene, side: Indices, place: Array) -> Flags:
     """Whether sides are exits, by where they cross the axes [m], (sides,)."""
     on_x = side < 2
     u, v = scene.entrainment(np.where(on_x, place, 0.0), np.where(on_x, 0.0, place))
     outward = np.where(on_x, u, v) * np.where(side % 2, 1, -1)
-    leaves: Array = outward > OUTFLOW_FRACTION * np.hypot(u, v)
+    leaves: Flags = outward > OUTFLOW_FRACTION * np.hypot(u, v)
     return leaves

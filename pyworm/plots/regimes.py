@@ -14,10 +14,10 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, NullLocator
 from scipy.ndimage import distance_transform_edt
 
+from pyworm.formulas.arrays import Values
 from pyworm.formulas.film import LineGroups, radii_at_angle
 from pyworm.formulas.film_atlas import AtlasGroups, films, regime_measures
 from pyworm.formulas.hertz import ellipticity
-from pyworm.formulas.ranges import Values
 from pyworm.formulas.regime_charts import (
     POINT_RANGE,
     in_point_range,

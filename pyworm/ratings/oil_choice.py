@@ -9,10 +9,11 @@ from textwrap import fill
 
 from pyworm.formulas import gear_oil, scuffing, wear_distress
 from pyworm.formulas.bearing_life import reference_viscosity
+from pyworm.formulas.gear_oil import ISO_GRADES
 from pyworm.formulas.lubrication import BOUNDARY
 from pyworm.formulas.unit_factors import SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.io.present import present
-from pyworm.materials.library import ISO_GRADES, named_oil, oil_from_index
+from pyworm.materials.library import named_oil, oil_from_index
 from pyworm.ratings.oil_grades import (
     THICKEST,
     GradeRow,

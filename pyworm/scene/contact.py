@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, kind_of, number, row, take
@@ -20,8 +21,6 @@ from pyworm.scene.oil_arrival import arriving, bulk_temperature
 
 if TYPE_CHECKING:
     from pyworm.materials.roughness_assumptions import RoughSurfaces
-
-Array = np.ndarray
 
 SAME = 0.01
 """Largest relative difference between the radii of a contact and those of its gap."""
@@ -45,7 +44,7 @@ class Contact(Shown, ABC):
 
     name: str
     """Name in tables and pictures."""
-    gap: Callable[..., tuple[Array, Array]]
+    gap: Callable[..., tuple[Array, Flags]]
     """Undeformed gap, and where both surfaces exist."""
     load: float
     """Normal load [N], of a line contact that for each length [N/m]."""

@@ -10,7 +10,7 @@ from math import hypot
 
 import numpy as np
 
-from pyworm.scene.contact import Array
+from pyworm.formulas.arrays import Array
 from pyworm.scene.point import Motion, Scene
 
 SCARCE = 0.02

@@ -4,7 +4,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
+from pyworm.formulas.arrays import Array, Flags, Values
 from pyworm.formulas.film import PointGroups
 from pyworm.formulas.film_atlas import (
     MOST_SLENDER,
@@ -18,7 +20,7 @@ from pyworm.formulas.film_atlas import (
 )
 from pyworm.formulas.film_reduction import reduction
 from pyworm.formulas.hertz import hertz
-from pyworm.formulas.ranges import Values, positive
+from pyworm.formulas.ranges import positive
 from pyworm.formulas.regimes import (
     REGIMES,
     THICKENING_ERROR,
@@ -44,16 +46,16 @@ SPIN_STEP = 0.1
 class FormulaFilms:
     """Isothermal films of smooth point contacts with enough oil, by the formula of the atlas."""
 
-    central: np.ndarray
+    central: Array
     """Film at the contact point [m]."""
-    minimum: np.ndarray
+    minimum: Array
     """Least film [m]."""
-    central_error: np.ndarray
+    central_error: Array
     """Relative error of the central film that 19 of 20 contacts kept which the fit had not seen [-]; infinite
     outside the box of the atlas."""
-    minimum_error: np.ndarray
+    minimum_error: Array
     """Relative error of the least film, likewise [-]."""
-    inside: np.ndarray
+    inside: Flags
     """Whether the contact is in that box."""
     groups: AtlasGroups
     """Its similarity groups."""
@@ -61,9 +63,11 @@ class FormulaFilms:
     """Effects of `pyworm.planning.effects` that the films hold besides (`film_of`)."""
 
     @property
-    def regime(self) -> np.ndarray:
+    def regime(self) -> NDArray[np.str_]:
         """Names of the regimes of lubrication, `pyworm.formulas.regimes`."""
-        regime: np.ndarray = np.array(REGIMES)[regime_number(self.deflection, self.thickening)]
+        regime: NDArray[np.str_] = np.array(REGIMES)[
+            regime_number(self.deflection, self.thickening)
+        ]
         return regime
 
     @property
@@ -101,7 +105,7 @@ class FormulaFilms:
             **{name: float(getattr(self.groups, name)) for name in _REGIME_GROUPS},
         )
 
-    def specific(self, roughness: Given) -> np.ndarray:
+    def specific(self, roughness: Given) -> Array:
         """Central film over the composite roughness [m]: lambda [-]."""
         roughness = in_si("roughness", roughness, units.Roughness)
         positive("composite roughness", roughness, "m")
@@ -175,7 +179,7 @@ def _groups(
     velocity: tuple[Given, Given],
     oil: Oil,
     spin: Given,
-) -> tuple[AtlasGroups, np.ndarray]:
+) -> tuple[AtlasGroups, Array]:
     """The groups of contacts, and Moes' unit of their films [m]; arguments as of `film`."""
     require_oil(oil)
     rx, ry, load, modulus, u, v, spin = (

@@ -4,9 +4,9 @@ from math import cos, hypot, inf, sin, sqrt
 
 import numpy as np
 
+from pyworm.formulas.arrays import Values
 from pyworm.formulas.film_reduction import HeatGroups
 from pyworm.formulas.hertz import hertz
-from pyworm.formulas.ranges import Values
 from pyworm.io.present import present
 from pyworm.materials.flow_laws import LEAST_LIMIT
 from pyworm.materials.oil import Oil

@@ -6,7 +6,7 @@ from zipfile import ZipFile
 
 import numpy as np
 
-from pyworm.scene.contact import Array
+from pyworm.formulas.arrays import Array
 from pyworm.scene.sampled_gap import SampledGap
 
 METRES = ("m", "metre", "metres", "meter", "meters")

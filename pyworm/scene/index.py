@@ -24,7 +24,7 @@ class Place:
     """Place on a traction curve: sliding over entrainment [-]."""
 
     @classmethod
-    def of(cls, one: Any) -> Self:
+    def of(cls, one: object) -> Self:
         """The place of a scene or a solution."""
         return cls(**{name: getattr(one, name) for name in PLACE_NAMES})
 

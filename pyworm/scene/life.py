@@ -7,13 +7,15 @@ from typing import Generic, TypeVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
+
 Contact = TypeVar("Contact")
 
 INSTANT = 1e-5
 """Part of a life over which the turning of its axes is differenced."""
 
 
-def unturned(seconds: float) -> np.ndarray:
+def unturned(seconds: float) -> Array:
     """Axes of contacts whose axes do not turn."""
     return np.eye(3)
 
@@ -27,7 +29,7 @@ class Life(Generic[Contact]):
     at: Callable[[float], Contact]
     """Time since the first touch [s] -> the contact then, in axes that move with the contact point;
     ValueError where it carries no load."""
-    axes_at: Callable[[float], np.ndarray] = unturned
+    axes_at: Callable[[float], Array] = unturned
     """Time -> x, y and normal of the tangent plane, as rows in a frame at rest."""
     kinks: tuple[float, ...] = ()
     """Times between which its changes are smooth, where they are known [s]."""

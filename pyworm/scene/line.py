@@ -10,12 +10,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import Given, kind_of, number, take
-from pyworm.scene.contact import FROM_GAP, Array, Contact, as_arrays, radii_of
+from pyworm.scene.contact import FROM_GAP, Contact, as_arrays, radii_of
 
-LineGap = Callable[[Array], tuple[Array, Array]]
+LineGap = Callable[[Array], tuple[Array, Flags]]
 """x [m] -> undeformed gap [m] and a boolean, true where both surfaces exist. The gap is finite everywhere."""
 
 
@@ -38,7 +39,7 @@ class Parabola:
         """The relative radius of curvature [m]."""
         return (self.radius,)
 
-    def __call__(self, x: Given) -> tuple[Array, Array]:
+    def __call__(self, x: Given) -> tuple[Array, Flags]:
         """Gap [m] at x [m], and where both surfaces exist (everywhere)."""
         (x,) = as_arrays(x)
         return x**2 / (2 * self.radius), np.ones(x.shape, dtype=bool)

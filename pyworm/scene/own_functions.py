@@ -1,11 +1,11 @@
 """Checks of gaps and motions that users write as functions, before anything is planned with them."""
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
-from pyworm.scene.contact import Array, Contact
+from pyworm.formulas.arrays import Array
+from pyworm.scene.contact import Contact
 
 NEAR = 1e-3
 """Distance of the places where a function is tried, over the radii: within any contact's reach."""
@@ -50,7 +50,7 @@ def require_functions(scene: Contact) -> None:
 
 
 def _parts(
-    name: str, function: Callable[..., Any], places: tuple[Array, ...], count: int, wanted: str
+    name: str, function: Callable[..., object], places: tuple[Array, ...], count: int, wanted: str
 ) -> tuple[Array, ...]:
     """What a function gives at places; ValueError if that is not so many arrays of their shape."""
     try:
@@ -68,7 +68,7 @@ def _parts(
     return parts
 
 
-def _described(given: Any) -> str:
+def _described(given: object) -> str:
     """What a function gave, in words."""
     if isinstance(given, tuple | list):
         return f"{len(given)} values, {' and '.join(_described(one) for one in given) or 'none'}"

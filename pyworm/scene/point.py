@@ -11,12 +11,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
 from pyworm.io.given import Given, take
-from pyworm.scene.contact import FROM_GAP, Array, Contact, as_arrays, radii_of
+from pyworm.scene.contact import FROM_GAP, Contact, as_arrays, radii_of
 
-Gap = Callable[[Array, Array], tuple[Array, Array]]
+Gap = Callable[[Array, Array], tuple[Array, Flags]]
 """(x, y) [m] -> undeformed gap [m] and a boolean, true where both surfaces exist.
 
 The gap is zero at the contact point and finite everywhere: outside the teeth it continues the surfaces, since
@@ -51,7 +52,7 @@ class Paraboloid:
         """Relative radii of curvature along x and y [m]."""
         return self.radius_x, self.radius_y
 
-    def __call__(self, x: Given, y: Given) -> tuple[Array, Array]:
+    def __call__(self, x: Given, y: Given) -> tuple[Array, Flags]:
         """Gap [m] at (x, y) [m], and where both surfaces exist (everywhere)."""
         x, y = as_arrays(x, y)
         gap = x**2 / (2 * self.radius_x) + y**2 / (2 * self.radius_y)
@@ -144,7 +145,7 @@ class Scene(Contact):
     sliding = Contact.sliding_at
 
 
-def require_point(scene: Any) -> None:
+def require_point(scene: object) -> None:
     """Refuse what is no point contact; ValueError."""
     if not isinstance(scene, Scene):
         raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene, of a point contact")

@@ -6,9 +6,10 @@ from functools import cached_property
 import numpy as np
 import scipy
 
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.io import units
 from pyworm.io.given import Given, in_si
-from pyworm.scene.contact import Array, as_arrays
+from pyworm.scene.contact import as_arrays
 
 SMALLEST = 5
 """Fewest samples along each side: a cubic spline and the second differences of the filling need them."""
@@ -99,7 +100,7 @@ class SampledGap:
         ny, nx = self.gap.shape
         return f"<SampledGap of {nx} x {ny} heights, radii {self.radii[0]:.4g} and {self.radii[1]:.4g} m>"
 
-    def __call__(self, x: Given, y: Given) -> tuple[Array, Array]:
+    def __call__(self, x: Given, y: Given) -> tuple[Array, Flags]:
         """Gap [m] at (x, y) [m], zero at the contact point, and where both bodies exist."""
         x, y = as_arrays(x, y)
         return self._height(x, y) - self._datum, self._covered(x, y)
@@ -163,18 +164,18 @@ class SampledGap:
         )
         return x, y
 
-    def _covered(self, x: Array, y: Array) -> Array:
+    def _covered(self, x: Array, y: Array) -> Flags:
         inside = (self.x[0] <= x) & (x <= self.x[-1]) & (self.y[0] <= y) & (y <= self.y[-1])
         row = np.clip(np.searchsorted(self.y, y, side="right") - 1, 0, self.y.size - 2)
         column = np.clip(np.searchsorted(self.x, x, side="right") - 1, 0, self.x.size - 2)
-        covered: Array = inside & self._covered_cells[row, column]
+        covered: Flags = inside & self._covered_cells[row, column]
         return covered
 
     @cached_property
-    def _covered_cells(self) -> Array:
+    def _covered_cells(self) -> Flags:
         """Cells whose four corners are known; by the nearest sample alone edges would be too wide."""
         known = np.isfinite(self.gap)
-        covered_cells: Array = known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
+        covered_cells: Flags = known[1:, 1:] & known[1:, :-1] & known[:-1, 1:] & known[:-1, :-1]
         return covered_cells
 
     def _quadratic(self, x: Array, y: Array) -> Array:

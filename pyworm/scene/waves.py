@@ -11,8 +11,9 @@ from math import cos, hypot, pi, sin
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.materials.long_waves import LongWaves
-from pyworm.scene.contact import Array, Contact
+from pyworm.scene.contact import Contact
 from pyworm.scene.line import LineScene
 
 TURNED = 1e-9
@@ -29,7 +30,7 @@ class MovingWaves:
     """Length of the higher ones [m]."""
 
 
-def opening(scene: Contact, *places: Array) -> tuple[Array, Array]:
+def opening(scene: Contact, *places: Array) -> tuple[Array, Flags]:
     """Undeformed gap [m] with the surfaces' long waves, and where both surfaces exist."""
     gap, covered = scene.gap(*places)
     for waves, direction, number in _known(scene):

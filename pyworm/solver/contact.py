@@ -10,6 +10,7 @@ from dataclasses import replace
 from math import hypot, log2, sqrt
 from typing import Any, ClassVar, Generic, TypeVar
 
+from pyworm.formulas.arrays import Array
 from pyworm.io.present import present
 from pyworm.kernel import DryContact
 from pyworm.kernel.film import SLIP_STEP
@@ -21,7 +22,6 @@ from pyworm.planning.expected_work import Kind
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import LineScales, Scales

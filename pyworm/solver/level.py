@@ -9,11 +9,11 @@ from typing import Any, ClassVar, Protocol
 import numpy as np
 
 from pyworm import kernel
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.kernel.film import Shear
 from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.any_contact import AnyContact
-from pyworm.scene.contact import Array
 from pyworm.solver import figures
 from pyworm.solver.error_estimate import Peak, Reading
 from pyworm.solver.newtonian_shear import newtonian_shear
@@ -112,7 +112,7 @@ class Level(ABC):
     """The grid."""
     gap: Array
     """Undeformed gap [m] at its nodes."""
-    covered: Array
+    covered: Flags
     """Where both surfaces exist."""
     film: kernel.PointFilm | kernel.LineFilm
     """The kernel's film, in its present state."""
@@ -160,12 +160,12 @@ class Level(ABC):
             )
         }
 
-    def borne(self) -> Array:
+    def borne(self) -> Flags:
         """Nodes with pressure, of rough surfaces more than the trace that asperities bear far outside."""
         pressure = self.film.pressure
         return pressure > (TRACE * pressure.max() if self.film.rough else 0.0)
 
-    def flowing(self) -> Array:
+    def flowing(self) -> Flags:
         """Nodes where the oil has not ruptured."""
         return self.film.oil_pressure() > 0
 
@@ -175,9 +175,9 @@ class Level(ABC):
         edges = (np.take(inner, (0, -1), axis) for axis in range(inner.ndim))
         return self.film.fed and not any(edge.any() for edge in edges)
 
-    def contact(self) -> Array:
+    def contact(self) -> Flags:
         """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
-        contact: Array = self.covered & (
+        contact: Flags = self.covered & (
             self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max()
         )
         return contact
@@ -233,12 +233,14 @@ class Level(ABC):
         if oil.flow != NEWTONIAN:
             return None
         pressure = self.film.pressure
-        slopes = np.gradient(pressure, *self.grid.spacing)
+        slopes = [
+            np.gradient(pressure, step, axis=axis) for axis, step in enumerate(self.grid.spacing)
+        ]
         return newtonian_shear(
             np.asarray(oil.viscosity(pressure)),
             self.film.thickness(),
             self.scene.sliding_at(*self.grid.mesh()),
-            (slopes,) if pressure.ndim == 1 else slopes,
+            slopes,
         )
 
     def _shear_figures(self, shares: Array) -> dict[str, float]:
@@ -289,7 +291,7 @@ class Level(ABC):
         stress = self.film.boundary_friction * bearing
         return tuple(-stress * of / np.maximum(speed, STILL) for of in sliding), stress * speed
 
-    def _temperature_fields(self) -> dict[str, tuple[Array, Array | bool]]:
+    def _temperature_fields(self) -> dict[str, tuple[Array, Flags | bool]]:
         """Temperatures above the inlet's [K] whose largest values are figures, and where they count.
 
         Those figures themselves are above the colder body's, which none is below.

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.kernel.film import Shear
-from pyworm.scene.contact import Array
 
 
 def newtonian_shear(
@@ -18,12 +18,12 @@ def newtonian_shear(
     couette = [viscosity * speed / film for speed in sliding]
     poiseuille = sum(slope**2 for slope in slopes)
     heat = sum(stress * speed for stress, speed in zip(couette, sliding, strict=True))
-    walls = [
+    at_body_1, at_body_2 = (
         sum((c + side * film / 2 * s) ** 2 for c, s in zip(couette, slopes, strict=True))
         for side in (-1, 1)
-    ]
+    )
     return Shear(
         tuple(-stress for stress in couette),
         heat + film**3 / (12 * viscosity) * poiseuille,
-        np.sqrt(np.maximum(*walls)) / viscosity,
+        np.sqrt(np.maximum(at_body_1, at_body_2)) / viscosity,
     )

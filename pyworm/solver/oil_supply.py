@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 from scipy.ndimage import map_coordinates
 
+from pyworm.formulas.arrays import Array
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.planning.prediction import predicted
-from pyworm.scene.contact import Array
 from pyworm.solver.level import InitialGuess, Level
 
 PLACES = 129

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from pyworm import kernel
+from pyworm.formulas.arrays import Array
 from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.planning.model import Model
-from pyworm.scene.contact import Array, Contact
+from pyworm.scene.contact import Contact
 from pyworm.solver.level import Level
 
 

@@ -5,6 +5,7 @@ from math import hypot, inf, pi
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.formulas.hertz import hertz
 from pyworm.formulas.regimes import flattening
 from pyworm.planning.effects.effect import EVERYTHING, Effect, Influence
@@ -27,7 +28,7 @@ def _same_all_along(scene: AnyContact) -> str | None:
     return "a line contact is the same all along" if isinstance(scene, LineScene) else None
 
 
-def _on_the_rim(scene: AnyContact) -> tuple[np.ndarray, ...]:
+def _on_the_rim(scene: AnyContact) -> tuple[Array, ...]:
     """Points on the outline of Hertz's contact."""
     if isinstance(scene, LineScene):
         raise TypeError("a line contact has no outline")
@@ -171,7 +172,7 @@ the gap there."""
 def departure(prediction: Prediction) -> float:
     """Relative departure of the gap from its paraboloid, on outlines around the contact."""
     scene = prediction.scene
-    outline: tuple[np.ndarray, ...]
+    outline: tuple[Array, ...]
     plain: Parabola | Paraboloid
     if isinstance(scene, LineScene):
         outline = (np.array([-1.0, 1.0]) * prediction.half_width,)

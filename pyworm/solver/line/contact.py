@@ -6,12 +6,12 @@ from typing import ClassVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.materials.body import Body
 from pyworm.planning.expected_work import Kind
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES, ROUGH_FIGURES
-from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales, line_scales
 from pyworm.solver.contact import COARSE_TOLERANCE, FED_FALLS, ContactSolver

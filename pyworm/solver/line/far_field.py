@@ -15,8 +15,8 @@ from math import log1p
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.planning.line_grid import LineGrid
-from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 
 POINTS = 24

@@ -7,8 +7,8 @@ from typing import ClassVar
 import numpy as np
 
 from pyworm import kernel
+from pyworm.formulas.arrays import Array
 from pyworm.planning.line_grid import LineGrid
-from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales
 from pyworm.scene.waves import opening

@@ -6,13 +6,13 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array
 from pyworm.kernel import DryContact
 from pyworm.materials.body import Body
 from pyworm.planning.expected_work import Kind
 from pyworm.planning.grid import Grid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import FIGURES, HEAT_FIGURES, ROUGH_FIGURES, SHEAR_FIGURES
-from pyworm.scene.contact import Array
 from pyworm.scene.entrainment_continuation import FRACTIONS_LEFT, with_auxiliary_entrainment
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales, scales

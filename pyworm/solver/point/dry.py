@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass
 
+from pyworm.formulas.arrays import Array
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.shown import Shown
 from pyworm.planning.grid import Grid
-from pyworm.scene.contact import Array
 from pyworm.scene.own_functions import require_functions
 from pyworm.scene.point import Scene, require_point
 from pyworm.scene.scales import scales

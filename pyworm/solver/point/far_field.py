@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.planning.grid import Grid
-from pyworm.scene.contact import Array
 from pyworm.scene.point import Scene
 
 
@@ -29,7 +29,7 @@ class FarField:
     """Load that the pressure beyond the outline carries [N]."""
 
 
-def far_field(scene: Scene, grid: Grid, film: Array, covered: Array) -> FarField:
+def far_field(scene: Scene, grid: Grid, film: Array, covered: Flags) -> FarField:
     """Compute the far field of a rigid film beyond a grid.
 
     Parameters

@@ -11,9 +11,9 @@ from typing import ClassVar
 import numpy as np
 
 from pyworm import kernel
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.planning.grid import Grid
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.scene.contact import Array
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales
 from pyworm.scene.waves import opening
@@ -61,7 +61,7 @@ class PointLevel(Level):
 
 
 def dry_contact(
-    scene: Scene, grid: Grid, gap: Array, covered: Array, guess: Array, load: float | None = None
+    scene: Scene, grid: Grid, gap: Array, covered: Flags, guess: Array, load: float | None = None
 ) -> kernel.DryContact:
     """The scene's dry contact on a grid, from a first pressure; under a `load` [N] other than its own."""
     return kernel.dry_contact(
@@ -120,7 +120,7 @@ def lone_level(
     return level
 
 
-def _with_trace(pressure: Array, covered: Array) -> Array:
+def _with_trace(pressure: Array, covered: Flags) -> Array:
     """A dry pressure with a small pressure wherever both surfaces exist (`TRACE`)."""
     return pressure + np.where(covered, TRACE * pressure.max(), 0.0)
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pyworm.scene.contact import Array
+from pyworm.formulas.arrays import Array
 
 
 def weights(times: Sequence[float], at: float) -> tuple[Array, Array]:

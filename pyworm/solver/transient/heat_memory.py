@@ -23,9 +23,9 @@ from math import ceil, pi, sqrt
 import numpy as np
 
 from pyworm import kernel
+from pyworm.formulas.arrays import Array
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
-from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.transient.moving_grid import at_places

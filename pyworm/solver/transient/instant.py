@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from pyworm import kernel
+from pyworm.formulas.arrays import Array
 from pyworm.io.present import present
-from pyworm.scene.contact import Array
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.transient.differences import weights
 

@@ -14,12 +14,12 @@ from itertools import pairwise
 import numpy as np
 
 from pyworm import kernel
+from pyworm.formulas.arrays import Array
 from pyworm.io.present import present
 from pyworm.kernel.core import NO_MEMORY, NO_SENSE, NOT_FINITE, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import first_grids_of
-from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.contact import SENSELESS, ContactSolver

@@ -6,13 +6,14 @@ from math import nan
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from pyworm.formulas.arrays import Array
 from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.planning.expected_work import Kind
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.scene.contact import Array
 from pyworm.solver.level import Level
 from pyworm.solver.transient.moving_grid import at_places
 
@@ -31,11 +32,11 @@ class Frame:
 
     places: tuple[Array, ...]
     """Places of the nodes along each direction [m]."""
-    pressure: Array
+    pressure: NDArray[np.float32]
     """Pressure [Pa], in single precision."""
-    film: Array
+    film: NDArray[np.float32]
     """Film [m], in single precision."""
-    rubbing: Array | None = None
+    rubbing: NDArray[np.float32] | None = None
     """Pressure that asperities bear times the sliding [W/m2], likewise; None between smooth surfaces."""
 
 

@@ -22,9 +22,9 @@ from typing import Any, ClassVar
 import numpy as np
 import scipy
 
+from pyworm.formulas.arrays import Array
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
-from pyworm.scene.contact import Array
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 

@@ -26,7 +26,7 @@ import scipy
 
 from pyworm.drives.torque_sharing import Sharing, rising_root
 from pyworm.drives.worm.loads.tooth_compliance import ToothSprings
-from pyworm.scene.contact import Array
+from pyworm.formulas.arrays import Array
 
 Shaft = Literal["worm", "wheel"]
 

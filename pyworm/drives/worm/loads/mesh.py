@@ -188,7 +188,7 @@ class WormMesh(WormGears, Lubricated):
         """Normal loads of all tooth pairs while one of them is at a phase."""
         first = -floor((phase + BEYOND) / self.pitch)
         last = floor((1 + BEYOND - phase) / self.pitch)
-        phases = phase + self.pitch * np.arange(first, last + 1)
+        phases = phase + self.pitch * np.arange(first, last + 1, dtype=np.float64)
         if not isinstance(self.load, Transmission):
             forces = np.where((phases >= 0) & (phases <= 1), self.load, 0.0)
             return SharedLoad(phases, forces, 0.0)

@@ -11,8 +11,8 @@ import scipy
 from pyworm import kernel
 from pyworm.drives.worm.drawing.design import Assembly, Hob, Wheel, Worm
 from pyworm.drives.worm.teeth.gears import WormGears
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.hertz import hertz
-from pyworm.scene.contact import Array
 from pyworm.scene.point import Gap
 
 BEYOND = 0.24
@@ -211,7 +211,7 @@ class PlacedGap:
     """Nodes along the y axis of the tangent plane [m]."""
     gap: Array
     """Undeformed gap [m], (x, y)."""
-    covered: Array
+    covered: Flags
     """Where both teeth exist, (x, y)."""
 
     def pressed(self, load: float, reduced_modulus: float, guess: Array) -> kernel.DryContact:
