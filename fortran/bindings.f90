@@ -588,7 +588,7 @@ contains
 
     contact => contact_of(handle)
     count = 0
-    if (allocated(contact%film%shear)) count = sum(contact%film%shear%strips%unsolved)
+    if (allocated(contact%film%shear)) count = contact%film%shear%unsolved()
     if (allocated(contact%heat)) count = count + contact%heat%unsolved()
   end subroutine film_unsolved
 

@@ -335,7 +335,7 @@ contains
       end do
       residual = total(self%dh)/self%wedge
       ! a film whose stress did not converge must not count as solved
-      if (allocated(self%shear)) residual = residual + sum(self%shear%strips%unsolved)
+      if (allocated(self%shear)) residual = residual + self%shear%unsolved()
       load_error = 1 - total(p)*self%spacing(1)*self%spacing(2)/self%load
     end associate
     if (allocated(self%fields%rough)) then

@@ -4,12 +4,14 @@
 !> it, with the arithmetic mean of the mobility and exact derivatives. For an isothermal Newtonian oil it is that of
 !> `line_reynolds` to rounding.
 module pyworm_line_shear
+  use pyworm_face_flow, only: face_strip, flow_through, most_faces
   use pyworm_kinds, only: wp
   use pyworm_line_reynolds, only: line_grid, line_flow
   use pyworm_viscosity_density, only: oil_law
   use omp_lib, only: omp_get_thread_num
   use pyworm_reynolds, only: film_fields
-  use pyworm_sheared_reynolds, only: sheared_film, set_oil, flow_through, still_ambient_faces, strip
+  use pyworm_sheared_oil, only: set_oil
+  use pyworm_sheared_reynolds, only: sheared_film, still_ambient_faces
   implicit none(type, external)
   private
 
@@ -31,15 +33,15 @@ contains
     logical, intent(in) :: partial
     integer :: first
 
-    film%strips%unsolved = 0
+    film%work%shear%unsolved = 0
     film%nodes%arithmetic = 1
     !$omp parallel do schedule(static)
-    do first = 1, grid%n, strip
-      call set_oil(oil, first, min(first + strip - 1, grid%n), 1, film%nodes, fields)
+    do first = 1, grid%n, most_faces
+      call set_oil(oil, first, min(first + most_faces - 1, grid%n), 1, film%nodes, fields)
     end do
     !$omp parallel do schedule(dynamic)
-    do first = 1, grid%n - 1, strip
-      call flow_through_strip(grid, floor, first, min(first + strip, grid%n) - 1, fields, film)
+    do first = 1, grid%n - 1, most_faces
+      call flow_through_strip(grid, floor, first, min(first + most_faces, grid%n) - 1, fields, film)
     end do
     if (partial) call still_ambient_faces(fields%p, film)
     associate (last => grid%n - 1)
@@ -58,12 +60,15 @@ contains
     integer, intent(in) :: first, last
     type(film_fields), intent(in) :: fields
     type(sheared_film), intent(inout) :: film
-    real(wp) :: gradient(strip), aside(strip)
+    type(face_strip) :: faces
 
-    gradient(:last - first + 1) = (fields%p(first + 1:last + 1, 1) - fields%p(first:last, 1))/grid%dx
-    aside = 0
-    call flow_through(film%nodes, fields, floor, first, last, 1, 1, 0, 1/grid%dx, gradient, aside, &
-      film%strips(omp_get_thread_num()), film%along_x)
+    faces%row = 1
+    faces%first = first
+    faces%last = last
+    faces%per_length = 1/grid%dx
+    faces%normal(:last - first + 1) = (fields%p(first + 1:last + 1, 1) - fields%p(first:last, 1))/grid%dx
+    faces%aside = 0
+    call flow_through(film%nodes, fields, floor, faces, film%work(omp_get_thread_num()), film%along_x)
   end subroutine flow_through_strip
 
 end module pyworm_line_shear

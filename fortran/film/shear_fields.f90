@@ -8,7 +8,7 @@ module pyworm_shear_fields
   use pyworm_shear_profile, only: film_velocity, film_shear_rate, film_heat
   use pyworm_shear_stress, only: solve_shear
   use pyworm_strip_of_points, only: shear_strip, new_shear_strip
-  use pyworm_sheared_reynolds, only: sheared_oil
+  use pyworm_sheared_oil, only: sheared_oil
   use pyworm_status, only: status_ok
   implicit none(type, external)
   private
@@ -77,7 +77,7 @@ contains
       mean(:m) = mean(:m) + nodes%levels%weight(k)*rise(:m, k)
     end do
     ! derivatives by pressure are unused: they are written to scratch
-    call hot_fluidity(oil, p(:m), rise, shear%fluidity, shear%level_x, softening)
+    call hot_fluidity(oil, p(:m), rise, shear%fluidity, shear%at_levels, softening)
     softening(:m, :) = softening(:m, :)*shear%fluidity(:m, :)
     call stress_scales(nodes%law, p(:m), mean(:m), shear%reference(:m), shear%step_x(:m), shear%limit(:m), &
       shear%step_y(:m))

@@ -4,7 +4,7 @@
 module pyworm_sheared_couplings
   use pyworm_kinds, only: pp, wp
   use pyworm_rough_surfaces, only: rough_film
-  use pyworm_sheared_reynolds, only: face_flow
+  use pyworm_face_flow, only: face_flow
   implicit none(type, external)
   private
 

@@ -31,8 +31,8 @@ module pyworm_strip_of_points
     real(wp), allocatable :: inverse_xx(:), inverse_xy(:), inverse_yy(:)
     !> B A^-1 [m], derivative of the flow by the missing velocity; set by `flow_change`.
     real(wp), allocatable :: arm_xx(:), arm_xy(:), arm_yx(:), arm_yy(:)
-    !> Fields of the levels for the callers.
-    real(wp), allocatable :: level_x(:, :), level_y(:, :)
+    !> Scratch: a field of the levels.
+    real(wp), allocatable :: at_levels(:, :)
     !> Scratch: reciprocal squares of the law's stresses, squares of the stress, sums over the film, a step.
     real(wp), allocatable :: per_reference(:), per_limit(:), square(:), rest_x(:), rest_y(:), power(:), ease(:), a_xx(:), a_xy(:), &
       a_yy(:), step_x(:), step_y(:), excess(:)
@@ -54,7 +54,7 @@ contains
       strip%arm_xy(points), strip%arm_yx(points), strip%arm_yy(points), strip%square(points), &
       strip%rest_x(points), strip%rest_y(points), strip%power(points), strip%ease(points), strip%a_xx(points), strip%a_xy(points), &
       strip%a_yy(points), strip%step_x(points), strip%step_y(points), strip%excess(points), &
-      strip%per_reference(points), strip%per_limit(points), strip%level_x(points, levels), strip%level_y(points, levels), &
+      strip%per_reference(points), strip%per_limit(points), strip%at_levels(points, levels), &
       stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return

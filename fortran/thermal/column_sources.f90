@@ -7,7 +7,7 @@ module pyworm_column_sources
   use pyworm_viscosity_density, only: oil_law, expansivity
   use pyworm_shear_profile, only: film_velocity, film_heat
   use pyworm_strip_of_points, only: shear_strip
-  use pyworm_sheared_reynolds, only: sheared_oil
+  use pyworm_sheared_oil, only: sheared_oil
   implicit none(type, external)
   private
 

@@ -10,7 +10,7 @@ program test_column_sources
   use pyworm_thermal_properties, only: oil_heat_law
   use pyworm_viscosity_density, only: oil_law, law_barus
   use pyworm_strip_of_points, only: shear_strip, new_shear_strip
-  use pyworm_sheared_reynolds, only: sheared_oil
+  use pyworm_sheared_oil, only: sheared_oil
   use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
   implicit none(type, external)

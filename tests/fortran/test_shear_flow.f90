@@ -4,7 +4,7 @@ program test_shear_flow
   use pyworm_flow_laws, only: flow_law, has_limit, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau, &
     slip_stress
   use pyworm_sharif_flow_factors, only: flow_factors
-  use pyworm_shear_flow, only: flow_deficit, flow_change, flow_change_by_stresses
+  use pyworm_shear_flow, only: flow_deficit, deficit_change, new_deficit_change, flow_change, flow_change_by_stresses
   use pyworm_shear_profile, only: film_velocity, film_shear_rate, film_heat, wall_slip
   use pyworm_shear_stress, only: solve_shear
   use pyworm_strip_of_points, only: shear_strip, new_shear_strip, slip_at_body_1, slip_at_body_2
@@ -143,18 +143,20 @@ contains
     type(flow_law), intent(in) :: law
     type(shear_strip), intent(inout) :: strip
     type(levels_across) :: levels
-    real(wp) :: vector(1, 11), by_fluidity(1, size(strip%fluidity, 2), 2)
+    type(deficit_change) :: got
+    integer :: stat
 
     levels = new_levels(size(strip%fluidity, 2))
-    call flow_change(levels, strip, vector(:, 1), vector(:, 2), vector(:, 3), vector(:, 4), vector(:, 5), vector(:, 6), &
-      vector(:, 7), by_fluidity(:, :, 1), by_fluidity(:, :, 2))
-    call flow_change_by_stresses(law, levels, strip, vector(:, 8), vector(:, 9), vector(:, 10), vector(:, 11))
-    change_of%deficit = vector(1, 1:2)
-    change_of%mobility = vector(1, 3:5)
-    change_of%by_film = vector(1, 6:7)
-    change_of%by_fluidity = by_fluidity(1, :7, :)
-    change_of%by_reference = vector(1, 8:9)
-    change_of%by_limit = vector(1, 10:11)
+    call new_deficit_change(1, levels%count, got, stat)
+    call flow_change(levels, strip, got)
+    call flow_change_by_stresses(law, levels, strip, got)
+    change_of%deficit = [got%x, got%y]
+    change_of%mobility = [got%mobility_xx, got%mobility_xy, got%mobility_yy]
+    change_of%by_film = [got%by_film_x, got%by_film_y]
+    change_of%by_fluidity(:, 1) = got%by_fluidity_x(1, :7)
+    change_of%by_fluidity(:, 2) = got%by_fluidity_y(1, :7)
+    change_of%by_reference = [got%by_onset_x, got%by_onset_y]
+    change_of%by_limit = [got%by_limit_x, got%by_limit_y]
   end function change_of
 
   !> A point whose viscosity varies tenfold, sheared across its gradient.
