@@ -75,7 +75,7 @@ OF_WHEEL = _words(
 OF_HOB = _words(
     {
         "reference_diameter": "d0 d_0 pitch_diameter",
-        "drive.wheel.root_diameter": "tip_diameter outside_diameter da0 d_a0",
+        "drive.wheel.root_diameter": "outside_diameter da0 d_a0",
         "drive.wheel.fillet_radius": "fillet_radius edge_radius corner_radius tip_rounding rho_a0",
         "drive.pressure_angle": "pressure_angle",
     }

@@ -6,17 +6,14 @@ of drives are imported when their kind is asked for: most cases have one, and ea
 
 from functools import cache
 from importlib import import_module
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, create_model
+from pydantic import BaseModel, BeforeValidator, create_model
 
 from pyworm.case.case_file import CaseTable
 from pyworm.case.contact import GapCase, LineCase, PointCase
 from pyworm.case.ratings import RatedCase
-from pyworm.drives.kinds import KINDS
-
-DRAWN = "worm"
-"""A worm drive by its drawing is no drive of its own kind: it becomes the design table of one."""
+from pyworm.drives.kinds import KINDS, name_of
 
 CONTACTS: dict[str, type[CaseTable]] = {
     "point-contact": PointCase,
@@ -24,7 +21,7 @@ CONTACTS: dict[str, type[CaseTable]] = {
     "gap": GapCase,
 }
 
-SUBJECTS = {"drive": (DRAWN, *KINDS), "contact": tuple(CONTACTS)}
+SUBJECTS = {"drive": KINDS, "contact": tuple(CONTACTS)}
 """Table of the subject of a case -> its kinds; each kind of drive has its model in the module of its name."""
 
 
@@ -32,7 +29,7 @@ def case_model(about: str, kind: str) -> type[CaseTable]:
     """Model of the case file about a kind of subject."""
     if about == "contact":
         return CONTACTS[kind]
-    model: type[CaseTable] = import_module(f"pyworm.case.{kind.replace('-', '_')}").CASE
+    model: type[CaseTable] = import_module(f"pyworm.case.{name_of(kind)}").CASE
     return model
 
 
@@ -42,9 +39,26 @@ def rated() -> tuple[str, ...]:
     return tuple(kind for kind in kinds if issubclass(case_model("drive", kind), RatedCase))
 
 
+FORMER = {
+    "zi-worm": 'must be "worm", with profile = "ZI", the keys threads, teeth and face_width in [drive], and '
+    "diameters in place of radii: worm and hob have tip_diameter, root_diameter and base_diameter, the wheel "
+    "outside_diameter and throat_diameter"
+}
+"""Former kind of a subject -> what is to be written in its place."""
+
+
+def _not_former(kind: Any) -> Any:
+    """A kind that there is, or is not known; ValueError of a former one."""
+    if isinstance(kind, str) and kind in FORMER:
+        raise ValueError(FORMER[kind])
+    return kind
+
+
 @cache
 def kind_model(about: str) -> type[BaseModel]:
     """Model of the part of a case file that holds its kind."""
-    named: dict[str, Any] = {"kind": (Literal[SUBJECTS[about]], ...)}
+    named: dict[str, Any] = {
+        "kind": (Annotated[Literal[SUBJECTS[about]], BeforeValidator(_not_former)], ...)
+    }
     parts: dict[str, Any] = {about: (create_model("Kind", **named), ...)}
     return create_model("KindCase", **parts)

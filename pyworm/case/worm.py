@@ -1,263 +1,286 @@
-"""A case about a worm drive by the numbers of its drawing."""
+"""A case about a worm drive."""
 
 from dataclasses import replace
-from typing import Annotated, Any, ClassVar, Literal, Self
+from itertools import pairwise
+from math import inf, pi
+from pathlib import Path
+from typing import Annotated, Any, Self
 
-from pydantic import BeforeValidator, model_validator
+import numpy as np
+from pydantic import Field, model_validator
 
-from pyworm.case import drawing_words
-from pyworm.case.table import Count, Number, PositiveNumber, Table
-from pyworm.case.zi_worm import (
-    AssemblyTable,
-    DeviationTable,
-    ShaftTable,
-    WormDriveCase,
-    WormDriveTable,
-    deviations_of,
+from pyworm.case.bodies import Bodies, BodyTable
+from pyworm.case.cooling import CoolingTable
+from pyworm.case.drive_case import LOADS
+from pyworm.case.fitted_friction import with_fitted_friction
+from pyworm.case.one_wheel import (
+    check_one_cooling,
+    check_rated_material,
+    check_rated_temperature,
 )
-from pyworm.drives.worm.drawing.design import Design, Hand
-from pyworm.drives.worm.drawing.drawing import Drawing
-from pyworm.drives.worm.drawing.drawing_checks import (
-    DERIVED,
-    check_drawing,
-    check_given,
-    check_profile,
-    check_redundant,
-)
-from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.case.ratings import CompletedRating, RatedCase, WormRatingTable
+from pyworm.case.table import Phase, Table
+from pyworm.case.worm_conditions import conditions, standard_oil
+from pyworm.case.worm_table import DeviationTable, WormDriveTable
+from pyworm.drives.besides_teeth import BesidesTeeth
+from pyworm.drives.drive import Drive
+from pyworm.drives.duty import WormDuty
+from pyworm.drives.torque_sharing import Sharing
+from pyworm.drives.worm.drawing.design import Assembly
 from pyworm.drives.worm.drive import WormDrive
-from pyworm.drives.worm.flanks.worm_profiles import PROFILES, Profile
-from pyworm.drives.worm.patterns.hob_setting import with_swivel
+from pyworm.drives.worm.duty import geometry_of, operating_point
+from pyworm.drives.worm.loads.load_sharing import Shaft, Transmission
+from pyworm.drives.worm.loads.temperatures import Cooling, drive_temperatures
+from pyworm.formulas.unknown import Unknown, attempt, known
+from pyworm.formulas.worm_curves import Lubrication
+from pyworm.formulas.worm_losses import other_losses
+from pyworm.formulas.worm_rating import NOT_GIVEN, WormRating
 from pyworm.io import units
 from pyworm.io.present import present
+from pyworm.materials.body import Body, named_body
+from pyworm.materials.oil import Oil
 
-KNOWN = ", ".join(f'"{profile}"' for profile in PROFILES)
-
-LIFE = (1.0, 0.75, 0.5, 0.25)
+HOB_LIFE = (1.0, 0.75, 0.5, 0.25)
 """Parts of its oversize that a hob has left as it is reground."""
 
-GLOBOID = ("globoid", "double-enveloping", "hindley")
+AS_IF_BRONZE = (
+    "; with the friction of tin bronze, an estimate, since that of the wheel is not known"
+)
+
+Friction = Annotated[float, Field(strict=True, ge=0, lt=0.3)]
 
 
-def _computed(profile: object) -> Profile:
-    if not isinstance(profile, str):
-        raise ValueError(f"must be one of {KNOWN}")
-    if profile.lower() in GLOBOID:
-        raise ValueError(
-            f"globoid worms are not computed; there are cylindrical worms of the profiles {KNOWN} and roller "
-            'enveloping ones, kind = "roller-worm"'
-        )
-    for known in PROFILES:
-        if profile == known:
-            return known
-    meant = profile.upper()
-    meant = drawing_words.PROFILES.get(meant, meant)
-    hint = f'; did you mean "{meant}"?' if meant in PROFILES else ""
-    raise ValueError(f"must be one of {KNOWN}{hint}")
+class WormBodies(Bodies):
+    """`[bodies]` of a worm drive."""
+
+    worm: BodyTable
+    wheel: BodyTable
 
 
-class _Drawn(Table):
-    """A table of a drawing, which has diameters."""
+class OperationTable(Table):
+    """`[operation]`: how the drive runs, and which phases of its mesh cycle are to be solved.
 
-    @model_validator(mode="before")
-    @classmethod
-    def _diameters(cls, given: Any) -> Any:
-        for key in given if isinstance(given, dict) else ():
-            right = key.replace("radius", "diameter")
-            if key != right and key not in cls.model_fields and right in cls.model_fields:
-                raise ValueError(f"{key}: drawings have diameters, give {right}, twice as much")
-        return given
+    The load is the normal load of the tooth, or what the teeth in mesh share: a torque of either shaft, or
+    the power of the driving one. `friction` is that of the teeth in the balance of torques, `lifts` how far
+    films lift the teeth off each other, at phases; left out, they are found.
+    """
 
-
-class DrawnWormTable(_Drawn):
-    """`[drive.worm]` of a drawing; all may be left out, and what follows from other numbers is checked."""
-
-    also_called = drawing_words.OF_WORM
-
-    tip_diameter: units.Length | None = None
-    root_diameter: units.Length | None = None
-    thickness: units.Length | None = None
-    fillet_radius: units.LengthOrZero | None = None
-    tip_relief: units.Relief | None = None
-    tip_relief_length: units.LengthOrZero | None = None
-    reference_diameter: units.Length | None = None
-    axial_pitch: units.Length | None = None
-    lead: units.Length | None = None
-    lead_angle: units.Angle | None = None
-    base_diameter: units.Length | None = None
-    disc_diameter: units.Length | None = None
-    arc_radius: units.Length | None = None
-    deviations: DeviationTable | None = None
-
-
-class DrawnWheelTable(_Drawn):
-    """`[drive.wheel]` of a drawing, likewise."""
-
-    also_called = drawing_words.OF_WHEEL
-
-    throat_diameter: units.Length | None = None
-    outside_diameter: units.Length | None = None
-    root_diameter: units.Length | None = None
-    groove_radius: units.Length | None = None
-    fillet_radius: units.LengthOrZero | None = None
-    tip_relief: units.Relief | None = None
-    tip_relief_length: units.LengthOrZero | None = None
-    reference_diameter: units.Length | None = None
-    deviations: DeviationTable | None = None
-
-
-class DrawnHobTable(_Drawn):
-    """`[drive.hob]` of a drawing, likewise."""
-
-    also_called = drawing_words.OF_HOB
-
-    oversize: units.Offset | None = None
-    reference_diameter: units.Length | None = None
-    centre_distance: units.Length | None = None
-    swivel: units.Tilt | None = None
-    axial_shift: units.Offset | None = None
-
-
-class DrawnWormDriveTable(WormDriveTable):
-    """`[drive]`, kind = "worm": the numbers of a drawing."""
-
-    also_called = drawing_words.OF_DRIVE
-
-    kind: Literal["worm"]
-    profile: Annotated[Profile, BeforeValidator(_computed)]
-    centre_distance: units.Length | None = None
-    threads: Count
-    teeth: Count
-    module: units.Length
-    diameter_factor: PositiveNumber | None = None
-    pressure_angle: units.AngleOrZero | None = None
-    profile_shift: Number | None = None
-    face_width: units.FaceWidth | None = None
-    backlash: units.LengthOrZero | None = None
-    hand: Hand = "right"
-    stiffness: units.Stiffness | None = None
-    worm: DrawnWormTable = DrawnWormTable()
-    wheel: DrawnWheelTable = DrawnWheelTable()
-    hob: DrawnHobTable = DrawnHobTable()
-    assembly: AssemblyTable = AssemblyTable()
-    shaft: ShaftTable | None = None
+    worm_speed: units.Speed | None = None
+    wheel_speed: units.Speed | None = None
+    driver: Shaft = "worm"
+    load: units.Force | None = None
+    worm_torque: units.Torque | None = None
+    wheel_torque: units.Torque | None = None
+    power: units.Power | None = None
+    sharing: Sharing | None = None
+    friction: Friction | None = None
+    lifts: Annotated[tuple[tuple[Phase, units.Film], ...], Field(min_length=1)] | None = None
+    phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
 
     @model_validator(mode="after")
-    def _one_size_of_the_worm(self) -> Self:
-        sizes = self.diameter_factor, self.worm.reference_diameter, self.profile_shift
-        if all(size is None for size in sizes):
+    def _one_speed(self) -> Self:
+        if (self.worm_speed is None) == (self.wheel_speed is None):
+            raise ValueError("give either worm_speed or wheel_speed, one of the two")
+        return self
+
+    @model_validator(mode="after")
+    def _one_load(self) -> Self:
+        given = [name for name in LOADS if getattr(self, name) is not None]
+        if len(given) != 1:
+            but = f", not {' and '.join(given)}" if given else ""
+            raise ValueError(f"give one of {', '.join(LOADS)}{but}")
+        if self.load is not None:
+            for name in ("sharing", "friction", "lifts"):
+                if getattr(self, name) is not None:
+                    raise ValueError(
+                        f"{name} means nothing with the load of one tooth, give a torque or a power instead "
+                        "of load"
+                    )
+        return self
+
+    @model_validator(mode="after")
+    def _lifts_of_elastic_teeth(self) -> Self:
+        if self.lifts is None:
+            return self
+        if self.sharing == "equal":
+            raise ValueError("lifts means nothing with sharing = equal, by which no tooth yields")
+        phases = [phase for phase, _ in self.lifts]
+        if any(after <= before for before, after in pairwise(phases)):
+            listed = ", ".join(f"{phase:g}" for phase in phases)
+            raise ValueError(f"lifts has the phases {listed}; they must rise")
+        return self
+
+
+class WormCase(RatedCase):
+    """A case file about a worm drive."""
+
+    drive: WormDriveTable
+    operation: OperationTable
+    bodies: WormBodies
+    worm_rating: WormRatingTable | None = None
+    cooling: CoolingTable | None = None
+
+    @model_validator(mode="after")
+    def _cooling_of_what_warms(self) -> Self:
+        if self.cooling is None:
+            return self
+        if self.oil.heat is None or self.operation.load is not None:
             raise ValueError(
-                "diameter_factor is missing (q, reference diameter of the worm over module); or give "
-                "worm.reference_diameter or profile_shift"
+                "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of load"
             )
-        if self.centre_distance is None and (
-            self.profile_shift is None or self._given_factor is None
-        ):
+        for name, body in self.bodies:
+            if body.bulk_temperature is not None:
+                raise ValueError(f"bodies.{name}.bulk_temperature means nothing with [cooling]")
+        return self
+
+    @property
+    def _rated_lubrication(self) -> Lubrication | None:
+        """How the standard calls the way of the oil to the teeth; None where it is not given."""
+        if self.lubrication is None:
+            return None
+        return "bath" if self.lubrication.method == "bath" else "injection"
+
+    @model_validator(mode="after")
+    def _rated_as_lubricated(self) -> Self:
+        if self.lubrication is None or self.worm_rating is None:
+            return self
+        rated = self._rated_lubrication
+        if self.worm_rating.lubrication not in (rated, None):
             raise ValueError(
-                "centre_distance is missing (a); or give profile_shift, of which it follows with "
-                "diameter_factor or worm.reference_diameter"
+                f'worm_rating.lubrication = "{self.worm_rating.lubrication}" contradicts '
+                f'lubrication.method = "{self.lubrication.method}"; give "{rated}"'
             )
         return self
 
-    def design(self) -> Design:
-        """Worm, wheel and hob that follow from the drawing.
+    @model_validator(mode="after")
+    def _rated_as_simulated(self) -> Self:
+        if self.worm_rating is not None:
+            check_rated_material(self.worm_rating, self.bodies.wheel)
+            check_rated_temperature(self.worm_rating, self.oil, cooled=self.cooling is not None)
+            if self.cooling is not None:
+                check_one_cooling(self.worm_rating, self.cooling)
+        return self
 
-        Raises
-        ------
-        ValueError
-            No worm gear can be made so; the sentence begins with the key at fault.
-        """
-        return self._made(*self._drawing())
-
-    def reground(self, part: float) -> tuple[float, Design]:
-        """The oversize [m] of a hob of which a part is left, and the design, the hob set up as usual.
-
-        Raises
-        ------
-        ValueError
-            As of `design`.
-        """
-        drawing, taken = self._drawing()
-        smaller = replace(
-            drawing,
-            hob_oversize=part * drawing.hob_oversize,
-            hob_swivel=None if part < 1 else drawing.hob_swivel,
-            hob_centre_distance=None if part < 1 else drawing.hob_centre_distance,
-        )
-        return smaller.hob_oversize, self._made(smaller, taken)
-
-    def _drawing(self) -> tuple[Drawing, tuple[str, ...]]:
-        """The complete drawing, and what was taken as usual."""
-        given = self._numbers() | {"diameter_factor": self._diameter_factor()}
-        if given["hob_oversize"] is None and self.hob.reference_diameter is not None:
-            worm = given["diameter_factor"] * self.module
-            given["hob_oversize"] = self.hob.reference_diameter - worm
-        check_given(given)
-        own = {name: of for name, of in given.items() if name not in DERIVED}
-        check_profile(self.profile, given)
-        drawing, taken = completed(own, self.profile)
-        check_redundant(drawing, given)
-        check_drawing(drawing)
-        return drawing, taken
-
-    def _made(self, drawing: Drawing, taken: tuple[str, ...]) -> Design:
-        """Worm, wheel and hob of a drawing, the hob's swivel found where it is not given."""
-        if drawing.hob_swivel is None:
-            drawing, swivel = with_swivel(drawing)
-            taken = *taken, swivel
-        worm = replace(drawing.worm, deviations=deviations_of(self.worm))
-        wheel = replace(drawing.wheel, deviations=deviations_of(self.wheel))
-        return Design(worm, wheel, drawing.hob, drawing.centre_distance, self.hand, taken)
-
-    def _numbers(self) -> dict[str, Any]:
-        """Numbers of the drawing by their names in `Drawing`, and those that follow from others."""
-        numbers = {
-            key: getattr(self, key)
-            for key in (
-                *("centre_distance", "threads", "teeth", "module", "diameter_factor"),
-                *("pressure_angle", "profile_shift", "face_width", "backlash"),
+    @model_validator(mode="after")
+    def _stiffness_with_sharing(self) -> Self:
+        if self.drive.stiffness is not None and self.operation.load is not None:
+            raise ValueError(
+                "drive.stiffness means nothing with operation.load, the load of one tooth; give a torque "
+                "or a power instead"
             )
+        return self
+
+    @property
+    def left_open(self) -> dict[str, tuple[str, ...]]:
+        """The friction in the balance of torques, the lifts of films, and the loss that warms the drive."""
+        if self.operation.load is not None:
+            return {}
+        yields = self.operation.sharing != "equal"
+        known = {"operation": ("friction",) + ("lifts",) * yields, "cooling": ("tooth_loss",)}
+        left = {
+            table: tuple(key for key in keys if getattr(getattr(self, table), key) is None)
+            for table, keys in known.items()
+            if getattr(self, table) is not None
         }
-        numbers["centre_distance"] = self._distance
-        for part in ("worm", "wheel", "hob"):
-            table = dict(getattr(self, part))
-            table.pop("deviations", None)
-            numbers |= {f"{part}_{key}": value for key, value in table.items()}
-        return numbers
+        return {table: keys for table, keys in left.items() if keys}
 
-    def _diameter_factor(self) -> float:
-        """q as it is given, or as it follows from the reference diameter or the profile shift."""
-        if self._given_factor is not None:
-            return self._given_factor
-        return 2 * (self._distance / self.module - self._shift) - self.teeth
+    def worn(
+        self,
+        face: np.ndarray,
+        radius: np.ndarray,
+        depth: np.ndarray,
+        roughness: tuple[float, float],
+    ) -> dict[str, dict[str, Any]]:
+        """What a case with a worn wheel has in place of this one's (`Case.with_found`).
+
+        Parameters
+        ----------
+        face, radius : ndarray
+            Places along the wheel's face and away from its axis [m].
+        depth : ndarray
+            Worn off its driven flanks there, (radius, face), beside the deviations that they have [m].
+        roughness : tuple of float
+            Of worm and wheel then, Rq [m].
+        """
+        wheel, given = self.drive.wheel, self.drive.wheel.deviations
+        design = self.drive.design()
+        half, tip = design.wheel.face_width / 2, design.wheel.throat_radius
+        face, depth = _reaching(face, depth.T, -half, half)
+        radius, below = _reaching(radius, depth.T, tip - design.worm.axial_pitch / pi, tip)
+        below = below.T
+        if given is not None:
+            below = below + given.deviations().taken_off(*np.meshgrid(face, radius, indexing="ij"))
+        table = DeviationTable(
+            file="worn",
+            along=tuple(face.tolist()),
+            radius=tuple(radius.tolist()),
+            deviation=tuple(map(tuple, (-below).tolist())),
+            worn=True,
+        )
+        worm, wheel_body = (
+            body.model_copy(
+                update={
+                    "roughness": now,
+                    "roughness_ra": None,
+                    "roughness_rz": None,
+                    "finish": None,
+                }
+            )
+            for body, now in zip((self.bodies.worm, self.bodies.wheel), roughness, strict=True)
+        )
+        return {
+            "drive": {"wheel": wheel.model_copy(update={"deviations": table})},
+            "bodies": {"worm": worm, "wheel": wheel_body},
+        }
+
+    def rating_as_run(self) -> CompletedRating:
+        """`[worm_rating]` completed by what the other tables state, also where the file has none."""
+        cooling, table = self.cooling, self.worm_rating or WormRatingTable()
+        cooled = {} if cooling is None else dict(cooling)
+        return table.completed(
+            oil=None if self.oil.base is None else self.oil.name,
+            wheel_material=self.bodies.wheel.material,
+            lubrication=self._rated_lubrication,
+            ambient_temperature=cooled.get("ambient_temperature"),
+            immersion_factor=cooled.get("immersion"),
+            bearings=cooled.get("bearings"),
+        )
+
+    def duty(self, drive: Drive) -> WormDuty:
+        """The worm gear with the temperatures and the cooling of the drive."""
+        of_drive, cooling = drive.duty(), self.cooling
+        if not isinstance(of_drive, WormDuty):
+            raise TypeError("a worm drive is rated as a worm gear")
+        duty = replace(of_drive, wheel_material=self.bodies.wheel.material)
+        if cooling is not None:
+            duty = replace(duty, conductance=cooling.conductance, other_loss=cooling.other_loss)
+        balanced = duty.simulated_wheel_temperature != duty.oil_temperature
+        if cooling is None and not balanced and self.bodies.wheel.bulk_temperature is None:
+            return duty
+        return replace(duty, wheel_temperature=duty.simulated_wheel_temperature)
+
+    def cooling_of(self, drive: WormDrive) -> Cooling:
+        """Cooling of the drive; losses besides the teeth are the worm standard's unless they are given."""
+        table = present(self.cooling, "cooling")
+        if table.other_loss is not None:
+            other = BesidesTeeth(given=table.other_loss)
+        else:
+            load = drive.transmission
+            torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
+            lost = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
+            other = BesidesTeeth(lost, table.bearings)
+        return Cooling(
+            table.ambient_temperature,
+            table.conductance,
+            other,
+            table.immersion,
+            table.worm_excess,
+        )
 
     @property
-    def _shift(self) -> float:
-        return present(self.profile_shift, "drive.profile_shift")
-
-    @property
-    def _given_factor(self) -> float | None:
-        """q where it is given, or the reference diameter."""
-        if self.diameter_factor is not None:
-            return self.diameter_factor
-        diameter = self.worm.reference_diameter
-        return None if diameter is None else diameter / self.module
-
-    @property
-    def _distance(self) -> float:
-        """a as it is given, or as it follows from the profile shift, m ((q + z2) / 2 + x) [m]."""
-        if self.centre_distance is not None:
-            return self.centre_distance
-        factor = present(self._given_factor, "drive.diameter_factor")
-        return self.module * ((factor + self.teeth) / 2 + self._shift)
-
-
-class DrawnWormCase(WormDriveCase):
-    """A case file about a worm drive by its drawing."""
-
-    drive: DrawnWormDriveTable
-
-    hob_life: ClassVar[tuple[float, ...]] = LIFE
+    def hob_life(self) -> tuple[float, ...]:
+        """Parts of the hob's oversize left as it is reground; none of a hob given by its base cylinder."""
+        return () if self.drive.module is None else HOB_LIFE
 
     def reground_drive(self, drive: WormDrive, part: float) -> tuple[float, WormDrive]:
         """Oversize [m] of a hob of which a part is left, and the drive with the wheel that it cuts.
@@ -270,6 +293,133 @@ class DrawnWormCase(WormDriveCase):
         oversize, design = self.drive.reground(part)
         return oversize, replace(drive, worm=design.worm, wheel=design.wheel, hob=design.hob)
 
+    def make_drive(self) -> WormDrive:
+        """The drive of a case file about a worm."""
+        oil = with_fitted_friction(self.oil.oil(), self.oil, self.bodies.worm, self.bodies.wheel)
+        operation = self.operation
+        design = self.drive.design()
+        ratio = design.worm.threads / design.wheel.teeth
+        speed = operation.worm_speed or present(operation.wheel_speed, "wheel_speed") / ratio
+        drive = WormDrive(
+            worm=design.worm,
+            wheel=design.wheel,
+            hob=design.hob,
+            centre_distance=design.centre_distance,
+            speed=speed,
+            load=operation.load or _transmission(self, speed, ratio),
+            bodies=design.seen(self._pair(oil)),
+            oil=oil,
+            assembly=Assembly(**dict(self.drive.assembly)),
+            driver=operation.driver,
+            hand=design.hand,
+            taken=design.taken,
+            shaft=None if self.drive.shaft is None else self.drive.shaft.shaft(),
+            lubrication=self.brought_by,
+        )
+        return self._balanced(drive) if self.cooling is None else self._warm(drive)
 
-CASE = DrawnWormCase
+    def _pair(self, oil: Oil) -> tuple[Body, Body]:
+        """Worm and wheel, the wheel with the temperature limit of the material it is rated as, if of none."""
+        worm, wheel = self.bodies.pair(oil)
+        rated = None if self.worm_rating is None else self.worm_rating.wheel_material
+        if rated is None or wheel.temperature_limit is not None:
+            return worm, wheel
+        return worm, replace(wheel, temperature_limit=named_body(rated).temperature_limit)
+
+    def _balanced(self, drive: WormDrive) -> WormDrive:
+        """The drive with bulk temperatures by the standard's balance of its loss, where none is given.
+
+        Oil and material are those of the drive itself, so that a rating changes no contact. Where the
+        standard has no loss, or teeth carry a load that is given, bodies stay as warm as the oil.
+        """
+        stated = [body.bulk_temperature for _, body in self.bodies]
+        if drive.oil.heat is None or stated != [None, None]:
+            return drive
+        rated = attempt(lambda: self._by_standard(drive))
+        found = attempt(lambda: known(rated).bulk_temperature)
+        if isinstance(found, Unknown):
+            return replace(drive, warmth=f"Worm and wheel are as warm as the oil: {found.why}.")
+        excess = found - drive.oil.heat.inlet_temperature
+        stand_in = "" if known(rated).under.friction_is_known else AS_IF_BRONZE
+        return replace(
+            drive,
+            bodies=(_as_warm(drive.bodies[0], found), _as_warm(drive.bodies[1], found)),
+            warmth=(
+                f"Worm and wheel are {excess:.3g} K warmer than the oil, by the heat balance of the "
+                f"worm-gear standard with its loss between the teeth (from a public transcription{stand_in})."
+            ),
+        )
+
+    def _by_standard(self, drive: WormDrive) -> WormRating:
+        """The drive by the standard, whatever it is rated for; ValueError of the load of one tooth."""
+        load = drive.load
+        if not isinstance(load, Transmission):
+            raise ValueError("the load of one tooth is given, which is no balance of a drive")
+        torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
+        point = operating_point(drive, torque)
+        bare = self.model_copy(update={"worm_rating": None}).rating_as_run()
+        oil = standard_oil(bare, Path())
+        under = conditions(bare, point, oil, torque, drive.speed, NOT_GIVEN)
+        return WormRating(point.gear, under)
+
+    def _warm(self, drive: WormDrive) -> WormDrive:
+        """The drive with oil and bodies as warm as its losses make them."""
+        loss = present(self.cooling, "cooling").tooth_loss
+        if loss is None:
+            loss = _first_loss(drive.transmission, drive.speed, drive.ratio)
+        rim = drive.wheel.face_width * 2 * drive.wheel_reference_radius
+        warm = drive_temperatures(self.cooling_of(drive), rim, drive.speed, loss)
+        return replace(drive, oil=warm.oil(drive.oil), bodies=warm.bodies(drive.bodies))
+
+
+def _as_warm(body: Body, temperature: float) -> Body:
+    return replace(body, bulk_temperature=temperature)
+
+
+def _reaching(
+    places: np.ndarray, values: np.ndarray, low: float, high: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Values over places, along the first axis, with zeros to both ends where they do not reach there."""
+    nothing = np.zeros_like(values[:1])
+    if places[0] > low:
+        places, values = np.append(low, places), np.concatenate([nothing, values])
+    if places[-1] < high:
+        places, values = np.append(places, high), np.concatenate([values, nothing])
+    return places, values
+
+
+def _transmission(tables: WormCase, worm_speed: float, ratio: float) -> Transmission:
+    """What the teeth of a worm drive share; with a power, the torque of the shaft that drives."""
+    operation = tables.operation
+    if operation.power is not None:
+        shaft = operation.driver
+        torque = operation.power / (worm_speed if shaft == "worm" else worm_speed * ratio)
+    elif operation.worm_torque is not None:
+        shaft, torque = "worm", operation.worm_torque
+    else:
+        shaft, torque = "wheel", present(operation.wheel_torque, "operation.wheel_torque")
+    return Transmission(
+        torque=torque,
+        shaft=shaft,
+        sharing=operation.sharing or "elastic",
+        friction=FIRST_FRICTION if operation.friction is None else operation.friction,
+        stiffness=tables.drive.stiffness or inf,
+        lifts=operation.lifts or (),
+    )
+
+
+def _first_loss(transmission: Transmission, worm_speed: float, ratio: float) -> float:
+    """Loss between the teeth before it is known [W]."""
+    speed = worm_speed if transmission.shaft == "worm" else worm_speed * ratio
+    return FIRST_LOSS * transmission.torque * speed
+
+
+FIRST_LOSS = 0.03
+"""Fraction of the power that is lost between worm teeth before it is known."""
+
+FIRST_FRICTION = 0.01
+"""Friction of worm teeth in the balance of torques before it is known."""
+
+
+CASE = WormCase
 """Tables and keys of a case file of this kind of drive."""

@@ -4,11 +4,8 @@ from importlib import import_module
 from importlib.util import find_spec
 from types import ModuleType
 
-KINDS = ("zi-worm", "gear-pair", "roller-worm")
+KINDS = ("worm", "gear-pair", "roller-worm")
 """Kinds of drives, as case files and results write them."""
-
-_NAMES = {"zi-worm": "worm"}
-"""Kind -> its name in the package, where that is another one: worms of all profiles have the kind of ZI."""
 
 
 def name_of(kind: str) -> str:
@@ -16,9 +13,9 @@ def name_of(kind: str) -> str:
 
     By it a drive has its folder in `pyworm.drives` and, if it shows more than its contacts, its pictures in
     `pyworm.plots.drives` and its table in `pyworm.report.console.drives`. The tables of its case files are in
-    `pyworm.case`, by the kind itself.
+    `pyworm.case`.
     """
-    return _NAMES.get(kind, kind.replace("-", "_"))
+    return kind.replace("-", "_")
 
 
 def module_of(kind: str, package: str) -> ModuleType | None:

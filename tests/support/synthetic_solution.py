@@ -250,7 +250,7 @@ def make_result():
     """A drive with two solved scenes."""
     return Result(
         case_name="made-up worm",
-        case={"drive": {"kind": "zi-worm", "threads": 3, "hob_swivel": 0.1 + 0.2}, "oil": None},
+        case={"drive": {"kind": "worm", "threads": 3, "hob_swivel": 0.1 + 0.2}, "oil": None},
         solutions=(make_worm_solution(0.25), make_worm_solution(0.75, converged=False)),
         mesh_cycle=make_mesh_cycle(),
         provenance={"pyworm_version": "0.1", "effects": ["elastic"], "tolerances": {"load": 1e-6}},

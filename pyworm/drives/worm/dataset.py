@@ -14,7 +14,7 @@ from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.io.quantities import describe
 from pyworm.scene.point import Gap
 
-KIND = "zi-worm"
+KIND = "worm"
 
 FLANKS = "driving", "other"
 """The flank that the worm drives, and the other one, which drives when it turns the other way."""

@@ -67,11 +67,11 @@ def refuse(tmp_path, monkeypatch, capsys):
             "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of load",
         ),
         (
-            "threads = 3",
-            'threads = 3\ntip_relief = "20 um"',
+            'tip_diameter = "96.02 mm"',
+            'tip_diameter = "96.02 mm"\ntip_relief = "20 um"',
             "drive.worm.tip_relief_length is 0 mm; it must lie between 0 and the tooth's height, 18.98 mm",
         ),
-        ('kind = "zi-worm"', "", "drive.kind is missing"),
+        ('kind = "worm"', "", "drive.kind is missing"),
         ('law = "roelands"', "", "oil.viscosity.law is missing"),
         # wrong units, wrong values
         ('"14 kN"', "14", 'operation.load = 14: must be a force with its unit, such as "14 kN"'),
@@ -84,9 +84,9 @@ def refuse(tmp_path, monkeypatch, capsys):
         ("z = 0.227", "z = 400", "out of all proportion"),
         ('eta0 = "0.227 Pa s"', 'eta0 = "1e-6 Pa s"', "must be above 6.3e-05 Pa s, the pole of Ro"),
         ('"14 kN"', '"14 mm"', 'operation.load = "14 mm": must be a force with its unit'),
-        ('"48.01 mm"', '"-48.01 mm"', 'drive.worm.tip_radius = "-48.01 mm": must be a length gr'),
-        ("threads = 3", "threads = 3.5", "drive.worm.threads = 3.5: must be a whole number"),
-        ("threads = 3", "threads = 0", "drive.worm.threads = 0: must be greater than 0"),
+        ('"96.02 mm"', '"-96.02 mm"', 'drive.worm.tip_diameter = "-96.02 mm": must be a length gr'),
+        ("threads = 3", "threads = 3.5", "drive.threads = 3.5: must be a whole number"),
+        ("threads = 3", "threads = 0", "drive.threads = 0: must be greater than 0"),
         ("z = 0.227", 'z = "0.227"', 'oil.viscosity.z = "0.227": must be a number without unit'),
         ("z = 0.227", "z = nan", "oil.viscosity.z = nan: must be finite"),
         ("z = 0.227", "", "oil.viscosity: give either z or alpha, one of the two"),
@@ -98,7 +98,28 @@ def refuse(tmp_path, monkeypatch, capsys):
             "operation.phases = []: has too few entries, at least 1 needed",
         ),
         ("[0.1, 0.3, 0.5, 0.7, 0.9]", "0.5", "operation.phases = 0.5: must be a list"),
-        ('"zi-worm"', '"zk-worm"', 'drive.kind = "zk-worm": must be "worm", "zi-worm"'),
+        ('"worm"', '"zk-worm"', 'drive.kind = "zk-worm": must be "worm", "gear-pair" or '),
+        (
+            '"worm"',
+            '"zi-worm"',
+            'drive.kind = "zi-worm": must be "worm", with profile = "ZI", the keys ',
+        ),
+        ('"ZI"', '"ZK"', 'drive.profile is "ZK"; without module the flanks are those of base cyl'),
+        (
+            'base_diameter = "52.96 mm"',
+            "",
+            "drive.hob.base_diameter is missing; without module the",
+        ),
+        (
+            "threads = 3",
+            'threads = 3\nbacklash = "1 mm"',
+            "drive.backlash means nothing without modu",
+        ),
+        (
+            "threads = 3",
+            'threads = 3\nmodule = "9 mm"',
+            "drive: diameter_factor is missing (q, ref",
+        ),
         ('"roelands"', '"rolands"', 'law = "rolands": must be one of "barus", "roelands"'),
         ('"540 MPa"', '"540 MPx"', 'published.dry_pressure_max = "540 MPx": must be a number'),
         ('"1 %"', '"1 mm"', 'accuracy = "1 mm": must be a share, such as "1 %"'),
@@ -344,7 +365,7 @@ def test_a_bulk_temperature_without_heat(refuse):
         # a table that contradicts itself
         ([("threads = 3", "threads = 2")], "drive.worm.axial_pitch is 28.73 mm"),
         ([('"27.61 deg"', '"10 deg"')], "drive.worm.base_lead_angle is 10.00 deg"),
-        ([('"48.01 mm"', '"28 mm"')], "drive.worm.tip_radius is 28.00 mm"),
+        ([('"96.02 mm"', '"56 mm"')], "drive.worm.tip_diameter is 56.00 mm"),
         # a worm of half the module
         (
             [
@@ -359,9 +380,9 @@ def test_a_bulk_temperature_without_heat(refuse):
         # a hob smaller than the worm, of the same normal base pitch
         (
             [
-                ('tip_radius = "51.63 mm"', 'tip_radius = "49.5 mm"'),
-                ('"31.58 mm"', '"29.03 mm"'),
-                ('"26.48 mm"', '"25.9 mm"'),
+                ('tip_diameter = "103.26 mm"', 'tip_diameter = "99 mm"'),
+                ('"63.16 mm"', '"58.06 mm"'),
+                ('"52.96 mm"', '"51.8 mm"'),
                 ('"85.97 mm"', '"86.48 mm"'),
                 ('"28.66 mm"', '"28.827 mm"'),
                 ('"27.33 deg"', '"27.99 deg"'),

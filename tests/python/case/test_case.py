@@ -113,8 +113,8 @@ def test_sharif_case_holds_the_tables_of_the_paper():
     case = load(CASES / "zi_sharif_2001.toml")
     tables = case.tables
     assert 0.5 in case.mesh_places["phase"]
-    assert tables.drive.worm.threads == 3
-    assert tables.drive.wheel.teeth == 59
+    assert tables.drive.threads == 3
+    assert tables.drive.teeth == 59
     assert tables.drive.hob.centre_distance == pytest.approx(305.62e-3)
     assert tables.operation.worm_speed == pytest.approx(50 * np.pi)
     assert tables.oil.heat.inlet_temperature == pytest.approx(333.15)

@@ -13,7 +13,7 @@ from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
 from pyworm.case.bodies import BodyTable
 from pyworm.case.case import case_again, case_of
-from pyworm.case.worm import DrawnWormDriveTable
+from pyworm.case.worm_table import WormDriveTable
 from pyworm.cli.main import main
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.rated_case import asked_of, ratings
@@ -60,29 +60,30 @@ def in_drive(line: str) -> tuple[str, str]:
 
 DESIGN = """
 [drive]
-kind = "zi-worm"
+kind = "worm"
+profile = "ZI"
 centre_distance = "100 mm"
-[drive.worm]
 threads = 2
-tip_radius = "24 mm"
-root_radius = "15.2 mm"
-base_radius = "9.48695 mm"
+teeth = 41
+face_width = "30 mm"
+[drive.worm]
+tip_diameter = "48 mm"
+root_diameter = "30.4 mm"
+base_diameter = "18.97390 mm"
 axial_pitch = "12.56637 mm"
 lead = "25.13274 mm"
 base_lead_angle = "22.8618 deg"
 tip_relief = "16 um"
 tip_relief_length = "1 mm"
 [drive.wheel]
-teeth = 41
-face_width = "30 mm"
-tip_radius = "86 mm"
-throat_radius = "84 mm"
+outside_diameter = "172 mm"
+throat_diameter = "168 mm"
 tip_relief = "16 um"
 tip_relief_length = "1 mm"
 [drive.hob]
-tip_radius = "25.6 mm"
-root_radius = "16 mm"
-base_radius = "9.56851 mm"
+tip_diameter = "51.2 mm"
+root_diameter = "32 mm"
+base_diameter = "19.13702 mm"
 lead = "25.09490 mm"
 axial_pitch = "12.54745 mm"
 base_lead_angle = "22.6561 deg"
@@ -265,6 +266,7 @@ REFUSED = [
     ([("module = ", "modul = ")], "drive.modul: no such key", "did you mean module"),
     ([("diameter_factor = 10", "diameter_factor = 40")], "drive.centre_distance is 100 mm", "make 162 mm"),
     ([("diameter_factor = 10", "diameter_factor = 2")], "drive.diameter_factor is 2", "4 to 40"),
+    ([('module = "4 mm"', "")], "drive.module is missing (axial, m)", "worm.base_diameter"),
     ([("diameter_factor = 10", "")], "drive: diameter_factor is missing", "worm.reference_diameter"),
     # worm
     ([in_table("worm", 'tip_radius = "24 mm"')], "drive.worm: tip_radius", "give tip_diameter"),
@@ -327,7 +329,7 @@ REFUSED = [
     ([in_table("wheel", 'face_width = "30 mm"')], "drive.wheel.face_width: no such key", "give drive.face"),
     ([in_table("wheel", 'tip_diameter = "168 mm"')], "drive.wheel.tip_diameter: no such key", "throat_dia"),
     ([in_table("hob", 'edge_radius = "1 mm"')], "drive.hob.edge_radius: no such key", "wheel.fillet_radius"),
-    ([in_table("hob", 'tip_diameter = "51 mm"')], "drive.hob.tip_diameter: no such key", "wheel.root_dia"),
+    ([in_table("hob", 'tip_diameter = "51 mm"')], "drive.hob.tip_diameter means nothing", "wheel.root_dia"),
     ([('kind = "worm"', 'kind = "wurm"')], 'drive.kind = "wurm"', '"worm"'),
 ]  # fmt: skip
 
@@ -383,7 +385,7 @@ def test_a_wrong_drawing_is_refused_at_its_key_with_what_would_be_right(changes,
 
 
 def test_other_names_of_keys_are_those_of_keys_that_there_are():
-    drive = DrawnWormDriveTable
+    drive = WormDriveTable
     tables = {
         "drive": drive,
         **{part: drive.model_fields[part].annotation for part in ("worm", "wheel", "hob")},

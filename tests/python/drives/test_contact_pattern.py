@@ -107,7 +107,7 @@ def test_the_other_flank_is_the_mirror_image_but_for_shifts(coarse):
 
 def test_the_picture_names_the_sides_of_the_flank(pattern):
     cycle = pattern_data((pattern, pattern), (pattern, pattern))
-    cycle.attrs |= {"driver": "worm", "drive": "zi-worm"}
+    cycle.attrs |= {"driver": "worm", "drive": "worm"}
     figure = draw_pattern(Result("drive", {}, (), cycle, {}))
     said = [[text.get_text() for text in axes.texts] for axes in figure.axes]
     for words in said:

@@ -15,7 +15,7 @@ from pyworm.drives.kinds import KINDS, module_of
 
 CASES = Path(__file__).parents[3] / "cases"
 SHIPPED = {
-    "zi-worm": ("zi_sharif_2001", WormDuty),
+    "worm": ("zi_sharif_2001", WormDuty),
     "gear-pair": ("errichello_speed_increaser", GearPairDuty),
     "roller-worm": ("roller_ref", None),
 }
@@ -79,8 +79,7 @@ def test_a_machine_without_contacts_is_no_drive():
 
 
 def test_modules_are_found_by_the_kind_alone():
-    assert module_of("zi-worm", "pyworm.plots.drives").__name__ == "pyworm.plots.drives.worm"
-    assert case_model("drive", "zi-worm").__name__ == "ZiWormCase"
-    assert case_model("drive", "worm").__name__ == "DrawnWormCase"
+    assert module_of("worm", "pyworm.plots.drives").__name__ == "pyworm.plots.drives.worm"
+    assert case_model("drive", "worm").__name__ == "WormCase"
     assert module_of("gear-pair", "pyworm.report.console.drives") is None  # it prints no table
     assert module_of("picture", "pyworm.plots.drives") is None  # no kind of drive

@@ -49,7 +49,7 @@ def test_what_cannot_be_reached_is_the_nearest(drive, monkeypatch):
 
 def test_the_command_prints_a_hob_that_marks_so(tmp_path, capsys, monkeypatch):
     """Its life is a larger mark from one regrinding to the next; larger contacts, smaller pressures."""
-    monkeypatch.setattr("pyworm.case.worm.DrawnWormCase.hob_life", (1.0, 0.5))
+    monkeypatch.setattr("pyworm.case.worm.HOB_LIFE", (1.0, 0.5))
     without_allowed_errors(monkeypatch)
     path = CASES / "worm_drawing.toml"
     assert main(["setup", str(path), "--place", "-0.5 mm", "--json"]) == 0

@@ -36,11 +36,11 @@ def small_hob():
         ({"worm": changed(WORM, base_lead_angle=28.5 * DEGREE)}, "worm.base_lead_angle is 28.50 deg"),
         ({"hob": changed(HOB, base_lead_angle=27.61 * DEGREE)}, "hob.base_lead_angle is 27.61 deg"),
         ({"worm": changed(WORM, axial_pitch=30 * MM)}, "worm.axial_pitch is 30.00 mm"),
-        ({"worm": changed(WORM, tip_radius=29 * MM)}, "worm.tip_radius is 29.00 mm"),
+        ({"worm": changed(WORM, tip_radius=29 * MM)}, "worm.tip_diameter is 58.00 mm"),
         ({"worm": changed(WORM, threads=2.5)}, "worm.threads is 2.5"),
         ({"worm": changed(WORM, lead=-86.18 * MM)}, "worm.lead is -0.08618"),
         ({"wheel": changed(WHEEL, face_width=0.0)}, "wheel.face_width is 0"),
-        ({"wheel": changed(WHEEL, tip_radius=270 * MM)}, "wheel.tip_radius is 270.00 mm"),
+        ({"wheel": changed(WHEEL, tip_radius=270 * MM)}, "wheel.outside_diameter is 540.00 mm"),
         ({"centre_distance": 340 * MM}, "centre_distance is 340.00 mm"),
         ({"centre_distance": 300 * MM}, "centre_distance is 300.00 mm"),
         ({"hob": changed(HOB, centre_distance=300 * MM)}, "hob.centre_distance is 300.00 mm"),
@@ -66,26 +66,34 @@ def test_bad_geometry_is_refused(changes, says):
     ("changes", "begins", "right"),
     [
         ({"worm": changed(WORM, threads=59), "wheel": changed(WHEEL, teeth=3)},
-         "worm.threads is 59 and wheel.teeth 3", "swapped? worm.threads = 3, wheel.teeth = 59"),
+         "threads is 59 with 3 teeth", "swapped? threads = 3, teeth = 59"),
         ({"worm": changed(WORM, tip_radius=2 * WORM.tip_radius)},
-         "worm.tip_radius is 96.02 mm", "is it a diameter? a radius is wanted, 48.01 mm"),
+         "worm.tip_diameter is 192.04 mm", "did you mean 96.02 mm?"),
+        ({"worm": changed(WORM, tip_radius=WORM.tip_radius / 2)},
+         "worm.tip_diameter is 48.01 mm", "is it a radius? a diameter is wanted, 96.02 mm"),
         ({"worm": changed(WORM, root_radius=2 * WORM.root_radius)},
-         "worm.root_radius is 58.06 mm", "is it a diameter? a radius is wanted, 29.03 mm"),
+         "worm.root_diameter is 116.12 mm", "did you mean 58.06 mm?"),
         ({"worm": changed(WORM, base_radius=2 * WORM.base_radius)},
-         "worm.base_radius is 52.46 mm", "is it a diameter?"),
+         "worm.base_diameter is 104.92 mm", "did you mean 52.46 mm?"),
+        ({"worm": changed(WORM, base_radius=WORM.base_radius / 2)},
+         "worm.base_diameter is 26.23 mm", "is it a radius? a diameter is wanted, 52.46 mm"),
         ({"hob": changed(HOB, tip_radius=2 * HOB.tip_radius)},
-         "hob.tip_radius is 103.26 mm", "is it a diameter? a radius is wanted, 51.63 mm"),
+         "hob.tip_diameter is 206.52 mm", "did you mean 103.26 mm?"),
         ({"hob": changed(HOB, base_radius=2 * HOB.base_radius)},
-         "hob.base_radius is 52.96 mm", "is it a diameter?"),
-        ({"hob": changed(HOB, tip_radius=47 * MM)}, "hob.tip_radius is 47.00 mm", "smaller than that of"),
+         "hob.base_diameter is 105.92 mm", "did you mean 52.96 mm?"),
+        ({"hob": changed(HOB, tip_radius=47 * MM)}, "hob.tip_diameter is 94.00 mm", "smaller than that of"),
         ({"worm": changed(WORM, lead=WORM.axial_pitch)}, "worm.lead is 28.73 mm, the same as", "86.19 mm"),
         ({"wheel": changed(WHEEL, throat_radius=2 * WHEEL.throat_radius)},
-         "wheel.throat_radius is 548.06 mm", "is it a diameter? a radius is wanted, 274.03 mm"),
+         "wheel.throat_diameter is 1096.12 mm", "did you mean 548.06 mm?"),
+        ({"wheel": changed(WHEEL, throat_radius=WHEEL.throat_radius / 2)},
+         "wheel.throat_diameter is 274.03 mm", "is it a radius? a diameter is wanted, 548.06 mm"),
         ({"wheel": changed(WHEEL, throat_radius=31.58 * MM)},
-         "wheel.throat_radius is 31.58 mm", "is it the radius of the throat's groove?"),
+         "wheel.throat_diameter is 63.16 mm", "is it that of the throat's groove?"),
         ({"wheel": changed(WHEEL, tip_radius=2 * WHEEL.tip_radius)},
-         "wheel.tip_radius is 557.22 mm", "is it a diameter? a radius is wanted, 278.61 mm"),
-        ({"wheel": changed(WHEEL, face_width=603.3 * MM)}, "wheel.face_width is 603.30 mm", "96.02 mm"),
+         "wheel.outside_diameter is 1114.44 mm", "did you mean 557.22 mm?"),
+        ({"wheel": changed(WHEEL, tip_radius=WHEEL.tip_radius / 2)},
+         "wheel.outside_diameter is 278.61 mm", "is it a radius? a diameter is wanted, 557.22 mm"),
+        ({"wheel": changed(WHEEL, face_width=603.3 * MM)}, "face_width is 603.30 mm", "96.02 mm"),
     ],
 )  # fmt: skip
 def test_sizes_of_another_key_are_refused_with_what_is_meant(changes, begins, right):
@@ -116,7 +124,7 @@ def test_a_hob_of_another_base_pitch_gives_a_warning_in_micrometres(by):
     (said,) = sharif(hob=hob).warnings
     which = "more" if by > 0 else "less"
     assert f"{abs(apart):.1f} um {which} than the worm's {worm_pitch / MM:.4f} mm" in said
-    assert said.startswith("hob.lead and hob.base_radius give")
+    assert said.startswith("hob.lead and hob.base_diameter give")
 
 
 def test_the_rounding_of_a_printed_table_is_no_other_base_pitch():

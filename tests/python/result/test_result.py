@@ -106,7 +106,7 @@ def dataset():
             "axis": ["x", "long name"],
             "position": ("level", np.arange(4.0)),
         },
-        {"load_N": 14e3, "drive": "zi-worm", "effects": ["heat", "shear"], "grid": [3, 4]},
+        {"load_N": 14e3, "drive": "worm", "effects": ["heat", "shear"], "grid": [3, 4]},
     )
 
 

@@ -39,6 +39,7 @@ LEAST_OVERSIZE = 1e-3
 
 OF_PROFILES: dict[str, tuple[Profile, ...]] = {
     "worm_base_diameter": ("ZI",),
+    "worm_base_lead_angle": ("ZI",),
     "worm_disc_diameter": ("ZK", "ZC"),
     "worm_arc_radius": ("ZC", "ZC2"),
 }
@@ -54,6 +55,7 @@ DERIVED: dict[str, tuple[Callable[[Drawing], float], str]] = {
     "worm_lead": (lambda of: of.lead, "pi x module x threads"),
     "worm_lead_angle": (lambda of: of.lead_angle, "tan = threads / diameter_factor"),
     "worm_base_diameter": (lambda of: 2 * of.base_radius, "the base helix"),
+    "worm_base_lead_angle": (lambda of: of.base_lead_angle, "the base helix"),
     "wheel_reference_diameter": (lambda of: of.wheel_reference_diameter, "teeth x module"),
     "hob_reference_diameter": (
         lambda of: of.reference_diameter + of.hob_oversize,

@@ -99,19 +99,19 @@ def _check_table(gears: WormGears) -> None:
         if threads > 1 and abs(screw.lead - screw.axial_pitch) <= TABLE_ROUNDING * pitch:
             raise ValueError(
                 f"{name}.lead is {screw.lead * 1e3:.2f} mm, the same as {name}.axial_pitch; the lead is "
-                f"worm.threads x {name}.axial_pitch, {threads * screw.axial_pitch * 1e3:.2f} mm"
+                f"threads x {name}.axial_pitch, {threads * screw.axial_pitch * 1e3:.2f} mm"
             )
         if abs(pitch - screw.axial_pitch) > TABLE_ROUNDING * pitch:
             raise ValueError(
                 f"{name}.axial_pitch is {screw.axial_pitch * 1e3:.2f} mm, but {name}.lead over "
-                f"worm.threads gives {pitch * 1e3:.2f} mm"
+                f"threads gives {pitch * 1e3:.2f} mm"
             )
         if screw.generator is None:
             _check_base(name, screw)
         if screw.tip_radius <= screw.root_radius:
             raise ValueError(
-                f"{name}.tip_radius is {screw.tip_radius * 1e3:.2f} mm; it must be above "
-                f"{name}.root_radius, {screw.root_radius * 1e3:.2f} mm"
+                f"{name}.tip_diameter is {screw.tip_radius * 2e3:.2f} mm; it must be above "
+                f"{name}.root_diameter, {screw.root_radius * 2e3:.2f} mm"
             )
     heights = {
         "worm": gears.worm.tip_radius - gears.worm.root_radius,
@@ -126,15 +126,15 @@ def _check_table(gears: WormGears) -> None:
             )
     if gears.wheel.tip_radius < gears.wheel.throat_radius:
         raise ValueError(
-            f"wheel.tip_radius is {gears.wheel.tip_radius * 1e3:.2f} mm; it must not be below "
-            f"wheel.throat_radius, {gears.wheel.throat_radius * 1e3:.2f} mm"
+            f"wheel.outside_diameter is {gears.wheel.tip_radius * 2e3:.2f} mm; it must not be below "
+            f"wheel.throat_diameter, {gears.wheel.throat_radius * 2e3:.2f} mm"
         )
     (pitch, cut), radii = gears.base_pitches, gears.reference_radii
     if abs(cut / pitch - 1) > BASE_PITCH_MISMATCH:
         apart = f"a normal base pitch of {cut * 1e3:.3f} mm, but the worm has {pitch * 1e3:.3f} mm"
         if gears.worm.generator is None:
             raise ValueError(
-                f"hob.lead and hob.base_radius give {apart}; they must be equal to mesh"
+                f"hob.lead and hob.base_diameter give {apart}; they must be equal to mesh"
             )
         raise ValueError(
             f"hob.oversize of {2e3 * (radii[1] - radii[0]):.4g} mm gives the hob {apart}; they must be equal "
@@ -148,16 +148,18 @@ def _check_base(name: str, screw: Worm | Hob) -> None:
     given = present(screw.base_lead_angle, f"{name}.base_lead_angle")
     angle = atan2(screw.lead, 2 * pi * radius)
     if abs(angle - given) > TABLE_ROUNDING:
-        halved = atan2(screw.lead, pi * radius)
-        if abs(halved - given) <= TABLE_ROUNDING:
-            raise ValueError(
-                f"{name}.base_radius is {radius * 1e3:.2f} mm: with half of it {name}.lead "
-                f"gives {name}.base_lead_angle, {degrees(halved):.2f} deg; is it a diameter? a radius is "
-                "wanted"
-            )
+        for factor, slip in (
+            (0.5, f"did you mean {radius * 1e3:.2f} mm?"),
+            (2, f"is it a radius? a diameter is wanted, {radius * 4e3:.2f} mm"),
+        ):
+            if abs(atan2(screw.lead, 2 * pi * factor * radius) - given) <= TABLE_ROUNDING:
+                raise ValueError(
+                    f"{name}.base_diameter is {radius * 2e3:.2f} mm, with which {name}.lead does not give "
+                    f"{name}.base_lead_angle, {degrees(given):.2f} deg; {slip}"
+                )
         raise ValueError(
             f"{name}.base_lead_angle is {degrees(given):.2f} deg, but {name}.lead and "
-            f"{name}.base_radius give {degrees(angle):.2f} deg (tan = lead / 2 pi base_radius)"
+            f"{name}.base_diameter give {degrees(angle):.2f} deg (tan = lead / pi base_diameter)"
         )
 
 

@@ -53,7 +53,7 @@ def _check_wheel(gears: WormGears) -> None:
     if face[0] > -REACH * half or face[-1] < REACH * half:
         raise ValueError(
             f"wheel.deviations reach along the face from {_mm(face[0])} to {_mm(face[-1])}; they must reach "
-            f"from {_mm(-half)} to {_mm(half)}, from the middle of wheel.face_width"
+            f"from {_mm(-half)} to {_mm(half)}, from the middle of face_width"
         )
     _check_radii("wheel", wheel.deviations.radius, wheel.throat_radius, gears.module)
 

@@ -51,7 +51,7 @@ def _pitch_warnings(gears: WormGears) -> tuple[str, ...]:
     if abs(apart) <= PITCH_WARNED or gears.worm.generator is not None:
         return ()
     return (
-        f"hob.lead and hob.base_radius give a normal base pitch of {hob * 1e3:.4f} mm, "
+        f"hob.lead and hob.base_diameter give a normal base pitch of {hob * 1e3:.4f} mm, "
         f"{abs(apart) * 1e6:.1f} um {'more' if apart > 0 else 'less'} than the worm's "
         f"{worm * 1e3:.4f} mm: each tooth pair meets that far off its neighbours and carries most of the "
         "load at one end of its mesh; equal base pitches, lead x cos(base_lead_angle), share it evenly",

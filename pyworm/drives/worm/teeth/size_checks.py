@@ -1,6 +1,7 @@
-"""Checks whether sizes of a design table are what their keys say: diameters for radii, numbers exchanged.
+"""Checks whether sizes of worm, wheel and hob are what they are called: no radii, no numbers exchanged.
 
-Each refusal begins with the key that is wrong; the sizes are compared with those that every worm gear has.
+Each refusal begins with the key of a case file that is wrong, of which radii here are halves; the sizes are
+compared with those that every worm gear has.
 """
 
 from math import pi
@@ -32,8 +33,8 @@ def _check_counts(gears: WormGears) -> None:
     threads, teeth = gears.worm.threads, gears.wheel.teeth
     if threads >= teeth:
         raise ValueError(
-            f"worm.threads is {threads} and wheel.teeth {teeth}; a worm has fewer threads than its wheel "
-            f"has teeth, swapped? worm.threads = {teeth}, wheel.teeth = {threads}"
+            f"threads is {threads} with {teeth} teeth; a worm has fewer threads than its wheel has teeth, "
+            f"swapped? threads = {teeth}, teeth = {threads}"
         )
 
 
@@ -43,17 +44,20 @@ def _check_threads(gears: WormGears) -> None:
     tallest = TALLEST * module
     for name, screw in (("worm", gears.worm), ("hob", gears.hob)):
         tip, root = screw.tip_radius, screw.root_radius
+        key = f"{name}.tip_diameter"
         if tip <= root:
             if LOWEST * module < tip - root / 2 < tallest:
-                raise ValueError(_a_diameter(f"{name}.root_radius", root, "above tip_radius"))
+                raise ValueError(_twice(f"{name}.root_diameter", root, "above tip_diameter"))
+            if LOWEST * module < 2 * tip - root < tallest:
+                raise ValueError(_half(key, tip, f"below root_diameter, {_mm(2 * root)}"))
             continue  # refused with both
         if tip - root > tallest and root < tip / 2 < root + tallest:
-            high = f"{_mm(tip - root)} above root_radius, and threads are up to {_mm(tallest)} high"
-            raise ValueError(_a_diameter(f"{name}.tip_radius", tip, high))
+            high = f"{_mm(tip - root)} from root to tip, and threads are up to {_mm(tallest)} high"
+            raise ValueError(_twice(key, tip, high))
     if gears.hob.tip_radius < gears.worm.tip_radius:
         raise ValueError(
-            f"hob.tip_radius is {_mm(gears.hob.tip_radius)}, smaller than that of the worm, "
-            f"{_mm(gears.worm.tip_radius)}: the worm's tip would touch the root that the hob leaves"
+            f"hob.tip_diameter is {_mm(2 * gears.hob.tip_radius)}, smaller than that of the worm, "
+            f"{_mm(2 * gears.worm.tip_radius)}: the worm's tip would touch the root that the hob leaves"
         )
 
 
@@ -65,30 +69,37 @@ def _check_wheel(gears: WormGears) -> None:
     tallest = TALLEST * worm.axial_pitch / pi
     low, high = distance - worm.tip_radius, distance - worm.root_radius
     throat = wheel.throat_radius
-    about = (
-        f"at a centre distance of {_mm(distance)} the worm lies between {_mm(low)} and {_mm(high)}"
-    )
+    about = f"at a centre distance of {_mm(distance)} it lies between {_mm(2 * low)} and {_mm(2 * high)}"
     if low < throat / 2 < high:
-        raise ValueError(_a_diameter("wheel.throat_radius", throat, about))
+        raise ValueError(_twice("wheel.throat_diameter", throat, about))
+    if low < 2 * throat < high:
+        raise ValueError(_half("wheel.throat_diameter", throat, about))
     if throat <= worm.tip_radius < low:
         raise ValueError(
-            f"wheel.throat_radius is {_mm(throat)}: {about}; is it the radius of the throat's groove? the "
-            "radius of the wheel in its throat is wanted"
+            f"wheel.throat_diameter is {_mm(2 * throat)}: {about}; is it that of the throat's groove? the "
+            "wheel's own in its throat is wanted"
         )
-    if throat < wheel.tip_radius / 2 < throat + tallest:
-        raise ValueError(
-            _a_diameter("wheel.tip_radius", wheel.tip_radius, f"throat_radius is {_mm(throat)}")
-        )
+    tip, over = wheel.tip_radius, f"throat_diameter is {_mm(2 * throat)}"
+    if throat < tip / 2 < throat + tallest:
+        raise ValueError(_twice("wheel.outside_diameter", tip, over))
+    if throat < 2 * tip < throat + tallest:
+        raise ValueError(_half("wheel.outside_diameter", tip, over))
     if wheel.face_width > 2 * worm.tip_radius:
         raise ValueError(
-            f"wheel.face_width is {_mm(wheel.face_width)}; a wheel is not wider than its worm, "
+            f"face_width is {_mm(wheel.face_width)}; a wheel is not wider than its worm, "
             f"{_mm(2 * worm.tip_radius)}"
         )
 
 
-def _a_diameter(key: str, value: float, why: str) -> str:
-    """The refusal of a diameter in the place of a radius."""
-    return f"{key} is {_mm(value)}: {why}; is it a diameter? a radius is wanted, {_mm(value / 2)}"
+def _twice(key: str, radius: float, why: str) -> str:
+    """The refusal of a diameter that is twice as large as a fitting one."""
+    return f"{key} is {_mm(2 * radius)}: {why}; did you mean {_mm(radius)}?"
+
+
+def _half(key: str, radius: float, why: str) -> str:
+    """The refusal of a radius in the place of a diameter."""
+    size = 2 * radius
+    return f"{key} is {_mm(size)}: {why}; is it a radius? a diameter is wanted, {_mm(2 * size)}"
 
 
 def _mm(value: float) -> str:
