@@ -37,7 +37,7 @@ from pyworm.result.sound_result import check, typed
 from pyworm.solver.solution import DATASETS, Solution
 
 FORMAT = "pyworm result"
-FORMAT_VERSION = 6
+FORMAT_VERSION = 7
 
 PROVENANCE = {"plans": list, "keys": list, "failed": dict}
 """Types of the entries of the provenance that readers use."""

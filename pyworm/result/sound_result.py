@@ -8,6 +8,7 @@ load above zero. A solution that did not converge may hold any numbers.
 from collections.abc import Iterator
 from dataclasses import fields as parts_of
 from dataclasses import is_dataclass
+from enum import EnumType
 from math import isfinite
 from types import NoneType, UnionType
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
@@ -54,6 +55,8 @@ def typed(kind: Any, value: Any, name: str = "") -> Any:
         return _one_of(options, value, name)
     if origin is Literal and value in options:
         return value
+    if isinstance(kind, EnumType):
+        return kind(value)
     if origin is tuple and isinstance(value, list | tuple):
         kinds = options[:1] * len(value) if options[-1] is Ellipsis else options
         if len(kinds) == len(value):

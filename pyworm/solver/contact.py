@@ -28,6 +28,7 @@ from pyworm.scene.scales import LineScales, Scales
 from pyworm.scene.waves import moving_waves
 from pyworm.solver import figures as figures_of_grid
 from pyworm.solver.arrival_uncertainty import arrival_uncertainty
+from pyworm.solver.ending import Ending
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.newton import NewtonStep, lead
@@ -419,7 +420,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         return Outcome(
             figures,
             fields(scene, model, level, None if dry is None else dry.pressure, self._attributes),
-            None if dry is None or dry.converged else "the dry contact did not converge",
+            None if dry is None or dry.converged else Ending.NO_DRY_CONTACT,
             profile(scene, level) if model.heated else None,
         )
 

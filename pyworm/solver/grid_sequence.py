@@ -18,8 +18,8 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.accuracy_met import is_converged
 from pyworm.solver.convergence_history import convergence_history
+from pyworm.solver.ending import Ending, Stop
 from pyworm.solver.error_estimate import Reading, change, changes, largest_of_films
 from pyworm.solver.estimates import estimates
 from pyworm.solver.kinds import SOLVERS
@@ -55,11 +55,6 @@ DOMAIN_FRACTION = 0.25
 WINDOW_ALGEBRA = 0.1
 """Algebraic error of the figures in the wider window, over that elsewhere: what the windows differ by may be
 a tenth of the accuracy."""
-
-NO_WIDER_FILM = (
-    "no film was found in the wider window, which shows the error by the end of this one"
-)
-"""Stop reason where the window error is unbounded."""
 
 MOST_RETRIES = 2
 """Number of grids of the figures that may be too coarse to show the window error of a thin film."""
@@ -147,10 +142,10 @@ class GridSequence:
 
     def finish(self) -> Solution:
         """Refine the grid as far as the accuracy asks."""
-        reason = self._stop_reason()
-        while reason is None:
-            reason = self._refine() or self._stop_reason()
-        return self._solution(reason)
+        stop = self._stop()
+        while stop is None:
+            stop = self._refine() or self._stop()
+        return self._solution(stop)
 
     def _settle(self) -> None:
         """Settle the film on its grid and keep its figures."""
@@ -169,10 +164,10 @@ class GridSequence:
             self._readings.append(self._settled.reading)
         self._unsettled += balance.worst > plan.tolerance
 
-    def _stop_reason(self) -> str | None:
-        """Estimate the errors; returns the reason to stop, or None."""
+    def _stop(self) -> Stop | None:
+        """Estimate the errors; returns how the sequence ends here, or None."""
         plan = self._plan
-        reason = (self._transient and self._transient.flaw) or refusal(
+        stop = self._rate_not_known() or refusal(
             plan, self._readings, self._solver.convergence.orders, self._level.grid.finer()
         )
         if film_is_sound(self._level, self._settled, plan):
@@ -181,9 +176,9 @@ class GridSequence:
                 plan = self._plan
             if not self._uncertainties:
                 self._uncertainties = self._solver.uncertainties(self._level)
-            if reason is None and plan.wider_grids and not self._window:
-                reason = self._compare_windows()
-        return reason or stop_reason(
+            if stop is None and plan.wider_grids and not self._window:
+                stop = self._compare_windows()
+        return stop or stop_reason(
             self._level,
             self._settled,
             self._estimates(),
@@ -191,6 +186,12 @@ class GridSequence:
             self._most_unsettled,
             plan,
         )
+
+    def _rate_not_known(self) -> Stop | None:
+        """The end where the film's rate of change is not to be trusted; None where it is."""
+        if self._transient is None or self._transient.flaw is None:
+            return None
+        return Ending.RATE_OF_CHANGE.stop(reason=self._transient.flaw)
 
     def _levels_are_judged(self) -> bool:
         """Whether the error by the levels across the film is known, on a grid whose film is like this one."""
@@ -230,8 +231,8 @@ class GridSequence:
             self._settled, self._readings = found.settled, [found.settled.reading]
         self._levels_errors, self._judged = found.errors, self._settled.reading
 
-    def _refine(self) -> str | None:
-        """Halve the spacing and settle the film; returns the reason if that is not possible, or None."""
+    def _refine(self) -> Stop | None:
+        """Halve the spacing and settle the film; returns how it ends if that is not possible, or None."""
         self._refinements += 1
         size = " x ".join(str(count) for count in self._level.grid.finer().shape)
         self._tell(size, 1 - 0.7 ** (self._refinements + 1))
@@ -257,7 +258,7 @@ class GridSequence:
             self._steps += steps
             self._settle_on_grid()
 
-    def _solution(self, reason: str) -> Solution:
+    def _solution(self, stop: Stop) -> Solution:
         """The solution on the last grid."""
         scene, plan, level = self._scene, self._plan, self._level
         solves = 0 if self._rates is None else len(self._rates.found)
@@ -265,12 +266,12 @@ class GridSequence:
         outcome = self._solver.outcome(level)
         figures = self._estimates()
         if outcome.flaw is not None:
-            reason = outcome.flaw
+            stop = outcome.flaw.stop()
         elif film_is_sound(level, self._settled, plan):
-            reason = with_wider_bars(reason, figures, self._settled.reading.figures, plan)
-        converged = is_converged(reason)
+            stop = with_wider_bars(stop, figures, self._settled.reading.figures, plan)
+        converged = stop.ending.converged
         if not converged and rests_on_edge(outcome.fields):
-            reason += CURE
+            stop = replace(stop, reason=stop.reason + CURE)
         datasets: dict[str, Any] = {
             "fields": outcome.fields,
             "history": convergence_history(self._steps, level.grid),
@@ -283,7 +284,8 @@ class GridSequence:
             **asdict(Place.of(scene)),
             load=scene.load,
             converged=converged,
-            stop_reason=reason,
+            ending=stop.ending,
+            stop_reason=stop.reason,
             figures=Figures(
                 **cast("dict[str, Any]", figures),
                 film_min_at=self._settled.reading.film_min_at,
@@ -306,8 +308,8 @@ class GridSequence:
         bound = bound_by_conduction(self._level, figures, read, self._plan)
         return self._plan.aim.without(*bound).figures
 
-    def _compare_windows(self) -> str | None:
-        """Estimate the window errors from a wider window; returns the reason if that fails, or None.
+    def _compare_windows(self) -> Stop | None:
+        """Estimate the window errors from a wider window; returns how it ends if that fails, or None.
 
         Where they are large the sequence continues in the wider window.
         """
@@ -323,7 +325,7 @@ class GridSequence:
         except KernelError as error:
             return _lack_of_memory(error)
         if not film_is_sound(wider, settled, plan):
-            return None if self._refinements < MOST_RETRIES else NO_WIDER_FILM
+            return None if self._refinements < MOST_RETRIES else Ending.NO_WIDER_FILM.stop()
         here = self._settled.reading
         algebra = {name: of + settled.algebra[name] for name, of in self._settled.algebra.items()}
         pair = here, settled.reading, with_falls(solver.convergence, seen), algebra
@@ -438,11 +440,11 @@ class GridSequence:
         self._progress(f"{self._scene.name}: {what}", fraction)
 
 
-def _lack_of_memory(error: KernelError) -> str:
-    """The message of a lack of memory; any other error is raised again."""
+def _lack_of_memory(error: KernelError) -> Stop:
+    """The end by a lack of memory; any other error is raised again."""
     if error.status != NO_MEMORY:
         raise error
-    return str(error)
+    return Ending.MEMORY.stop(reason=str(error))
 
 
 def _extrapolated(figures: Mapping[str, Any], film_min: Estimate) -> dict[str, Any]:

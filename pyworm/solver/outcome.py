@@ -12,6 +12,7 @@ from pyworm.formulas.arrays import Array
 from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.planning.model import Model
 from pyworm.scene.contact import Contact
+from pyworm.solver.ending import Ending
 from pyworm.solver.level import Level
 
 
@@ -23,7 +24,7 @@ class Outcome:
     """The figures of `solution.Figures` without error bars."""
     fields: PlainDataset
     """Fields over the grid."""
-    flaw: str | None = None
+    flaw: Ending | None = None
     """Reason why the figures are not to be trusted although the film converged."""
     profile: PlainDataset | None = None
     """Temperature and velocity across the film at its hottest point, where heat is simulated."""

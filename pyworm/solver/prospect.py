@@ -8,6 +8,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import FILMS
+from pyworm.solver.ending import Ending, Stop
 from pyworm.solver.error_estimate import SPIKE, Reading, change, hot_spike
 
 
@@ -16,8 +17,8 @@ def refusal(
     readings: Sequence[Reading],
     orders: Mapping[str, float],
     finer: Grid | LineGrid,
-) -> str | None:
-    """Reason not to solve the next grid; None if it, or those after it, may reach the accuracy.
+) -> Stop | None:
+    """How the sequence ends without the next grid; None if it, or those after it, may reach the accuracy.
 
     Parameters
     ----------
@@ -31,14 +32,14 @@ def refusal(
         The next grid.
     """
     if plan.refusal is not None:
-        return plan.refusal
+        return Ending.REFUSED_BY_PLAN.stop(reason=plan.refusal)
     if not readings or not finer.nodes <= plan.largest_grid < finer.finer().nodes:
         return None
     aim = plan.aim if hot_spike(readings[-1]) is None else plan.aim.without("temperature_max_film")
     least = aim.worst(least_errors(readings, orders), readings[-1].figures)
     if least <= max(plan.accuracy, WORTHLESS):
         return None
-    return f"the largest grid allowed would leave an error of at least {percent(least)}"
+    return Ending.OUT_OF_REACH.stop(error=percent(least))
 
 
 def spike_stays(reading: Reading, grid: Grid | LineGrid, largest: int) -> bool:

@@ -15,7 +15,7 @@ from pyworm.io.shown import Shown
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction
 from pyworm.scene.index import Place
-from pyworm.solver.accuracy_met import is_accurate
+from pyworm.solver.ending import Ending
 from pyworm.solver.estimate import ORIGINS, Estimate
 from pyworm.solver.left_out import LeftOut, judged
 from pyworm.solver.oil_supply import SupplyFigures
@@ -147,8 +147,10 @@ class Solution(Shown):
     converged: bool
     """Whether the figures may be trusted within their error bars, which may be wider than asked for
     (`accurate`)."""
+    ending: Ending
+    """How the solve ended."""
     stop_reason: str
-    """Reason why the solver stopped."""
+    """Its message: the reason why the solver stopped."""
     figures: Figures
     """Scalars."""
     regime: Regime
@@ -236,7 +238,7 @@ class Solution(Shown):
     @property
     def accurate(self) -> bool:
         """Whether the figures have the accuracy asked for."""
-        return is_accurate(self.stop_reason)
+        return self.ending.accurate
 
     @property
     def left_out(self) -> LeftOut:

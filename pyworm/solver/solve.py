@@ -12,7 +12,7 @@ from pyworm.planning.plan import Plan, reviewed, steady, with_accuracy
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.accuracy_met import LESS_ACCURATE, is_accurate
+from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.solution import Solution
 from pyworm.solver.stop_reason import WIDEST
@@ -99,7 +99,7 @@ def _no_worse(
     """
     error = _error(solution, plan)
     coarser = next((of for of in COARSER if of > plan.accuracy), None)
-    if is_accurate(solution.stop_reason) or coarser is None or error <= coarser:
+    if solution.accurate or coarser is None or error <= coarser:
         return solution
     own = with_accuracy(scene, plan, plan.accuracy)
     chosen = (own.grids, own.tolerance) != (plan.grids, plan.tolerance)
@@ -113,8 +113,10 @@ def _no_worse(
     left = _error(again, plan)
     if not left < error:
         return solution
-    reason = f"{LESS_ACCURATE}, {percent(left)}: asked for {percent(plan.accuracy)}, {solution.stop_reason}"
-    return again.changed(accuracy=plan.accuracy, stop_reason=reason)
+    stop = Ending.COARSER_REQUEST.stop(
+        error=percent(left), accuracy=percent(plan.accuracy), reason=solution.stop_reason
+    )
+    return again.changed(accuracy=plan.accuracy, ending=stop.ending, stop_reason=stop.reason)
 
 
 def _error(solution: Solution, plan: Plan) -> float:

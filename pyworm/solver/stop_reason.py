@@ -8,7 +8,7 @@ import numpy as np
 from pyworm.io.quantity_text import percent
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.solver.accuracy_met import ACCURATE, LESS_ACCURATE, is_accurate
+from pyworm.solver.ending import Ending, Stop
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.level import Level
 from pyworm.solver.newton import HOPELESS, Settled
@@ -37,14 +37,14 @@ temperature is left with: the rest would be no room for grid, window and algebra
 
 
 def with_wider_bars(
-    reason: str, estimates: Mapping[str, Estimate], figures: Mapping[str, float], plan: Plan
-) -> str:
-    """The stop reason of a sound film, qualified where its figures have error bars that are too wide.
+    stop: Stop, estimates: Mapping[str, Estimate], figures: Mapping[str, float], plan: Plan
+) -> Stop:
+    """How the solve of a sound film ended, qualified where its figures have error bars that are too wide.
 
     Parameters
     ----------
-    reason : str
-        Why the sequence of grids ended.
+    stop : Stop
+        How the sequence of grids ended.
     estimates : mapping
         The figures with their error bars.
     figures : mapping
@@ -54,12 +54,13 @@ def with_wider_bars(
     """
     errors = {name: of.error for name, of in estimates.items()}
     worst, cold = (of.worst(errors, figures) for of in (plan.aim, plan.aim.without(*HEAT_FIGURES)))
-    if is_accurate(reason) or not cold <= WIDEST:
-        return reason
+    if stop.ending.accurate or not cold <= WIDEST:
+        return stop
     if worst <= WIDEST:
-        return f"{LESS_ACCURATE}, {percent(worst)}: {reason}"
-    hot = f"of temperatures more than {percent(WIDEST)}"
-    return f"{LESS_ACCURATE}, {percent(cold)}, {hot}: {reason}"
+        return Ending.WIDER_BARS.stop(error=percent(worst), reason=stop.reason)
+    return Ending.WIDER_BARS_OF_HEAT.stop(
+        error=percent(cold), widest=percent(WIDEST), reason=stop.reason
+    )
 
 
 def film_is_sound(level: Level, settled: Settled, plan: Plan) -> bool:
@@ -74,8 +75,8 @@ def stop_reason(
     unsettled: int,
     most_unsettled: int,
     plan: Plan,
-) -> str | None:
-    """Reason why the sequence ends on a level, or None if a finer grid follows.
+) -> Stop | None:
+    """How the sequence ends on a level, or None if a finer grid follows.
 
     Parameters
     ----------
@@ -95,30 +96,29 @@ def stop_reason(
     met = level.film.balance.worst <= plan.tolerance
     resolved = min(settled.reading.film_min, estimates["film_min"].value) > 0
     if met and resolved and error <= plan.accuracy:
-        return ACCURATE
+        return Ending.ACCURATE.stop()
     domains = {name: of.domain for name, of in estimates.items()}
     domain = plan.aim.worst(domains, figures)
     if np.isfinite(domain) and domain > plan.accuracy:
-        left = f"the end of the window leaves an error of {percent(domain)}"
         if plan.aim.without(*HEAT_FIGURES).worst(domains, figures) > plan.accuracy:
-            return f"{left}: films depend on surfaces far out"
+            return Ending.WINDOW_OF_FILM.stop(error=percent(domain))
         # temperatures go on to finer grids, without which nothing is known of what the grids leave
         grids = {name: of.grid for name, of in estimates.items()}
         if plan.aim.worst(grids, figures) <= domain:
-            return f"{left}: bodies exchange heat far out"
+            return Ending.WINDOW_OF_HEAT.stop(error=percent(domain))
     last = level.grid.finer().nodes > plan.largest_grid
     if not met and (last or unsettled >= most_unsettled):
         return _not_met(level, plan)
     but_for = _accurate_but_for(level, settled, estimates, plan) if met and resolved else None
     if but_for is not None:
-        return f"{ACCURATE} but for {but_for}"
+        return but_for
     if not last:
         return None
     if not resolved:
-        return "the largest grid allowed does not resolve the film"
+        return Ending.NOT_RESOLVED.stop()
     if np.isinf(error):
-        return "the largest grid allowed leaves no second grid, or window, to compare with"
-    return f"the largest grid allowed leaves an error of {percent(error)}"
+        return Ending.NOT_COMPARED.stop()
+    return Ending.LARGEST_GRID.stop(error=percent(error))
 
 
 def bound_by_conduction(
@@ -138,20 +138,20 @@ def bound_by_conduction(
     return tuple(name for name, of in level.conduction_errors().items() if is_bound(name, of))
 
 
-def _not_met(level: Level, plan: Plan) -> str:
+def _not_met(level: Level, plan: Plan) -> Stop:
     """Names the equations that are not met."""
     if level.film.unsolved():
-        return f"the shear stress was not found in {level.film.unsolved()} places of the film"
+        return Ending.NO_SHEAR_STRESS.stop(places=level.film.unsolved())
     worst = level.film.balance.worst
     if not worst <= HOPELESS:
-        return "no film was found whose stresses and temperatures the laws of the oil bear"
-    return f"the residual stayed at {worst:.1e}, {plan.tolerance:.1e} is wanted"
+        return Ending.NO_FILM.stop()
+    return Ending.RESIDUAL.stop(residual=worst, tolerance=plan.tolerance)
 
 
 def _accurate_but_for(
     level: Level, settled: Settled, estimates: Mapping[str, Estimate], plan: Plan
-) -> str | None:
-    """The temperatures that no grid allowed brings to the accuracy, if all else has it."""
+) -> Stop | None:
+    """The end that names temperatures which no grid allowed brings to the accuracy, if all else has it."""
     figures = settled.reading.figures
     errors = {name: of.error for name, of in estimates.items()}
 
@@ -165,12 +165,9 @@ def _accurate_but_for(
         and (tip := estimates[hottest].reason) is not None
         and without(hottest)
     ):
-        return f"the film's largest temperature, the {tip}"
+        return Ending.ACCURATE_BUT_FOR_SPIKE.stop(spike=tip)
     bound = bound_by_conduction(level, estimates, figures, plan)
     if bound and without(*bound):
-        left = percent(max(errors[name] for name in bound))
-        return (
-            "temperatures, of which the approximation of conduction in the bodies leaves "
-            f"{left} of their rise"
-        )
+        left = max(errors[name] for name in bound)
+        return Ending.ACCURATE_BUT_FOR_CONDUCTION.stop(error=percent(left))
     return None

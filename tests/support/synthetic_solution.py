@@ -14,6 +14,7 @@ from pyworm.formulas.hertz import hertz, hertz_line
 from pyworm.formulas.regimes import Regime, line_regime
 from pyworm.io.quantities import describe
 from pyworm.result.result import Result
+from pyworm.solver.ending import Ending
 from pyworm.solver.solution import Cost, DryFigures, Estimate, Figures, Solution
 
 
@@ -100,9 +101,8 @@ def make_solution(
         phase=phase,
         load=load,
         converged=converged,
-        stop_reason="the figures are as accurate as asked for"
-        if converged
-        else "too many iterations",
+        ending=Ending.ACCURATE if converged else Ending.RESIDUAL,
+        stop_reason=Ending.ACCURATE.message if converged else "too many iterations",
         figures=figures,
         regime=_point_regime(point_groups(*radii, load, reduced_modulus, speed, 0.04, 2.2e-8)),
         fields=fields,
@@ -159,9 +159,8 @@ def make_line_solution(load=183e3, film_central=175e-9, phase=None, converged=Tr
         phase=phase,
         load=load,
         converged=converged,
-        stop_reason="the figures are as accurate as asked for"
-        if converged
-        else "too many iterations",
+        ending=Ending.ACCURATE if converged else Ending.RESIDUAL,
+        stop_reason=Ending.ACCURATE.message if converged else "too many iterations",
         figures=Figures(
             film_min=Estimate(float(film.min()), 0.004, 0.001),
             film_central=Estimate(film_central, 0.002, 0.001),

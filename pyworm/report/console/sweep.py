@@ -13,7 +13,7 @@ from pyworm.planning.target import FILMS
 from pyworm.report.table import Table
 from pyworm.result.sweep_result import SweepResult, distinguishing
 from pyworm.scene.index import PLACE_NAMES
-from pyworm.solver.accuracy_met import LESS_ACCURATE
+from pyworm.solver.ending import LESS_ACCURATE
 
 MOST_ROWS = 60
 """Scenes beyond which the table is left to the file."""

@@ -16,6 +16,7 @@ from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED
 from pyworm.kernel.core import KernelError
 from pyworm.result.result import Result, open_result
+from pyworm.solver.ending import Ending
 
 CASES = Path(__file__).parents[3] / "cases"
 CASE = str(CASES / "point_m20_l10.toml")
@@ -218,7 +219,9 @@ def test_a_run_without_any_solution_reports_why(tmp_path, capsys, monkeypatch, f
 def test_a_run_whose_every_contact_did_not_converge_reports_why(
     tmp_path, capsys, solve_at_once, form
 ):
-    solve_at_once(converged=False, stop_reason="grids as fine as allowed")
+    solve_at_once(
+        converged=False, ending=Ending.LARGEST_GRID, stop_reason="grids as fine as allowed"
+    )
     arguments = ["run", CASE, *form, "--out", str(tmp_path / "out")]
     assert main([*arguments, "--pictures", "none"]) == NOT_CONVERGED
     printed = capsys.readouterr()
@@ -257,7 +260,9 @@ def test_run_draws_nothing_where_none_is_asked_for(tmp_path, solve_at_once):
 
 
 def test_not_converged_is_written_and_marked(tmp_path, capsys, solve_at_once):
-    solve_at_once(converged=False, stop_reason="grids as fine as allowed")
+    solve_at_once(
+        converged=False, ending=Ending.LARGEST_GRID, stop_reason="grids as fine as allowed"
+    )
     assert main(["run", CASE, "--out", str(tmp_path / "out")]) == NOT_CONVERGED
     assert "did not converge: grids as fine as allowed" in capsys.readouterr().out
     assert not open_result(tmp_path / "out" / "result.nc").solutions[0].converged

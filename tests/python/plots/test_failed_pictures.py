@@ -21,6 +21,7 @@ from pyworm.plots.attempts import ROOM, PicturesError
 from pyworm.plots.contact.gap import draw_gap
 from pyworm.plots.draw import SCENE_PICTURES, draw
 from pyworm.result.result import open_result
+from pyworm.solver.ending import Ending
 
 CASE = Path(__file__).parents[3] / "cases" / "point_m20_l10.toml"
 RUN = ("run", str(CASE), "--accuracy", "30%", "--effects", "isothermal", "--pictures", "all")
@@ -139,7 +140,8 @@ def test_a_scene_that_did_not_converge_still_gives_its_exit_code(tmp_path, monke
     def unconverged(scene, plan, *how):
         from pyworm.solver.solve import solve
 
-        solved["one"] = replace(solve(scene, plan), converged=False, stop_reason="lost")
+        lost = {"converged": False, "ending": Ending.NO_FILM, "stop_reason": "lost"}
+        solved["one"] = replace(solve(scene, plan), **lost)
         return solved["one"]
 
     monkeypatch.setattr("pyworm.batch.task.solve", unconverged)

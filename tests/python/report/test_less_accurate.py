@@ -9,7 +9,7 @@ from swept_cycle import PHASES, cycle_result
 import pyworm
 from pyworm.result.headline import opening
 from pyworm.result.mesh_cycle import drive_cycle
-from pyworm.solver.accuracy_met import LESS_ACCURATE
+from pyworm.solver.ending import LESS_ACCURATE, Ending
 from pyworm.solver.solve import solve
 
 
@@ -33,8 +33,11 @@ def test_a_film_with_wider_bars_than_asked_for_has_converged_but_is_less_accurat
 def wider(solution):
     """The solution with a bar of the loss of a fifth, for 5 % asked."""
     loss = replace(solution.figures.power_loss, grid=0.2)
-    reason = f"{LESS_ACCURATE}, 20.0%: the transient solve leaves an error of 20.0%"
-    return replace(solution, figures=replace(solution.figures, power_loss=loss), stop_reason=reason)
+    stop = Ending.WIDER_BARS.stop(
+        error="20.0%", reason="the transient solve leaves an error of 20.0%"
+    )
+    figures = replace(solution.figures, power_loss=loss)
+    return replace(solution, figures=figures, ending=stop.ending, stop_reason=stop.reason)
 
 
 def test_a_mesh_cycle_is_not_lost_for_a_phase_with_wider_bars():

@@ -26,6 +26,7 @@ from pyworm.report.page.figures import glance_rows
 from pyworm.result.flank_map import flank_map
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
+from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
 
@@ -49,7 +50,9 @@ def failed(solution):
         }.items()
     }
     figures = replace(figures, **worse)
-    return replace(solution, figures=figures, converged=False, stop_reason=REASON)
+    return replace(
+        solution, figures=figures, converged=False, ending=Ending.NO_FILM, stop_reason=REASON
+    )
 
 
 @pytest.fixture(scope="module")
@@ -152,7 +155,7 @@ def test_a_cycle_without_any_converged_phase_is_drawn(case):
 
 def test_the_film_of_what_did_not_converge_has_no_circle():
     good = make_solution(edge=0.1e-3, phase=0.5)
-    bad = replace(good, converged=False, stop_reason=REASON)
+    bad = replace(good, converged=False, ending=Ending.NO_FILM, stop_reason=REASON)
     circles = [
         [
             line

@@ -34,6 +34,7 @@ from pyworm.result.flank_map import entry, flank_map
 from pyworm.result.flank_wear import asperity_pass, flank_grid
 from pyworm.result.mesh_cycle import drive_cycle, flank_place
 from pyworm.result.result import case_in
+from pyworm.solver.ending import Ending
 from pyworm.solver.solution import Estimate
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -174,7 +175,8 @@ def test_what_did_not_converge_is_left_out_and_named():
 def test_an_efficiency_names_the_contacts_that_it_lacks_in_its_line():
     """Whether a contact did not converge or has no solution at all, in tables and JSON objects."""
     whole = cycle_result(PHASES)
-    bad = replace(whole.solutions[0], converged=False, stop_reason="no more nodes")
+    bad = replace(whole.solutions[0], converged=False, ending=Ending.LARGEST_GRID)
+    bad = replace(bad, stop_reason="no more nodes")
     torn = replace(
         whole,
         solutions=(bad, *whole.solutions[1:]),

@@ -8,7 +8,7 @@ import pytest
 
 from pyworm.planning.grid import Grid
 from pyworm.planning.target import FIGURES, HEAT_FIGURES, Aim
-from pyworm.solver.accuracy_met import is_accurate
+from pyworm.solver.ending import Ending, Stop
 from pyworm.solver.error_estimate import (
     SAFETY,
     Peak,
@@ -192,11 +192,11 @@ def test_temperatures_that_conduction_leaves_inaccurate_ask_for_no_finer_grid():
         bound = bound_by_conduction(level, found, hot.figures, plan)
         return bound, stop_reason(level, Settled((), hot, {}), found, 0, 3, plan)
 
-    bound, reason = ended(0.1)
+    bound, stop = ended(0.1)
     assert bound == HEAT_FIGURES
-    assert is_accurate(reason)
-    assert reason.endswith("conduction in the bodies leaves 11 % of their rise")
-    assert ended(0.01) == ((), "the figures are as accurate as asked for")
+    assert stop.ending.accurate and stop.ending.converged
+    assert stop.reason.endswith("conduction in the bodies leaves 11 % of their rise")
+    assert ended(0.01) == ((), Ending.ACCURATE.stop())
     assert ended(0.1, film=0.06) == (HEAT_FIGURES, None)  # a finer grid mends the film
     assert ended(0.1, rest=0.06) == ((), None)
 
@@ -210,10 +210,25 @@ def test_films_are_used_whose_temperatures_at_an_edge_are_not_known():
             name: Estimate(20.0, heat) for name in HEAT_FIGURES
         }
         figures = {"film_min": 1.0} | dict.fromkeys(HEAT_FIGURES, 20.0)
-        return with_wider_bars("no finer grid", found, figures, plan)
+        stop = Stop(Ending.LARGEST_GRID, "no finer grid")
+        return with_wider_bars(stop, found, figures, plan)
 
-    assert told(0.1, 0.3) == "less accurate than asked for, 30 %: no finer grid"
-    assert told(0.1, np.inf) == (
+    assert told(0.1, 0.3).reason == "less accurate than asked for, 30 %: no finer grid"
+    assert told(0.1, np.inf).reason == (
         "less accurate than asked for, 10 %, of temperatures more than 50 %: no finer grid"
     )
-    assert told(0.6, 0.3) == "no finer grid"
+    assert told(0.1, 0.3).ending.converged and told(0.1, np.inf).ending.converged
+    assert told(0.6, 0.3) == Stop(Ending.LARGEST_GRID, "no finer grid")
+
+
+def test_each_ending_has_a_message_of_its_own():
+    """Files keep the word; what is accurate has converged, and is said so."""
+    assert len({ending.message for ending in Ending} - {"{reason}"}) == len(Ending) - 3
+    assert all(Ending(str(ending)) is ending for ending in Ending)
+    accurate = [ending for ending in Ending if ending.accurate]
+    assert len(accurate) == 3
+    assert all(ending.converged for ending in accurate)
+    assert sum(ending.converged for ending in Ending) == 6
+    assert Ending.RESIDUAL.stop(residual=0.01, tolerance=1e-6) == Stop(
+        Ending.RESIDUAL, "the residual stayed at 1.0e-02, 1.0e-06 is wanted"
+    )

@@ -10,8 +10,9 @@ from contacts import INLET, ball, roller
 import pyworm
 from pyworm.kernel.core import NOT_CONVERGED, KernelError
 from pyworm.kernel.film import Balance, Film
-from pyworm.solver import arrival_uncertainty, grid_sequence
+from pyworm.solver import arrival_uncertainty
 from pyworm.solver.contact import FIRMEST, ContactSolver
+from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.line.contact import LineContactSolver
 from pyworm.solver.newton import lead
@@ -119,7 +120,7 @@ def test_no_film_in_the_wider_window_is_no_error_bar(diverging):
     diverging(lambda film: film.pressure.shape in wider)
     solution = pyworm.solve(scene, plan)
     assert not solution.converged
-    assert solution.stop_reason == grid_sequence.NO_WIDER_FILM
+    assert solution.ending is Ending.NO_WIDER_FILM
     assert solution.figures.film_min.error == np.inf
     assert solution.fields["film"].shape == finer(plan.grids[-1], 2).shape
 
@@ -245,6 +246,7 @@ def test_a_finer_request_ends_no_worse_than_a_coarser_one(film, monkeypatch):
         figures = replace(solution.figures, film_min=replace(solution.figures.film_min, grid=0.4))
         return solution.changed(
             converged=film != "lost",
+            ending=Ending.WINDOW_OF_FILM,
             stop_reason="films depend on surfaces far out",
             figures=figures,
         )

@@ -17,7 +17,6 @@ from pyworm.planning.window import FAR, Reach, near_reach, windows
 from pyworm.scene.point import Paraboloid, RigidMotion
 from pyworm.scene.sampled_gap import SampledGap
 from pyworm.scene.scales import scales
-from pyworm.solver.accuracy_met import is_accurate
 from pyworm.solver.point.far_field import far_field
 
 
@@ -137,7 +136,7 @@ def test_a_film_that_depends_on_surfaces_far_out_is_marked():
     """Pressure by spin falls with the square of the distance only: its load has no bound on a plane."""
     scene = pure_spin(1e6)
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.05))
-    assert not is_accurate(solution.stop_reason)
+    assert not solution.accurate
     assert solution.figures.film_central.error > 0.05
     assert "films depend on surfaces far out" in solution.stop_reason
 

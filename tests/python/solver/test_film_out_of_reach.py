@@ -42,7 +42,7 @@ def test_only_the_last_grid_is_refused_for_its_error():
     grid = plan.grids[-1]
     readings = [reading(-1.0)]
     last = replace(plan, largest_grid=grid.finer().nodes)
-    assert "at least 33 %" in refusal(last, readings, ORDERS, grid.finer())
+    assert "at least 33 %" in refusal(last, readings, ORDERS, grid.finer()).reason
     assert refusal(plan, readings, ORDERS, grid.finer()) is None
     rough = replace(last, accuracy=0.4)
     assert refusal(rough, readings, ORDERS, grid.finer()) is None

@@ -22,8 +22,8 @@ from pyworm.io.input_error import CaseError
 from pyworm.kernel.core import NO_DESCENT, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.scene.scales import scales
-from pyworm.solver.accuracy_met import ACCURATE
 from pyworm.solver.contact import SENSELESS
+from pyworm.solver.ending import Ending
 from pyworm.solver.newton import newton_step, settle
 from pyworm.solver.point import level
 from pyworm.solver.point.contact import PointContactSolver
@@ -174,7 +174,10 @@ def test_a_film_hottest_in_a_spike_ends_with_all_else_accurate(tmp_path):
     solution = pyworm.solve(scene, replace(one.plan, largest_grid=500_000))
     figures = solution.figures
     assert solution.converged
-    assert solution.stop_reason.startswith(ACCURATE + " but for the film's largest temperature")
+    assert solution.ending is Ending.ACCURATE_BUT_FOR_SPIKE
+    assert solution.stop_reason.startswith(
+        "the figures are as accurate as asked for but for the film's "
+    )
     assert figures.temperature_max_film.error == np.inf
     assert "nodes wide" in figures.temperature_max_film.reason
     for name in ("film_min", "film_central", "friction_coefficient", "temperature_max_body_1"):

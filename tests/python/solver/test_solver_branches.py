@@ -13,6 +13,7 @@ from pyworm.io.quantities import QUANTITIES
 from pyworm.kernel.core import NO_DESCENT, NO_MEMORY, KernelError
 from pyworm.solver import newton, timing
 from pyworm.solver import passes as passes_module
+from pyworm.solver.ending import Ending
 from pyworm.solver.error_estimate import Peak, Reading
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.grid_sequence import _lack_of_memory
@@ -37,11 +38,11 @@ def left(worst, unsolved=0):
     ],
 )
 def test_what_is_not_met_is_named(level, words):
-    assert words in _not_met(level, SimpleNamespace(tolerance=1e-6))
+    assert words in _not_met(level, SimpleNamespace(tolerance=1e-6)).reason
 
 
 def test_any_other_failure_than_memory_is_raised_again():
-    assert "memory" in _lack_of_memory(KernelError(NO_MEMORY))
+    assert "memory" in _lack_of_memory(KernelError(NO_MEMORY)).reason
     with pytest.raises(KernelError):
         _lack_of_memory(KernelError(NO_DESCENT))
 
@@ -92,7 +93,9 @@ def test_what_a_solution_lacks_is_refused_by_name():
 
 @pytest.mark.parametrize(("converged", "word"), [(True, "converged ("), (False, "not converged (")])
 def test_a_solution_shows_whether_it_converged(converged, word):
-    solution = replace(make_hot_worm(), converged=converged, stop_reason="for a test")
+    ending = Ending.WIDER_BARS if converged else Ending.LARGEST_GRID
+    solution = replace(make_hot_worm(), converged=converged, ending=ending)
+    assert ending.converged is converged and not solution.accurate
     solution = replace(solution, composite_roughness=1e-7)
     _, rows = solution.shown()
     assert rows["status"].startswith(word)

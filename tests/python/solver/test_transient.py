@@ -15,6 +15,7 @@ from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.scales import line_scales
+from pyworm.solver.ending import Ending
 from pyworm.solver.transient import march as march_module
 from pyworm.solver.transient import time_steps
 from pyworm.solver.transient import transient as transient_module
@@ -203,6 +204,7 @@ def test_a_past_whose_film_is_not_found_is_reported(monkeypatch):
     monkeypatch.setattr(march_module, "LOST", 0.0)
     transient = solved(lived(lambda back: as_line(ball())), "isothermal,squeeze")
     assert not transient.converged and "found no converged film" in transient.stop_reason
+    assert transient.ending is Ending.RATE_OF_CHANGE
     assert transient.figures.film_min.error == np.inf
 
 

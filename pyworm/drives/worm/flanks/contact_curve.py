@@ -39,6 +39,10 @@ FARTHEST = 2.5
 """Rotation of the worm to either side that the path is followed over, as a multiple of that."""
 
 
+class HobError(ValueError):
+    """A hob that cuts no wheel for the worm, by how it is set up or by its size."""
+
+
 @dataclass(frozen=True)
 class ContactCurve(ContactPath):
     """The contact point of a worm of any profile; places are worm angles."""
@@ -131,7 +135,7 @@ class ContactCurve(ContactPath):
 
         Raises
         ------
-        ValueError
+        HobError
             Worm and wheel do not touch near the pitch point.
         """
         (u, turn, angle), (cut_u, cut_turn, hob_angle) = (
@@ -141,7 +145,7 @@ class ContactCurve(ContactPath):
         guess = np.array([u, turn, cut_u, cut_turn, 0.0, hob_angle * self.flank.ratio])
         found = self._solved_at(guess, angle)
         if found is None:
-            raise ValueError(
+            raise HobError(
                 f"hob.swivel and hob.axial_shift are {np.degrees(self.flank.hob.swivel):.4g} deg and "
                 f"{self.flank.hob.axial_shift * 1e3:.4g} mm, for which worm and wheel do not touch near the "
                 "pitch point; a set-up that brings the contact there is needed"

@@ -6,6 +6,7 @@ from math import degrees
 
 from pyworm.drives.worm.drawing.design import AS_DESIGNED, Assembly
 from pyworm.drives.worm.drawing.drawing import Drawing
+from pyworm.drives.worm.flanks.contact_curve import HobError
 from pyworm.drives.worm.flanks.worm_profiles import CONCAVE_PROFILES
 from pyworm.drives.worm.teeth.checks import check_gears
 from pyworm.drives.worm.teeth.gears import WormGears
@@ -46,10 +47,9 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
             return tried, f"hob.swivel = {degrees(swivel):.4g} deg, {part}{at}{why}"
         depth = found.depth if depth is None else min(depth, found.depth)
     if depth is None:
-        set_up = str(refusal).startswith(
-            "hob"
-        )  # by no set-up; else a size of the drawing is at fault
-        if set_up and of.profile in CONCAVE_PROFILES and of.profile_shift < LEAST_CONCAVE_SHIFT:
+        # any other refusal is of a size of the drawing
+        of_hob = isinstance(refusal, HobError)
+        if of_hob and of.profile in CONCAVE_PROFILES and of.profile_shift < LEAST_CONCAVE_SHIFT:
             raise ValueError(
                 f"profile_shift is {of.profile_shift:.3g}, with which a concave worm and its wheel interfere "
                 f'or do not touch; profile "{of.profile}" has 0.5 to 1 as a rule, so that the pitch line is '

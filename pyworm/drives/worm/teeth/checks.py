@@ -9,6 +9,7 @@ from dataclasses import fields
 from math import atan2, degrees, isfinite, pi
 
 from pyworm.drives.worm.drawing.design import Hob, Worm
+from pyworm.drives.worm.flanks.contact_curve import HobError
 from pyworm.drives.worm.teeth.deviation_checks import check_deviations
 from pyworm.drives.worm.teeth.fillet_checks import check_fillets
 from pyworm.drives.worm.teeth.gears import WormGears
@@ -133,10 +134,10 @@ def _check_table(gears: WormGears) -> None:
     if abs(cut / pitch - 1) > BASE_PITCH_MISMATCH:
         apart = f"a normal base pitch of {cut * 1e3:.3f} mm, but the worm has {pitch * 1e3:.3f} mm"
         if gears.worm.generator is None:
-            raise ValueError(
+            raise HobError(
                 f"hob.lead and hob.base_diameter give {apart}; they must be equal to mesh"
             )
-        raise ValueError(
+        raise HobError(
             f"hob.oversize of {2e3 * (radii[1] - radii[0]):.4g} mm gives the hob {apart}; they must be equal "
             "to mesh, for which a smaller hob.oversize or a larger pressure_angle is needed"
         )
@@ -187,7 +188,7 @@ def _check_fit(gears: WormGears) -> None:
         <= hob.centre_distance
         < hob.tip_radius + wheel.throat_radius
     ):
-        raise ValueError(
+        raise HobError(
             f"hob.centre_distance is {hob.centre_distance * 1e3:.2f} mm; it must lie from "
             f"{lowest * 1e3:.2f} mm, where the hob's root touches the wheel's throat, to "
             f"{(hob.tip_radius + wheel.throat_radius) * 1e3:.2f} mm, where the hob cuts no tooth"

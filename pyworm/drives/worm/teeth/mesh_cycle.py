@@ -8,6 +8,7 @@ from itertools import pairwise
 import numpy as np
 import scipy
 
+from pyworm.drives.worm.flanks.contact_curve import HobError
 from pyworm.drives.worm.flanks.contact_path import ContactPath, Touches
 from pyworm.drives.worm.flanks.flank_height import FlankHeight
 from pyworm.drives.worm.flanks.helicoid import Array
@@ -221,13 +222,13 @@ def find_mesh_cycle(
     if cycles:
         return max(cycles, key=lambda cycle: cycle.worm_rotation)
     if found:
-        raise ValueError(
+        raise HobError(
             "hob: the wheel it cuts would interfere with the worm (a relative radius of curvature is "
             "negative); a hob at least as large as the worm, set up near the wheel's mid-plane, or a "
             "larger pressure angle or profile shift is needed"
         )
     hob = wheel_tooth.hob
-    raise ValueError(
+    raise HobError(
         f"hob.swivel, hob.axial_shift and hob.centre_distance are {np.degrees(hob.swivel):.4g} deg, "
         f"{hob.axial_shift * 1e3:.4g} mm and {hob.centre_distance * 1e3:.4g} mm, for which no common normal "
         "of worm and wheel lies on the teeth; a set-up that brings the contact between the face ends is "

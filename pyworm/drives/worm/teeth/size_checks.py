@@ -6,6 +6,7 @@ compared with those that every worm gear has.
 
 from math import pi
 
+from pyworm.drives.worm.flanks.contact_curve import HobError
 from pyworm.drives.worm.teeth.gears import WormGears
 
 TALLEST = 4.0
@@ -55,7 +56,7 @@ def _check_threads(gears: WormGears) -> None:
             high = f"{_mm(tip - root)} from root to tip, and threads are up to {_mm(tallest)} high"
             raise ValueError(_twice(key, tip, high))
     if gears.hob.tip_radius < gears.worm.tip_radius:
-        raise ValueError(
+        raise HobError(
             f"hob.tip_diameter is {_mm(2 * gears.hob.tip_radius)}, smaller than that of the worm, "
             f"{_mm(2 * gears.worm.tip_radius)}: the worm's tip would touch the root that the hob leaves"
         )
