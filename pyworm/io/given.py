@@ -1,14 +1,16 @@
 """Values given in Python: numbers in SI, or texts with units, judged as those of case files are.
 
-A class of values names the kinds of its attributes in `QUANTITIES`. Sizes that there are not are refused here
-with the sentences of case files; what is impossible besides is refused by the class itself.
+A class of values has types of `pyworm.io.units` for its fields, `load: units.Force`, by which values are read
+here and in case files. Sizes that there are not are refused here with the sentences of case files; what is
+impossible besides is refused by the class itself.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import fields, is_dataclass
+from functools import cache
 from math import isfinite
 from numbers import Real
-from typing import Any, get_args, get_origin, overload
+from typing import Any, get_args, get_origin, get_type_hints, overload
 
 import numpy as np
 
@@ -27,8 +29,7 @@ def take(owner: Any, *, sizes: bool = True, law: type | None = None) -> None:
     Parameters
     ----------
     owner : dataclass
-        Its class has `QUANTITIES`, name of an attribute -> its type of `pyworm.io.units`, of several
-        numbers `tuple[type, ...]`.
+        Its quantities have types of `pyworm.io.units`, of several numbers `tuple[type, ...]`.
     sizes : bool, optional
         Whether numbers of a size that there is not are refused.
     law : type, optional
@@ -39,22 +40,40 @@ def take(owner: Any, *, sizes: bool = True, law: type | None = None) -> None:
     ValueError
         No number and no text with a unit, or of a size that there is not.
     """
+    its_class: type = type(owner)
     optional = {part.name for part in fields(owner) if part.default is None}
-    for name, of in type(owner).QUANTITIES.items():
+    for name, (kind, several) in quantities(its_class).items():
         value = getattr(owner, name)
         if law is not None and isinstance(value, law):
             continue
         if value is None and name in optional:
             continue
-        read = _several if get_origin(of) is tuple else number
-        object.__setattr__(owner, name, read(name, value, kind_of(of), sizes=sizes))
+        read = _several if several else number
+        object.__setattr__(owner, name, read(name, value, kind, sizes=sizes))
+
+
+@cache
+def quantities(owner: type) -> dict[str, tuple[Kind, bool]]:
+    """Fields of a dataclass that are quantities -> their kind, and whether each is several numbers."""
+    hints = get_type_hints(owner, include_extras=True)
+    found = {}
+    for part in fields(owner):
+        hint = hints[part.name]
+        several = get_origin(hint) is tuple
+        kinds = [kind for one in (hint, *get_args(hint)) if (kind := _own_kind(one)) is not None]
+        if kinds:
+            found[part.name] = kinds[0], several
+    return found
+
+
+def _own_kind(hint: Any) -> Kind | None:
+    """The kind of quantity of a type of `pyworm.io.units`; None of any other."""
+    return next((one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Kind)), None)
 
 
 def kind_of(annotated: Any) -> Kind:
-    """The kind of quantity of a type of `pyworm.io.units`, or of a tuple of them."""
-    if get_origin(annotated) is tuple:
-        annotated = get_args(annotated)[0]
-    return next(part for part in annotated.__metadata__ if isinstance(part, Kind))
+    """The kind of quantity of a type of `pyworm.io.units`."""
+    return next(one for one in annotated.__metadata__ if isinstance(one, Kind))
 
 
 def _several(name: str, value: object, kind: Kind, *, sizes: bool = True) -> tuple[float, ...]:
@@ -165,13 +184,14 @@ def _text(value: float, kind: Kind) -> str:
 
 def unusual(of: Any, above: str = "") -> Iterator[str]:
     """A sentence for each unusual value in a dataclass and those within it, as of `quantity.doubt`."""
-    kinds: Mapping[str, Any] = getattr(type(of), "QUANTITIES", {})
+    its_class: type = type(of)
+    kinds = quantities(its_class)
     for part in fields(of):
         value = getattr(of, part.name)
         name = f"{above}{part.name}"
         if part.name in kinds and not _holds(value):
             several = value if isinstance(value, tuple) else (value,)
-            worst = (_doubted(name, one, kind_of(kinds[part.name])) for one in several)
+            worst = (_doubted(name, one, kinds[part.name][0]) for one in several)
             yield from (sentence for sentence in worst if sentence is not None)
         elif isinstance(value, tuple):
             for place, one in enumerate(value):

@@ -1,7 +1,7 @@
 """The solids in contact: elastic and thermal constants."""
 
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar
+from typing import Any
 
 from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive, scalar
@@ -33,33 +33,33 @@ class Body:
         A constant that no solid has.
     """
 
-    youngs_modulus: float
+    youngs_modulus: units.Modulus
     """Young's modulus [Pa]; with `modulus_by_temperature` and a bulk temperature that of the latter."""
     poisson_ratio: float
     """Poisson's ratio [-]."""
-    density: float | None = None
+    density: units.MassDensity | None = None
     """Density [kg/m3]; needed only where heat is simulated."""
-    conductivity: float | None = None
+    conductivity: units.Conductivity | None = None
     """Thermal conductivity [W/(m K)]; needed only where heat is simulated."""
-    specific_heat: float | None = None
+    specific_heat: units.SpecificHeat | None = None
     """Specific heat [J/(kg K)]; needed only where heat is simulated."""
-    bulk_temperature: float | None = None
+    bulk_temperature: units.Temperature | None = None
     """Temperature far below the surface and of the surface before the contact [K]; needed with heat."""
-    roughness: float | None = None
+    roughness: units.Roughness | None = None
     """Root mean square height of the surface, Rq [m]; None if it is not known. Drawings often give the
     arithmetic mean Ra, from which it is about 1.25 Ra where heights are spread normally."""
     roughness_slope: float = RUN_IN_SLOPE
     """Root mean square slope of the surface [-]."""
     roughness_aspect: float = 1.0
     """Correlation length of the roughness along its lay over that across it [-]; 1 where it has no lay."""
-    lay: float = 0.0
+    lay: units.Tilt = 0.0
     """Angle of the lay from the surface's own motion through the contact [rad]."""
     asperity_sharpness: float | None = None
     """Composite roughness over the radius of the asperities' tips [-], all alike; None of a surface that is
     rough on all scales."""
     asperity_density: float = ASPERITY_DENSITY
     """Such asperities for each area times radius times composite roughness [-]."""
-    hardness: float | None = None
+    hardness: units.Hardness | None = None
     """Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield."""
     boundary_friction_factor: float = 1.0
     """Boundary friction of its asperities over that of steel or tin bronze under the same oil [-]."""
@@ -69,20 +69,8 @@ class Body:
     """Its waves longer than those of the roughness; None where they are not known."""
     modulus_by_temperature: Points = ()
     """Temperatures [K] and Young's moduli there [Pa] of a solid that softens; empty of one that does not."""
-    temperature_limit: float | None = None
+    temperature_limit: units.MaterialTemperature | None = None
     """Temperature that it bears in continuous use [K]; None where it is not known."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {
-        "youngs_modulus": units.Modulus,
-        "density": units.MassDensity,
-        "conductivity": units.Conductivity,
-        "specific_heat": units.SpecificHeat,
-        "bulk_temperature": units.Temperature,
-        "roughness": units.Roughness,
-        "lay": units.Tilt,
-        "hardness": units.Hardness,
-        "temperature_limit": units.MaterialTemperature,
-    }
 
     def __post_init__(self) -> None:
         """Read quantities with units; refuse impossible constants of a solid."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import asinh, exp, expm1, inf, sinh
-from typing import Any, ClassVar, Literal, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 import scipy
@@ -67,13 +67,13 @@ class FlowLaw:
 
     law: FlowLawName
     """Name of the law."""
-    stress: float = 0.0
+    stress: units.StressOrZero = 0.0
     """Eyring stress tau0 or Carreau's G at ambient pressure and inlet temperature [Pa]."""
-    stress_pressure: float = 0.0
+    stress_pressure: units.PressureCoefficientAnySign = 0.0
     """How the stress follows pressure [1/Pa]."""
-    stress_temperature: float = 0.0
+    stress_temperature: units.TemperatureCoefficientAnySign = 0.0
     """How the stress follows temperature [1/K]."""
-    limit: float = 0.0
+    limit: units.StressOrZero = 0.0
     """Limiting stress at ambient pressure [Pa]."""
     limit_pressure: float = 0.0
     """Its rise with pressure [-]."""
@@ -85,13 +85,6 @@ class FlowLaw:
     """Branches of a liquid of several, whose fractions add up to one."""
     table: tuple[tuple[float, float], ...] = ()
     """Pairs of Newtonian stress eta rate and stress tau, both over G, increasing (`FlowLaw.of`)."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {
-        "stress": units.StressOrZero,
-        "stress_pressure": units.PressureCoefficientAnySign,
-        "stress_temperature": units.TemperatureCoefficientAnySign,
-        "limit": units.StressOrZero,
-    }
 
     def __post_init__(self) -> None:
         """Refuse impossible values of the constants that the law uses."""

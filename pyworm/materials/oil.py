@@ -6,7 +6,6 @@ converge.
 
 from dataclasses import dataclass, replace
 from math import exp, log
-from typing import Any, ClassVar
 
 import numpy as np
 
@@ -85,7 +84,7 @@ class Oil:
     """How it shears under stress; None if nothing is known but its viscosity."""
     heat: OilHeat | None = None
     """How it takes heat; None where that is not known, and cannot be simulated."""
-    supply: float | OilLayer | None = None
+    supply: units.Film | OilLayer | None = None
     """Thickness of the oil that arrives at a contact, on both surfaces together [m], or its profile across
     the track; None where there is always enough."""
     boundary_friction: float = BOUNDARY_FRICTION
@@ -96,8 +95,6 @@ class Oil:
     alpha_spread: float = 0.0
     """Relative uncertainty of the pressure-viscosity coefficient [-]: its base stock's for an oil of the
     library, zero where it was measured."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {"supply": units.Film}
 
     def __post_init__(self) -> None:
         """Refuse laws unknown to the kernel, and contradictory constants."""

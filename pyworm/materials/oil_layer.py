@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, ClassVar
 
 import numpy as np
 
@@ -22,15 +21,10 @@ class OilLayer:
         Places that do not increase, or thicknesses that are negative or not as many.
     """
 
-    across: tuple[float, ...]
+    across: tuple[units.Offset, ...]
     """Places across the entrainment from the contact point, to its left, increasing [m]."""
-    thickness: tuple[float, ...]
+    thickness: tuple[units.FilmOrZero, ...]
     """Thickness of the oil on both surfaces together there [m]; in between linear, beyond as at the ends."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {
-        "across": tuple[units.Offset, ...],
-        "thickness": tuple[units.FilmOrZero, ...],
-    }
 
     def __post_init__(self) -> None:
         """Refuse what is no profile."""

@@ -59,19 +59,21 @@ class Tabulated(ABC):
     """Increasing [K]; one of them is a property without a dependence on temperature."""
     values: Array
     """The property, shape (pressures, temperatures)."""
-    reference: float
+    reference: units.Temperature
     """Temperature at which the oil enters [K]."""
 
-    QUANTITIES: ClassVar[dict[str, Any]] = {
-        "pressures": units.PressureCoordinate,
-        "temperatures": units.Temperature,
-        "reference": units.Temperature,
-    }
+    KIND: ClassVar[Any]
+    """Type of the property in `pyworm.io.units`."""
 
     def __post_init__(self) -> None:
         """Refuse what is no table."""
-        for name in ("pressures", "temperatures", "values"):
-            given = in_si(name, getattr(self, name), type(self).QUANTITIES[name])
+        kinds = {
+            "pressures": units.PressureCoordinate,
+            "temperatures": units.Temperature,
+            "values": self.KIND,
+        }
+        for name, kind in kinds.items():
+            given = in_si(name, getattr(self, name), kind)
             object.__setattr__(self, name, np.array(given, dtype=float))
         reference = in_si("reference", self.reference, units.Temperature)
         object.__setattr__(self, "reference", scalar("reference", reference))
@@ -252,7 +254,7 @@ AMBIENT = 1e6
 class TabulatedViscosity(Tabulated):
     """Viscosity [Pa s] by a function or by measurements, `TabulatedViscosity.of(function, inlet)`."""
 
-    QUANTITIES: ClassVar[dict[str, Any]] = Tabulated.QUANTITIES | {"values": units.Viscosity}
+    KIND = units.Viscosity
 
     @property
     def eta0(self) -> float:
@@ -280,7 +282,7 @@ class TabulatedViscosity(Tabulated):
 class TabulatedDensity(Tabulated):
     """Density [kg/m3] by a function or by measurements, `TabulatedDensity.of(function, inlet)`."""
 
-    QUANTITIES: ClassVar[dict[str, Any]] = Tabulated.QUANTITIES | {"values": units.OilDensity}
+    KIND = units.OilDensity
 
     @property
     def rho0(self) -> float:

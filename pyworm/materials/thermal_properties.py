@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 from math import inf
-from typing import Any, ClassVar
 
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
@@ -19,53 +18,36 @@ class OilHeat:
     (equation 20), or by Barus' law with eta0 exp(alpha p - beta (T - T0)).
     """
 
-    inlet_temperature: float
+    inlet_temperature: units.Temperature
     """Inlet temperature T0 [K]."""
-    viscosity_exponent: float
-    """s0 [-] of an oil with Roelands' law, beta [1/K] of one with Barus'."""
-    conductivity: float
+    viscosity_exponent: units.TemperatureCoefficientOrZero
+    """s0 [-], which has no unit, of an oil with Roelands' law, beta [1/K] of one with Barus'."""
+    conductivity: units.OilConductivity
     """k0 [W/(m K)] of the conductivity k = k0 [1 + c1 p / (1 + c2 p)]."""
-    specific_heat: float
+    specific_heat: units.SpecificHeat
     """c0 [J/(kg K)] of rho c = rho0 c0 {1 + b0 (1 + b1 p + b2 p^2) (T - T0)} {1 + k1 p / (1 + k2 p)}."""
-    expansivity: float = 0.0
+    expansivity: units.TemperatureCoefficientOrZero = 0.0
     """eps0 [1/K] of the expansivity eps = eps0 exp(-lambda p), by which the density is rho(p)
     [1 - eps (T - T0)]."""
-    expansivity_decay: float = 0.0
+    expansivity_decay: units.PressureCoefficientOrZero = 0.0
     """lambda [1/Pa] of the expansivity."""
-    conductivity_c1: float = 0.0
+    conductivity_c1: units.PressureCoefficientOrZero = 0.0
     """c1 [1/Pa] of the conductivity."""
-    conductivity_c2: float = 0.0
+    conductivity_c2: units.PressureCoefficientOrZero = 0.0
     """c2 [1/Pa] of the conductivity."""
-    heat_capacity_b0: float = 0.0
+    heat_capacity_b0: units.TemperatureCoefficientAnySign = 0.0
     """b0 of rho c [1/K]."""
-    heat_capacity_b1: float = 0.0
+    heat_capacity_b1: units.PressureCoefficientAnySign = 0.0
     """b1 of rho c [1/Pa]."""
-    heat_capacity_b2: float = 0.0
+    heat_capacity_b2: units.SquaredPressureCoefficient = 0.0
     """b2 of rho c [1/Pa2]."""
-    heat_capacity_k1: float = 0.0
+    heat_capacity_k1: units.PressureCoefficientOrZero = 0.0
     """k1 of rho c [1/Pa]."""
-    heat_capacity_k2: float = 0.0
+    heat_capacity_k2: units.PressureCoefficientOrZero = 0.0
     """k2 of rho c [1/Pa]."""
-    supply_temperature: float | None = None
+    supply_temperature: units.Temperature | None = None
     """Temperature of the oil before it met bodies of another one, which it has taken since [K]; None where it
     is the inlet's."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {
-        "inlet_temperature": units.Temperature,
-        "conductivity": units.OilConductivity,
-        "specific_heat": units.SpecificHeat,
-        "viscosity_exponent": units.TemperatureCoefficientOrZero,  # of Barus' law; Roelands' has no unit
-        "expansivity": units.TemperatureCoefficientOrZero,
-        "expansivity_decay": units.PressureCoefficientOrZero,
-        "conductivity_c1": units.PressureCoefficientOrZero,
-        "conductivity_c2": units.PressureCoefficientOrZero,
-        "heat_capacity_b0": units.TemperatureCoefficientAnySign,
-        "heat_capacity_b1": units.PressureCoefficientAnySign,
-        "heat_capacity_b2": units.SquaredPressureCoefficient,
-        "heat_capacity_k1": units.PressureCoefficientOrZero,
-        "heat_capacity_k2": units.PressureCoefficientOrZero,
-        "supply_temperature": units.Temperature,
-    }
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""

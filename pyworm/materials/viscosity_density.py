@@ -5,7 +5,7 @@ The published variants of each law differ only in the constants that the constru
 
 from dataclasses import dataclass
 from math import exp, inf, log
-from typing import Any, ClassVar
+from typing import Any
 
 import numpy as np
 
@@ -31,15 +31,10 @@ LARGEST_Z = 1e6
 class Barus:
     """Barus' law, eta = eta0 exp(alpha p); alpha = 0 is an isoviscous oil."""
 
-    eta0: float
+    eta0: units.Viscosity
     """Viscosity at ambient pressure [Pa s]."""
-    alpha: float
+    alpha: units.PressureViscosityOrZero
     """Pressure-viscosity coefficient [1/Pa]."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {
-        "eta0": units.Viscosity,
-        "alpha": units.PressureViscosityOrZero,
-    }
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
@@ -58,14 +53,12 @@ class Barus:
 class Roelands:
     """Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z - 1]} (Roelands 1966)."""
 
-    eta0: float
+    eta0: units.Viscosity
     """Viscosity at ambient pressure [Pa s]."""
     z: float
     """Pressure exponent [-]."""
-    p0: float = ROELANDS_PRESSURE
+    p0: units.Pressure = ROELANDS_PRESSURE
     """Pole pressure [Pa]."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {"eta0": units.Viscosity, "p0": units.Pressure}
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
@@ -113,18 +106,12 @@ class Roelands:
 class Density:
     """Density law rho = rho0 [1 + d1 p / (1 + d2 p)] (Dowson and Higginson 1966)."""
 
-    rho0: float
+    rho0: units.OilDensity
     """Density at ambient pressure [kg/m3]."""
-    d1: float
+    d1: units.PressureCoefficientOrZero
     """Coefficient [1/Pa]; d1 = 0 is an incompressible oil."""
-    d2: float
+    d2: units.PressureCoefficientOrZero
     """Coefficient [1/Pa]."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {
-        "rho0": units.OilDensity,
-        "d1": units.PressureCoefficientOrZero,
-        "d2": units.PressureCoefficientOrZero,
-    }
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""

@@ -4,14 +4,14 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import hypot, inf, isfinite, prod
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
-from pyworm.io.given import Given, in_si, kind_of, number, row, take
+from pyworm.io.given import Given, in_si, kind_of, number, quantities, row, take
 from pyworm.io.shown import Shown
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds, require_oil
@@ -74,8 +74,6 @@ class Contact(Shown, ABC):
     """How far each surface has moved from its place at present, along each direction [m]; None of a contact
     that is no instant of a written past."""
 
-    QUANTITIES: ClassVar[dict[str, Any]] = {}
-
     def __post_init__(self) -> None:
         """Refuse what is no contact, and an oil or a body whose formulas the kernel would ignore."""
         if not isinstance(self.name, str):
@@ -122,7 +120,7 @@ class Contact(Shown, ABC):
         )
         moduli = ", ".join(f"{body.youngs_modulus / 1e9:.4g}" for body in self.bodies)
         return f"{type(self).__name__} {self.name}", {
-            "load": f"{self.load:.4g} {type(self).QUANTITIES['load'].__metadata__[-1].unit}",
+            "load": f"{self.load:.4g} {quantities(type(self))['load'][0].unit}",
             "radii": ", ".join(f"{radius * 1e3:.4g}" for radius in self.radii_along) + " mm",
             "moduli": f"{moduli} GPa",
             "entrainment": f"{entrainment} m/s",

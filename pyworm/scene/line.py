@@ -6,7 +6,6 @@ velocities are those of the surfaces along x, relative to the (moving) contact p
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, ClassVar
 
 import numpy as np
 
@@ -24,10 +23,8 @@ LineGap = Callable[[Array], tuple[Array, Flags]]
 class Parabola:
     """The gap x^2 / 2R without edges."""
 
-    radius: float
+    radius: units.Radius
     """Relative radius of curvature [m]."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {"radius": units.Radius}
 
     def __post_init__(self) -> None:
         """Refuse a radius that there is not."""
@@ -59,6 +56,8 @@ class LineScene(Contact):
     The other attributes are those of `pyworm.scene.contact.Contact`, the load for each length [N/m].
     """
 
+    load: units.ForcePerLength
+    """Normal load for each length [N/m]."""
     gap: LineGap
     """Undeformed gap and where both surfaces exist."""
     radius: float = FROM_GAP
@@ -66,8 +65,6 @@ class LineScene(Contact):
     grid. By default that of the gap, which a `Parabola` has."""
     velocities: tuple[float, float]
     """Velocity of body 1 and of body 2 [m/s]."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {"load": units.ForcePerLength}
 
     def __post_init__(self) -> None:
         """Take the radius of the gap; refuse another one, and what are no velocities."""

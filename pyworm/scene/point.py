@@ -7,7 +7,6 @@ Velocities are those of the surfaces relative to the (moving) contact point, pro
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import atan2
-from typing import Any, ClassVar
 
 import numpy as np
 
@@ -35,12 +34,10 @@ LARGEST = 1e12
 class Paraboloid:
     """The gap x^2 / 2 Rx + y^2 / 2 Ry without edges."""
 
-    radius_x: float
+    radius_x: units.Radius
     """Relative radius of curvature along x [m]."""
-    radius_y: float
+    radius_y: units.Radius
     """Relative radius of curvature along y [m]."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = dict.fromkeys(("radius_x", "radius_y"), units.Radius)
 
     def __post_init__(self) -> None:
         """Refuse radii that there are not."""
@@ -63,18 +60,12 @@ class Paraboloid:
 class RigidMotion:
     """Translation and spin of one surface in the tangent plane."""
 
-    u: float
+    u: units.Velocity
     """Velocity along x at the contact point [m/s]."""
-    v: float
+    v: units.Velocity
     """Velocity along y at the contact point [m/s]."""
-    spin: float = 0.0
+    spin: units.Spin = 0.0
     """Angular velocity about the common normal [rad/s], positive from x to y."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {
-        "u": units.Velocity,
-        "v": units.Velocity,
-        "spin": units.Spin,
-    }
 
     def __post_init__(self) -> None:
         """Refuse velocities that there are not."""
@@ -101,6 +92,8 @@ class Scene(Contact):
     The other attributes are those of `pyworm.scene.contact.Contact`.
     """
 
+    load: units.Force
+    """Normal load [N]."""
     gap: Gap
     """Undeformed gap and where both surfaces exist."""
     radii: tuple[float, float] = FROM_GAP
@@ -108,8 +101,6 @@ class Scene(Contact):
     default those of the gap, which a `Paraboloid` and a `SampledGap` have."""
     motions: tuple[Motion, Motion]
     """Velocity field of body 1 and of body 2."""
-
-    QUANTITIES: ClassVar[dict[str, Any]] = {"load": units.Force}
 
     def __post_init__(self) -> None:
         """Take the radii of the gap; refuse others, and what is no motion."""
