@@ -6,9 +6,10 @@ from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, mod
 
 from pyworm.case.bodies import Bodies, taken_by_name
 from pyworm.case.oil import OilTable
-from pyworm.case.table import Table, Text, by_dotted_key
+from pyworm.case.table import Table, by_dotted_key
 from pyworm.io import units
 from pyworm.io.number_with_unit import parse_any
+from pyworm.io.plain_values import Text
 
 Quantity = Literal["film", "friction", "temperature"]
 """What a case asks of its contacts."""

@@ -9,9 +9,10 @@ from pydantic import Field, field_validator, model_validator
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.case_file import CaseTable
 from pyworm.case.past import PastTable
-from pyworm.case.table import Number, Table, Text
+from pyworm.case.table import Table
 from pyworm.io import units
 from pyworm.io.input_error import CaseError
+from pyworm.io.plain_values import Number, Text
 from pyworm.io.present import present
 from pyworm.scene.gap_file import read_gap
 from pyworm.scene.line import LineScene, Parabola

@@ -1,8 +1,9 @@
 """`[cooling]`: the thermal balance of a worm drive."""
 
-from pyworm.case.table import PositiveNumber, Table
+from pyworm.case.table import Table
 from pyworm.formulas.worm_losses import Bearings
 from pyworm.io import units
+from pyworm.io.plain_values import PositiveNumber
 
 
 class CoolingTable(Table):

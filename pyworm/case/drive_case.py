@@ -7,6 +7,7 @@ from pydantic import model_validator
 
 from pyworm.case.case_file import CaseTable
 from pyworm.case.lubrication import BathTable, LubricationTable
+from pyworm.case.table import plain
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty
 from pyworm.drives.oil_supply import Bath, Jets
@@ -42,7 +43,9 @@ class DriveCase(CaseTable):
     @property
     def brought_by(self) -> Bath | Jets | None:
         """How oil comes to the teeth; None where the file does not say."""
-        return None if self.lubrication is None else self.lubrication.by()
+        if isinstance(self.lubrication, BathTable):
+            return plain(self.lubrication, Bath)
+        return None if self.lubrication is None else plain(self.lubrication, Jets)
 
     @abstractmethod
     def make_drive(self) -> Drive:

@@ -6,12 +6,13 @@ from pydantic import Field, model_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.ratings import GearRatingTable, RatedCase
-from pyworm.case.table import Count, Number, NumberOrZero, Phase, PositiveNumber, Table
+from pyworm.case.table import Table, plain
 from pyworm.drives.gear_pair.design import LinearRelief
 from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.drives.gear_pair.film_formulas import Surfaces
 from pyworm.drives.gear_pair.gears import Gear, InvolutePair, ToothSystem
 from pyworm.io import units
+from pyworm.io.plain_values import Phase, PositiveNumber
 
 
 class GearBodies(Bodies):
@@ -21,29 +22,21 @@ class GearBodies(Bodies):
     gear: BodyTable
 
 
-class GearTable(Table):
+class GearTable(Table, Gear):
     """`[drive.pinion]` and `[drive.gear]`; coefficients in normal modules, as of the basic rack.
 
     The tips are shortened by what the centre distance lacks of the sum of the profile shifts (ISO 21771).
     """
 
-    teeth: Count
-    profile_shift: Number = 0.0
-    addendum: PositiveNumber = 1.0
-    dedendum: PositiveNumber = 1.25
-    fillet: NumberOrZero = 0.38
     tip_relief: units.Relief = 0.0
     tip_relief_length: units.LengthOrZero = 0.0
 
 
-class GearPairTable(Table):
+class GearPairTable(Table, ToothSystem):
     """`[drive]`, kind = "gear-pair"."""
 
     kind: Literal["gear-pair"]
     centre_distance: units.Length
-    module: units.Length
-    pressure_angle: units.Angle
-    helix_angle: units.AngleOrZero = 0.0
     face_width: units.FaceWidth
     lead_crowning: units.Relief = 0.0
     load_sharing: Literal["ramp", "uniform", "elastic"] = "ramp"
@@ -62,11 +55,8 @@ class GearOperationTable(Table):
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
 
 
-class SurfacesTable(Table):
+class SurfacesTable(Table, Surfaces):
     """`[surfaces]`: what the closed forms of friction and scuffing need."""
-
-    friction_coefficient: PositiveNumber
-    scuffing_temperature: units.ScuffingTemperature | None = None
 
 
 class GearPairCase(RatedCase):
@@ -88,9 +78,9 @@ class GearPairCase(RatedCase):
         """The drive of a case file about a pair of gears."""
         oil, table, operation = self.oil.oil(), self.drive, self.operation
         teeth = InvolutePair(
-            system=ToothSystem(table.module, table.pressure_angle, table.helix_angle),
-            pinion=_gear(table.pinion),
-            gear=_gear(table.gear),
+            system=plain(table, ToothSystem),
+            pinion=plain(table.pinion, Gear),
+            gear=plain(table.gear, Gear),
             centre_distance=table.centre_distance,
             face_width=table.face_width,
         )
@@ -107,23 +97,13 @@ class GearPairCase(RatedCase):
             contact=table.contact,
             tip_relief=(_relief(table.pinion), _relief(table.gear)),
             lead_crowning=table.lead_crowning,
-            surfaces=None if surfaces is None else Surfaces(**dict(surfaces)),
+            surfaces=None if surfaces is None else plain(surfaces, Surfaces),
             lubrication=self.brought_by,
         )
 
 
 def _relief(table: GearTable) -> LinearRelief:
     return LinearRelief(table.tip_relief, table.tip_relief_length)
-
-
-def _gear(table: GearTable) -> Gear:
-    return Gear(
-        teeth=table.teeth,
-        profile_shift=table.profile_shift,
-        addendum=table.addendum,
-        dedendum=table.dedendum,
-        fillet=table.fillet,
-    )
 
 
 CASE = GearPairCase

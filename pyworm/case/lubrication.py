@@ -4,33 +4,20 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from pyworm.case.table import Table, Text
-from pyworm.drives.oil_supply import Bath, Jets, Side
-from pyworm.io import units
+from pyworm.case.table import Table
+from pyworm.drives.oil_supply import Bath, Jets
 
 
-class BathTable(Table):
+class BathTable(Table, Bath):
     """`[lubrication]`, method = "bath": one body dips into oil."""
 
     method: Literal["bath"]
-    body: Text
-    depth: units.Length
-
-    def by(self) -> Bath:
-        """The bath."""
-        return Bath(self.body, self.depth)
 
 
-class JetsTable(Table):
+class JetsTable(Table, Jets):
     """`[lubrication]`, method = "jets": oil is sprayed onto the mesh."""
 
     method: Literal["jets"]
-    flow: units.OilFlow
-    side: Side = "incoming"
-
-    def by(self) -> Jets:
-        """The jets."""
-        return Jets(self.flow, self.side)
 
 
 LubricationTable = Annotated[BathTable | JetsTable, Field(discriminator="method")]

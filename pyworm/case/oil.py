@@ -15,11 +15,12 @@ from pyworm.case.own_oil import (
     TaitTable,
     liquids,
 )
-from pyworm.case.table import NumberOrZero, PositiveNumber, Table, Text
+from pyworm.case.table import Table
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.formulas.unit_factors import DEGREES_40
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, text
+from pyworm.io.plain_values import NumberOrZero, PositiveNumber, Text
 from pyworm.io.present import present
 from pyworm.materials.base_stock import Base, HeatCourseTable
 from pyworm.materials.flow_laws import FlowLaw

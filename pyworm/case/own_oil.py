@@ -7,9 +7,10 @@ from typing import Annotated, Any, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from pyworm.case.table import Number, NumberOrZero, PositiveNumber, Table
+from pyworm.case.table import Table
 from pyworm.formulas.liquids import Doolittle, RoelandsFit, Tait
 from pyworm.io import units
+from pyworm.io.plain_values import Number, NumberOrZero, PositiveNumber
 from pyworm.io.toml import read_toml
 from pyworm.materials.flow_laws import Branch
 from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity

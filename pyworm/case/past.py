@@ -7,8 +7,9 @@ from typing import Annotated, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from pyworm.case.table import Number, Table
+from pyworm.case.table import Table
 from pyworm.io import units
+from pyworm.io.plain_values import Number
 from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.line import LineScene

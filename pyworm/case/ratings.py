@@ -7,12 +7,13 @@ from pydantic import AfterValidator, Field, model_validator
 from pyworm.case.case_file import FileTable, Published
 from pyworm.case.drive_case import DriveCase
 from pyworm.case.one_oil import check_one_oil
-from pyworm.case.table import Count, Number, PositiveNumber, Table, Text
+from pyworm.case.table import Table
 from pyworm.formulas.bearing_life import Direction, Elements
 from pyworm.formulas.fzg_test_gears import TEST_TEMPERATURE
 from pyworm.formulas.worm_curves import Lubrication, OilKind
 from pyworm.formulas.worm_losses import Bearings
 from pyworm.io import units
+from pyworm.io.plain_values import Count, Number, PositiveNumber, Text
 from pyworm.materials.base_stock import Base
 from pyworm.materials.solids import named_material
 

@@ -7,13 +7,14 @@ from pydantic import Field, model_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.ratings import RatedCase
-from pyworm.case.table import Count, NumberOrZero, Phase, PositiveNumber, Table
+from pyworm.case.table import Table, plain
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
 from pyworm.drives.roller_worm.drive import RollerWormDrive
 from pyworm.drives.roller_worm.motion import FREE_OF_FRICTION, Pin, Spinning
-from pyworm.drives.roller_worm.profile import Crown, RollerProfile, Shape
+from pyworm.drives.roller_worm.profile import Crown, RollerProfile
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.io import units
+from pyworm.io.plain_values import Count, Phase
 from pyworm.io.present import present
 
 SectionName = Literal["right", "left"]
@@ -26,28 +27,18 @@ class RollerBodies(Bodies):
     rollers: BodyTable
 
 
-class CrownTable(Table):
+class CrownTable(Table, Crown):
     """`[drive.rollers.crown]`: crown of the rollers, not of the tool that cuts the worm."""
 
-    radius: units.Radius
-    straight: units.LengthOrZero = 0.0
 
-
-class PinTable(Table):
+class PinTable(Table, Pin):
     """`[drive.rollers.pin]`: pin on which a roller turns."""
 
-    radius: units.Length
-    friction: NumberOrZero
 
-
-class RollersTable(Table):
+class RollersTable(Table, RollerProfile):
     """`[drive.rollers]`: position on the wheel, shape and size."""
 
     count: Count
-    shape: Shape = "cylinder"
-    radius: units.Length
-    length: units.Length
-    half_angle: units.Tilt = 0.0
     tilt: units.Tilt = 0.0
     height: units.Offset = 0.0
     crown: CrownTable | None = None
@@ -63,16 +54,8 @@ class RollersTable(Table):
         return self
 
 
-class RollerWormTable(Table):
+class RollerWormTable(Table, RollerWorm):
     """`[drive.worm]`: the thread that the rollers envelop, in two sections parted at the throat."""
-
-    threads: Count
-    hand: Literal["right", "left"] = "right"
-    throat_coefficient: PositiveNumber
-    throat_angle: units.Angle
-    outer_angle: units.Angle
-    addendum: units.Length
-    dedendum: units.Length
 
 
 class RollerDriveTable(Table):
@@ -161,21 +144,14 @@ class RollerWormCase(RatedCase):
         """The drive of a case file about a roller enveloping worm."""
         oil = self.oil.oil()
         worm, rollers, operation = self.drive.worm, self.drive.rollers, self.operation
-        profile = RollerProfile(
-            shape=rollers.shape,
-            radius=rollers.radius,
-            length=rollers.length,
-            half_angle=rollers.half_angle,
-            crown=None if rollers.crown is None else Crown(**dict(rollers.crown)),
-        )
         return RollerWormDrive(
-            worm=RollerWorm(**dict(worm) | {"hand": 1 if worm.hand == "left" else -1}),
+            worm=plain(worm, RollerWorm),
             rollers=Rollers(
                 count=rollers.count,
-                profile=profile,
+                profile=plain(rollers, RollerProfile),
                 tilt=rollers.tilt,
                 height=rollers.height,
-                pin=FREE_OF_FRICTION if rollers.pin is None else Pin(**dict(rollers.pin)),
+                pin=FREE_OF_FRICTION if rollers.pin is None else plain(rollers.pin, Pin),
                 stiffness=rollers.stiffness or inf,
             ),
             centre_distance=self.drive.centre_distance,

@@ -8,8 +8,9 @@ from typing import Annotated, Literal, Self
 import numpy as np
 from pydantic import Field, PrivateAttr, model_validator
 
-from pyworm.case.table import Seed, Table, Text
+from pyworm.case.table import Table
 from pyworm.io import units
+from pyworm.io.plain_values import Seed, Text
 from pyworm.io.present import present
 from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography

@@ -12,8 +12,9 @@ from typing import Annotated, Any, Literal, Self
 import numpy as np
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from pyworm.case.table import Count, Seed, Table, Text
+from pyworm.case.table import Table
 from pyworm.io.number_with_unit import parse_in
+from pyworm.io.plain_values import Count, Seed, Text
 from pyworm.io.present import present
 
 Value = Any

@@ -1,25 +1,10 @@
-"""Base of all tables of a case file, types of plain numbers and dotted keys."""
+"""Base of all tables of a case file, those of dataclasses, and dotted keys."""
 
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar
+from dataclasses import fields
+from typing import Any, ClassVar, TypeVar
 
-from pydantic import BaseModel, ConfigDict, Field
-
-from pyworm.io.bounded_number import LARGEST_INTEGER
-
-LARGEST = 1e6
-"""Largest plain number: exponents, ratios and fractions are far smaller."""
-
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
-PositiveNumber = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=LARGEST)]
-NumberOrZero = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=LARGEST)]
-MOST_COUNTED = 10_000
-"""Largest number of teeth, threads, rollers, jets or values: the largest gears have some hundred teeth."""
-
-Count = Annotated[int, Field(strict=True, gt=0, le=MOST_COUNTED)]
-Seed = Annotated[int, Field(strict=True, ge=0, le=LARGEST_INTEGER)]
-Phase = Annotated[float, Field(strict=True, ge=0, le=1)]
-Text = Annotated[str, Field(min_length=1)]
+from pydantic import BaseModel, ConfigDict
 
 
 class Table(BaseModel):
@@ -29,6 +14,36 @@ class Table(BaseModel):
 
     also_called: ClassVar[Mapping[str, str]] = {}
     """What a key is called elsewhere -> the key, with its table where it stands in another one."""
+
+
+TableT = TypeVar("TableT")
+
+
+def plain(table: TableT, of: type[TableT]) -> TableT:
+    """The values of a table as the dataclass that it is read for.
+
+    Such a table is derived from both, `class CrownTable(Table, Crown)`: it has the dataclass's fields with
+    their types of `pyworm.io.units` and their defaults, and states itself only what differs in a file.
+
+    Parameters
+    ----------
+    table : Table
+        The table, whose tables inside become dataclasses likewise.
+    of : type
+        The dataclass.
+    """
+    parts = (part.name for part in fields(of) if part.init)  # type: ignore[arg-type]  # a dataclass
+    return of(**{name: _plain(getattr(table, name)) for name in parts})
+
+
+def _plain(value: Any) -> Any:
+    """A value of a table: of one inside its dataclass, if it is read for one."""
+    if isinstance(value, tuple | list):
+        return tuple(map(_plain, value))
+    if not isinstance(value, Table):
+        return value
+    kinds = [kind for kind in type(value).__mro__ if "__dataclass_fields__" in vars(kind)]
+    return plain(value, kinds[0]) if kinds else value
 
 
 def by_dotted_key(table: dict[str, Any], above: str = "") -> dict[str, Any]:

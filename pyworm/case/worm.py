@@ -19,7 +19,7 @@ from pyworm.case.one_wheel import (
     check_rated_temperature,
 )
 from pyworm.case.ratings import CompletedRating, RatedCase, WormRatingTable
-from pyworm.case.table import Phase, Table
+from pyworm.case.table import Table, plain
 from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.case.worm_table import DeviationTable, WormDriveTable
 from pyworm.drives.besides_teeth import BesidesTeeth
@@ -27,15 +27,18 @@ from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.drives.worm.drawing.design import Assembly
+from pyworm.drives.worm.drawing.deviations import FlankDeviations
 from pyworm.drives.worm.drive import WormDrive
 from pyworm.drives.worm.duty import geometry_of, operating_point
 from pyworm.drives.worm.loads.load_sharing import Shaft, Transmission
 from pyworm.drives.worm.loads.temperatures import Cooling, drive_temperatures
+from pyworm.drives.worm.loads.worm_shaft import WormShaft
 from pyworm.formulas.unknown import Unknown, attempt, known
 from pyworm.formulas.worm_curves import Lubrication
 from pyworm.formulas.worm_losses import other_losses
 from pyworm.formulas.worm_rating import NOT_GIVEN, WormRating
 from pyworm.io import units
+from pyworm.io.plain_values import Phase
 from pyworm.io.present import present
 from pyworm.materials.body import Body, named_body
 from pyworm.materials.oil import Oil
@@ -209,13 +212,17 @@ class WormCase(RatedCase):
         radius, below = _reaching(radius, depth.T, tip - design.worm.axial_pitch / pi, tip)
         below = below.T
         if given is not None:
-            below = below + given.deviations().taken_off(*np.meshgrid(face, radius, indexing="ij"))
-        table = DeviationTable(
-            file="worn",
-            along=tuple(face.tolist()),
-            radius=tuple(radius.tolist()),
-            deviation=tuple(map(tuple, (-below).tolist())),
-            worn=True,
+            below = below + plain(given, FlankDeviations).taken_off(
+                *np.meshgrid(face, radius, indexing="ij")
+            )
+        table = DeviationTable.model_validate(
+            {
+                "file": "worn",
+                "along": face.tolist(),
+                "radius": radius.tolist(),
+                "deviation": (-below).tolist(),
+                "worn": True,
+            }
         )
         worm, wheel_body = (
             body.model_copy(
@@ -309,11 +316,11 @@ class WormCase(RatedCase):
             load=operation.load or _transmission(self, speed, ratio),
             bodies=design.seen(self._pair(oil)),
             oil=oil,
-            assembly=Assembly(**dict(self.drive.assembly)),
+            assembly=plain(self.drive.assembly, Assembly),
             driver=operation.driver,
             hand=design.hand,
             taken=design.taken,
-            shaft=None if self.drive.shaft is None else self.drive.shaft.shaft(),
+            shaft=None if self.drive.shaft is None else plain(self.drive.shaft, WormShaft),
             lubrication=self.brought_by,
         )
         return self._balanced(drive) if self.cooling is None else self._warm(drive)

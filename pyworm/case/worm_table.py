@@ -4,19 +4,19 @@ The flanks are those of a module, or of the base cylinders of worm and hob.
 """
 
 from dataclasses import replace
-from math import degrees, inf, pi
+from math import degrees, pi
 from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, model_validator
 
 from pyworm.case import drawing_words
-from pyworm.case.table import Count, Number, PositiveNumber, Table, Text
+from pyworm.case.table import Table, plain
 from pyworm.drives.worm.drawing.base_cylinders import (
     OF_HOB,
     base_cylinder_design,
     check_no_cylinder_of_the_hob,
 )
-from pyworm.drives.worm.drawing.design import Design, Hand
+from pyworm.drives.worm.drawing.design import Assembly, Design, Hand
 from pyworm.drives.worm.drawing.deviations import FlankDeviations
 from pyworm.drives.worm.drawing.drawing import Drawing
 from pyworm.drives.worm.drawing.drawing_checks import (
@@ -31,6 +31,7 @@ from pyworm.drives.worm.flanks.worm_profiles import PROFILES, Profile
 from pyworm.drives.worm.loads.worm_shaft import WormShaft
 from pyworm.drives.worm.patterns.hob_setting import with_swivel
 from pyworm.io import units
+from pyworm.io.plain_values import Count, Number, PositiveNumber, Text
 from pyworm.io.present import present
 
 KNOWN = ", ".join(f'"{profile}"' for profile in PROFILES)
@@ -60,39 +61,18 @@ def _computed(profile: object) -> Profile:
     raise ValueError(f"must be one of {KNOWN}{hint}")
 
 
-class DeviationTable(Table):
+class DeviationTable(Table, FlankDeviations):
     """What a file of deviations holds, in SI; stored with the case, so that it is the case again."""
 
     file: Text
-    along: tuple[float, ...]
-    radius: tuple[float, ...]
-    deviation: tuple[tuple[float, ...], ...]
-    worn: bool = False
-
-    def deviations(self) -> FlankDeviations:
-        """The deviations."""
-        return FlankDeviations(self.along, self.radius, self.deviation, self.worn)
 
 
-class AssemblyTable(Table):
+class AssemblyTable(Table, Assembly):
     """`[drive.assembly]`: assembly errors, as differences from the design."""
 
-    centre_distance: units.Offset = 0.0
-    axial_shift: units.Offset = 0.0
-    shaft_angle: units.Tilt = 0.0
 
-
-class ShaftTable(Table):
+class ShaftTable(Table, WormShaft):
     """`[drive.shaft]`: the worm's shaft between its bearings, which bends."""
-
-    bearing_span: units.Length
-    bearing_offset: units.Offset = 0.0
-    diameter: units.Length | None = None
-    bearing_stiffness: units.Stiffness = inf
-
-    def shaft(self) -> WormShaft:
-        """The shaft."""
-        return WormShaft(**dict(self))
 
 
 class _Drawn(Table):
@@ -303,7 +283,7 @@ class WormDriveTable(Table):
     def _with_deviations(self, design: Design) -> Design:
         """A design with the deviations of flanks that are given."""
         worm, wheel = (
-            None if part.deviations is None else part.deviations.deviations()
+            None if part.deviations is None else plain(part.deviations, FlankDeviations)
             for part in (self.worm, self.wheel)
         )
         return replace(

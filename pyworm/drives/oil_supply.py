@@ -11,6 +11,7 @@ from typing import Literal
 
 from pyworm.formulas.gear_oil import FLOWS, FOOT_PER_MINUTE, application_method, oil_flow
 from pyworm.formulas.oil_layers import GRAVITY, dragged_layer, drained_layer, sprayed_layer
+from pyworm.io import units
 from pyworm.materials.oil import Oil
 
 Side = Literal["incoming", "outgoing"]
@@ -31,7 +32,7 @@ class Bath:
 
     body: str
     """Its name."""
-    depth: float
+    depth: units.Length
     """How deep its tips dip while it runs [m]."""
 
 
@@ -39,9 +40,9 @@ class Bath:
 class Jets:
     """Jets of oil onto the mesh."""
 
-    flow: float
+    flow: units.OilFlow
     """Flow of all jets of the mesh [m3/s]."""
-    side: Side
+    side: Side = "incoming"
     """Side of the mesh: "incoming", where the teeth meet, or "outgoing", where they part."""
 
 

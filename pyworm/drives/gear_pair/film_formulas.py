@@ -12,6 +12,8 @@ import numpy as np
 from pyworm.formulas.film import dowson_higginson, dowson_toyoda, line_groups
 from pyworm.formulas.scuffing import effusivity, flash_temperature
 from pyworm.formulas.wear_distress import specific_film
+from pyworm.io import units
+from pyworm.io.plain_values import PositiveNumber
 from pyworm.io.present import present
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil
@@ -23,9 +25,9 @@ Array = np.ndarray
 class Surfaces:
     """Friction and scuffing data of the flanks."""
 
-    friction_coefficient: float
+    friction_coefficient: PositiveNumber
     """Mean coefficient of friction of Blok's flash temperature [-]."""
-    scuffing_temperature: float | None = None
+    scuffing_temperature: units.ScuffingTemperature | None = None
     """Mean scuffing temperature of the oil [K]; None if not known."""
 
 
@@ -47,7 +49,7 @@ class GearRating:
     """Blok's rise of the surfaces over their bulk temperature [K]; None without surfaces or heat."""
     contact_temperature: Array | None = None
     """Mean bulk temperature of both gears plus that rise [K]."""
-    scuffing_temperature: float | None = None
+    scuffing_temperature: units.ScuffingTemperature | None = None
     """Mean scuffing temperature of the oil [K]."""
 
 

@@ -11,6 +11,9 @@ from math import acos, asin, atan, cos, pi, sin, sqrt, tan
 
 import scipy
 
+from pyworm.io import units
+from pyworm.io.plain_values import Count, Number, NumberOrZero, PositiveNumber
+
 
 def involute(angle: float) -> float:
     """inv(angle) = tan(angle) - angle, the polar angle of an involute [rad]."""
@@ -29,11 +32,11 @@ def inverse_involute(value: float) -> float:
 class ToothSystem:
     """Data common to both gears: the basic rack's size and angles."""
 
-    module: float
+    module: units.Length
     """Normal module m_n [m]."""
-    pressure_angle: float
+    pressure_angle: units.Angle
     """Normal pressure angle alpha_n [rad]."""
-    helix_angle: float = 0.0
+    helix_angle: units.AngleOrZero = 0.0
     """Helix angle beta at the reference cylinder [rad]; 0 for spur gears."""
 
     @property
@@ -67,15 +70,15 @@ class ToothSystem:
 class Gear:
     """One gear as its basic rack makes it, coefficients in normal modules."""
 
-    teeth: int
+    teeth: Count
     """Number of teeth z."""
-    profile_shift: float = 0.0
+    profile_shift: Number = 0.0
     """x, positive away from the axis."""
-    addendum: float = 1.0
+    addendum: PositiveNumber = 1.0
     """Addendum h_aP* of the basic rack."""
-    dedendum: float = 1.25
+    dedendum: PositiveNumber = 1.25
     """Its dedendum h_fP*."""
-    fillet: float = 0.38
+    fillet: NumberOrZero = 0.38
     """Radius rho_fP* of its root fillet."""
 
 

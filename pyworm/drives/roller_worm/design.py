@@ -1,32 +1,40 @@
 """Design data of a roller enveloping worm drive: the worm's sections and the rollers."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 from pyworm.drives.roller_worm.motion import (
     FREE_OF_FRICTION,
     Pin,
 )
 from pyworm.drives.roller_worm.profile import RollerProfile
+from pyworm.io import units
+from pyworm.io.plain_values import Count, PositiveNumber
 
 
 @dataclass(frozen=True)
 class RollerWorm:
     """The worm's design table."""
 
-    threads: int
+    threads: Count
     """Number of threads."""
-    hand: int
-    """+1 for a left-hand, -1 for a right-hand thread."""
-    throat_coefficient: float
+    throat_coefficient: PositiveNumber
     """k, throat diameter over centre distance; the rollers' middles pass the throat there [-]."""
-    throat_angle: float
+    throat_angle: units.Angle
     """Wheel angle from the throat at which either section begins [rad]."""
-    outer_angle: float
+    outer_angle: units.Angle
     """Wheel angle from the throat at which either section ends [rad]."""
-    addendum: float
+    addendum: units.Length
     """Bearing length of the thread from the rollers' middle towards their inner end [m]."""
-    dedendum: float
+    dedendum: units.Length
     """Bearing length of the thread from the rollers' middle towards their outer end [m]."""
+    hand: Literal["right", "left"] = "right"
+    """Hand of the thread."""
+
+    @property
+    def turn(self) -> int:
+        """+1 for a left-hand, -1 for a right-hand thread."""
+        return 1 if self.hand == "left" else -1
 
 
 @dataclass(frozen=True)

@@ -51,7 +51,7 @@ class RollerGears:
                 tilt=rollers.tilt,
                 height=rollers.height,
                 flank=flank,
-                hand=worm.hand,
+                hand=worm.turn,
             )
             bearing = -worm.addendum, worm.dedendum
             return WormSection(name, envelope, first, last, *bearing, rollers.count)

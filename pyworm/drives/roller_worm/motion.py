@@ -24,6 +24,8 @@ from pyworm.drives.roller_worm.envelope import (
     dot,
 )
 from pyworm.formulas.film import line_groups, moes_line
+from pyworm.io import units
+from pyworm.io.plain_values import NumberOrZero
 from pyworm.io.present import present
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.flow_laws import FlowLaw
@@ -200,9 +202,9 @@ def _limited_eyring_stress(newtonian: Array, onset: Array, limit: Array, power: 
 class Pin:
     """The pin that a roller turns on."""
 
-    radius: float
+    radius: units.Length
     """Radius of the pin [m]."""
-    friction: float
+    friction: NumberOrZero
     """Friction coefficient between pin and roller [-]."""
 
     def moment(self, force: Array) -> Array:

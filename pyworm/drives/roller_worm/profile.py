@@ -5,6 +5,8 @@ from typing import Literal
 
 import numpy as np
 
+from pyworm.io import units
+
 Array = np.ndarray
 
 Shape = Literal["cylinder", "cone", "ball"]
@@ -18,9 +20,9 @@ class Crown:
     straight part is crowned all along.
     """
 
-    radius: float
+    radius: units.Radius
     """Radius of the crown along the roller [m]."""
-    straight: float = 0.0
+    straight: units.LengthOrZero = 0.0
     """Length of the middle part without relief [m]."""
 
     def __call__(self, place: Array) -> Array:
@@ -34,13 +36,13 @@ class Crown:
 class RollerProfile:
     """Radius of a roller along its axis: rho(s), with s from the roller's middle [m]."""
 
-    shape: Shape
-    """Shape of the roller: "cylinder", "cone" or "ball"."""
-    radius: float
+    radius: units.Length
     """Radius in the middle [m]."""
-    length: float
+    length: units.Length
     """Length along the axis [m]; of a ball the part between two planes."""
-    half_angle: float = 0.0
+    shape: Shape = "cylinder"
+    """Shape of the roller: "cylinder", "cone" or "ball"."""
+    half_angle: units.Tilt = 0.0
     """Angle of a cone's side to its axis [rad], positive where the radius grows with s."""
     crown: Crown | None = None
     """Crown of the roller, which the tool that cuts the worm does not have."""

@@ -55,7 +55,7 @@ def in_space(mesh: RollerMesh, places: Sequence[Place]) -> Space:
 
 
 def _flank(mesh: RollerMesh, section: WormSection, angles: Array) -> Shape:
-    envelope, turns = section.envelope, mesh.worm.hand * mesh.ratio * angles
+    envelope, turns = section.envelope, mesh.worm.turn * mesh.ratio * angles
     count = round(ANGLES * mesh.ratio * (section.last - section.first) / (2 * pi)) + 2
     along = np.linspace(section.lowest, section.highest, HEIGHTS)[:, None]
     points = envelope.worm_point(along, np.linspace(section.first, section.last, count))

@@ -9,13 +9,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from pyworm.case.table import MOST_COUNTED
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT
 from pyworm.io import units
 from pyworm.io.bounded_number import LARGEST_INTEGER, read_json
 from pyworm.io.given import kind_of, number
 from pyworm.io.input_error import CaseError, toml
+from pyworm.io.plain_values import MOST_COUNTED
 from pyworm.io.toml import read_toml
 
 CASES = Path(__file__).parents[3] / "cases"

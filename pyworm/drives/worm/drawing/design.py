@@ -10,6 +10,7 @@ from pyworm.drives.worm.drawing.deviations import FlankDeviations
 from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.flanks.screw_generator import ScrewGenerator
 from pyworm.drives.worm.flanks.worm_profiles import Profile
+from pyworm.io import units
 from pyworm.materials.body import Body
 from pyworm.materials.long_waves import LongWaves
 
@@ -125,11 +126,11 @@ class Hob:
 class Assembly:
     """Errors of the assembly of worm and wheel, as differences from the design."""
 
-    centre_distance: float = 0.0
+    centre_distance: units.Offset = 0.0
     """Distance of the axes beyond the design's [m]."""
-    axial_shift: float = 0.0
+    axial_shift: units.Offset = 0.0
     """Shift of the worm along the wheel's axis [m], positive to the side where the worm's threads leave."""
-    shaft_angle: float = 0.0
+    shaft_angle: units.Tilt = 0.0
     """Turn of the worm's axis about the line of centres [rad], positive as the hob's swivel."""
 
 

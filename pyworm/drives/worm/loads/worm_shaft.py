@@ -14,6 +14,7 @@ from pyworm.drives.worm.drawing.design import Assembly, Worm
 from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.teeth.gears import WormGears
 from pyworm.formulas.beam import bending, second_moment
+from pyworm.io import units
 
 LARGEST = 0.1
 """Deflection over the module above which worm and wheel no longer mesh as designed."""
@@ -29,14 +30,14 @@ class WormShaft:
         If the mesh does not lie between the bearings.
     """
 
-    bearing_span: float
+    bearing_span: units.Length
     """Distance of the bearings [m]."""
-    bearing_offset: float = 0.0
+    bearing_offset: units.Offset = 0.0
     """Middle of the bearings from the line of centres along the worm's axis [m], positive to where the
     driving worm's thrust acts."""
-    diameter: float | None = None
+    diameter: units.Length | None = None
     """Diameter of a uniform shaft that bends as much [m]; None for the worm's root diameter."""
-    bearing_stiffness: float = inf
+    bearing_stiffness: units.Stiffness = inf
     """Radial stiffness of each bearing with its seat [N/m]; infinite if rigid."""
 
     def __post_init__(self) -> None:

@@ -1,0 +1,73 @@
+"""Tables of case files that have the fields of a dataclass."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from typing import Literal
+
+import pytest
+from pydantic import ValidationError
+
+from pyworm.case.kinds import SUBJECTS, case_model
+from pyworm.case.table import Table, plain
+from pyworm.io import units
+
+
+@dataclass(frozen=True)
+class Rod:
+    """A rod."""
+
+    length: units.Length
+    diameter: units.Length = 5e-3
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A frame of rods."""
+
+    rods: tuple[Rod, ...]
+    spare: Rod | None = None
+
+
+class RodTable(Table, Rod):
+    """A rod as a file has it."""
+
+    kind: Literal["rod"] = "rod"
+
+
+class FrameTable(Table, Frame):
+    """A frame as a file has it."""
+
+    rods: tuple[RodTable, ...]
+    spare: RodTable | None = None
+
+
+def test_a_table_is_read_by_the_types_of_its_dataclass():
+    table = RodTable.model_validate({"kind": "rod", "length": "2 mm"})
+    assert plain(table, Rod) == Rod(2e-3, 5e-3)
+    assert type(plain(table, Rod)) is Rod
+    for wrong in ({"length": "2 kg"}, {"length": 2.0}, {"length": "2 mm", "width": "1 mm"}, {}):
+        with pytest.raises(ValidationError):
+            RodTable.model_validate(wrong)
+
+
+def test_tables_inside_become_dataclasses_too():
+    given = {"rods": [{"length": "2 mm"}, {"length": "3 mm"}], "spare": {"length": "1 mm"}}
+    assert plain(FrameTable.model_validate(given), Frame) == Frame(
+        (Rod(2e-3), Rod(3e-3)), Rod(1e-3)
+    )
+
+
+def _tables(kind: type[Table]) -> Iterator[type[Table]]:
+    for derived in kind.__subclasses__():
+        yield derived
+        yield from _tables(derived)
+
+
+def test_tables_have_all_fields_of_their_dataclasses():
+    for about, kinds in SUBJECTS.items():
+        for kind in kinds:
+            case_model(about, kind)  # which imports the tables
+    found = [table for table in _tables(Table) if hasattr(table, "__dataclass_fields__")]
+    assert len(found) > 10
+    for table in found:
+        assert {part.name for part in fields(table) if part.init} <= table.model_fields.keys()
