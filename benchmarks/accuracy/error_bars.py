@@ -31,6 +31,7 @@ from accuracy_page import markdown
 import pyworm
 from pyworm.batch.task import Task
 from pyworm.case.case import case_of
+from pyworm.planning import error_budget
 from pyworm.planning.grid import Grid, nest
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
@@ -39,7 +40,7 @@ from pyworm.precision.extrapolation import limit
 from pyworm.scene.index import Place
 from pyworm.solver.error_estimate import Reading
 from pyworm.solver.grid_sequence import SOLVERS
-from pyworm.solver.newton import ALGEBRA_FRACTION, settle
+from pyworm.solver.newton import settle
 
 sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
 from draws import JUDGED_DRAWS, Drawn
@@ -97,7 +98,7 @@ def refined(
     level, _ = solver.begin(grids)
     readings: dict[int, Reading] = {}
     for number in count():
-        settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
+        settled = settle(level, plan.tolerance, plan.aim, error_budget.ALGEBRA * plan.accuracy)
         if level.film.balance.worst > 10 * plan.tolerance or settled.reading.film_min <= 0:
             readings = {}
         else:

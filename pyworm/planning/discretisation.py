@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import Any
 
+from pyworm.planning import error_budget
 from pyworm.planning.expected_work import (
     AUXILIARY_CHANGE,
     Work,
@@ -46,10 +47,6 @@ linearly."""
 LINE_TOLERANCE = 1e-6
 """Residual allowed of an isothermal line film; Newton's last step falls far below it at no cost."""
 
-HEATED_LINE_FRACTION = 0.01
-"""Residual allowed of a heated line film, as a fraction of the accuracy asked for. Film and temperature are
-iterated in turn; ten times as much left temperatures beyond their error bars in half of 40 random scenes."""
-
 COARSER_MENISCI = 2
 """Grids before the first grid of the figures on which the inlet meniscus of a starved film is sought: it
 moves out by a node a step, and those of wide contacts stand far out."""
@@ -57,9 +54,6 @@ moves out by a node a step, and those of wide contacts stand far out."""
 NEAR_MENISCUS = 0.7
 """Supply over the flooded film up to which the meniscus stands at the dry contact, where it is found at once.
 Films so thin would be negative on coarser grids."""
-
-RESIDUAL_FRACTION = 0.1
-"""Residual allowed, as a fraction of the accuracy asked for; its effect on figures is estimated apart."""
 
 
 @dataclass(frozen=True)
@@ -111,7 +105,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         grids=grids,
         wider_grids=wider_grids,
         largest_grid=LARGEST_GRID,
-        tolerance=RESIDUAL_FRACTION * accuracy,
+        tolerance=error_budget.RESIDUAL * accuracy,
         work=work,
         refusal=_refusal(work, size.open_film, LARGEST_GRID),
     )
@@ -143,7 +137,7 @@ def _plan_line(scene: LineScene, accuracy: float, model: Model) -> _Numerics:
         grids=(grid,),
         wider_grids=(wider,),
         largest_grid=LARGEST_LINE,
-        tolerance=HEATED_LINE_FRACTION * accuracy if model.heated else LINE_TOLERANCE,
+        tolerance=error_budget.HEATED_LINE_RESIDUAL * accuracy if model.heated else LINE_TOLERANCE,
         work=work,
         refusal=_refusal(work, size.open_film, LARGEST_LINE),
     )

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from pyworm.materials.flow_laws import NEWTONIAN
+from pyworm.planning import error_budget
 from pyworm.planning.prediction import Prediction
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -34,9 +35,6 @@ CALM_ERRORS, CALM_GRAETZ = ((2.5, 1e-3), (3.0, 2e-3), (4.0, 5e-3)), 0.04
 number (the same benchmark): heat is conducted across it much sooner than it is carried through the contact,
 so that no layer within the film is much hotter or colder than its neighbours."""
 
-LEVEL_FRACTION = 0.1
-"""Error by the levels allowed, as a fraction of the accuracy asked for."""
-
 
 def model_for(
     simple: Scene | LineScene, accuracy: float, on: frozenset[str], prediction: Prediction
@@ -58,7 +56,7 @@ def model_for(
 
 def _levels(accuracy: float, errors: tuple[tuple[int, float], ...]) -> tuple[int, float]:
     """Levels across the film whose error is small against an accuracy, and that error."""
-    return next(of for of in errors if of[1] <= LEVEL_FRACTION * accuracy)
+    return next(of for of in errors if of[1] <= error_budget.PLANNED_LEVELS * accuracy)
 
 
 def _error_by_five(prediction: Prediction) -> float:

@@ -5,12 +5,13 @@ from dataclasses import dataclass, field, replace
 from itertools import count, islice, takewhile
 from time import process_time
 
+from pyworm.planning import error_budget
 from pyworm.planning.plan import Plan
 from pyworm.precision.models import Fidelity
 from pyworm.solver.grid_limit import second_order_limit
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import ALGEBRA_FRACTION, lead, settle
+from pyworm.solver.newton import lead, settle
 from pyworm.solver.timing import convolution_seconds
 
 FIGURES = ("film_min", "film_central", "friction_coefficient", "temperature_max_film")
@@ -110,7 +111,7 @@ def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
     for number in count():
         error = _wanted(number)
         tolerance = plan.tolerance / plan.accuracy * error
-        settle(level, tolerance, plan.aim, ALGEBRA_FRACTION * error)
+        settle(level, tolerance, plan.aim, error_budget.ALGEBRA * error)
         figures = read(level)
         seconds = watch.stop()
         yield Point(
@@ -148,7 +149,9 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
     level, _ = solver.begin(plan.grids)
     for number in range(halvings):
         error = _wanted(number)
-        settle(level, plan.tolerance / plan.accuracy * error, plan.aim, ALGEBRA_FRACTION * error)
+        settle(
+            level, plan.tolerance / plan.accuracy * error, plan.aim, error_budget.ALGEBRA * error
+        )
         level, _ = solver.refined(level)
     for tolerance in tolerances:
         lead(level, tolerance)

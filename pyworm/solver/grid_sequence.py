@@ -11,6 +11,7 @@ from typing import Any, cast
 
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import NO_MEMORY, KernelError
+from pyworm.planning import error_budget
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid, twice_as_far
 from pyworm.planning.plan import Plan
@@ -26,7 +27,7 @@ from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.levels_across import MOVED, UNJUDGED, EnoughLevels, enough_levels, is_hot
 from pyworm.solver.memory import NoMemoryError, shortage
-from pyworm.solver.newton import ALGEBRA_FRACTION, NewtonStep, Settled, settle
+from pyworm.solver.newton import NewtonStep, Settled, settle
 from pyworm.solver.prospect import refusal
 from pyworm.solver.sharp_edge import CURE, rests_on_edge
 from pyworm.solver.solution import Estimate, Figures, Solution
@@ -48,13 +49,6 @@ from pyworm.solver.window_limit import (
     in_wider_window,
     with_falls,
 )
-
-DOMAIN_FRACTION = 0.25
-"""Window error of the films, as a fraction of the accuracy, above which the wider window is taken."""
-
-WINDOW_ALGEBRA = 0.1
-"""Algebraic error of the figures in the wider window, over that elsewhere: what the windows differ by may be
-a tenth of the accuracy."""
 
 MOST_RETRIES = 2
 """Number of grids of the figures that may be too coarse to show the window error of a thin film."""
@@ -345,7 +339,7 @@ class GridSequence:
         if worst_far > plan.accuracy and may_refine and self._refinements < MOST_RETRIES:
             return None  # to be compared on the next grid, which resolves the film better
         self._window = near
-        if cut_off or worst_near > DOMAIN_FRACTION * plan.accuracy:
+        if cut_off or worst_near > error_budget.WINDOW * plan.accuracy:
             self._window = far
             self._level, self._settled, self._readings = wider, settled, [settled.reading]
         return None
@@ -388,7 +382,7 @@ class GridSequence:
             grid = grid.finer()
         self.check_memory(grid)
         level, steps = self._solver.in_wider_window(grids, self._level)
-        settled = self._settled_on(level, WINDOW_ALGEBRA)
+        settled = self._settled_on(level, error_budget.WIDER_WINDOW_ALGEBRA)
         self._steps += [*steps, *settled.steps]
         return level, settled
 
@@ -404,7 +398,7 @@ class GridSequence:
         `fraction` is of the algebraic error that figures may have.
         """
         plan = self._plan
-        wanted = fraction * ALGEBRA_FRACTION * plan.accuracy
+        wanted = fraction * error_budget.ALGEBRA * plan.accuracy
         settled = settle(level, plan.tolerance, plan.aim, wanted)
         if level.film.balance.worst <= plan.tolerance:
             return settled

@@ -9,13 +9,14 @@ with 21, 0.4 % with 9 and 0.14 % with 11.
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from pyworm.planning import error_budget
 from pyworm.planning.plan import Plan
 from pyworm.scene.contact import Contact
 from pyworm.solver.contact import ContactSolver
 from pyworm.solver.error_estimate import change
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import ALGEBRA_FRACTION, Settled, settle
+from pyworm.solver.newton import Settled, settle
 from pyworm.solver.stop_reason import TELLING, film_is_sound
 from pyworm.solver.transient.transient import Transient
 
@@ -25,9 +26,6 @@ of 16 thermal lines (`tests/hard/draws.py`, seed 7) those below have errors of a
 
 MORE, MOST = 2, 13
 """Levels added at a time, and the most there are."""
-
-SHARE = 0.2
-"""Error by the levels, as a share of the accuracy, at which there are enough."""
 
 LEAST = 0.2
 """Least error of a figure, as a share of the largest change of any: one may stand still by chance."""
@@ -93,7 +91,7 @@ def enough_levels(
         errors = {name: max(of, before[name] / 2, LEAST * worst) for name, of in changed.items()}
         if not film_is_sound(further.level, further.settled, further.plan):
             return _as_judged_by(further, replace(last, errors=errors)) or found
-        enough = worst <= SHARE * last.plan.accuracy
+        enough = worst <= error_budget.LEVELS * last.plan.accuracy
         found = replace(start if again and enough and last is start else further, errors=errors)
         if enough:
             return found
@@ -121,6 +119,6 @@ def _with_more_levels(film: EnoughLevels, transient: Transient | None) -> Enough
     rate = None if transient is None else transient.rate
     solver = SOLVERS[type(scene)](scene, plan, rate)
     level = solver.with_rate(film.level)
-    wanted = ALGEBRA_FRACTION * plan.accuracy * SHARE
+    wanted = error_budget.ALGEBRA * plan.accuracy * error_budget.LEVELS
     settled = settle(level, plan.tolerance, plan.aim, wanted)
     return EnoughLevels(plan, solver, level, settled, film.errors)

@@ -21,10 +21,6 @@ HOPELESS = 1e6
 stress that its oil bears."""
 
 
-ALGEBRA_FRACTION = 0.1
-"""Algebraic error of the figures at which a grid is settled, as a fraction of the accuracy."""
-
-
 @dataclass(frozen=True)
 class NewtonStep:
     """One Newton step."""

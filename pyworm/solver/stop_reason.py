@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from pyworm.io.quantity_text import percent
+from pyworm.planning import error_budget
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.solver.ending import Ending, Stop
@@ -29,11 +30,6 @@ of a film with a limiting stress."""
 MOST_LOST_ON_EDGE = 2
 """The same of films that coarser grids had, where the load rests on a sharp edge: on finer grids the pressure
 there is higher, and each costs four times the one before."""
-
-
-CONDUCTION = 0.7
-"""Error by the approximation of conduction in the bodies, over the accuracy, from which on it is what a
-temperature is left with: the rest would be no room for grid, window and algebra."""
 
 
 def with_wider_bars(
@@ -133,7 +129,7 @@ def bound_by_conduction(
         aim = replace(plan.aim, figures=(name,))
         rest = aim.worst({name: estimates[name].error - conduction}, figures)
         least = aim.worst({name: conduction}, figures)
-        return least > CONDUCTION * plan.accuracy and rest <= plan.accuracy
+        return least > error_budget.CONDUCTION * plan.accuracy and rest <= plan.accuracy
 
     return tuple(name for name, of in level.conduction_errors().items() if is_bound(name, of))
 

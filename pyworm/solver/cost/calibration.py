@@ -24,6 +24,7 @@ from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Density, Roelands
+from pyworm.planning import error_budget
 from pyworm.planning.effects.judgement import simplified
 from pyworm.planning.expected_work import Kind, Work
 from pyworm.planning.model import Model
@@ -242,7 +243,7 @@ def _timed(
 
 def settled(level: Level, planned: Plan) -> int:
     """Number of steps until a level settles."""
-    taken = settle(level, planned.tolerance, planned.aim, 0.1 * planned.accuracy)
+    taken = settle(level, planned.tolerance, planned.aim, error_budget.ALGEBRA * planned.accuracy)
     return max(len(taken.steps), 1)
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.quantity_text import percent
+from pyworm.planning import error_budget
 from pyworm.planning.expected_work import Kind, solves_of_life
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
@@ -26,7 +27,7 @@ from pyworm.scene.point import Scene
 from pyworm.solver.error_estimate import Reading, change, largest_of_films
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import ALGEBRA_FRACTION, settle
+from pyworm.solver.newton import settle
 from pyworm.solver.transient.course import Course, course_of
 from pyworm.solver.transient.march import LostError, RateOfChange, march
 from pyworm.solver.transient.moments import Moment, curves, until
@@ -71,9 +72,6 @@ ellipses whose entrainment turns round or starts from rest come by it from 12 to
 HEAVIER = 5.0
 """Time of a node's time step with heat over that without: 5.6 us of `cases/zi_drive.toml`, 1.2 us of an
 ellipse."""
-
-MOST = 0.7
-"""Most error by it, over the accuracy asked for; the rest is left to grid, window and algebra."""
 
 
 @dataclass(frozen=True)
@@ -307,13 +305,14 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         if rate is not None:
             level = solver_type(scene, plan, rate).with_rate(level)
         # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
-        settled = settle(level, plan.tolerance, plan.aim, ALGEBRA_FRACTION * plan.accuracy)
+        settled = settle(level, plan.tolerance, plan.aim, error_budget.ALGEBRA * plan.accuracy)
         readings.append(settled.reading)
     turned = _turned_round(scene, rates.moments, plan.work.kind)
     errors = _errors(readings, plan.work.kind, turned)
     left = plan.aim.worst(errors, readings[-1].figures)
     flaw = None
-    if not left <= MOST * plan.accuracy:  # finer grids of the present film would not mend that
+    # finer grids of the present film would not mend that
+    if not left <= error_budget.TIME * plan.accuracy:
         flaw = f"the transient solve through the contact's life leaves an error of {percent(left)}"
     coarse = flaw is not None and not rates.finest and len(rates.found) < MOST_SOLVES
     life = _life(scene, plan, rates, readings, turned)
