@@ -84,7 +84,7 @@ contains
     gap = 0
     iterations = 0
     call new_elastic_surface(surface, nx, ny, dx, dy, reduced_modulus, stat)
-    if (stat == status_ok) call press_flat(surface, nx*ny, height, separation, hardness, tolerance, most_iterations, p, gap, &
+    if (stat == status_ok) call press_flat(surface, height, separation, hardness, tolerance, most_iterations, p, gap, &
       iterations, stat)
   end subroutine cell_press
 
@@ -105,6 +105,7 @@ contains
   !> Makes a point contact; see `point_film` for the arguments and `viscosity_density` for the oil's.
   subroutine point_film_new(gap, covered, u, v, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
       pole_pressure, d1, d2, load, floor, handle, stat)
+    use pyworm_film_newton, only: contact_conditions
     use pyworm_point_film, only: point_contact, new_point_contact
     use pyworm_viscosity_density, only: oil_law
     integer(c_int), intent(in) :: nx, ny
@@ -124,8 +125,8 @@ contains
     stat = status_no_memory
     allocate (film, stat=err)
     if (err /= 0) return
-    call new_point_contact(film, gap, covered /= 0, u, v, dx, dy, reduced_modulus, &
-      oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
+    call new_point_contact(film, contact_conditions(gap, covered /= 0, [dx, dy], reduced_modulus, &
+      oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor), u, v, stat)
     if (stat /= status_ok) return
     allocate (contact, stat=err)
     if (err /= 0) then
@@ -391,32 +392,35 @@ contains
   !>
   !> `change` is the largest change of temperature [K], and `largest_rise` the largest rise of the film [K].
   subroutine film_step(handle, forcing, p, nx, ny, h0, last_residual, last_load_error, new_h0, residual, &
-      load_error, krylov, step, change, largest_rise, stat)
-    use pyworm_film_newton, only: newton_step => film_step
+      load_error, krylov, damping, change, largest_rise, stat)
+    use pyworm_film_newton, only: newton_step, cold_step => film_step
     use pyworm_thermal_step, only: heated_step
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: forcing
     real(c_double), intent(inout) :: p(nx, ny)
     real(c_double), intent(in) :: h0, last_residual, last_load_error
-    real(c_double), intent(out) :: new_h0, residual, load_error, step, change, largest_rise
+    real(c_double), intent(out) :: new_h0, residual, load_error, damping, change, largest_rise
     integer(c_int), intent(out) :: krylov, stat
     type(thermal_contact), pointer :: contact
+    type(newton_step) :: step
     !f2py threadsafe
 
     contact => contact_of(handle)
     new_h0 = h0
     residual = last_residual
     load_error = last_load_error
-    change = 0
     largest_rise = 0
     call contact%film%work%whole%start()
     if (allocated(contact%heat)) then
-      call heated_step(contact%film, contact%heat, forcing, p, new_h0, residual, load_error, krylov, step, change, stat)
+      call heated_step(contact%film, contact%heat, forcing, p, new_h0, residual, load_error, step, stat)
       largest_rise = maxval(contact%film%shear%nodes%rise)
     else
-      call newton_step(contact%film, forcing, p, new_h0, residual, load_error, krylov, step, stat)
+      call cold_step(contact%film, forcing, p, new_h0, residual, load_error, step, stat)
     end if
+    krylov = step%krylov
+    damping = step%damping
+    change = step%change
     call contact%film%work%whole%finish()
   end subroutine film_step
 
@@ -499,8 +503,8 @@ contains
 
     contact => contact_of(handle)
     associate (p => contact%film%fields%p, dx => contact%film%spacing(1), dy => contact%film%spacing(2))
-      call new_conducting_body(u1, v1, p, semi, dx, dy, bodies(1, 1), bodies(2, 1), body_1, errors(1), stat)
-      if (stat == status_ok) call new_conducting_body(u2, v2, p, semi, dx, dy, bodies(1, 2), bodies(2, 2), body_2, &
+      call new_conducting_body(u1, v1, p, semi, [dx, dy], bodies(1, 1), bodies(2, 1), body_1, errors(1), stat)
+      if (stat == status_ok) call new_conducting_body(u2, v2, p, semi, [dx, dy], bodies(1, 2), bodies(2, 2), body_2, &
         errors(2), stat)
     end associate
     if (stat /= status_ok) return

@@ -8,7 +8,7 @@ module pyworm_contact
   use pyworm_conducting_body, only: new_conducting_body
   use pyworm_cubic_refinement, only: interpolate_cubic
   use pyworm_dry_contact, only: solve_dry_contact
-  use pyworm_film_newton, only: film_residual, film_step, shear_contact
+  use pyworm_film_newton, only: contact_conditions, newton_step, film_residual, film_step, shear_contact
   use pyworm_flow_laws, only: flow_law
   use pyworm_grid_error, only: grid_error
   use pyworm_half_space, only: elastic_half_space, new_half_space
@@ -28,7 +28,7 @@ module pyworm_contact
   implicit none(type, external)
   private
 
-  public :: pyworm_real, pyworm_oil, pyworm_flow, pyworm_body, pyworm_point, pyworm_found
+  public :: pyworm_real, pyworm_conditions, pyworm_oil, pyworm_flow, pyworm_body, pyworm_point, pyworm_found
   public :: pyworm_solve_dry, pyworm_setup, pyworm_solve, pyworm_read, pyworm_shear
   public :: pyworm_interrupt_by, interruption_query
   public :: pyworm_ok, pyworm_bad_argument, pyworm_not_finite, pyworm_no_plan, pyworm_not_converged, &
@@ -65,6 +65,12 @@ module pyworm_contact
   !> Last change of temperature over the largest rise at which heat is settled, and the least rise that counts [K].
   real(wp), parameter :: settled = 1e-3_wp, least_rise = 10.0_wp
   real(wp), parameter :: pi = acos(-1.0_wp)
+
+  !> Operating conditions: load [N], E' [Pa] with 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2, and velocities (u, v) of the surfaces
+  !> along x and y [m/s].
+  type :: pyworm_conditions
+    real(wp) :: load = 0, reduced_modulus = 0, velocity_1(2) = 0, velocity_2(2) = 0
+  end type pyworm_conditions
 
   !> An oil: viscosity and density against pressure and, where heat is simulated, its thermal constants.
   type :: pyworm_oil
@@ -153,11 +159,12 @@ contains
     if (stat == pyworm_ok) call solve_dry_contact(space, gap, covered, load, tolerance, 2000, p, approach, iterations, stat)
   end subroutine pyworm_solve_dry
 
-  !> Sets up a contact: gap [m] on the nodes, surfaces of uniform velocities [m/s] along x and y, reduced modulus [Pa], load
-  !> [N]. With a `flow` the film is sheared by it, and with `bodies` too heat is simulated.
-  subroutine pyworm_setup(contact, gap, dx, dy, velocity_1, velocity_2, reduced_modulus, load, oil, stat, flow, bodies)
+  !> Sets up a contact: gap [m] on nodes dx and dy [m] apart. With a `flow` the film is sheared by it, and with `bodies` too
+  !> heat is simulated.
+  subroutine pyworm_setup(contact, gap, dx, dy, conditions, oil, stat, flow, bodies)
     type(pyworm_point), intent(out) :: contact
-    real(wp), intent(in) :: gap(:, :), dx, dy, velocity_1(2), velocity_2(2), reduced_modulus, load
+    real(wp), intent(in) :: gap(:, :), dx, dy
+    type(pyworm_conditions), intent(in) :: conditions
     type(pyworm_oil), intent(in) :: oil
     integer, intent(out) :: stat
     type(pyworm_flow), intent(in), optional :: flow
@@ -165,13 +172,14 @@ contains
     integer :: err
 
     stat = pyworm_bad_argument
-    if (minval(shape(gap)) < fewest_nodes .or. .not. min(dx, dy, reduced_modulus, load, oil%viscosity) > 0) return
+    if (minval(shape(gap)) < fewest_nodes) return
+    if (.not. min(dx, dy, conditions%reduced_modulus, conditions%load, oil%viscosity) > 0) return
     if (present(bodies) .and. .not. present(flow)) return
     contact%gap = gap
     contact%dx = dx
     contact%dy = dy
-    contact%reduced_modulus = reduced_modulus
-    contact%load = load
+    contact%reduced_modulus = conditions%reduced_modulus
+    contact%load = conditions%load
     contact%oil = oil
     contact%sheared = present(flow)
     contact%heated = present(bodies)
@@ -180,10 +188,10 @@ contains
     allocate (contact%velocity(size(gap, 1), size(gap, 2), 2, 2), stat=err)
     stat = pyworm_no_memory
     if (err /= 0) return
-    contact%velocity(:, :, 1, 1) = velocity_1(1)
-    contact%velocity(:, :, 2, 1) = velocity_1(2)
-    contact%velocity(:, :, 1, 2) = velocity_2(1)
-    contact%velocity(:, :, 2, 2) = velocity_2(2)
+    contact%velocity(:, :, 1, 1) = conditions%velocity_1(1)
+    contact%velocity(:, :, 2, 1) = conditions%velocity_1(2)
+    contact%velocity(:, :, 1, 2) = conditions%velocity_2(1)
+    contact%velocity(:, :, 2, 2) = conditions%velocity_2(2)
     stat = pyworm_ok
   end subroutine pyworm_setup
 
@@ -468,18 +476,22 @@ contains
     integer, intent(in) :: step
     integer, intent(out) :: stat
     type(point_contact), allocatable :: film
+    type(contact_conditions) :: conditions
     real(wp), allocatable :: mean(:, :, :)
-    logical, allocatable :: covered(:, :)
 
     mean = sum(contact%velocity(::step, ::step, :, :), dim=4)/2
-    allocate (covered(size(mean, 1), size(mean, 2)), source=.true.)
-    allocate (film)
+    conditions%gap = contact%gap(::step, ::step)
+    allocate (conditions%covered(size(mean, 1), size(mean, 2)), source=.true.)
+    conditions%spacing = step*[contact%dx, contact%dy]
+    conditions%reduced_modulus = contact%reduced_modulus
+    conditions%load = contact%load
+    conditions%floor = floor_fraction*contact%expected_film
     associate (oil => contact%oil)
-      call new_point_contact(film, contact%gap(::step, ::step), covered, mean(:, :, 1), mean(:, :, 2), step*contact%dx, &
-        step*contact%dy, contact%reduced_modulus, oil_law(oil%law, oil%viscosity, oil%exponent, oil%pole_pressure, oil%d1, &
-        oil%d2, oil%temperature, oil%thermal_exponent, oil%expansivity), contact%load, floor_fraction*contact%expected_film, &
-        stat)
+      conditions%oil = oil_law(oil%law, oil%viscosity, oil%exponent, oil%pole_pressure, oil%d1, oil%d2, oil%temperature, &
+        oil%thermal_exponent, oil%expansivity)
     end associate
+    allocate (film)
+    call new_point_contact(film, conditions, mean(:, :, 1), mean(:, :, 2), stat)
     if (stat /= pyworm_ok) return
     contact%step = step
     if (allocated(contact%film%heat)) deallocate (contact%film%heat)
@@ -543,7 +555,7 @@ contains
       semi = sqrt(1.5_wp*contact%load/(pi*maxval(pressure)))
       associate (solid => contact%bodies(number))
         call new_conducting_body(velocity(:, :, 1, number), velocity(:, :, 2, number), pressure, semi, &
-          contact%step*contact%dx, contact%step*contact%dy, solid%conductivity, solid%heat_capacity, body, error, stat)
+          contact%step*[contact%dx, contact%dy], solid%conductivity, solid%heat_capacity, body, error, stat)
       end associate
     end subroutine add_body
 
@@ -555,8 +567,8 @@ contains
     real(wp), intent(in) :: tolerance
     real(wp), intent(out) :: residual, load_error
     integer, intent(out) :: steps, stat
-    real(wp) :: damping, change, warming, first
-    integer :: krylov
+    type(newton_step) :: newton
+    real(wp) :: warming, first
     logical :: heated
 
     heated = allocated(contact%film%heat)
@@ -569,11 +581,11 @@ contains
       if (steps >= most_steps .and. max(residual, abs(load_error)) > near*tolerance) exit
       if (steps == most_slow_steps .or. residual > hopeless*first) exit
       if (heated) then
-        call heated_step(contact%film%film, contact%film%heat, forcing, contact%p, contact%h0, residual, load_error, krylov, &
-          damping, change, stat)
-        warming = change/max(least_rise, maxval(contact%film%film%shear%nodes%rise))
+        call heated_step(contact%film%film, contact%film%heat, forcing, contact%p, contact%h0, residual, load_error, &
+          newton, stat)
+        warming = newton%change/max(least_rise, maxval(contact%film%film%shear%nodes%rise))
       else
-        call film_step(contact%film%film, forcing, contact%p, contact%h0, residual, load_error, krylov, damping, stat)
+        call film_step(contact%film%film, forcing, contact%p, contact%h0, residual, load_error, newton, stat)
       end if
       ! a sweep of heat follows even where no step helps, and another film may belong to its temperatures
       if (stat /= pyworm_ok .and. .not. (heated .and. stat == pyworm_no_descent)) return

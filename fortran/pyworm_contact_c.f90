@@ -2,8 +2,9 @@
 module pyworm_contact_c
   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_f_procpointer, c_funptr, c_int, c_loc, &
     c_null_ptr, c_ptr
-  use pyworm_contact, only: interruption_query, pyworm_bad_argument, pyworm_body, pyworm_solve_dry, pyworm_flow, pyworm_found, &
-    pyworm_interrupt_by, pyworm_ok, pyworm_oil, pyworm_point, pyworm_read, pyworm_setup, pyworm_shear, pyworm_solve
+  use pyworm_contact, only: interruption_query, pyworm_bad_argument, pyworm_body, pyworm_conditions, pyworm_flow, &
+    pyworm_solve_dry, pyworm_found, pyworm_interrupt_by, pyworm_ok, pyworm_oil, pyworm_point, pyworm_read, &
+    pyworm_setup, pyworm_shear, pyworm_solve
   implicit none(type, external)
   private
 
@@ -84,9 +85,9 @@ contains
       own_bodies = [(pyworm_body(two(k)%conductivity, two(k)%heat_capacity, two(k)%bulk_rise), k=1, 2)]
     end if
     ! an argument that is not allocated counts as absent
-    call pyworm_setup(contact, gap, dx, dy, velocity_1, velocity_2, reduced_modulus, load, pyworm_oil(oil%law, &
-      oil%viscosity, oil%exponent, oil%pole_pressure, oil%d1, oil%d2, oil%temperature, oil%thermal_exponent, &
-      oil%expansivity, oil%conductivity, oil%heat_capacity), stat, own_flow, own_bodies)
+    call pyworm_setup(contact, gap, dx, dy, pyworm_conditions(load, reduced_modulus, velocity_1, velocity_2), &
+      pyworm_oil(oil%law, oil%viscosity, oil%exponent, oil%pole_pressure, oil%d1, oil%d2, oil%temperature, &
+      oil%thermal_exponent, oil%expansivity, oil%conductivity, oil%heat_capacity), stat, own_flow, own_bodies)
     status = stat
     c_setup = c_loc(contact)
   end function c_setup

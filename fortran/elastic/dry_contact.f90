@@ -4,11 +4,11 @@
 !> the boundary of the contact changes; conjugate gradients with bounds on each (`constrained_gradients`).
 module pyworm_dry_contact
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-  use pyworm_constrained_gradients, only: close_gap
+  use pyworm_constrained_gradients, only: dry_bodies, close_gap
   use pyworm_half_space, only: elastic_half_space, new_half_space
   use pyworm_kinds, only: wp
   use pyworm_pressure_refinement, only: refine_pressure
-  use pyworm_status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite, status_no_memory
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_converged, status_not_finite
   use pyworm_vectors, only: total
   implicit none(type, external)
   private
@@ -39,9 +39,8 @@ contains
     real(wp), intent(inout) :: p(space%nx, space%ny)
     real(wp), intent(out) :: approach
     integer, intent(out) :: iterations, stat
-    real(wp), allocatable :: solid_gap(:, :), film(:, :)
+    real(wp), allocatable :: solid_gap(:, :)
     real(wp) :: modulus
-    integer :: err
 
     approach = 0
     iterations = 0
@@ -51,17 +50,14 @@ contains
     if (.not. all(ieee_is_finite(gap) .or. .not. covered)) return
     stat = status_bad_argument
     if (load <= 0 .or. total(p) <= 0) return
-    stat = status_no_memory
-    allocate (film, mold=gap, stat=err)
-    if (err /= 0) return
 
     ! beyond a body its gap is arbitrary and may not be finite
     solid_gap = merge(gap, 0.0_wp, covered)
     modulus = reduced_modulus(space)
     call start_from_coarser(solid_gap, covered, space%dx, space%dy, modulus, load, tolerance, p, stat)
     if (stat /= status_ok) return
-    call close_gap(space, modulus, size(gap), solid_gap, covered, load, tolerance, most_iterations, p, film, &
-      approach, iterations, stat)
+    call close_gap(space, dry_bodies(reshape(solid_gap, [size(gap)]), reshape(covered, [size(gap)]), modulus, load), &
+      tolerance, most_iterations, p, approach, iterations, stat)
   end subroutine solve_dry_contact
 
   !> Initial guess that carries the load, from the contact on a grid of twice the spacing.
@@ -72,7 +68,7 @@ contains
     real(wp), contiguous, intent(inout) :: p(:, :)
     integer, intent(out) :: stat
     type(elastic_half_space) :: space
-    real(wp), allocatable :: coarse_gap(:, :), coarse_p(:, :), film(:, :)
+    real(wp), allocatable :: coarse_gap(:, :), coarse_p(:, :)
     logical, allocatable :: coarse_covered(:, :)
     real(wp) :: approach
     integer :: iterations
@@ -88,9 +84,9 @@ contains
       if (stat /= status_ok) return
       call new_half_space(space, size(coarse_gap, 1), size(coarse_gap, 2), 2*dx, 2*dy, modulus, stat)
       if (stat /= status_ok) return
-      allocate (film, mold=coarse_gap)
-      call close_gap(space, modulus, size(coarse_gap), coarse_gap, coarse_covered, load, &
-        max(tolerance, coarse_tolerance), most_coarse_iterations, coarse_p, film, approach, iterations, stat)
+      call close_gap(space, dry_bodies(reshape(coarse_gap, [size(coarse_gap)]), reshape(coarse_covered, &
+        [size(coarse_gap)]), modulus, load), max(tolerance, coarse_tolerance), most_coarse_iterations, coarse_p, approach, &
+        iterations, stat)
       if (stat == status_not_converged) stat = status_ok
       if (stat /= status_ok) return
       call refine_pressure(coarse_p, p)

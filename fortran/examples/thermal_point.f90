@@ -1,7 +1,7 @@
 !> A steel ball that rolls and slides on a steel disc in an oil that thins and warms.
 program thermal_point
-  use pyworm_contact, only: wp => pyworm_real, pyworm_body, pyworm_eyring, pyworm_flow, pyworm_found, pyworm_oil, pyworm_ok, &
-    pyworm_point, pyworm_read, pyworm_roelands, pyworm_setup, pyworm_shear, pyworm_solve
+  use pyworm_contact, only: wp => pyworm_real, pyworm_body, pyworm_conditions, pyworm_eyring, pyworm_flow, &
+    pyworm_found, pyworm_oil, pyworm_ok, pyworm_point, pyworm_read, pyworm_roelands, pyworm_setup, pyworm_shear, pyworm_solve
   implicit none(type, external)
   integer, parameter :: nx = 129, ny = 129
   real(wp), parameter :: radius = 0.01_wp, load = 20.0_wp, modulus = 230e9_wp
@@ -26,8 +26,8 @@ program thermal_point
     gap(:, j) = (x**2 + y(j)**2)/(2*radius)
   end do
 
-  call pyworm_setup(contact, gap, dx, dy, [1.1_wp, 0.0_wp], [0.9_wp, 0.0_wp], modulus, load, oil, status, flow, &
-    [steel, steel])
+  call pyworm_setup(contact, gap, dx, dy, pyworm_conditions(load, modulus, velocity_1=[1.1_wp, 0.0_wp], &
+    velocity_2=[0.9_wp, 0.0_wp]), oil, status, flow, [steel, steel])
   if (status == pyworm_ok) call pyworm_solve(contact, 1e-4_wp, 0.1_wp, found, status)
   if (status /= pyworm_ok) stop 1
   call pyworm_read(contact, p, h, rise)

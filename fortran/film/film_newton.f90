@@ -30,6 +30,7 @@ module pyworm_film_newton
   implicit none(type, external)
   private
 
+  public :: contact_conditions, newton_step
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
   public :: set_film, film_residual, film_step, set_ruptured
   public :: set_system, film_direction, move_film, film_balance, bearable, note_progress, search_step, first_row, last_row
@@ -50,6 +51,25 @@ module pyworm_film_newton
   type :: film_work
     type(work_tally) :: convolution, flow, building, cycle, whole
   end type film_work
+
+  !> What presses two surfaces together, and the oil between them.
+  type :: contact_conditions
+    !> Undeformed gap [m]; true where both surfaces exist.
+    real(wp), allocatable :: gap(:, :)
+    logical, allocatable :: covered(:, :)
+    !> Spacing of the nodes along x and y [m], and E' [Pa] with 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2.
+    real(wp) :: spacing(2) = 0, reduced_modulus = 0
+    type(oil_law) :: oil
+    !> Load [N], of a line contact for each length [N/m], and the film [m] below which mobility is constant.
+    real(wp) :: load = 0, floor = 0
+  end type contact_conditions
+
+  !> What a Newton step took: iterations of GMRES, the damping factor, which is the fraction of the step taken (at 0 the state
+  !> is unchanged), and of a heated film the largest change of temperature [K].
+  type :: newton_step
+    integer :: krylov = 0
+    real(wp) :: damping = 0, change = 0
+  end type newton_step
 
   type, abstract, extends(linear_system) :: film_contact
     type(oil_law) :: oil
@@ -169,38 +189,35 @@ module pyworm_film_newton
 
 contains
 
-  !> Checks gap [m], nodal speed of entrainment [m/s], load, floor and oil of a contact.
-  pure integer function film_status(gap, speed, load, floor, oil)
-    real(wp), intent(in) :: gap(:, :), speed(:, :), load, floor
-    type(oil_law), intent(in) :: oil
+  !> Checks the conditions of a contact, and the nodal speed of entrainment [m/s].
+  pure integer function film_status(conditions, speed)
+    type(contact_conditions), intent(in) :: conditions
+    real(wp), intent(in) :: speed(:, :)
 
     film_status = status_bad_argument
-    if (.not. (load > 0 .and. floor > 0 .and. oil%eta0 > 0)) return
+    if (.not. (conditions%load > 0 .and. conditions%floor > 0 .and. conditions%oil%eta0 > 0)) return
     film_status = status_not_finite
-    if (.not. (load <= huge(1.0_wp) .and. all(abs(gap) <= huge(1.0_wp)))) return
+    if (.not. (conditions%load <= huge(1.0_wp) .and. all(abs(conditions%gap) <= huge(1.0_wp)))) return
     if (all(speed <= huge(1.0_wp))) film_status = status_ok
   end function film_status
 
   !> Makes the base of a contact, whose GMRES is restarted after `cycle_length` iterations. The caller removes
-  !> the outline from `covered`.
-  subroutine new_film_contact(self, gap, covered, dx, dy, oil, load, floor, cycle_length, stat)
+  !> the outline from what is covered.
+  subroutine new_film_contact(self, conditions, cycle_length, stat)
     class(film_contact), intent(inout) :: self
-    real(wp), intent(in) :: gap(:, :)
-    logical, intent(in) :: covered(:, :)
-    real(wp), intent(in) :: dx, dy, load, floor
-    type(oil_law), intent(in) :: oil
+    type(contact_conditions), intent(in) :: conditions
     integer, intent(in) :: cycle_length
     integer, intent(out) :: stat
     integer :: nx, ny, err
 
-    nx = size(gap, 1)
-    ny = size(gap, 2)
-    self%spacing = [dx, dy]
-    self%oil = oil
-    self%gap = gap
-    self%covered = covered
-    self%load = load
-    self%floor = floor
+    nx = size(conditions%gap, 1)
+    ny = size(conditions%gap, 2)
+    self%spacing = conditions%spacing
+    self%oil = conditions%oil
+    self%gap = conditions%gap
+    self%covered = conditions%covered
+    self%load = conditions%load
+    self%floor = conditions%floor
     call new_film_fields(nx, ny, self%fields, stat)
     if (stat /= status_ok) return
     allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny), &
@@ -349,20 +366,18 @@ contains
 
   !> Makes one Newton step from (p, h0), at which `film_residual` was last evaluated; both are replaced.
   !>
-  !> The linear system is solved to `forcing` times its right-hand side. `krylov` counts GMRES iterations,
-  !> `step` is the damping factor, the fraction of the Newton step taken; at 0 the state is unchanged.
-  subroutine film_step(self, forcing, p, h0, residual, load_error, krylov, step, stat)
+  !> The linear system is solved to `forcing` times its right-hand side.
+  subroutine film_step(self, forcing, p, h0, residual, load_error, step, stat)
     class(film_contact), intent(inout) :: self
     real(wp), intent(in) :: forcing
     real(wp), contiguous, intent(inout) :: p(:, :)
     real(wp), intent(inout) :: h0
     real(wp), intent(inout) :: residual, load_error
-    integer, intent(out) :: krylov, stat
-    real(wp), intent(out) :: step
+    type(newton_step), intent(out) :: step
+    integer, intent(out) :: stat
 
-    step = 0
-    call film_direction(self, forcing, p, h0, load_error, krylov, stat)
-    if (stat == status_ok) call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step, stat)
+    call film_direction(self, forcing, p, h0, load_error, step%krylov, stat)
+    if (stat == status_ok) call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step%damping, stat)
   end subroutine film_step
 
   !> Notes after a heated step whether it reached a new least residual. Once `patience` has ended it stays so until no step

@@ -1,7 +1,7 @@
 !> The film of a line contact: deflection of half-planes, flow in one direction, a band solve before GMRES.
 module pyworm_line_film
   use pyworm_band_preconditioner, only: band_model, set_band_model
-  use pyworm_film_newton, only: film_contact, film_status, new_film_contact, weigh_load
+  use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, weigh_load
   use pyworm_half_plane, only: elastic_half_plane, new_half_plane
   use pyworm_kinds, only: wp
   use pyworm_line_reynolds, only: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, &
@@ -51,13 +51,15 @@ contains
     real(wp), intent(in) :: dx, reduced_modulus, load, floor
     type(oil_law), intent(in) :: oil
     integer, intent(out) :: stat
+    type(contact_conditions) :: conditions
     integer :: n, err
 
     n = size(gap)
-    stat = film_status(reshape(gap, [n, 1]), reshape(abs(u), [n, 1]), load, floor, oil)
+    conditions = contact_conditions(reshape(gap, [n, 1]), reshape(covered, [n, 1]), [dx, 1.0_wp], reduced_modulus, oil, load, &
+      floor)
+    stat = film_status(conditions, reshape(abs(u), [n, 1]))
     if (stat == status_ok) call new_half_plane(self%plane, n, dx, reduced_modulus, stat)
-    if (stat == status_ok) call new_film_contact(self, reshape(gap, [n, 1]), reshape(covered, [n, 1]), dx, 1.0_wp, oil, &
-      load, floor, cycle_length, stat)
+    if (stat == status_ok) call new_film_contact(self, conditions, cycle_length, stat)
     if (stat /= status_ok) return
 
     self%covered([1, n], 1) = .false.

@@ -1,6 +1,6 @@
 !> The film of a point contact: deflection of half-spaces, flow in two directions, a multigrid cycle before GMRES.
 module pyworm_point_film
-  use pyworm_film_newton, only: film_contact, film_status, new_film_contact, weigh_load
+  use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, weigh_load
   use pyworm_half_space, only: elastic_half_space, new_half_space
   use pyworm_kinds, only: pp, wp
   use pyworm_partial_film, only: new_partial_film, fill_gap, carry_change
@@ -8,7 +8,6 @@ module pyworm_point_film
   use pyworm_reynolds, only: film_grid, set_film_fields, set_mass_change, flow_imbalance, flow_imbalance_change
   use pyworm_sheared_reynolds, only: set_sheared_fields, still_ambient_faces, sheared_imbalance, sheared_imbalance_change
   use pyworm_status, only: status_ok
-  use pyworm_viscosity_density, only: oil_law
   implicit none(type, external)
   private
 
@@ -38,26 +37,26 @@ module pyworm_point_film
 
 contains
 
-  !> Makes a steady point contact on a grid of (nx, ny) points; `u`, `v` are nodal entrainment [m/s].
-  subroutine new_point_contact(self, gap, covered, u, v, dx, dy, reduced_modulus, oil, load, floor, stat)
+  !> Makes a steady point contact; `u`, `v` are nodal entrainment [m/s].
+  subroutine new_point_contact(self, conditions, u, v, stat)
     type(point_contact), intent(inout) :: self
-    real(wp), intent(in) :: gap(:, :), u(:, :), v(:, :)
-    logical, intent(in) :: covered(:, :)
-    real(wp), intent(in) :: dx, dy, reduced_modulus, load, floor
-    type(oil_law), intent(in) :: oil
+    type(contact_conditions), intent(in) :: conditions
+    real(wp), intent(in) :: u(:, :), v(:, :)
     integer, intent(out) :: stat
     integer :: nx, ny
 
-    nx = size(gap, 1)
-    ny = size(gap, 2)
-    stat = film_status(gap, abs(u) + abs(v), load, floor, oil)
-    if (stat == status_ok) call new_half_space(self%space, nx, ny, dx, dy, reduced_modulus, stat)
-    if (stat == status_ok) call new_film_contact(self, gap, covered, dx, dy, oil, load, floor, cycle_length, stat)
-    if (stat /= status_ok) return
+    nx = size(conditions%gap, 1)
+    ny = size(conditions%gap, 2)
+    associate (dx => conditions%spacing(1), dy => conditions%spacing(2))
+      stat = film_status(conditions, abs(u) + abs(v))
+      if (stat == status_ok) call new_half_space(self%space, nx, ny, dx, dy, conditions%reduced_modulus, stat)
+      if (stat == status_ok) call new_film_contact(self, conditions, cycle_length, stat)
+      if (stat /= status_ok) return
+      self%grid = film_grid(nx, ny, dx, dy, face_mean_x(u), face_mean_y(v))
+    end associate
 
     self%covered([1, nx], :) = .false.
     self%covered(:, [1, ny]) = .false.
-    self%grid = film_grid(nx, ny, dx, dy, face_mean_x(u), face_mean_y(v))
     allocate (self%grid%explicit_rate(nx, ny), source=0.0_wp)
     call weigh_load(self)
     call new_film_multigrid(self%grid, self%space%centre, self%cycles, stat)

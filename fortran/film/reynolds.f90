@@ -206,8 +206,7 @@ contains
       transient = grid%implicit_rate*mass(:, mod(j, 5)) + grid%explicit_rate(:, j)
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
         transient, flux, imbalance(:, j))
-      call add_diffusion(grid, root(:, mod(j - 1, 3)), root(:, mod(j, 3)), root(:, mod(j + 1, 3)), &
-        fields%p(:, j - 1), fields%p(:, j), fields%p(:, j + 1), imbalance(:, j))
+      call add_diffusion(grid, j, root, fields%p(:, j - 1:j + 1), imbalance(:, j))
       before = after
     end do
   end subroutine imbalance_of_rows
@@ -243,12 +242,8 @@ contains
       transient = grid%implicit_rate*mass(:, mod(j, 5))
       call set_wedge(grid%nx, grid%dx, grid%u(:, j), mass(:, mod(j, 5)), before, after, &
         transient, flux, change(:, j))
-      associate (m_before => root(:, mod(j - 1, 3)), m => root(:, mod(j, 3)), m_after => root(:, mod(j + 1, 3)))
-        call add_diffusion(grid, m_before, m, m_after, dp(:, j - 1), dp(:, j), dp(:, j + 1), change(:, j))
-        call add_diffusion_change(grid, m_before, m, m_after, root_change(:, mod(j - 1, 3)), &
-          root_change(:, mod(j, 3)), root_change(:, mod(j + 1, 3)), fields%p(:, j - 1), fields%p(:, j), &
-          fields%p(:, j + 1), change(:, j))
-      end associate
+      call add_diffusion(grid, j, root, dp(:, j - 1:j + 1), change(:, j))
+      call add_diffusion_change(grid, j, root, root_change, fields%p(:, j - 1:j + 1), change(:, j))
       before = after
     end do
   end subroutine change_of_rows
@@ -263,38 +258,52 @@ contains
     change = (mobility_p*dp + mobility_h*dh)/(2*root)
   end subroutine set_root
 
-  !> Adds -div(m grad p) to a row's r; root of m and p of the row before, the row itself and the next.
-  pure subroutine add_diffusion(grid, m_before, m, m_after, p_before, p, p_after, r)
+  !> Adds -div(m grad p) to the r of row j, with p of the row before, the row itself and the next; the root of m of row j is at
+  !> mod(j, 3).
+  pure subroutine add_diffusion(grid, j, root, p, r)
     type(film_grid), intent(in) :: grid
-    real(wp), dimension(grid%nx), intent(in) :: m_before, m, m_after, p_before, p, p_after
+    integer, intent(in) :: j
+    real(wp), intent(in) :: root(grid%nx, 0:2), p(grid%nx, -1:1)
     real(wp), intent(inout) :: r(grid%nx)
     real(wp) :: along_x, along_y
-    integer :: i
+    integer :: i, before, here, after
 
     along_x = 1/grid%dx**2
     along_y = 1/grid%dy**2
+    before = mod(j - 1, 3)
+    here = mod(j, 3)
+    after = mod(j + 1, 3)
     do i = 2, grid%nx - 1
-      r(i) = r(i) + along_x*(face_mean(m(i), m(i + 1))*(p(i) - p(i + 1)) + face_mean(m(i), m(i - 1))*(p(i) - p(i - 1))) &
-        + along_y*(face_mean(m(i), m_after(i))*(p(i) - p_after(i)) + face_mean(m(i), m_before(i))*(p(i) - p_before(i)))
+      associate (m => root(i, here), here_p => p(i, 0))
+        r(i) = r(i) + along_x*(face_mean(m, root(i + 1, here))*(here_p - p(i + 1, 0)) &
+          + face_mean(m, root(i - 1, here))*(here_p - p(i - 1, 0))) &
+          + along_y*(face_mean(m, root(i, after))*(here_p - p(i, 1)) + face_mean(m, root(i, before))*(here_p - p(i, -1)))
+      end associate
     end do
   end subroutine add_diffusion
 
-  !> Adds the change of -div(m grad p) by that of m at the same p to a row's r; root of m, its change, and p of the
-  !> row before, the row itself and the next.
-  pure subroutine add_diffusion_change(grid, m_before, m, m_after, dm_before, dm, dm_after, p_before, p, p_after, r)
+  !> Adds the change of -div(m grad p) by that of m at the same p to the r of row j; arguments as of `add_diffusion`, with the
+  !> change of the root of m.
+  pure subroutine add_diffusion_change(grid, j, root, change, p, r)
     type(film_grid), intent(in) :: grid
-    real(wp), dimension(grid%nx), intent(in) :: m_before, m, m_after, dm_before, dm, dm_after, p_before, p, p_after
+    integer, intent(in) :: j
+    real(wp), intent(in) :: root(grid%nx, 0:2), change(grid%nx, 0:2), p(grid%nx, -1:1)
     real(wp), intent(inout) :: r(grid%nx)
     real(wp) :: along_x, along_y
-    integer :: i
+    integer :: i, before, here, after
 
     along_x = 1/grid%dx**2
     along_y = 1/grid%dy**2
+    before = mod(j - 1, 3)
+    here = mod(j, 3)
+    after = mod(j + 1, 3)
     do i = 2, grid%nx - 1
-      r(i) = r(i) + along_x*(mean_change(m(i), m(i + 1), dm(i), dm(i + 1))*(p(i) - p(i + 1)) &
-        + mean_change(m(i), m(i - 1), dm(i), dm(i - 1))*(p(i) - p(i - 1))) &
-        + along_y*(mean_change(m(i), m_after(i), dm(i), dm_after(i))*(p(i) - p_after(i)) &
-        + mean_change(m(i), m_before(i), dm(i), dm_before(i))*(p(i) - p_before(i)))
+      associate (m => root(i, here), dm => change(i, here), here_p => p(i, 0))
+        r(i) = r(i) + along_x*(mean_change(m, root(i + 1, here), dm, change(i + 1, here))*(here_p - p(i + 1, 0)) &
+          + mean_change(m, root(i - 1, here), dm, change(i - 1, here))*(here_p - p(i - 1, 0))) &
+          + along_y*(mean_change(m, root(i, after), dm, change(i, after))*(here_p - p(i, 1)) &
+          + mean_change(m, root(i, before), dm, change(i, before))*(here_p - p(i, -1)))
+      end associate
     end do
   end subroutine add_diffusion_change
 

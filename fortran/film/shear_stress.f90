@@ -134,10 +134,7 @@ contains
           s%tau_x(first:last), s%tau_y(first:last), s%square(first:last))
         call thinning(law, last - first + 1, s%square(first:last), s%per_reference(first:last), &
           s%per_limit(first:last), s%g(first:last, k), s%g_slope(first:last, k))
-        call add_rate(last - first + 1, levels%z(k), levels%weight(k), s%film(first:last), s%px(first:last), &
-          s%py(first:last), s%tau_x(first:last), s%tau_y(first:last), s%fluidity(first:last, k), s%g(first:last, k), &
-          s%g_slope(first:last, k), s%rest_x(first:last), s%rest_y(first:last), s%a_xx(first:last), s%a_xy(first:last), &
-          s%a_yy(first:last), s%power(first:last), s%ease(first:last))
+        call add_rate(levels, k, s, first, last)
       end do
     end associate
   end subroutine sum_rates
@@ -152,29 +149,30 @@ contains
   end subroutine square_stress
 
   !> Adds a level to the sums over the film.
-  pure subroutine add_rate(count, z, weight, film, px, py, tau_x, tau_y, fluidity, g, slope, rest_x, rest_y, a_xx, a_xy, &
-    a_yy, power, ease)
-    integer, intent(in) :: count
-    real(wp), intent(in) :: z, weight, film(count), px(count), py(count), tau_x(count), tau_y(count), fluidity(count), &
-      g(count), slope(count)
-    real(wp), intent(inout) :: rest_x(count), rest_y(count), a_xx(count), a_xy(count), a_yy(count), power(count), &
-      ease(count)
-    real(wp) :: x, y, along, across
+  pure subroutine add_rate(levels, level, strip, first, last)
+    type(levels_across), intent(in) :: levels
+    integer, intent(in) :: level, first, last
+    type(shear_strip), intent(inout) :: strip
+    real(wp) :: z, weight, x, y, along, across
     integer :: i
 
-    do i = 1, count
-      x = tau_x(i) + z*film(i)*px(i)
-      y = tau_y(i) + z*film(i)*py(i)
-      along = weight*film(i)*fluidity(i)*g(i)
-      across = 2*weight*film(i)*fluidity(i)*slope(i)
-      rest_x(i) = rest_x(i) - along*x
-      rest_y(i) = rest_y(i) - along*y
-      a_xx(i) = a_xx(i) + along + across*x*x
-      a_xy(i) = a_xy(i) + across*x*y
-      a_yy(i) = a_yy(i) + along + across*y*y
-      power(i) = power(i) + along*(x*x + y*y)
-      ease(i) = ease(i) + along
-    end do
+    z = levels%z(level)
+    weight = levels%weight(level)
+    associate (s => strip)
+      do i = first, last
+        x = s%tau_x(i) + z*s%film(i)*s%px(i)
+        y = s%tau_y(i) + z*s%film(i)*s%py(i)
+        along = weight*s%film(i)*s%fluidity(i, level)*s%g(i, level)
+        across = 2*weight*s%film(i)*s%fluidity(i, level)*s%g_slope(i, level)
+        s%rest_x(i) = s%rest_x(i) - along*x
+        s%rest_y(i) = s%rest_y(i) - along*y
+        s%a_xx(i) = s%a_xx(i) + along + across*x*x
+        s%a_xy(i) = s%a_xy(i) + across*x*y
+        s%a_yy(i) = s%a_yy(i) + along + across*y*y
+        s%power(i) = s%power(i) + along*(x*x + y*y)
+        s%ease(i) = s%ease(i) + along
+      end do
+    end associate
   end subroutine add_rate
 
   !> Inverse of A of some points.
@@ -244,9 +242,9 @@ contains
     type(shear_strip), intent(inout) :: strip
     integer, intent(in) :: i
     logical, intent(out) :: converged
-    real(wp) :: from(2), step(2), centre(2), to(2), direction(2), fraction, longest, low, high, descent, slope
+    real(wp) :: centre(2)
     logical :: turns
-    integer :: newton, search
+    integer :: newton
 
     call find_centre(law, strip, i, centre, turns)
     if (turns .and. hypot(strip%rest_x(i), strip%rest_y(i)) > hypot(strip%us(i), strip%vs(i))) then
@@ -260,39 +258,7 @@ contains
     do newton = 1, steps_alone
       converged = strip%excess(i) <= 0
       if (converged) return
-      from = [strip%tau_x(i), strip%tau_y(i)]
-      step = [strip%step_x(i), strip%step_y(i)]
-      descent = strip%rest_x(i)*step(1) + strip%rest_y(i)*step(2)
-      call find_centre(law, strip, i, centre, turns)
-      fraction = 1
-      if (has_limit(law)) then
-        ! not less than an e-fold of the slip
-        longest = max(1.0_wp, law%slip_step)*strip%limit(i)
-        fraction = longest/max(norm2(step), longest)
-      end if
-      low = 0
-      high = 0
-      do search = 1, search_steps
-        if (turns) then
-          call turn(from - centre, step, fraction, to, direction)
-          to = to + centre
-        else
-          to = from + fraction*step
-          direction = step
-        end if
-        strip%tau_x(i) = to(1)
-        strip%tau_y(i) = to(2)
-        call sum_rates(law, levels, strip, i, i)
-        slope = -(strip%rest_x(i)*direction(1) + strip%rest_y(i)*direction(2))
-        if (abs(slope) <= descent/2) exit
-        if (slope > 0) then
-          high = fraction
-        else
-          low = fraction
-          if (.not. high > 0) exit
-        end if
-        fraction = low + (high - low)*merge(0.5_wp, 0.1_wp, low > 0)
-      end do
+      call search_along(law, levels, strip, i)
       call newton_step(strip, i, i)
     end do
     converged = strip%excess(i) <= 0
@@ -300,6 +266,51 @@ contains
     strip%step_x(i) = 0
     strip%step_y(i) = 0
   end subroutine solve_alone
+
+  !> Moves one point along its Newton step, by the fraction at which the slope of the potential is halved, found by halving.
+  pure subroutine search_along(law, levels, strip, i)
+    type(flow_law), intent(in) :: law
+    type(levels_across), intent(in) :: levels
+    type(shear_strip), intent(inout) :: strip
+    integer, intent(in) :: i
+    real(wp) :: from(2), step(2), centre(2), to(2), direction(2), fraction, longest, low, high, descent, slope
+    logical :: turns
+    integer :: search
+
+    from = [strip%tau_x(i), strip%tau_y(i)]
+    step = [strip%step_x(i), strip%step_y(i)]
+    descent = strip%rest_x(i)*step(1) + strip%rest_y(i)*step(2)
+    call find_centre(law, strip, i, centre, turns)
+    fraction = 1
+    if (has_limit(law)) then
+      ! not less than an e-fold of the slip
+      longest = max(1.0_wp, law%slip_step)*strip%limit(i)
+      fraction = longest/max(norm2(step), longest)
+    end if
+    low = 0
+    high = 0
+    do search = 1, search_steps
+      if (turns) then
+        call turn(from - centre, step, fraction, to, direction)
+        to = to + centre
+      else
+        to = from + fraction*step
+        direction = step
+      end if
+      strip%tau_x(i) = to(1)
+      strip%tau_y(i) = to(2)
+      call sum_rates(law, levels, strip, i, i)
+      slope = -(strip%rest_x(i)*direction(1) + strip%rest_y(i)*direction(2))
+      if (abs(slope) <= descent/2) exit
+      if (slope > 0) then
+        high = fraction
+      else
+        low = fraction
+        if (.not. high > 0) exit
+      end if
+      fraction = low + (high - low)*merge(0.5_wp, 0.1_wp, low > 0)
+    end do
+  end subroutine search_along
 
   !> Finds the stress halfway at which the more stressed wall has no stress; `turns` if that wall is near slip, where
   !> stresses can only rotate about it.

@@ -16,10 +16,10 @@ contains
   !> Makes the model of the smaller error; where paths turn back within the window, that of uniform velocity.
   !>
   !> The surface moves with (u, v) [m/s] at the nodes; `heat` is proportional to the heat flux, over a contact of the
-  !> semi-axes `semi` [m]. `error` is that of the model, over the greatest rise (`conduction_model`).
-  subroutine new_conducting_body(u, v, heat, semi, dx, dy, conductivity, capacity, body, error, stat)
+  !> semi-axes `semi` [m], on nodes `spacing` [m] apart. `error` is that of the model, over the greatest rise (`conduction_model`).
+  subroutine new_conducting_body(u, v, heat, semi, spacing, conductivity, capacity, body, error, stat)
     real(wp), contiguous, intent(in) :: u(:, :), v(:, :), heat(:, :)
-    real(wp), intent(in) :: semi(2), dx, dy, conductivity, capacity
+    real(wp), intent(in) :: semi(2), spacing(2), conductivity, capacity
     class(heated_body), allocatable, intent(out) :: body
     real(wp), intent(out) :: error
     integer, intent(out) :: stat
@@ -30,7 +30,7 @@ contains
     call conduction_errors(u, v, heat, semi(1), semi(2), conductivity/capacity, mean_u, mean_v, error, along_paths)
     if (along_paths < error) then
       allocate (fast)
-      call new_fast_body(fast, dx, dy, u, v, conductivity, capacity, stat)
+      call new_fast_body(fast, spacing(1), spacing(2), u, v, conductivity, capacity, stat)
       if (stat == status_ok) then
         error = along_paths
         call move_alloc(fast, body)
@@ -38,7 +38,8 @@ contains
       end if
     end if
     allocate (uniform)
-    call new_moving_body(uniform, size(u, 1), size(u, 2), dx, dy, mean_u, mean_v, conductivity, capacity, stat)
+    call new_moving_body(uniform, size(u, 1), size(u, 2), spacing(1), spacing(2), mean_u, mean_v, conductivity, &
+      capacity, stat)
     call move_alloc(uniform, body)
   end subroutine new_conducting_body
 

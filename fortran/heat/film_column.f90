@@ -35,8 +35,8 @@ module pyworm_film_column
   type :: lane_block
     real(wp) :: thickness(lanes), conductance(lanes)
     real(wp), allocatable :: known(:, :), source(:, :), absorption(:, :), growth(:, :), loading(:, :, :), relief(:, :, :)
-    !> Derivative of the levels' balances with respect to temperature, and their excess of heat.
-    real(wp), allocatable :: matrix(:, :, :), excess(:, :)
+    !> Derivative of the levels' balances with respect to temperature, and in the last column their excess of heat.
+    real(wp), allocatable :: balances(:, :, :)
     !> Derivative of the inner levels in the elimination, and its pivots.
     real(wp), allocatable :: a(:, :, :), pivot(:, :)
     !> Change of the inner levels' temperature, and its derivatives with respect to the walls, (lanes, n, 3).
@@ -95,7 +95,7 @@ contains
       strip%wall_rise(m, 2), stat=err)
     if (err == 0) allocate (strip%work%known(lanes, n), strip%work%source(lanes, n), strip%work%absorption(lanes, n), &
       strip%work%growth(lanes, n), strip%work%loading(lanes, n, 2), strip%work%relief(lanes, n, 2), &
-      strip%work%matrix(lanes, n, n), strip%work%excess(lanes, n), strip%work%a(lanes, n, n), strip%work%pivot(lanes, n), &
+      strip%work%balances(lanes, n, n + 1), strip%work%a(lanes, n, n), strip%work%pivot(lanes, n), &
       strip%work%change(lanes, n, 3), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_strip
@@ -145,9 +145,8 @@ contains
         end do
       end do
       call set_balances(strip%levels, work%thickness, work%conductance, work%known, work%source, work%absorption, &
-        work%growth, work%loading, work%relief, work%matrix, work%excess)
-      call solve_inner_levels(n, strip%least_pivot, work%conductance, work%matrix, work%excess, work%a, work%pivot, &
-        work%change)
+        work%growth, work%loading, work%relief, work%balances)
+      call solve_inner_levels(n, strip%least_pivot, work%conductance, work%balances, work%a, work%pivot, work%change)
     end associate
     call set_walls(strip, first, count)
   end subroutine solve_together
@@ -183,15 +182,14 @@ contains
     pivot([1, levels%count]) = 0
   end function conduction_pivots
 
-  !> Computes the balances of all levels at the temperature `known` and their derivatives.
-  pure subroutine set_balances(levels, thickness, conductance, known, source, absorption, growth, loading, relief, matrix, &
-    excess)
+  !> Computes the derivatives of all levels' balances and their excess at the temperature `known`.
+  pure subroutine set_balances(levels, thickness, conductance, known, source, absorption, growth, loading, relief, balances)
     type(levels_across), intent(in) :: levels
     real(wp), intent(in) :: thickness(lanes), conductance(lanes)
     real(wp), dimension(lanes, levels%count), intent(in) :: known, source, absorption, growth
     real(wp), intent(in) :: loading(lanes, levels%count, 2), relief(lanes, levels%count, 2)
-    real(wp), intent(out) :: matrix(lanes, levels%count, levels%count), excess(lanes, levels%count)
-    real(wp), dimension(lanes) :: volume, bound, relief_x, relief_y
+    real(wp), intent(out) :: balances(lanes, levels%count, levels%count + 1)
+    real(wp), dimension(lanes) :: volume, bound, relief_x, relief_y, excess
     integer :: k, l
 
     relief_x = 0
@@ -203,13 +201,14 @@ contains
     bound = conductance/thickness
     do k = 1, levels%count
       volume = thickness*levels%weight(k)
-      excess(:, k) = volume*(source(:, k) - absorption(:, k)*known(:, k))
+      excess = volume*(source(:, k) - absorption(:, k)*known(:, k))
       do l = 1, levels%count
-        excess(:, k) = excess(:, k) - conductance*levels%stiffness(k, l)*known(:, l)
-        matrix(:, k, l) = conductance*levels%stiffness(k, l) &
+        excess = excess - conductance*levels%stiffness(k, l)*known(:, l)
+        balances(:, k, l) = conductance*levels%stiffness(k, l) &
           + volume*(loading(:, k, 1)*relief(:, l, 1) + loading(:, k, 2)*relief(:, l, 2))
       end do
-      matrix(:, k, k) = matrix(:, k, k) - volume*(min(growth(:, k), most_growth*bound, loading(:, k, 1)*relief_x &
+      balances(:, k, levels%count + 1) = excess
+      balances(:, k, k) = balances(:, k, k) - volume*(min(growth(:, k), most_growth*bound, loading(:, k, 1)*relief_x &
         + loading(:, k, 2)*relief_y + most_growth_of_all*bound) - absorption(:, k))
     end do
   end subroutine set_balances
@@ -219,19 +218,19 @@ contains
   !>
   !> Elimination is without pivoting, since conduction is positive definite; heating does not lower a pivot
   !> below `least_fraction` of conduction's.
-  pure subroutine solve_inner_levels(n, least_pivot, conductance, matrix, excess, a, pivot, change)
+  pure subroutine solve_inner_levels(n, least_pivot, conductance, balances, a, pivot, change)
     integer, intent(in) :: n
-    real(wp), intent(in) :: least_pivot(n), conductance(lanes), matrix(lanes, n, n), excess(lanes, n)
+    real(wp), intent(in) :: least_pivot(n), conductance(lanes), balances(lanes, n, n + 1)
     real(wp), intent(inout) :: a(lanes, n, n), pivot(lanes, n)
     real(wp), intent(out) :: change(lanes, n, 3)
     real(wp) :: factor(lanes)
     integer :: k, l, r
 
     do l = 2, n - 1
-      a(:, 2:n - 1, l) = matrix(:, 2:n - 1, l)
-      change(:, l, 1) = excess(:, l)
-      change(:, l, 2) = -matrix(:, l, 1)
-      change(:, l, 3) = -matrix(:, l, n)
+      a(:, 2:n - 1, l) = balances(:, 2:n - 1, l)
+      change(:, l, 1) = balances(:, l, n + 1)
+      change(:, l, 2) = -balances(:, l, 1)
+      change(:, l, 3) = -balances(:, l, n)
     end do
     do k = 2, n - 1
       pivot(:, k) = 1/max(a(:, k, k), least_pivot(k)*conductance)
@@ -270,16 +269,16 @@ contains
     integer :: wall, level, l, side, last
 
     last = first + count - 1
-    associate (matrix => strip%work%matrix, excess => strip%work%excess, change => strip%work%change)
+    associate (balances => strip%work%balances, change => strip%work%change)
       strip%temperature(first:last, :) = strip%known(first:last, :) + change(:count, :, 1)
       strip%response(first:last, :, :) = change(:count, :, 2:3)
       do wall = 1, 2
         level = merge(1, strip%levels%count, wall == 1)
         do side = 1, 3
           left = 0
-          if (side == 1) left = excess(:, level)
+          if (side == 1) left = balances(:, level, strip%levels%count + 1)
           do l = 1, strip%levels%count
-            left = left - matrix(:, level, l)*change(:, l, side)
+            left = left - balances(:, level, l)*change(:, l, side)
           end do
           if (side == 1) then
             strip%flux(first:last, wall) = left(:count)

@@ -28,12 +28,12 @@ contains
   !> On entry p is a guess; fields are (nx, ny), as vectors. `gap` [m] is that between the deformed surface and the flat,
   !> negative where material has yielded. Converged when it is `tolerance` [m] in the mean square where the pressure lies
   !> between its bounds.
-  subroutine press_flat(surface, n, height, separation, hardness, tolerance, most_iterations, p, gap, iterations, stat)
+  subroutine press_flat(surface, height, separation, hardness, tolerance, most_iterations, p, gap, iterations, stat)
     type(elastic_surface), intent(inout) :: surface
-    integer, intent(in) :: n, most_iterations
-    real(wp), intent(in) :: height(n), separation, hardness, tolerance
-    real(wp), intent(inout) :: p(n)
-    real(wp), intent(out) :: gap(n)
+    integer, intent(in) :: most_iterations
+    real(wp), intent(in) :: height(surface%nx*surface%ny), separation, hardness, tolerance
+    real(wp), intent(inout) :: p(surface%nx*surface%ny)
+    real(wp), intent(out) :: gap(surface%nx*surface%ny)
     integer, intent(out) :: iterations, stat
     real(wp), allocatable :: work(:, :)
     logical, allocatable :: free(:)
@@ -47,8 +47,8 @@ contains
     stat = status_not_finite
     if (.not. (all(ieee_is_finite(p)) .and. all(ieee_is_finite(height)) .and. ieee_is_finite(separation))) return
     stat = status_no_memory
-    allocate (work(n, 5), source=0.0_wp, stat=err)
-    if (err == 0) allocate (free(n), stat=err)
+    allocate (work(size(p), 5), source=0.0_wp, stat=err)
+    if (err == 0) allocate (free(size(p)), stat=err)
     if (err /= 0) return
     last_slope = 1
     p = min(max(p, 0.0_wp), hardness)

@@ -3,11 +3,12 @@
 !> Lines lie across the direction of a sweep. The temperature of a column takes its upwind values, by the velocity of each
 !> level, from the lines before; values of later lines, and along a line, lag behind.
 module pyworm_column_sweep
-  use pyworm_column_sources, only: set_heat, carried_away
+  use pyworm_column_sources, only: column_oil, new_column_oil, set_heat, carried_away
   use pyworm_film_column, only: film_strip, new_film_strip, solve_columns
   use pyworm_film_newton, only: film_contact
+  use pyworm_gauss_lobatto, only: levels_across
   use pyworm_kinds, only: wp
-  use pyworm_oil_convection, only: carry_level
+  use pyworm_oil_convection, only: line_temperatures, carry_level, most_columns
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use pyworm_shear_fields, only: shear_columns
   use pyworm_shear_profile, only: film_shear_rate
@@ -20,18 +21,17 @@ module pyworm_column_sweep
 
   public :: swept_columns, column_work, new_swept_columns, new_column_work, change_swept, enter_sweep, sweep_lines, swept_rise
 
-  !> Columns treated together, whatever the number of threads.
-  integer, parameter :: most_columns = 32
   !> Heat capacity flow that holds the temperature of a level [W/(m3 K)], far above any other.
   real(wp), parameter :: held = 1e30_wp
 
-  !> Scratch of a thread: columns and their shear, and at their levels the derivative of the fluidity by temperature
-  !> [1/(Pa s K)], velocities along and across the line [m/s], the rate of shear [1/s], and the heat of compression and
-  !> convection [W/m3].
+  !> Scratch of a thread: columns, their shear and their oil, and at their levels the rate of shear [1/s] and the heat convected
+  !> to them [W/m3]; heat of shearing [W/m2].
   type :: column_work
     type(film_strip) :: columns
     type(shear_strip) :: shear
-    real(wp), dimension(:, :), allocatable :: softening, u, v, rate, compression, inflow
+    type(column_oil) :: oil
+    real(wp), allocatable :: rate(:, :), inflow(:, :)
+    real(wp) :: friction(most_columns) = 0
   end type column_work
 
   !> Fields of the columns in the order of a sweep, (length, lines).
@@ -131,8 +131,8 @@ contains
         associate (own => threads(thread))
           if (stat == status_ok) call new_film_strip(own%columns, most_columns, film%shear%nodes%levels, stat)
           if (stat == status_ok) call new_shear_strip(most_columns, levels, own%shear, stat)
-          allocate (own%softening(most_columns, levels), own%u(most_columns, levels), own%v(most_columns, levels), &
-            own%rate(most_columns, levels), own%compression(most_columns, levels), own%inflow(most_columns, levels), stat=err)
+          if (stat == status_ok) call new_column_oil(most_columns, levels, own%oil, stat)
+          allocate (own%rate(most_columns, levels), own%inflow(most_columns, levels), stat=err)
           if (err /= 0) stat = status_no_memory
         end associate
       end do
@@ -221,14 +221,48 @@ contains
     real(wp), intent(in) :: least
     type(column_work), intent(inout) :: work
     real(wp), intent(inout) :: change, change_backward, change_along
-    real(wp), dimension(most_columns) :: mean, capacity, friction, pressing
-    integer :: first, last, m, k, i
+    integer :: first, last, m, k
 
     first = 2 + (cut - 1)*most_columns
     last = min(1 + cut*most_columns, self%way%length - 1)
     m = last - first + 1
-    associate (nodes => film%shear%nodes, p => self%p(first:last, line), u1 => self%u1(first:last, line), &
-        v1 => self%v1(first:last, line), shear => work%shear, columns => work%columns)
+    associate (nodes => film%shear%nodes, shear => work%shear, columns => work%columns, oil => work%oil)
+      call gather(self, film, line, first, last, work)
+      call shear_columns(film%oil, nodes, oil%p, columns%known, shear, oil%mean, oil%softening)
+      call set_heat(law, film%oil, nodes, shear, oil, columns)
+      self%stress_x(first:last, line) = shear%tau_x(:m)
+      self%stress_y(first:last, line) = shear%tau_y(:m)
+      if (self%way%along_x) then
+        call carry(self, line, cut, first, last, oil%capacity, oil%v, oil%u, columns%absorption, work%inflow)
+      else
+        call carry(self, line, cut, first, last, oil%capacity, oil%u, oil%v, columns%absorption, work%inflow)
+      end if
+      call add_sources(self, line, first, nodes%levels, work)
+      call solve_columns(columns)
+      if (self%way%along_x) then
+        call take_changes(self, columns, oil%v, oil%u, self%backward(cut, line), oil%p(:m) > least, change, change_backward, &
+          change_along)
+      else
+        call take_changes(self, columns, oil%u, oil%v, self%backward(cut, line), oil%p(:m) > least, change, change_backward, &
+          change_along)
+      end if
+      do k = 1, nodes%levels%count
+        self%rise(first:last, line, k) = columns%temperature(:m, k)
+      end do
+      if (.not. self%aside) call keep_heat(self, line, first, nodes%levels, work)
+    end associate
+  end subroutine heat_cut
+
+  !> Sets film, gradient, sliding and last stress, temperature and pressure of the columns at nodes first..last of a line.
+  pure subroutine gather(self, film, line, first, last, work)
+    type(swept_columns), intent(in) :: self
+    class(film_contact), intent(in) :: film
+    integer, intent(in) :: line, first, last
+    type(column_work), intent(inout) :: work
+    integer :: m, k
+
+    m = last - first + 1
+    associate (shear => work%shear, oil => work%oil)
       shear%points = m
       shear%film(:m) = max(self%h(first:last, line), film%floor)
       shear%us(:m) = self%us(first:last, line)
@@ -241,54 +275,61 @@ contains
       else
         call take_gradient(self, line, first, last, shear%px, shear%py)
       end if
-      do k = 1, nodes%levels%count
-        columns%known(:m, k) = self%rise(first:last, line, k)
+      do k = 1, size(self%rise, 3)
+        work%columns%known(:m, k) = self%rise(first:last, line, k)
       end do
-      pressing = 0
-      if (allocated(self%pressing)) pressing(:m) = self%pressing(first:last, line)
-      call shear_columns(film%oil, nodes, p, columns%known, shear, mean, work%softening)
-      call set_heat(law, film%oil, nodes, shear, p, pressing, mean, u1, v1, work%softening, columns, capacity, work%u, &
-        work%v, work%compression)
-      self%stress_x(first:last, line) = shear%tau_x(:m)
-      self%stress_y(first:last, line) = shear%tau_y(:m)
-      if (self%way%along_x) then
-        call carry(self, line, cut, first, last, capacity, work%v, work%u, columns%absorption, work%inflow)
-      else
-        call carry(self, line, cut, first, last, capacity, work%u, work%v, columns%absorption, work%inflow)
-      end if
+      oil%p(:m) = self%p(first:last, line)
+      oil%u1(:m) = self%u1(first:last, line)
+      oil%v1(:m) = self%v1(first:last, line)
+      oil%pressing(:m) = 0
+      if (allocated(self%pressing)) oil%pressing(:m) = self%pressing(first:last, line)
+    end associate
+  end subroutine gather
+
+  !> Adds to the heat of shearing what the oil brings, by convection and compression, less what it stores.
+  pure subroutine add_sources(self, line, first, levels, work)
+    type(swept_columns), intent(in) :: self
+    integer, intent(in) :: line, first
+    type(levels_across), intent(in) :: levels
+    type(column_work), intent(inout) :: work
+    integer :: m, k, last
+
+    m = work%shear%points
+    last = first + m - 1
+    associate (friction => work%friction, columns => work%columns, capacity => work%oil%capacity)
       friction = 0
-      do k = 1, nodes%levels%count
-        friction(:m) = friction(:m) + shear%film(:m)*nodes%levels%weight(k)*columns%source(:m, k)
+      do k = 1, levels%count
+        friction(:m) = friction(:m) + work%shear%film(:m)*levels%weight(k)*columns%source(:m, k)
         if (allocated(self%warming)) then
           work%inflow(:m, k) = work%inflow(:m, k) - capacity(:m)*self%warming(first:last, line, k)
         end if
-        work%inflow(:m, k) = work%inflow(:m, k) + work%compression(:m, k)
+        work%inflow(:m, k) = work%inflow(:m, k) + work%oil%compression(:m, k)
         columns%source(:m, k) = columns%source(:m, k) + work%inflow(:m, k)
       end do
-      call solve_columns(columns)
-      if (self%way%along_x) then
-        call take_changes(self, columns, work%v, work%u, self%backward(cut, line), p > least, change, change_backward, &
-          change_along)
-      else
-        call take_changes(self, columns, work%u, work%v, self%backward(cut, line), p > least, change, change_backward, &
-          change_along)
-      end if
-      do k = 1, nodes%levels%count
-        self%rise(first:last, line, k) = columns%temperature(:m, k)
-      end do
-      if (self%aside) return
-      self%friction(first:last, line) = friction(:m)
-      call carried_away(columns, work%inflow, self%carried(first:last, line))
-      call film_shear_rate(nodes%levels, shear, work%rate)
-      self%rate(first:last, line) = maxval(work%rate(:m, :), dim=2)
-      do k = 1, 2
-        self%flux(first:last, line, k) = columns%flux(:m, k)
-        do i = 1, 2
-          self%admittance(first:last, line, i, k) = columns%admittance(:m, i, k)
-        end do
-      end do
     end associate
-  end subroutine heat_cut
+  end subroutine add_sources
+
+  !> Keeps heat, largest rate of shear and flux into the walls of the solved columns from node `first` of a line on.
+  subroutine keep_heat(self, line, first, levels, work)
+    type(swept_columns), intent(inout) :: self
+    integer, intent(in) :: line, first
+    type(levels_across), intent(in) :: levels
+    type(column_work), intent(inout) :: work
+    integer :: m, k, i, last
+
+    m = work%shear%points
+    last = first + m - 1
+    self%friction(first:last, line) = work%friction(:m)
+    call carried_away(work%columns, work%inflow, self%carried(first:last, line))
+    call film_shear_rate(levels, work%shear, work%rate)
+    self%rate(first:last, line) = maxval(work%rate(:m, :), dim=2)
+    do k = 1, 2
+      self%flux(first:last, line, k) = work%columns%flux(:m, k)
+      do i = 1, 2
+        self%admittance(first:last, line, i, k) = work%columns%admittance(:m, i, k)
+      end do
+    end do
+  end subroutine keep_heat
 
   !> Largest changes of the columns' temperature [K]: where they are `judged`, of columns in which oil flows backward, and
   !> of levels at which it moves along the line rather than across it. Oil moves with (along, across) the line [m/s].
@@ -337,6 +378,7 @@ contains
     real(wp), contiguous, intent(in) :: capacity(:), along(:, :), across(:, :)
     real(wp), contiguous, intent(inout) :: absorption(:, :), inflow(:, :)
     real(wp) :: across_rate(most_columns), along_rate(most_columns)
+    type(line_temperatures) :: temperatures
     integer :: k, before, m
 
     m = last - first + 1
@@ -344,11 +386,14 @@ contains
     before = max(line - 2, 1)
     self%onward(cut, line) = .false.
     self%backward(cut, line) = .false.
+    temperatures = line_temperatures(m, first == 2, last == self%way%length - 1, line > 2 .and. .not. self%aside, &
+      self%way%per_node, self%way%per_line, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp)
     do k = 1, size(along, 2)
-      call carry_level(m, first == 2, last == self%way%length - 1, line > 2 .and. .not. self%aside, &
-        self%rise(first - 2:last + 2, before, k), self%rise(first - 1:last + 1, line - 1, k), &
-        self%old(first - 1:last + 1, mod(line, 2), k), self%rise(first - 1:last + 1, line + 1, k), capacity, &
-        self%way%per_node, self%way%per_line, along(:, k), across(:, k), absorption(:, k), inflow(:, k))
+      temperatures%far(-1:m + 2) = self%rise(first - 2:last + 2, before, k)
+      temperatures%back(0:m + 1) = self%rise(first - 1:last + 1, line - 1, k)
+      temperatures%here(0:m + 1) = self%old(first - 1:last + 1, mod(line, 2), k)
+      temperatures%ahead(0:m + 1) = self%rise(first - 1:last + 1, line + 1, k)
+      call carry_level(temperatures, capacity, along(:, k), across(:, k), absorption(:, k), inflow(:, k))
       along_rate(:m) = merge(1, 0, self%aside)*abs(along(:m, k))*self%way%per_node
       across_rate(:m) = across(:m, k)*self%way%per_line
       self%onward(cut, line) = self%onward(cut, line) .or. any(across_rate(:m) > along_rate(:m))

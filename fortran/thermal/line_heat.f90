@@ -4,7 +4,7 @@
 !> column uses the latest values of its neighbours, whatever the direction of flow of its levels. Derivatives along the film
 !> are upwind differences of second order.
 module pyworm_line_heat
-  use pyworm_column_sources, only: set_heat, carried_away
+  use pyworm_column_sources, only: column_oil, new_column_oil, set_heat, carried_away
   use pyworm_film_column, only: film_strip, new_film_strip, solve_column
   use pyworm_film_newton, only: film_contact
   use pyworm_heated_surface, only: heated_body
@@ -44,9 +44,10 @@ module pyworm_line_heat
     !> At the levels of the nodes: convection along x per kelvin [W/(m3 K)], heat of shearing, and of compression less that
     !> stored [W/m3].
     real(wp), allocatable :: flow(:, :), dissipation(:, :), compression(:, :)
-    !> Columns of the inner nodes, strip by strip, and each thread's shear.
+    !> Columns of the inner nodes, strip by strip, and each thread's shear and oil.
     type(film_strip), allocatable :: columns(:)
     type(shear_strip), allocatable :: shear(:)
+    type(column_oil), allocatable :: oil(:)
   contains
     procedure :: sweep_columns
     procedure :: change_with_time
@@ -81,7 +82,7 @@ contains
     allocate (self%stress(n), self%carried(n), self%flow(n, levels), self%dissipation(n, levels), &
       self%compression(n, levels), source=0.0_wp, stat=err)
     if (err == 0) allocate (self%columns((n - 2 + most_columns - 1)/most_columns), &
-      self%shear(0:omp_get_max_threads() - 1), stat=err)
+      self%shear(0:omp_get_max_threads() - 1), self%oil(0:omp_get_max_threads() - 1), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return
     do i = 1, size(self%columns)
@@ -89,6 +90,7 @@ contains
     end do
     do i = 0, ubound(self%shear, 1)
       if (stat == status_ok) call new_shear_strip(most_columns, levels, self%shear(i), stat)
+      if (stat == status_ok) call new_column_oil(most_columns, levels, self%oil(i), stat)
     end do
     if (stat == status_ok) call enclose_film(film, self)
   end subroutine new_line_heat
@@ -154,15 +156,16 @@ contains
     class(film_contact), intent(inout) :: film
     real(wp), intent(in) :: least
     real(wp), intent(out) :: change
-    integer :: strip, first, n
+    integer :: strip, first, thread, n
 
     n = size(film%gap, 1)
     self%shear%unsolved = 0
-    !$omp parallel do private(first) schedule(dynamic)
+    !$omp parallel do private(first, thread) schedule(dynamic)
     do strip = 1, size(self%columns)
       first = 2 + (strip - 1)*most_columns
-      call set_strip(self, film, first, min(first + most_columns, n) - 1, self%columns(strip), &
-        self%shear(omp_get_thread_num()))
+      thread = omp_get_thread_num()
+      call set_strip(self, film, first, min(first + most_columns, n) - 1, self%columns(strip), self%shear(thread), &
+        self%oil(thread))
     end do
     call sweep_nodes(self, film, -self%onward)
     call sweep_nodes(self, film, self%onward)
@@ -173,36 +176,36 @@ contains
   end subroutine sweep_columns
 
   !> Computes shear and heat of the columns at nodes first..last, without convection.
-  subroutine set_strip(self, film, first, last, columns, shear)
+  subroutine set_strip(self, film, first, last, columns, shear, oil)
     class(line_film_heat), intent(inout) :: self
     class(film_contact), intent(in) :: film
     integer, intent(in) :: first, last
     type(film_strip), intent(inout) :: columns
     type(shear_strip), intent(inout) :: shear
-    real(wp), dimension(most_columns) :: p, pressing, mean, u1, v1, capacity
-    real(wp), dimension(most_columns, film%shear%nodes%levels%count) :: softening, u, v, compression
+    type(column_oil), intent(inout) :: oil
     integer :: m, k
 
     m = last - first + 1
     shear%tau_x(:m) = self%stress(first:last)
     shear%tau_y(:m) = 0
-    call shear_nodes(film, first, last, 1, shear, mean, columns%known, softening)
+    call shear_nodes(film, first, last, 1, shear, oil%mean, columns%known, oil%softening)
     self%stress(first:last) = shear%tau_x(:m)
-    p(:m) = film%fields%p(first:last, 1)
-    u1(:m) = self%u1(first:last)
-    v1(:m) = 0
-    pressing(:m) = 0
-    if (allocated(self%pressing)) pressing(:m) = self%pressing(first:last)
-    call set_heat(self%law, film%oil, film%shear%nodes, shear, p, pressing, mean, u1, v1, softening, columns, capacity, u, &
-      v, compression)
-    do k = 1, size(u, 2)
-      self%flow(first:last, k) = capacity(:m)*u(:m, k)/film%spacing(1)
-      self%dissipation(first:last, k) = columns%source(:m, k)
-      self%compression(first:last, k) = compression(:m, k)
-      if (allocated(self%warming)) then
-        self%compression(first:last, k) = self%compression(first:last, k) - capacity(:m)*self%warming(first:last, k)
-      end if
-    end do
+    oil%p(:m) = film%fields%p(first:last, 1)
+    oil%u1(:m) = self%u1(first:last)
+    oil%v1(:m) = 0
+    oil%pressing(:m) = 0
+    if (allocated(self%pressing)) oil%pressing(:m) = self%pressing(first:last)
+    call set_heat(self%law, film%oil, film%shear%nodes, shear, oil, columns)
+    associate (capacity => oil%capacity, compression => oil%compression)
+      do k = 1, size(oil%u, 2)
+        self%flow(first:last, k) = capacity(:m)*oil%u(:m, k)/film%spacing(1)
+        self%dissipation(first:last, k) = columns%source(:m, k)
+        self%compression(first:last, k) = compression(:m, k)
+        if (allocated(self%warming)) then
+          self%compression(first:last, k) = self%compression(first:last, k) - capacity(:m)*self%warming(first:last, k)
+        end if
+      end do
+    end associate
   end subroutine set_strip
 
   !> Solves the columns at the inner nodes one after another, `along` x or against it; against the entrainment only those

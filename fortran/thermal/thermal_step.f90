@@ -8,8 +8,8 @@
 !> Conduction along the film is neglected: relative to that across, it is of the order (film over contact length)^2.
 module pyworm_thermal_step
   use pyworm_column_sources, only: hottest
-  use pyworm_film_newton, only: film_contact, film_direction, move_film, film_balance, bearable, note_progress, search_step, &
-    first_row, last_row
+  use pyworm_film_newton, only: newton_step, film_contact, film_direction, move_film, film_balance, bearable, note_progress, &
+    search_step, first_row, last_row
   use pyworm_heated_surface, only: heated_body
   use pyworm_interruption, only: interrupted
   use pyworm_kinds, only: wp
@@ -140,40 +140,39 @@ contains
   !> Makes one Newton step of the film from (p, h0), at which it was last evaluated, one sweep of heat at the new film,
   !> and evaluates the film's balance there.
   !>
-  !> Arguments are as of `film_step`, `change` as of `heat_sweep`. The full Newton step is accepted or rejected after its
+  !> Arguments are as of `film_step`. The full Newton step is accepted or rejected after its
   !> sweep of heat, so that flows are evaluated once. If it is rejected, the damped step is found at the temperature
   !> before, and the relaxation factor is at most one half: a film that has thinned under the former pressure makes unbounded
   !> heat. Heat is swept even if no step is accepted.
-  subroutine heated_step(film, heat, forcing, p, h0, residual, load_error, krylov, step, change, stat)
+  subroutine heated_step(film, heat, forcing, p, h0, residual, load_error, step, stat)
     class(film_contact), intent(inout) :: film
     class(film_heat), intent(inout) :: heat
     real(wp), intent(in) :: forcing
     real(wp), contiguous, intent(inout) :: p(:, :)
     real(wp), intent(inout) :: h0, residual, load_error
-    integer, intent(out) :: krylov, stat
-    real(wp), intent(out) :: step, change
+    type(newton_step), intent(out) :: step
+    integer, intent(out) :: stat
     real(wp) :: merit, most
     integer :: heat_stat
 
-    step = 0
-    change = hottest
+    step%change = hottest
     merit = residual + abs(load_error)
-    call film_direction(film, forcing, p, h0, load_error, krylov, stat)
+    call film_direction(film, forcing, p, h0, load_error, step%krylov, stat)
     if (stat /= status_ok) return
     heat%before(:, :, :) = film%shear%nodes%rise
-    step = 1
-    call move_film(film, step, p, h0)
-    call warm_film(film, heat, 1.0_wp, residual, load_error, change, heat_stat)
+    step%damping = 1
+    call move_film(film, step%damping, p, h0)
+    call warm_film(film, heat, 1.0_wp, residual, load_error, step%change, heat_stat)
     if (heat_stat == status_interrupted) stat = heat_stat
     if (stat /= status_ok) return
     if (heat_stat /= status_ok .or. .not. bearable(film, merit, residual, load_error)) then
       call set_temperature(film, heat, heat%before)
-      call search_step(film, merit, p, h0, residual, load_error, step, stat)
+      call search_step(film, merit, p, h0, residual, load_error, step%damping, stat)
       most = merge(0.5_wp, 1.0_wp, heat%last_fraction > 0)
-      call warm_film(film, heat, most, residual, load_error, change, heat_stat)
+      call warm_film(film, heat, most, residual, load_error, step%change, heat_stat)
       if (heat_stat /= status_ok) then
         stat = heat_stat
-        change = hottest
+        step%change = hottest
         return
       end if
     end if

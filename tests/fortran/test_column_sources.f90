@@ -1,7 +1,7 @@
 !> Heat of a film's columns: shearing, compression, conduction and capacity under pressure, against Couette and Poiseuille
 !> flow; its derivatives; and what oil carries away.
 program test_column_sources
-  use pyworm_column_sources, only: set_heat, carried_away
+  use pyworm_column_sources, only: column_oil, new_column_oil, set_heat, carried_away
   use pyworm_film_column, only: film_strip, new_film_strip, solve_columns
   use pyworm_gauss_lobatto, only: new_levels
   use pyworm_flow_laws, only: flow_law, law_newton, law_eyring
@@ -33,8 +33,7 @@ program test_column_sources
     type(sheared_oil) :: nodes
     type(shear_strip) :: shear
     type(film_strip) :: strip
-    real(wp), dimension(columns, n) :: u, v, compression, softening
-    real(wp) :: capacity(columns), mean(columns)
+    type(column_oil) :: oil
   end type heated_columns
 
   call one_temperature()
@@ -63,9 +62,13 @@ contains
     made%shear%vs = vs
     made%strip%known = rise
     made%strip%absorption = 0
-    call shear_columns(oil, made%nodes, p, rise, made%shear, made%mean, made%softening)
-    call set_heat(law, oil, made%nodes, made%shear, p, pressing, made%mean, u1, v1, made%softening, made%strip, &
-      made%capacity, made%u, made%v, made%compression)
+    call new_column_oil(columns, n, made%oil, stat)
+    made%oil%p = p
+    made%oil%pressing = pressing
+    made%oil%u1 = u1
+    made%oil%v1 = v1
+    call shear_columns(oil, made%nodes, p, rise, made%shear, made%oil%mean, made%oil%softening)
+    call set_heat(law, oil, made%nodes, made%shear, made%oil, made%strip)
   end subroutine heat
 
   !> A Newtonian film 10 K above the inlet: Couette and Poiseuille flow, and the appendix's properties under pressure.
@@ -83,17 +86,18 @@ contains
       v = v1(c) + vs(c)*(z + 0.5_wp) + py(c)*h(c)**2/(2*eta)*(z**2 - 0.25_wp)
       source = ((eta*us(c)/h(c) + z*h(c)*px(c))**2 + (eta*vs(c)/h(c) + z*h(c)*py(c))**2)/eta
       eps = 7.1e-4_wp*exp(-1.5e-9_wp*p(c))
-      call all_close(made%u(c, :), u, 1e-10_wp, "velocity along x")
-      call all_close(made%v(c, :), v, 1e-10_wp, "and along y")
+      call all_close(made%oil%u(c, :), u, 1e-10_wp, "velocity along x")
+      call all_close(made%oil%v(c, :), v, 1e-10_wp, "and along y")
       call all_close(made%strip%source(c, :), source, 1e-10_wp, "heat of shearing")
-      call all_close(made%compression(c, :), eps*(inlet + warm)*(u*px(c) + v*py(c) + pressing(c)), 1e-10_wp, "heat of compression")
+      call all_close(made%oil%compression(c, :), eps*(inlet + warm)*(u*px(c) + v*py(c) + pressing(c)), 1e-10_wp, &
+        "heat of compression")
       call close_to(made%strip%thickness(c), h(c), 1e-20_wp, "the film")
       call all_close(made%strip%wall(c, :), [warm, warm], 1e-12_wp, "walls as they are")
     end do
     call all_close(made%strip%conductivity, 0.148_wp*[1.0_wp, 1.434_wp/1.122_wp, 3.17_wp/1.61_wp], 1e-12_wp, &
       "conductivity under pressure")
     ! 1 + .5 p/(1 + .51 p), and 1 + 3.4e-4 (1 + 3.3 p - 2.3 p2) times 10 K, with p in GPa
-    call all_close(made%capacity, 1025*1844*[1.0034_wp, 1.202_wp/1.102_wp*(1 + 3.4e-3_wp*1.568_wp), &
+    call all_close(made%oil%capacity, 1025*1844*[1.0034_wp, 1.202_wp/1.102_wp*(1 + 3.4e-3_wp*1.568_wp), &
       2.01_wp/1.51_wp*1.0068_wp], 1e-12_wp, "heat capacity under pressure")
   end subroutine one_temperature
 

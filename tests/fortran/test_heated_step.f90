@@ -8,7 +8,7 @@ program test_heated_step
   use pyworm_moving_source, only: moving_body, new_moving_body
   use pyworm_thermal_properties, only: oil_heat_law
   use pyworm_viscosity_density, only: oil_law, law_barus
-  use pyworm_film_newton, only: shear_contact, film_residual, film_step
+  use pyworm_film_newton, only: contact_conditions, newton_step, shear_contact, film_residual, film_step
   use pyworm_point_film, only: point_contact, new_point_contact
   use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
@@ -43,8 +43,9 @@ contains
   !> The film at the inlet's temperature.
   subroutine isothermal_film()
     class(heated_body), allocatable :: body_1, body_2
-    real(wp) :: gap(n, n), step
-    integer :: i, j, steps, krylov
+    real(wp) :: gap(n, n)
+    type(newton_step) :: step
+    integer :: i, j, steps
     logical :: covered(n, n)
 
     do j = 1, n
@@ -53,14 +54,14 @@ contains
       end do
     end do
     covered = .true.
-    call new_point_contact(contact%film, gap, covered, 0*gap + 1, 0*gap, dx, dx, modulus, &
-      oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp, 300.0_wp, beta), load, 1e-4_wp, stat)
+    call new_point_contact(contact%film, contact_conditions(gap, covered, [dx, dx], modulus, &
+      oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp, 300.0_wp, beta), load, 1e-4_wp), 0*gap + 1, 0*gap, stat)
     call shear_contact(contact%film, flow_law(law_newton), levels, 0*gap - 2*half_slide, 0*gap, stat)
     p = sqrt(max(0.0_wp, 1 - 2*gap))
     h0 = -0.5_wp
     call film_residual(contact%film, p, h0, residual, load_error)
     do steps = 1, 20
-      call film_step(contact%film, 0.03_wp, p, h0, residual, load_error, krylov, step, stat)
+      call film_step(contact%film, 0.03_wp, p, h0, residual, load_error, step, stat)
       if (residual + abs(load_error) < 1e-4_wp) exit
     end do
     call check(residual + abs(load_error) < 1e-4_wp, "the isothermal film converges")
@@ -91,17 +92,18 @@ contains
   subroutine warm()
     integer, parameter :: most = 40
     real(wp), allocatable :: before(:, :, :), wanted(:, :, :)
-    real(wp) :: share_before, share, step, change
+    real(wp) :: share_before, share
+    type(newton_step) :: step
     logical :: judged(n, n, levels)
-    integer :: steps, krylov, extrapolated
+    integer :: steps, extrapolated
 
     extrapolated = 0
     do steps = 1, most
       before = contact%heat%wanted
       share_before = contact%heat%last_fraction
-      call heated_step(contact%film, contact%heat, 0.03_wp, p, h0, residual, load_error, krylov, step, change, stat)
-      if (stat /= status_ok .or. (change < 1e-2_wp .and. residual < 1e-3_wp)) exit
-      if (steps == 1 .or. step < 1) cycle
+      call heated_step(contact%film, contact%heat, 0.03_wp, p, h0, residual, load_error, step, stat)
+      if (stat /= status_ok .or. (step%change < 1e-2_wp .and. residual < 1e-3_wp)) exit
+      if (steps == 1 .or. step%damping < 1) cycle
       wanted = contact%heat%wanted
       judged = spread(contact%film%fields%p > 0.02_wp*maxval(contact%film%fields%p), 3, levels)
       share = -share_before*sum(before*(wanted - before), judged)/sum((wanted - before)**2, judged)
@@ -113,7 +115,7 @@ contains
       end if
     end do
     call check(extrapolated >= 5, "sweeps that overshoot are shortened")
-    call check(stat == status_ok .and. change < 1e-2_wp .and. residual < 1e-3_wp, "film and temperature settle")
+    call check(stat == status_ok .and. step%change < 1e-2_wp .and. residual < 1e-3_wp, "film and temperature settle")
     call check(maxval(contact%film%shear%nodes%rise) > 1/beta, "where heat changes the viscosity much")
   end subroutine warm
 

@@ -3,7 +3,7 @@
 program test_line_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use pyworm_kinds, only: wp
-  use pyworm_film_newton, only: set_transient_term, film_residual, film_step, set_system
+  use pyworm_film_newton, only: newton_step, set_transient_term, film_residual, film_step, set_system
   use pyworm_line_film, only: line_contact, new_line_contact
   use pyworm_viscosity_density, only: oil_law, law_barus, law_roelands
   use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
@@ -151,10 +151,11 @@ contains
     real(wp), contiguous, target, intent(inout) :: p(:)
     integer, intent(out) :: steps
     real(wp), intent(in), optional :: beyond
-    real(wp) :: carried, film, residual, load_error, step
+    real(wp) :: carried, film, residual, load_error
+    type(newton_step) :: step
     real(wp), contiguous, pointer :: pressure(:, :)
     logical :: covered(size(x))
-    integer :: stat, krylov
+    integer :: stat
 
     carried = load
     if (present(beyond)) carried = load - beyond
@@ -166,7 +167,7 @@ contains
     pressure(1:size(p), 1:1) => p
     call film_residual(contact, pressure, film, residual, load_error)
     do steps = 1, 30
-      call film_step(contact, 1e-4_wp, pressure, film, residual, load_error, krylov, step, stat)
+      call film_step(contact, 1e-4_wp, pressure, film, residual, load_error, step, stat)
       if (stat /= status_ok) exit
       if (residual + abs(load_error) < 1e-10_wp) exit
     end do

@@ -1,6 +1,6 @@
 !> The flow of a sheared line contact: Newton's in its limit, its bands the derivative of its imbalance, a closed form.
 program test_line_shear
-  use pyworm_film_newton, only: set_transient_term, shear_contact, film_residual, film_step
+  use pyworm_film_newton, only: newton_step, set_transient_term, shear_contact, film_residual, film_step
   use pyworm_flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
   use pyworm_kinds, only: wp
   use pyworm_line_film, only: line_contact, new_line_contact
@@ -130,8 +130,9 @@ contains
   !> Newton's method converges on a loaded Eyring film that slides, as fast as on a Newtonian one.
   subroutine solves()
     type(line_contact) :: contact
-    real(wp) :: pressure(n, 1), film, residual, load_error, step
-    integer :: steps, krylov
+    real(wp) :: pressure(n, 1), film, residual, load_error
+    type(newton_step) :: step
+    integer :: steps
 
     u = 1
     sliding = -1
@@ -143,7 +144,7 @@ contains
     film = 1.5e-6_wp - contact%fields%h(n/2, 1)
     call film_residual(contact, pressure, film, residual, load_error)
     do steps = 1, 20
-      call film_step(contact, 1e-4_wp, pressure, film, residual, load_error, krylov, step, stat)
+      call film_step(contact, 1e-4_wp, pressure, film, residual, load_error, step, stat)
       if (stat /= status_ok .or. residual + abs(load_error) < 1e-9_wp) exit
     end do
     call check(residual + abs(load_error) < 1e-9_wp .and. steps <= 12, "Newton converges on an Eyring film")

@@ -3,7 +3,7 @@ program test_partial_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use pyworm_kinds, only: wp
   use pyworm_viscosity_density, only: oil_law, law_barus
-  use pyworm_film_newton, only: film_residual, film_step, set_system
+  use pyworm_film_newton, only: contact_conditions, newton_step, film_residual, film_step, set_system
   use pyworm_point_film, only: point_contact, new_point_contact
   use pyworm_reynolds, only: flow_imbalance
   use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
@@ -41,8 +41,8 @@ contains
         gap(i, j) = (place(i)**2 + place(j)**2)/2
       end do
     end do
-    call new_point_contact(contact, gap, spread(spread(.true., 1, n), 2, n), 0*gap + u, 0*gap + v, spacing, spacing, modulus, &
-      oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp), load, 1e-4_wp, stat)
+    call new_point_contact(contact, contact_conditions(gap, spread(spread(.true., 1, n), 2, n), [spacing, spacing], modulus, &
+      oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp), load, 1e-4_wp), 0*gap + u, 0*gap + v, stat)
     call check(stat == status_ok, "a contact is made")
   end subroutine make
 
@@ -73,15 +73,16 @@ contains
     type(point_contact), intent(inout) :: contact
     real(wp), intent(in) :: tolerance
     real(wp), intent(out) :: p(n, n), h0
-    real(wp) :: residual, load_error, step
-    integer :: steps, krylov, stat
+    real(wp) :: residual, load_error
+    type(newton_step) :: step
+    integer :: steps, stat
 
     p = sqrt(max(0.0_wp, 1 - 2*contact%gap))
     h0 = -0.4_wp
     call film_residual(contact, p, h0, residual, load_error)
     do steps = 1, 60
       if (residual + abs(load_error) < tolerance) exit
-      call film_step(contact, 1e-3_wp, p, h0, residual, load_error, krylov, step, stat)
+      call film_step(contact, 1e-3_wp, p, h0, residual, load_error, step, stat)
       if (stat /= status_ok) exit
     end do
     call check(residual + abs(load_error) < tolerance, "Newton converges")

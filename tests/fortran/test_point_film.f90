@@ -4,7 +4,7 @@ program test_point_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use pyworm_kinds, only: wp
   use pyworm_viscosity_density, only: oil_law, law_barus
-  use pyworm_film_newton, only: set_transient_term, film_residual, film_step
+  use pyworm_film_newton, only: contact_conditions, newton_step, set_transient_term, film_residual, film_step
   use pyworm_point_film, only: point_contact, new_point_contact
   use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
@@ -38,8 +38,9 @@ contains
     real(wp), intent(out) :: p(n, n), thinnest
     integer, intent(out) :: krylov
     type(point_contact) :: contact
-    real(wp) :: gap(n, n), h0, residual, load_error, step
-    integer :: i, j, steps, stat, iterations
+    real(wp) :: gap(n, n), h0, residual, load_error
+    type(newton_step) :: step
+    integer :: i, j, steps, stat
     logical :: covered(n, n)
 
     do j = 1, n
@@ -48,8 +49,8 @@ contains
       end do
     end do
     covered = .true.
-    call new_point_contact(contact, gap, covered, 0*gap + u, 0*gap + v, place(2) - place(1), &
-      place(2) - place(1), modulus, oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp), load, 1e-4_wp, stat)
+    call new_point_contact(contact, contact_conditions(gap, covered, spread(place(2) - place(1), 1, 2), modulus, &
+      oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp), load, 1e-4_wp), 0*gap + u, 0*gap + v, stat)
     call check(stat == status_ok, "a contact is made")
     p = sqrt(max(0.0_wp, 1 - 2*gap))
     h0 = -0.5_wp
@@ -57,9 +58,9 @@ contains
     call film_residual(contact, p, h0, residual, load_error)
     do steps = 1, 25
       if (residual + abs(load_error) < 1e-8_wp) exit
-      call film_step(contact, 0.03_wp, p, h0, residual, load_error, iterations, step, stat)
+      call film_step(contact, 0.03_wp, p, h0, residual, load_error, step, stat)
       if (stat /= status_ok) exit
-      krylov = krylov + iterations
+      krylov = krylov + step%krylov
     end do
     call check(residual + abs(load_error) < 1e-8_wp, "Newton converges")
     call close_to(sum(p)*(place(2) - place(1))**2, load, 1e-7_wp*load, "the load is carried")
@@ -84,21 +85,21 @@ contains
     field = 1
     covered = .true.
     oil = oil_law(law_barus, eta0, alpha, 1.0_wp, 0.0_wp, 0.0_wp)
-    call new_point_contact(contact, field, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, 0.0_wp, &
-      1e-4_wp, stat)
+    call new_point_contact(contact, contact_conditions(field, covered, [1, 1]*1.0_wp, modulus, oil, 0.0_wp, 1e-4_wp), &
+      field, field, stat)
     call check(stat == status_bad_argument, "no load is refused")
     oil%eta0 = 0
-    call new_point_contact(contact, field, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
-      1e-4_wp, stat)
+    call new_point_contact(contact, contact_conditions(field, covered, [1, 1]*1.0_wp, modulus, oil, load, 1e-4_wp), &
+      field, field, stat)
     call check(stat == status_bad_argument, "an oil without viscosity is refused")
     oil%eta0 = eta0
     broken = field
     broken(3, 3) = ieee_value(1.0_wp, ieee_positive_inf)
-    call new_point_contact(contact, broken, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
-      1e-4_wp, stat)
+    call new_point_contact(contact, contact_conditions(broken, covered, [1, 1]*1.0_wp, modulus, oil, load, 1e-4_wp), &
+      field, field, stat)
     call check(stat == status_not_finite, "a gap that is not finite is refused")
-    call new_point_contact(contact, field, covered, field, field, 1.0_wp, 1.0_wp, modulus, oil, load, &
-      1e-4_wp, stat)
+    call new_point_contact(contact, contact_conditions(field, covered, [1, 1]*1.0_wp, modulus, oil, load, 1e-4_wp), &
+      field, field, stat)
     call set_transient_term(contact, 1.0_wp, broken, stat)
     call check(stat == status_not_finite, "a transient term that is not finite is refused")
     call set_transient_term(contact, 1.0_wp, field(:8, :), stat)

@@ -10,7 +10,7 @@ program test_point_heat
   use pyworm_shear_fields, only: shear_field, nodal_shear
   use pyworm_thermal_properties, only: oil_heat_law
   use pyworm_viscosity_density, only: oil_law, law_barus
-  use pyworm_film_newton, only: shear_contact, set_transient_term, film_residual
+  use pyworm_film_newton, only: contact_conditions, shear_contact, set_transient_term, film_residual
   use pyworm_point_film, only: point_contact, new_point_contact
   use pyworm_status, only: status_ok
   use tap, only: check, close_to, done
@@ -71,8 +71,8 @@ contains
     covered = .true.
     field = 1
     ! bodies so stiff that no pressure bends them
-    call new_point_contact(contact%film, 0*field, covered, (u1(1) + u2(1))/2*field, (u1(2) + u2(2))/2*field, &
-      dx, dx, 1e30_wp, oil, 1.0_wp, 1e-9_wp, stat)
+    call new_point_contact(contact%film, contact_conditions(0*field, covered, [dx, dx], 1e30_wp, oil, 1.0_wp, 1e-9_wp), &
+      (u1(1) + u2(1))/2*field, (u1(2) + u2(2))/2*field, stat)
     if (stat == status_ok) call set_transient_term(contact%film, 0.0_wp, 1e-6_wp*field, stat)
     call check(stat == status_ok, "a contact is made")
     call shear_contact(contact%film, flow_law(law_newton), levels, (u2(1) - u1(1))*field, &

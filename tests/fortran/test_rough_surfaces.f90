@@ -2,8 +2,8 @@
 !> free, ruptured and boundary rows.
 program test_rough_surfaces
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-  use pyworm_film_newton, only: film_contact, film_residual, film_step, roughen_contact, set_ruptured, &
-    set_system, set_transient_term, shear_contact
+  use pyworm_film_newton, only: contact_conditions, newton_step, film_contact, film_residual, film_step, roughen_contact, &
+    set_ruptured, set_system, set_transient_term, shear_contact
   use pyworm_flow_laws, only: flow_law, law_newton, law_eyring
   use pyworm_kinds, only: wp
   use pyworm_line_film, only: line_contact, new_line_contact
@@ -147,7 +147,8 @@ contains
       end do
     end do
     covered = .true.
-    call new_point_contact(contact, gap, covered, 0*gap + u, 0*gap + u/4, spacing, spacing, modulus, oil, 100.0_wp, floor, stat)
+    call new_point_contact(contact, contact_conditions(gap, covered, [spacing, spacing], modulus, oil, 100.0_wp, floor), &
+      0*gap + u, 0*gap + u/4, stat)
     call shear_contact(contact, law, levels, 0*gap + sliding_x, 0*gap + sliding_y, stat)
     call roughen_contact(contact, table, friction, stat)
     call check(stat == status_ok, "a rough contact is made")
@@ -373,13 +374,14 @@ contains
     type(point_contact), intent(inout) :: contact
     real(wp), intent(inout) :: p(nx, ny), h0
     character(len=*), intent(in) :: what
-    real(wp) :: residual, load_error, step
-    integer :: steps, krylov, stat
+    real(wp) :: residual, load_error
+    type(newton_step) :: step
+    integer :: steps, stat
 
     call film_residual(contact, p, h0, residual, load_error)
     do steps = 1, 60
       if (residual + abs(load_error) < 1e-9_wp) exit
-      call film_step(contact, 1e-3_wp, p, h0, residual, load_error, krylov, step, stat)
+      call film_step(contact, 1e-3_wp, p, h0, residual, load_error, step, stat)
       if (stat /= status_ok) exit
     end do
     call check(residual + abs(load_error) < 1e-9_wp, what//": Newton converges")

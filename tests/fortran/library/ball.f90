@@ -1,8 +1,8 @@
 !> A steel ball that rolls on a steel disc in an oil by Barus: nodes a side, window's reach in contact radii, the density's
 !> d1 and Barus' alpha [1/Pa] are arguments; prints status, coarsening, films [nm] and errors [%].
 program ball
-  use pyworm_contact, only: wp => pyworm_real, pyworm_barus, pyworm_found, pyworm_oil, pyworm_ok, pyworm_point, &
-    pyworm_read, pyworm_setup, pyworm_solve
+  use pyworm_contact, only: wp => pyworm_real, pyworm_barus, pyworm_conditions, pyworm_found, pyworm_oil, pyworm_ok, &
+    pyworm_point, pyworm_read, pyworm_setup, pyworm_solve
   implicit none(type, external)
   real(wp), parameter :: radius = 0.01_wp, load = 6.3_wp, modulus = 230e9_wp, accuracy = 0.02_wp
   real(wp), allocatable :: gap(:, :), p(:, :), h(:, :)
@@ -25,7 +25,7 @@ program ball
       gap(i, j) = (x**2 + y**2)/(2*radius)
     end do
   end do
-  call pyworm_setup(contact, gap, spacing, spacing, [1.0_wp, 0.0_wp], [1.0_wp, 0.0_wp], modulus, load, &
+  call pyworm_setup(contact, gap, spacing, spacing, pyworm_conditions(load, modulus, [1.0_wp, 0.0_wp], [1.0_wp, 0.0_wp]), &
     pyworm_oil(pyworm_barus, viscosity=0.04_wp, exponent=alpha, d1=d1, d2=1.7e-9_wp), status)
   if (status == pyworm_ok) call pyworm_solve(contact, 1e-4_wp, accuracy, found, status)
   call pyworm_read(contact, p, h)

@@ -1,0 +1,87 @@
+"""Procedures of the kernel: what belongs together is a derived type, and none is longer than a page."""
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+KERNEL = Path(__file__).parents[2] / "fortran"
+
+OTHER_LANGUAGES = {"bindings.f90", "pyworm_contact_c.f90", "lapack.f90"}
+"""Files whose procedures are called from Python or C, or are LAPACK's: they take numbers and arrays alone."""
+
+MAX_ARGUMENTS = 10
+"""Arguments of a procedure."""
+
+MAX_LINES = 60
+"""Lines of a procedure, without those of the procedures that it contains."""
+
+HEADING = re.compile(r"^(?:[^!'\"]*\s)?(?:subroutine|function)\s+(\w+)\s*(?:\(([^)]*)\))?")
+"""First line of a procedure, continuation lines joined."""
+
+
+class Procedure(NamedTuple):
+    """One procedure of a file."""
+
+    name: str
+    """File and name."""
+    arguments: int
+    """Number of dummy arguments."""
+    lines: int
+    """Number of its own lines."""
+
+
+def _joined(lines: list[str], first: int) -> str:
+    """A statement with its continuation lines."""
+    statement = lines[first].rstrip()
+    while statement.endswith("&"):
+        first += 1
+        statement = statement[:-1] + lines[first].strip()
+    return statement
+
+
+def procedures(file: Path) -> Iterator[Procedure]:
+    """All procedures of a file, contained ones and those of interfaces too."""
+    lines = file.read_text(encoding="utf-8").splitlines()
+    open_ones: list[list] = []
+    for number, line in enumerate(lines):
+        if open_ones:
+            open_ones[-1][2] += 1
+        if re.match(r"\s*end (subroutine|function)\b", line):
+            yield Procedure(*open_ones.pop())
+        elif heading := HEADING.match(_joined(lines, number)):
+            arguments = [name for name in (heading[2] or "").split(",") if name.strip()]
+            open_ones.append([f"{file.relative_to(KERNEL)}: {heading[1]}", len(arguments), 1])
+    assert not open_ones, file
+
+
+def own_procedures() -> list[Procedure]:
+    """All procedures of the kernel that only Fortran calls."""
+    return [
+        procedure
+        for file in sorted(KERNEL.rglob("*.f90"))
+        if file.name not in OTHER_LANGUAGES
+        for procedure in procedures(file)
+    ]
+
+
+def test_no_procedure_takes_more_than_ten_arguments():
+    found = own_procedures()
+    assert len(found) > 400
+    assert not [one for one in found if one.arguments > MAX_ARGUMENTS]
+
+
+def test_no_procedure_is_longer_than_a_page():
+    assert not [one for one in own_procedures() if one.lines > MAX_LINES]
+
+
+def test_arguments_and_lines_are_counted(tmp_path, monkeypatch):
+    (tmp_path / "counted.f90").write_text(
+        "pure real(wp) function area(a, &\n    b) result(c)\n  !> a function in words\n  c = a*b\ncontains\n"
+        "  subroutine none()\n  end subroutine none\nend function area\n"
+    )
+    monkeypatch.setitem(globals(), "KERNEL", tmp_path)
+    assert list(procedures(tmp_path / "counted.f90")) == [
+        ("counted.f90: none", 0, 2),
+        ("counted.f90: area", 2, 6),
+    ]
