@@ -1,7 +1,7 @@
 """`[oil]`: the lubricant of a case."""
 
 from math import exp
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self, TypeVar
 
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
@@ -15,36 +15,36 @@ from pyworm.case.own_oil import (
     TaitTable,
     liquids,
 )
-from pyworm.case.table import Table
+from pyworm.case.table import Table, plain
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.formulas.unit_factors import DEGREES_40
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, text
-from pyworm.io.plain_values import NumberOrZero, PositiveNumber, Text
+from pyworm.io.plain_values import PositiveNumber, Text
 from pyworm.io.present import present
-from pyworm.materials.base_stock import Base, HeatCourseTable
-from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.base_stock import Base
+from pyworm.materials.flow_laws import FlowLaw, LimitingStress, ThinningExponent, ThinningStress
 from pyworm.materials.library import named_oil, names
 from pyworm.materials.oil import BOUNDARY_FRICTION, Oil
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
-from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.thermal_properties import HeatCourse, OilHeat
 from pyworm.materials.viscosity_density import ROELANDS_PRESSURE, Barus, Density, Roelands
+
+LimitT = TypeVar("LimitT", bound=LimitingStress)
 
 POLE_VISCOSITY = exp(-ROELANDS_POLE_LOG)
 """Viscosity of the pole of Roelands' law [Pa s]; oils have more."""
 
 
-class BarusTable(Table):
+class BarusTable(Table, Barus):
     """`[oil.viscosity]`, law = "barus"."""
 
     law: Literal["barus"]
-    eta0: units.Viscosity
-    alpha: units.PressureViscosityOrZero
 
     def viscosity(self) -> Barus:
         """The law."""
-        return Barus(self.eta0, self.alpha)
+        return plain(self, Barus)
 
 
 class RoelandsTable(Table):
@@ -106,17 +106,14 @@ class DensityTable(Table):
         return makers[self.law](self.rho0)
 
 
-class GeneralDensityTable(Table):
+class GeneralDensityTable(Table, Density):
     """`[oil.density]`, law = "general": rho0 [1 + d1 p / (1 + d2 p)] with its own coefficients."""
 
     law: Literal["general"]
-    rho0: units.OilDensity
-    d1: units.PressureCoefficientOrZero
-    d2: units.PressureCoefficientOrZero
 
     def density(self) -> Density:
         """The law."""
-        return Density(self.rho0, self.d1, self.d2)
+        return plain(self, Density)
 
 
 class NewtonianTable(Table):
@@ -125,51 +122,39 @@ class NewtonianTable(Table):
     law: Literal["newtonian"]
 
 
-class _ThinningStress(Table):
-    """The stress at which an oil begins to thin, with its dependence on pressure and temperature."""
-
-    stress: units.Stress
-    stress_pressure: units.PressureCoefficientAnySign = 0.0
-    stress_temperature: units.TemperatureCoefficientAnySign = 0.0
-
-
-class _LimitingStress(Table):
-    """The stress that an oil cannot exceed: constant, proportional to pressure, or both."""
-
-    limit: units.StressOrZero = 0.0
-    limit_pressure: NumberOrZero = 0.0
-
-    @model_validator(mode="after")
-    def _some_limit(self) -> Self:
-        if self.limit == self.limit_pressure == 0:
-            raise ValueError('give limit, such as "100 MPa", or limit_pressure, such as 0.05')
-        return self
+def _some_limit(table: LimitT) -> LimitT:
+    """A table with a limiting stress; ValueError of one without."""
+    if table.limit == table.limit_pressure == 0:
+        raise ValueError('give limit, such as "100 MPa", or limit_pressure, such as 0.05')
+    return table
 
 
-class EyringTable(_ThinningStress):
+class EyringTable(Table, ThinningStress):
     """`[oil.shear]`, law = "eyring"; stress is Eyring's."""
 
     law: Literal["eyring"]
 
 
-class BairWinerTable(_LimitingStress):
+class BairWinerTable(Table, LimitingStress):
     """`[oil.shear]`, law = "bair-winer"."""
 
     law: Literal["bair-winer"]
+    _limited = model_validator(mode="after")(_some_limit)
 
 
-class LimitedEyringTable(_ThinningStress, _LimitingStress):
+class LimitedEyringTable(Table, ThinningStress, LimitingStress):
     """`[oil.shear]`, law = "eyring-limited"; stress is Eyring's, exponent the paper's lambda."""
 
     law: Literal["eyring-limited"]
     exponent: PositiveNumber = 1.0
+    _limited = model_validator(mode="after")(_some_limit)
 
 
-class CarreauTable(_ThinningStress):
+class CarreauTable(Table, ThinningStress):
     """`[oil.shear]`, law = "carreau"; stress is Carreau's modulus G, exponent his n."""
 
     law: Literal["carreau"]
-    exponent: Annotated[float, Field(strict=True, gt=0, le=1)]
+    exponent: ThinningExponent
 
 
 ShearTable = (
@@ -183,7 +168,7 @@ ShearTable = (
 """`[oil.shear]`: how the oil shears; the laws are those of `FlowLaw`."""
 
 
-class HeatTable(HeatCourseTable):
+class HeatTable(Table, HeatCourse):
     """`[oil.heat]`: thermal constants of the oil; the laws are those of `OilHeat`.
 
     How viscosity falls with temperature is given by the exponent `s0` of Roelands' law or by its slope `beta`
@@ -211,11 +196,8 @@ class HeatTable(HeatCourseTable):
         return OilHeat(viscosity_exponent=exponent, **constants)
 
 
-class OilLayerTable(Table):
+class OilLayerTable(Table, OilLayer):
     """`[oil.supply]`: the layer that arrives, over the place across the track."""
-
-    across: tuple[units.Offset, ...]
-    thickness: tuple[units.FilmOrZero, ...]
 
     @model_validator(mode="after")
     def _a_profile(self) -> Self:
@@ -224,7 +206,7 @@ class OilLayerTable(Table):
 
     def layer(self) -> OilLayer:
         """The layer as the kernel sees it."""
-        return OilLayer(self.across, self.thickness)
+        return plain(self, OilLayer)
 
 
 def _layer_or_profile(supply: Any) -> str:

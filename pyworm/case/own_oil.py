@@ -7,17 +7,15 @@ from typing import Annotated, Any, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from pyworm.case.table import Table
+from pyworm.case.table import Table, plain
 from pyworm.formulas.liquids import Doolittle, RoelandsFit, Tait
 from pyworm.io import units
-from pyworm.io.plain_values import Number, NumberOrZero, PositiveNumber
+from pyworm.io.plain_values import Fraction, PositiveNumber
 from pyworm.io.toml import read_toml
-from pyworm.materials.flow_laws import Branch
+from pyworm.materials.flow_laws import Branch, LimitingStress, ThinningExponent, ThinningStress
 from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
 
 _LIQUIDS = Path(units.__file__).parents[1] / "materials/liquids.toml"
-
-_Fraction = Annotated[float, Field(strict=True, gt=0, lt=1)]
 
 
 @cache
@@ -26,32 +24,15 @@ def liquids() -> dict[str, dict[str, Any]]:
     return read_toml(_LIQUIDS)
 
 
-class TaitTable(Table):
+class TaitTable(Table, Tait):
     """`[oil.density]`, law = "tait": Tait's equation of state (`formulas.liquids.Tait`)."""
 
     law: Literal["tait"]
-    reference_temperature: units.Temperature
-    rho0: units.OilDensity
-    bulk_modulus: units.Modulus
     bulk_decay: units.TemperatureCoefficientOrZero = 0.0
-    bulk_rate: PositiveNumber
-    expansivity: units.TemperatureCoefficientOrZero = 0.0
-
-    @property
-    def tait(self) -> Tait:
-        """The equation."""
-        return Tait(
-            self.reference_temperature,
-            self.rho0,
-            self.bulk_modulus,
-            self.bulk_decay,
-            self.bulk_rate,
-            self.expansivity,
-        )
 
     def density(self, inlet: float) -> TabulatedDensity:
         """The law of an oil that enters at a temperature [K]."""
-        return TabulatedDensity.of(self.tait, inlet)
+        return TabulatedDensity.of(plain(self, Tait), inlet)
 
 
 class DoolittleTable(Table):
@@ -60,7 +41,7 @@ class DoolittleTable(Table):
     law: Literal["tait-doolittle"]
     eta0: units.Viscosity
     parameter: PositiveNumber
-    occupied: _Fraction
+    occupied: Fraction
     occupied_expansivity: units.TemperatureCoefficientAnySign = 0.0
 
     def viscosity(self, inlet: float, density: Any) -> TabulatedViscosity:
@@ -70,23 +51,23 @@ class DoolittleTable(Table):
                 'viscosity.law = "tait-doolittle" needs density.law = "tait" for its volume'
             )
         law = Doolittle(
-            density.tait, self.eta0, self.parameter, self.occupied, self.occupied_expansivity
+            plain(density, Tait),
+            self.eta0,
+            self.parameter,
+            self.occupied,
+            self.occupied_expansivity,
         )
         return TabulatedViscosity.of(law, inlet)
 
 
-class RoelandsFitTable(Table):
+class RoelandsFitTable(Table, RoelandsFit):
     """`[oil.viscosity]`, law = "roelands-fit": Roelands' law fitted over temperature (`RoelandsFit`)."""
 
     law: Literal["roelands-fit"]
-    g0: PositiveNumber
-    s0: PositiveNumber
-    dz: Number
-    cz: Number
 
     def viscosity(self, inlet: float, density: Any) -> TabulatedViscosity:
         """The law of an oil that enters at a temperature [K]."""
-        return TabulatedViscosity.of(RoelandsFit(self.g0, self.s0, self.dz, self.cz), inlet)
+        return TabulatedViscosity.of(plain(self, RoelandsFit), inlet)
 
 
 class MeasuredTable(Table):
@@ -107,25 +88,15 @@ OwnViscosity = DoolittleTable | RoelandsFitTable | MeasuredTable
 """Laws of viscosity over pressure and temperature, in which no exponent of temperature is missing."""
 
 
-class BranchTable(Table):
+class BranchTable(Table, Branch):
     """One of `[[oil.shear.branches]]`."""
 
-    fraction: _Fraction
-    ratio: PositiveNumber
-    exponent: Annotated[float, Field(strict=True, gt=0, le=1)]
-    yasuda: PositiveNumber = 2.0
 
-
-class CarreauYasudaTable(Table):
+class CarreauYasudaTable(Table, ThinningStress, LimitingStress):
     """`[oil.shear]`, law = "carreau-yasuda", of one branch or several, with or without a limiting stress."""
 
     law: Literal["carreau-yasuda"]
-    stress: units.Stress
-    stress_pressure: units.PressureCoefficientAnySign = 0.0
-    stress_temperature: units.TemperatureCoefficientAnySign = 0.0
-    limit: units.StressOrZero = 0.0
-    limit_pressure: NumberOrZero = 0.0
-    exponent: Annotated[float, Field(strict=True, gt=0, le=1)] = 1.0
+    exponent: ThinningExponent = 1.0
     yasuda: PositiveNumber = 2.0
     branches: list[BranchTable] = Field(default_factory=list)
 
@@ -140,4 +111,4 @@ class CarreauYasudaTable(Table):
     def constants(self) -> dict[str, Any]:
         """Constants of the flow law."""
         given = dict(self)
-        return given | {"branches": tuple(Branch(**dict(one)) for one in self.branches)}
+        return given | {"branches": tuple(plain(one, Branch) for one in self.branches)}

@@ -23,7 +23,8 @@ def plain(table: TableT, of: type[TableT]) -> TableT:
     """The values of a table as the dataclass that it is read for.
 
     Such a table is derived from both, `class CrownTable(Table, Crown)`: it has the dataclass's fields with
-    their types of `pyworm.io.units` and their defaults, and states itself only what differs in a file.
+    their types of `pyworm.io.units` and their defaults, and states itself only what differs in a file. No
+    table is derived from it in turn: pydantic would forget these types.
 
     Parameters
     ----------

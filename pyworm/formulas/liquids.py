@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyworm.formulas.arrays import Values
+from pyworm.io import units
+from pyworm.io.plain_values import Number, PositiveNumber
 
 
 @dataclass(frozen=True)
@@ -14,29 +16,29 @@ class Tait:
     K0 = `bulk_modulus` exp[-`bulk_decay` (T - TR)] (Fakhreddine and Zoller 1990, as Bair uses it).
     """
 
-    reference: float
+    reference_temperature: units.Temperature
     """Reference temperature TR [K]."""
-    density: float
+    rho0: units.OilDensity
     """Density at TR and ambient pressure [kg/m3]."""
-    bulk_modulus: float
+    bulk_modulus: units.Modulus
     """Isothermal bulk modulus at TR and ambient pressure [Pa]."""
-    bulk_decay: float
+    bulk_decay: units.TemperatureCoefficientOrZero
     """Decay of the bulk modulus with temperature [1/K]."""
-    bulk_rate: float
+    bulk_rate: PositiveNumber
     """K0', its rise with pressure [-]."""
-    expansivity: float
+    expansivity: units.TemperatureCoefficientOrZero = 0.0
     """aV [1/K]."""
 
     def relative_volume(self, pressure: Values, temperature: Values) -> Values:
         """Volume over that at TR and ambient pressure [-], at pressures [Pa] and temperatures [K]."""
-        warmth = temperature - self.reference
+        warmth = temperature - self.reference_temperature
         modulus = self.bulk_modulus * np.exp(-self.bulk_decay * warmth)
         squeezed = np.log1p(pressure * (1 + self.bulk_rate) / modulus) / (1 + self.bulk_rate)
         return (1 - squeezed) * (1 + self.expansivity * warmth)
 
     def __call__(self, pressure: Values, temperature: Values) -> Values:
         """Density [kg/m3] at pressures [Pa] and temperatures [K]."""
-        return self.density / self.relative_volume(pressure, temperature)
+        return self.rho0 / self.relative_volume(pressure, temperature)
 
 
 @dataclass(frozen=True)
@@ -56,7 +58,7 @@ class Doolittle:
 
     def __call__(self, pressure: Values, temperature: Values) -> Values:
         """Viscosity [Pa s] at pressures [Pa] and temperatures [K]."""
-        swollen = 1 + self.occupied_expansivity * (temperature - self.volume.reference)
+        swollen = 1 + self.occupied_expansivity * (temperature - self.volume.reference_temperature)
         volume = self.volume.relative_volume(pressure, temperature)
         free = volume - self.occupied * swollen
         spread = swollen / free - 1 / (1 - self.occupied)
@@ -105,13 +107,13 @@ class RoelandsFit:
     eta = eta0 exp{(ln eta0 + 9.67) [(1 + 5.1e-9 p)^z - 1]}.
     """
 
-    g0: float
+    g0: PositiveNumber
     """G0 [-]."""
-    s0: float
+    s0: PositiveNumber
     """S0 [-]."""
-    dz: float
+    dz: Number
     """Dz [-]."""
-    cz: float
+    cz: Number
     """Cz [-]."""
 
     def __call__(self, pressure: Values, temperature: Values) -> Values:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.number_with_unit import unit_of
 from pyworm.io.on_demand import xarray as xr
 
 BODIES = "body 1", "body 2"
@@ -86,7 +86,7 @@ class Quantity:
     @property
     def offset(self) -> float:
         """Value in SI that is shown as zero."""
-        return ZERO_CELSIUS if self.shown == "°C" else 0.0
+        return unit_of("degC").zero if self.shown == "°C" else 0.0
 
     def value_in(self, solution: Any) -> Any:
         """Its value in a solution; None where it was not simulated, or belongs to another kind of contact."""

@@ -12,8 +12,10 @@ from pyworm.formulas.gear_oil import ISO_GRADES
 from pyworm.formulas.unit_factors import DEGREES_40, SQUARE_MILLIMETRE
 from pyworm.io import units
 from pyworm.io.input_error import CaseError
+from pyworm.io.plain_values import Fraction
 from pyworm.io.toml import read_toml
 from pyworm.materials.oil import BOUNDARY_FRICTION
+from pyworm.materials.thermal_properties import HeatCourse
 
 Base = Literal["mineral", "PAO", "ester", "PAG"]
 
@@ -89,7 +91,6 @@ def base_stock(name: str) -> BaseStock:
 # -------------------------------------------------------------------------------------------- files
 
 _AgmaFactor = Annotated[float, units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")]
-_Fraction = Annotated[float, Field(strict=True, gt=0, lt=1)]
 Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
 
 
@@ -97,17 +98,8 @@ class _Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class HeatCourseTable(_Table):
+class HeatCourseTable(_Table, HeatCourse):
     """Keys of `OilHeat` for the dependence of thermal constants on pressure and temperature."""
-
-    expansivity_decay: units.PressureCoefficientOrZero = 0.0
-    conductivity_c1: units.PressureCoefficientOrZero = 0.0
-    conductivity_c2: units.PressureCoefficientOrZero = 0.0
-    heat_capacity_b0: units.TemperatureCoefficientAnySign = 0.0
-    heat_capacity_b1: units.PressureCoefficientAnySign = 0.0
-    heat_capacity_b2: units.SquaredPressureCoefficient = 0.0
-    heat_capacity_k1: units.PressureCoefficientOrZero = 0.0
-    heat_capacity_k2: units.PressureCoefficientOrZero = 0.0
 
 
 class StockTable(_Table):
@@ -120,11 +112,11 @@ class StockTable(_Table):
     specific_heat: units.SpecificHeat | None = None
     conductivity: units.OilConductivity | None = None
     gold_s: Positive | None = None
-    gold_t: _Fraction | None = None
+    gold_t: Fraction | None = None
     alpha_spread: Annotated[float, Field(strict=True, ge=0, lt=1)] = 0.0
     agma_k: _AgmaFactor | None = None
-    agma_s: _Fraction | None = None
-    limiting_coefficient: _Fraction | None = None
+    agma_s: Fraction | None = None
+    limiting_coefficient: Fraction | None = None
     eyring_stress: units.Stress | None = None
     limiting_stress: units.Stress | None = None
     boundary_friction: Annotated[float, Field(strict=True, gt=0, le=1)] = BOUNDARY_FRICTION
@@ -159,7 +151,7 @@ class _BaseStockTable(StockTable):
     density_coefficient: units.TemperatureCoefficient
     specific_heat: units.SpecificHeat
     gold_s: Positive
-    gold_t: _Fraction
+    gold_t: Fraction
     alpha_spread: Annotated[float, Field(strict=True, gt=0, lt=1)]
     grades: dict[int, tuple[Positive, Positive]]
     sources: dict[str, str]

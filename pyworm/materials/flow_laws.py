@@ -1,17 +1,19 @@
 """Flow laws of oils: the shear rate under a stress."""
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from math import asinh, exp, expm1, inf, sinh
-from typing import Any, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 import scipy
+from pydantic import Field
 
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import one_of, positive, scalar, within
 from pyworm.io import units
 from pyworm.io.given import in_si, kind_of, number, take
+from pyworm.io.plain_values import Fraction, NumberOrZero, PositiveNumber
 
 LEAST_LIMIT = 0.1e6
 """Limiting stress below which none falls [Pa]."""
@@ -21,18 +23,21 @@ FlowLawName = Literal[
 ]
 """Names of the laws; the stress of the last two may be limited."""
 
+ThinningExponent = Annotated[float, Field(strict=True, gt=0, le=1)]
+"""Carreau's n: oils thin."""
+
 
 @dataclass(frozen=True)
 class Branch:
     """One branch of a liquid of several: a part of its viscosity that thins by Carreau and Yasuda's law."""
 
-    fraction: float
+    fraction: Fraction
     """Its part of the viscosity at rest [-]."""
-    ratio: float
+    ratio: PositiveNumber
     """Its stress G over that of the flow law [-]."""
-    exponent: float
+    exponent: ThinningExponent
     """Exponent n [-]."""
-    yasuda: float = 2.0
+    yasuda: PositiveNumber = 2.0
     """Yasuda's exponent a [-]."""
 
     def __post_init__(self) -> None:
@@ -44,8 +49,30 @@ class Branch:
             raise ValueError(f"exponent = {self.exponent:g}: a branch's n is above 0 and at most 1")
 
 
-@dataclass(frozen=True)
-class FlowLaw:
+@dataclass(frozen=True, kw_only=True)
+class ThinningStress:
+    """The stress at which an oil begins to thin, with its dependence on pressure and temperature."""
+
+    stress: units.Stress
+    """Eyring stress tau0 or Carreau's G at ambient pressure and inlet temperature [Pa]."""
+    stress_pressure: units.PressureCoefficientAnySign = 0.0
+    """How the stress follows pressure [1/Pa]."""
+    stress_temperature: units.TemperatureCoefficientAnySign = 0.0
+    """How the stress follows temperature [1/K]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LimitingStress:
+    """The stress that an oil cannot exceed: constant, proportional to pressure, or both."""
+
+    limit: units.StressOrZero = 0.0
+    """Limiting stress at ambient pressure [Pa]."""
+    limit_pressure: NumberOrZero = 0.0
+    """Its rise with pressure [-]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class FlowLaw(ThinningStress, LimitingStress):
     """Flow law: the shear rate of an oil of viscosity eta under a stress tau.
 
     | law            | shear rate                                                               |
@@ -65,18 +92,10 @@ class FlowLaw:
     What a law does not name it does not read.
     """
 
-    law: FlowLawName
+    law: FlowLawName = field(kw_only=False)
     """Name of the law."""
     stress: units.StressOrZero = 0.0
     """Eyring stress tau0 or Carreau's G at ambient pressure and inlet temperature [Pa]."""
-    stress_pressure: units.PressureCoefficientAnySign = 0.0
-    """How the stress follows pressure [1/Pa]."""
-    stress_temperature: units.TemperatureCoefficientAnySign = 0.0
-    """How the stress follows temperature [1/K]."""
-    limit: units.StressOrZero = 0.0
-    """Limiting stress at ambient pressure [Pa]."""
-    limit_pressure: float = 0.0
-    """Its rise with pressure [-]."""
     exponent: float = 1.0
     """lambda of equation 6, which the paper takes as 1, or Carreau's n [-]."""
     yasuda: float = 2.0

@@ -8,8 +8,30 @@ from pyworm.io import units
 from pyworm.io.given import kind_of, number, take
 
 
+@dataclass(frozen=True, kw_only=True)
+class HeatCourse:
+    """How thermal constants of an oil depend on pressure and temperature (`OilHeat` has the laws)."""
+
+    expansivity_decay: units.PressureCoefficientOrZero = 0.0
+    """lambda [1/Pa] of the expansivity."""
+    conductivity_c1: units.PressureCoefficientOrZero = 0.0
+    """c1 [1/Pa] of the conductivity."""
+    conductivity_c2: units.PressureCoefficientOrZero = 0.0
+    """c2 [1/Pa] of the conductivity."""
+    heat_capacity_b0: units.TemperatureCoefficientAnySign = 0.0
+    """b0 of rho c [1/K]."""
+    heat_capacity_b1: units.PressureCoefficientAnySign = 0.0
+    """b1 of rho c [1/Pa]."""
+    heat_capacity_b2: units.SquaredPressureCoefficient = 0.0
+    """b2 of rho c [1/Pa2]."""
+    heat_capacity_k1: units.PressureCoefficientOrZero = 0.0
+    """k1 of rho c [1/Pa]."""
+    heat_capacity_k2: units.PressureCoefficientOrZero = 0.0
+    """k2 of rho c [1/Pa]."""
+
+
 @dataclass(frozen=True)
-class OilHeat:
+class OilHeat(HeatCourse):
     """Thermal laws of an oil, those of the Appendix of Sharif et al. (2001).
 
     T0 is the inlet temperature, at which oil enters a contact, rho0 and eta0 are density and viscosity there
@@ -29,22 +51,6 @@ class OilHeat:
     expansivity: units.TemperatureCoefficientOrZero = 0.0
     """eps0 [1/K] of the expansivity eps = eps0 exp(-lambda p), by which the density is rho(p)
     [1 - eps (T - T0)]."""
-    expansivity_decay: units.PressureCoefficientOrZero = 0.0
-    """lambda [1/Pa] of the expansivity."""
-    conductivity_c1: units.PressureCoefficientOrZero = 0.0
-    """c1 [1/Pa] of the conductivity."""
-    conductivity_c2: units.PressureCoefficientOrZero = 0.0
-    """c2 [1/Pa] of the conductivity."""
-    heat_capacity_b0: units.TemperatureCoefficientAnySign = 0.0
-    """b0 of rho c [1/K]."""
-    heat_capacity_b1: units.PressureCoefficientAnySign = 0.0
-    """b1 of rho c [1/Pa]."""
-    heat_capacity_b2: units.SquaredPressureCoefficient = 0.0
-    """b2 of rho c [1/Pa2]."""
-    heat_capacity_k1: units.PressureCoefficientOrZero = 0.0
-    """k1 of rho c [1/Pa]."""
-    heat_capacity_k2: units.PressureCoefficientOrZero = 0.0
-    """k2 of rho c [1/Pa]."""
     supply_temperature: units.Temperature | None = None
     """Temperature of the oil before it met bodies of another one, which it has taken since [K]; None where it
     is the inlet's."""

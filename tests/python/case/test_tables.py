@@ -2,10 +2,11 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
-from typing import Literal
+from typing import Literal, get_type_hints
 
 import pytest
-from pydantic import ValidationError
+from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
 from pyworm.case.kinds import SUBJECTS, case_model
 from pyworm.case.table import Table, plain
@@ -70,4 +71,16 @@ def test_tables_have_all_fields_of_their_dataclasses():
     found = [table for table in _tables(Table) if hasattr(table, "__dataclass_fields__")]
     assert len(found) > 10
     for table in found:
-        assert {part.name for part in fields(table) if part.init} <= table.model_fields.keys()
+        kinds = [base for base in table.__mro__ if "__dataclass_fields__" in vars(base)]
+        assert all(
+            parent in (BaseModel, Table) or not issubclass(parent, Table)
+            for parent in table.__mro__[1:]
+        ), (
+            f"{table} is derived from a table of a dataclass: pydantic forgets the types of its fields"
+        )
+        for kind in kinds:
+            hints = get_type_hints(kind, include_extras=True)
+            for part in fields(kind):
+                of = table.model_fields[part.name]
+                if part.name not in table.__annotations__:
+                    assert of.metadata == FieldInfo.from_annotation(hints[part.name]).metadata

@@ -46,7 +46,7 @@ def line():
         (lambda: FlowLaw("bair-winer"), "the larger of limit and limit_pressure = 0"),
         (lambda: FlowLaw("bair-winer", limit=-1e6), "limit = -1e.06 Pa: must lie between 0"),
         (
-            lambda: FlowLaw("eyring-limited", 3e6, limit=1e8, exponent=0.0),
+            lambda: FlowLaw("eyring-limited", stress=3e6, limit=1e8, exponent=0.0),
             "exponent = 0: must be fin",
         ),
         (
@@ -126,7 +126,7 @@ class Odd(Body):
         ),
         (lambda: Oil(lambda pressure: 0.04, DENSITY), "viscosity is a function"),
         (lambda: Oil(VISCOSITY, Squeezed(870.0, 0.0, 0.0)), "density is a Squeezed"),
-        (lambda: Oil(VISCOSITY, DENSITY, flow=Sticky("eyring", 3e6)), "flow is a Sticky"),
+        (lambda: Oil(VISCOSITY, DENSITY, flow=Sticky("eyring", stress=3e6)), "flow is a Sticky"),
     ],
 )
 def test_a_law_unknown_to_the_kernel_is_refused(make, sentence):
