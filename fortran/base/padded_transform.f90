@@ -7,10 +7,8 @@
 !> transform, the caller's product with the transform of the kernel, and backward transform. Rows of padding are never
 !> transformed.
 module pyworm_padded_transform
-  use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_int, c_size_t, c_float_complex
-  use pyworm_fftw, only: fftwf_alloc_complex, fftwf_free, fftwf_plan_many_dft, fftwf_plan_many_dft_r2c, fftwf_plan_many_dft_c2r, &
-    fftwf_execute_dft, fftwf_execute_dft_r2c, fftwf_execute_dft_c2r, fftwf_destroy_plan, FFTW_ESTIMATE, FFTW_FORWARD, &
-    FFTW_BACKWARD
+  use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_float_complex, c_size_t
+  use pyworm_fourier_plan, only: fourier_memory, fourier_plan, plan_columns_single, plan_field_single
   use pyworm_kinds, only: pp, wp
   use omp_lib, only: omp_get_max_threads
   use pyworm_status, only: status_ok, status_no_plan, status_no_memory
@@ -31,11 +29,8 @@ module pyworm_padded_transform
     real(pp), pointer, contiguous :: rows(:, :) => null()
     !> One block of columns for each thread, (my, block_columns, threads).
     complex(c_float_complex), pointer, contiguous :: columns(:, :, :) => null()
-    type(c_ptr) :: rows_forward = c_null_ptr, rows_backward = c_null_ptr
-    type(c_ptr) :: columns_forward = c_null_ptr, columns_backward = c_null_ptr
-    type(c_ptr) :: spectra_memory = c_null_ptr, columns_memory = c_null_ptr
-  contains
-    final :: release
+    type(fourier_plan) :: rows_forward, rows_backward, columns_forward, columns_backward
+    type(fourier_memory) :: spectra_memory, columns_memory
   end type field_transform
 
 contains
@@ -71,38 +66,17 @@ contains
     held = 2*(mx/4 + 1)
     threads = omp_get_max_threads()
     stat = status_no_memory
-    self%spectra_memory = fftwf_alloc_complex(int(held, c_size_t)*ny)
-    self%columns_memory = fftwf_alloc_complex(int(my, c_size_t)*block_columns*threads)
-    if (.not. (c_associated(self%spectra_memory) .and. c_associated(self%columns_memory))) return
-    call c_f_pointer(self%spectra_memory, self%spectra, [held, ny])
-    call c_f_pointer(self%spectra_memory, self%rows, [2*held, ny])
-    call c_f_pointer(self%columns_memory, self%columns, [my, block_columns, threads])
-    call plan_transforms(self, held, stat)
+    call self%spectra_memory%reserve_single(int(held, c_size_t)*ny)
+    call self%columns_memory%reserve_single(int(my, c_size_t)*block_columns*threads)
+    if (.not. (c_associated(self%spectra_memory%address) .and. c_associated(self%columns_memory%address))) return
+    call c_f_pointer(self%spectra_memory%address, self%spectra, [held, ny])
+    call c_f_pointer(self%spectra_memory%address, self%rows, [2*held, ny])
+    call c_f_pointer(self%columns_memory%address, self%columns, [my, block_columns, threads])
+    call plan_field_single([mx], self%rows, self%spectra, self%rows_forward, self%rows_backward)
+    call plan_columns_single(my, block_columns, self%columns, self%columns_forward, self%columns_backward)
+    stat = merge(status_ok, status_no_plan, self%rows_forward%made() .and. self%rows_backward%made() &
+      .and. self%columns_forward%made() .and. self%columns_backward%made())
   end subroutine new_field_transform
-
-  subroutine plan_transforms(self, held, stat)
-    type(field_transform), intent(inout) :: self
-    integer, intent(in) :: held
-    integer, intent(out) :: stat
-    integer(c_int) :: length_x(1), length_y(1)
-
-    length_x = self%mx
-    length_y = self%my
-    ! FFTW's planner shares state between threads. ESTIMATE makes the same plan in every run.
-    !$omp critical (fftw_planner)
-    self%rows_forward = fftwf_plan_many_dft_r2c(1, length_x, 1, self%rows, [2*held], 1, 2*held, self%spectra, [held], 1, held, &
-      FFTW_ESTIMATE)
-    self%rows_backward = fftwf_plan_many_dft_c2r(1, length_x, 1, self%spectra, [held], 1, held, self%rows, [2*held], 1, 2*held, &
-      FFTW_ESTIMATE)
-    self%columns_forward = fftwf_plan_many_dft(1, length_y, block_columns, self%columns, length_y, 1, self%my, self%columns, &
-      length_y, 1, self%my, FFTW_FORWARD, FFTW_ESTIMATE)
-    self%columns_backward = fftwf_plan_many_dft(1, length_y, block_columns, self%columns, length_y, 1, self%my, self%columns, &
-      length_y, 1, self%my, FFTW_BACKWARD, FFTW_ESTIMATE)
-    !$omp end critical (fftw_planner)
-    stat = merge(status_ok, status_no_plan, &
-      c_associated(self%rows_forward) .and. c_associated(self%rows_backward) .and. &
-      c_associated(self%columns_forward) .and. c_associated(self%columns_backward))
-  end subroutine plan_transforms
 
   !> Transforms the rows of a field, (nx, ny).
   subroutine transform_rows(self, field)
@@ -123,7 +97,7 @@ contains
     type(field_transform), intent(inout) :: self
     integer, intent(in) :: j
 
-    call fftwf_execute_dft_r2c(self%rows_forward, self%rows(:, j), self%spectra(:, j))
+    call self%rows_forward%to_spectrum_single(self%rows(:, j), self%spectra(:, j))
   end subroutine transform_row
 
   !> Transforms the rows back into a field, `unit` times what was transformed.
@@ -135,7 +109,7 @@ contains
 
     !$omp parallel do schedule(static)
     do j = 1, self%ny
-      call fftwf_execute_dft_c2r(self%rows_backward, self%spectra(:, j), self%rows(:, j))
+      call self%rows_backward%to_field_single(self%spectra(:, j), self%rows(:, j))
       field(:, j) = unit*self%rows(1:self%nx, j)
     end do
   end subroutine transform_rows_back
@@ -162,7 +136,7 @@ contains
     type(field_transform), intent(in) :: self
     complex(c_float_complex), contiguous, intent(inout) :: columns(:, :)
 
-    call fftwf_execute_dft(self%columns_forward, columns, columns)
+    call self%columns_forward%in_place_single(columns)
   end subroutine transform_block
 
   !> Transforms the columns back into the half spectra.
@@ -172,25 +146,12 @@ contains
     complex(c_float_complex), contiguous, intent(inout) :: columns(:, :)
     integer :: j, k
 
-    call fftwf_execute_dft(self%columns_backward, columns, columns)
+    call self%columns_backward%in_place_single(columns)
     do j = 1, self%ny
       do k = 1, count
         self%spectra(first + k - 1, j) = columns(j, k)
       end do
     end do
   end subroutine transform_columns_back
-
-  subroutine release(self)
-    type(field_transform), intent(inout) :: self
-
-    !$omp critical (fftw_planner)
-    if (c_associated(self%rows_forward)) call fftwf_destroy_plan(self%rows_forward)
-    if (c_associated(self%rows_backward)) call fftwf_destroy_plan(self%rows_backward)
-    if (c_associated(self%columns_forward)) call fftwf_destroy_plan(self%columns_forward)
-    if (c_associated(self%columns_backward)) call fftwf_destroy_plan(self%columns_backward)
-    !$omp end critical (fftw_planner)
-    if (c_associated(self%spectra_memory)) call fftwf_free(self%spectra_memory)
-    if (c_associated(self%columns_memory)) call fftwf_free(self%columns_memory)
-  end subroutine release
 
 end module pyworm_padded_transform

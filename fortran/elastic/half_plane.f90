@@ -6,9 +6,8 @@
 !>
 !> The convolution is done by FFT. Its kernel is even, so that zero padding to 2 (n - 1) points is exact.
 module pyworm_half_plane
-  use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_size_t, c_double_complex
-  use pyworm_fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_1d, fftw_plan_dft_c2r_1d, fftw_plan_r2r_1d, &
-    fftw_execute_dft_r2c, fftw_execute_dft_c2r, fftw_execute_r2r, fftw_destroy_plan, FFTW_ESTIMATE, FFTW_REDFT00
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double_complex, c_f_pointer, c_size_t
+  use pyworm_fourier_plan, only: fourier_memory, fourier_plan, plan_cosine, plan_field
   use pyworm_padded_transform, only: padded_size
   use pyworm_kinds, only: wp
   use pyworm_status, only: status_ok, status_bad_argument, status_no_plan, status_no_memory
@@ -30,10 +29,10 @@ module pyworm_half_plane
     !> Half a spectrum, and the same memory as reals.
     complex(c_double_complex), pointer, contiguous :: spectrum(:) => null()
     real(wp), pointer, contiguous :: values(:) => null()
-    type(c_ptr) :: forward = c_null_ptr, backward = c_null_ptr, memory = c_null_ptr
+    type(fourier_plan) :: forward, backward
+    type(fourier_memory) :: memory
   contains
     procedure :: deflection
-    final :: release
   end type elastic_half_plane
 
 contains
@@ -53,14 +52,15 @@ contains
     self%padded = padded_size(2*(n - 1))
     half = self%padded/2
     stat = status_no_memory
-    self%memory = fftw_alloc_complex(int(half + 1, c_size_t))
-    if (.not. c_associated(self%memory)) return
-    call c_f_pointer(self%memory, self%spectrum, [half + 1])
-    call c_f_pointer(self%memory, self%values, [self%padded + 2])
+    call self%memory%reserve(int(half + 1, c_size_t))
+    if (.not. c_associated(self%memory%address)) return
+    call c_f_pointer(self%memory%address, self%spectrum, [half + 1])
+    call c_f_pointer(self%memory%address, self%values, [self%padded + 2])
 
     allocate (self%influence(0:half), self%kernel(0:half))
     call set_influence(self, reduced_modulus)
-    call plan_transforms(self, stat)
+    call plan_field([self%padded], self%values, self%spectrum, self%forward, self%backward)
+    stat = merge(status_ok, status_no_plan, self%forward%made() .and. self%backward%made())
     if (stat == status_ok) call transform_kernel(self, stat)
   end subroutine new_half_plane
 
@@ -84,36 +84,18 @@ contains
     mean_log = far*log(far) - near*log(abs(near)) - 1
   end function mean_log
 
-  subroutine plan_transforms(self, stat)
-    type(elastic_half_plane), intent(inout) :: self
-    integer, intent(out) :: stat
-
-    ! FFTW's planner shares state between threads. ESTIMATE makes the same plan in every run.
-    !$omp critical (fftw_planner)
-    self%forward = fftw_plan_dft_r2c_1d(self%padded, self%values, self%spectrum, FFTW_ESTIMATE)
-    self%backward = fftw_plan_dft_c2r_1d(self%padded, self%spectrum, self%values, FFTW_ESTIMATE)
-    !$omp end critical (fftw_planner)
-    stat = merge(status_ok, status_no_plan, c_associated(self%forward) .and. c_associated(self%backward))
-  end subroutine plan_transforms
-
   !> Computes the transform of the influence coefficients, a cosine transform of their first half.
   subroutine transform_kernel(self, stat)
     type(elastic_half_plane), intent(inout) :: self
     integer, intent(out) :: stat
-    type(c_ptr) :: plan
+    type(fourier_plan) :: plan
     real(wp) :: image(0:self%padded/2)
 
-    !$omp critical (fftw_planner)
-    plan = fftw_plan_r2r_1d(size(image), image, self%kernel, FFTW_REDFT00, FFTW_ESTIMATE)
-    !$omp end critical (fftw_planner)
-    stat = status_no_plan
-    if (.not. c_associated(plan)) return
+    call plan_cosine(shape(image), image, self%kernel, plan)
+    stat = merge(status_ok, status_no_plan, plan%made())
+    if (stat /= status_ok) return
     image = self%influence/self%padded
-    call fftw_execute_r2r(plan, image, self%kernel)
-    !$omp critical (fftw_planner)
-    call fftw_destroy_plan(plan)
-    !$omp end critical (fftw_planner)
-    stat = status_ok
+    call plan%cosine(image, self%kernel)
   end subroutine transform_kernel
 
   !> Computes the sum w [m] of both bodies' deflections under pressure p [Pa].
@@ -124,20 +106,10 @@ contains
 
     self%values(:self%n) = p
     self%values(self%n + 1:) = 0
-    call fftw_execute_dft_r2c(self%forward, self%values, self%spectrum)
+    call self%forward%to_spectrum(self%values, self%spectrum)
     self%spectrum = self%spectrum*self%kernel
-    call fftw_execute_dft_c2r(self%backward, self%spectrum, self%values)
+    call self%backward%to_field(self%spectrum, self%values)
     w = self%values(:self%n)
   end subroutine deflection
-
-  subroutine release(self)
-    type(elastic_half_plane), intent(inout) :: self
-
-    !$omp critical (fftw_planner)
-    if (c_associated(self%forward)) call fftw_destroy_plan(self%forward)
-    if (c_associated(self%backward)) call fftw_destroy_plan(self%backward)
-    !$omp end critical (fftw_planner)
-    if (c_associated(self%memory)) call fftw_free(self%memory)
-  end subroutine release
 
 end module pyworm_half_plane

@@ -4,9 +4,8 @@
 !> E* = E'/2). Periodicity and the absence of an edge make it an approximate inverse of the half-space within
 !> a contact, at a quarter of the cost of a padded convolution: a preconditioner.
 module pyworm_periodic_stiffness
-  use, intrinsic :: iso_c_binding, only: c_ptr, c_null_ptr, c_f_pointer, c_associated, c_size_t, c_double_complex
-  use pyworm_fftw, only: fftw_alloc_complex, fftw_free, fftw_plan_dft_r2c_2d, fftw_plan_dft_c2r_2d, &
-    fftw_execute_dft_r2c, fftw_execute_dft_c2r, fftw_destroy_plan, FFTW_ESTIMATE
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double_complex, c_f_pointer, c_size_t
+  use pyworm_fourier_plan, only: fourier_memory, fourier_plan, plan_field
   use pyworm_padded_transform, only: padded_size
   use pyworm_kinds, only: wp
   use pyworm_status, only: status_ok, status_no_plan, status_no_memory
@@ -25,10 +24,10 @@ module pyworm_periodic_stiffness
     !> The field in place as spectrum, (mx/2+1, my), and as reals, (mx+2, my).
     complex(c_double_complex), pointer, contiguous :: spectrum(:, :) => null()
     real(wp), pointer, contiguous :: field(:, :) => null()
-    type(c_ptr) :: forward = c_null_ptr, backward = c_null_ptr, memory = c_null_ptr
+    type(fourier_plan) :: forward, backward
+    type(fourier_memory) :: memory
   contains
     procedure :: pressure
-    final :: release
   end type periodic_half_space
 
 contains
@@ -47,10 +46,10 @@ contains
     self%mx = padded_size(2*((nx + 1)/2))
     self%my = padded_size(2*((ny + 1)/2))
     stat = status_no_memory
-    self%memory = fftw_alloc_complex(int(self%mx/2 + 1, c_size_t)*self%my)
-    if (.not. c_associated(self%memory)) return
-    call c_f_pointer(self%memory, self%spectrum, [self%mx/2 + 1, self%my])
-    call c_f_pointer(self%memory, self%field, [self%mx + 2, self%my])
+    call self%memory%reserve(int(self%mx/2 + 1, c_size_t)*self%my)
+    if (.not. c_associated(self%memory%address)) return
+    call c_f_pointer(self%memory%address, self%spectrum, [self%mx/2 + 1, self%my])
+    call c_f_pointer(self%memory%address, self%field, [self%mx + 2, self%my])
     allocate (self%symbol(self%mx/2 + 1, self%my), stat=err)
     if (err /= 0) return
 
@@ -62,13 +61,8 @@ contains
       end do
     end do
 
-    ! FFTW's planner shares state between threads. ESTIMATE makes the same plan in every run.
-    !$omp critical (fftw_planner)
-    ! C lists dimensions from the slowest to the fastest
-    self%forward = fftw_plan_dft_r2c_2d(self%my, self%mx, self%field, self%spectrum, FFTW_ESTIMATE)
-    self%backward = fftw_plan_dft_c2r_2d(self%my, self%mx, self%spectrum, self%field, FFTW_ESTIMATE)
-    !$omp end critical (fftw_planner)
-    stat = merge(status_ok, status_no_plan, c_associated(self%forward) .and. c_associated(self%backward))
+    call plan_field([self%mx, self%my], self%field, self%spectrum, self%forward, self%backward)
+    stat = merge(status_ok, status_no_plan, self%forward%made() .and. self%backward%made())
   end subroutine new_periodic_half_space
 
   !> Computes the pressure p [Pa] of a deflection w [m], up to a constant; both (nx, ny).
@@ -83,20 +77,10 @@ contains
       self%field(self%nx + 1:, j) = 0
     end do
     self%field(:, self%ny + 1:) = 0
-    call fftw_execute_dft_r2c(self%forward, self%field, self%spectrum)
+    call self%forward%to_spectrum(self%field, self%spectrum)
     self%spectrum = self%spectrum*self%symbol
-    call fftw_execute_dft_c2r(self%backward, self%spectrum, self%field)
+    call self%backward%to_field(self%spectrum, self%field)
     p = self%field(:self%nx, :self%ny)
   end subroutine pressure
-
-  subroutine release(self)
-    type(periodic_half_space), intent(inout) :: self
-
-    !$omp critical (fftw_planner)
-    if (c_associated(self%forward)) call fftw_destroy_plan(self%forward)
-    if (c_associated(self%backward)) call fftw_destroy_plan(self%backward)
-    !$omp end critical (fftw_planner)
-    if (c_associated(self%memory)) call fftw_free(self%memory)
-  end subroutine release
 
 end module pyworm_periodic_stiffness

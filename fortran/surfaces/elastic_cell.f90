@@ -3,9 +3,8 @@
 !> In wavenumbers, pressure is E' |k| / 4 times deflection (Johnson, Contact Mechanics, section 13.2, with
 !> E* = E'/2). The mean of the deflection is left out: it belongs to the bodies' shape, not to one cell of their surface.
 module pyworm_elastic_cell
-  use, intrinsic :: iso_c_binding, only: c_associated, c_double_complex, c_f_pointer, c_null_ptr, c_ptr, c_size_t
-  use pyworm_fftw, only: fftw_alloc_complex, fftw_destroy_plan, fftw_execute_dft_c2r, fftw_execute_dft_r2c, fftw_free, &
-    fftw_plan_dft_c2r_2d, fftw_plan_dft_r2c_2d, FFTW_ESTIMATE
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double_complex, c_f_pointer, c_size_t
+  use pyworm_fourier_plan, only: fourier_memory, fourier_plan, plan_field
   use pyworm_kinds, only: wp
   use pyworm_status, only: status_ok, status_bad_argument, status_no_memory, status_no_plan
   implicit none(type, external)
@@ -23,11 +22,11 @@ module pyworm_elastic_cell
     !> One field, and its half spectrum in the same memory.
     real(wp), pointer, contiguous :: field(:, :) => null()
     complex(c_double_complex), pointer, contiguous :: spectrum(:, :) => null()
-    type(c_ptr) :: memory = c_null_ptr, forward = c_null_ptr, backward = c_null_ptr
+    type(fourier_plan) :: forward, backward
+    type(fourier_memory) :: memory
   contains
     procedure :: deflection
     procedure :: pressure
-    final :: release
   end type elastic_surface
 
 contains
@@ -46,10 +45,10 @@ contains
     self%nx = nx
     self%ny = ny
     stat = status_no_memory
-    self%memory = fftw_alloc_complex(int(nx/2 + 1, c_size_t)*ny)
-    if (.not. c_associated(self%memory)) return
-    call c_f_pointer(self%memory, self%spectrum, [nx/2 + 1, ny])
-    call c_f_pointer(self%memory, self%field, [2*(nx/2 + 1), ny])
+    call self%memory%reserve(int(nx/2 + 1, c_size_t)*ny)
+    if (.not. c_associated(self%memory%address)) return
+    call c_f_pointer(self%memory%address, self%spectrum, [nx/2 + 1, ny])
+    call c_f_pointer(self%memory%address, self%field, [2*(nx/2 + 1), ny])
     allocate (self%compliance(nx/2 + 1, ny), self%stiffness(nx/2 + 1, ny), source=0.0_wp, stat=err)
     if (err /= 0) return
     do j = 1, ny
@@ -62,13 +61,8 @@ contains
     end do
     self%stiffness(1, 1) = min(self%stiffness(2, 1), self%stiffness(1, 2))
 
-    ! FFTW's planner shares state between threads. ESTIMATE makes the same plan in every run.
-    !$omp critical (fftw_planner)
-    ! C lists dimensions from the slowest to the fastest
-    self%forward = fftw_plan_dft_r2c_2d(ny, nx, self%field, self%spectrum, FFTW_ESTIMATE)
-    self%backward = fftw_plan_dft_c2r_2d(ny, nx, self%spectrum, self%field, FFTW_ESTIMATE)
-    !$omp end critical (fftw_planner)
-    stat = merge(status_ok, status_no_plan, c_associated(self%forward) .and. c_associated(self%backward))
+    call plan_field([nx, ny], self%field, self%spectrum, self%forward, self%backward)
+    stat = merge(status_ok, status_no_plan, self%forward%made() .and. self%backward%made())
   end subroutine new_elastic_surface
 
   !> Deflection w [m] under pressure p [Pa], both without their mean.
@@ -78,9 +72,9 @@ contains
     real(wp), intent(out) :: w(self%nx, self%ny)
 
     self%field(:self%nx, :) = p
-    call fftw_execute_dft_r2c(self%forward, self%field, self%spectrum)
+    call self%forward%to_spectrum(self%field, self%spectrum)
     self%spectrum = self%spectrum*(self%compliance/(real(self%nx, wp)*self%ny))
-    call fftw_execute_dft_c2r(self%backward, self%spectrum, self%field)
+    call self%backward%to_field(self%spectrum, self%field)
     w = self%field(:self%nx, :)
   end subroutine deflection
 
@@ -91,20 +85,10 @@ contains
     real(wp), intent(out) :: p(self%nx, self%ny)
 
     self%field(:self%nx, :) = w
-    call fftw_execute_dft_r2c(self%forward, self%field, self%spectrum)
+    call self%forward%to_spectrum(self%field, self%spectrum)
     self%spectrum = self%spectrum*(self%stiffness/(real(self%nx, wp)*self%ny))
-    call fftw_execute_dft_c2r(self%backward, self%spectrum, self%field)
+    call self%backward%to_field(self%spectrum, self%field)
     p = self%field(:self%nx, :)
   end subroutine pressure
-
-  subroutine release(self)
-    type(elastic_surface), intent(inout) :: self
-
-    !$omp critical (fftw_planner)
-    if (c_associated(self%forward)) call fftw_destroy_plan(self%forward)
-    if (c_associated(self%backward)) call fftw_destroy_plan(self%backward)
-    !$omp end critical (fftw_planner)
-    if (c_associated(self%memory)) call fftw_free(self%memory)
-  end subroutine release
 
 end module pyworm_elastic_cell

@@ -16,7 +16,9 @@ MAX_ARGUMENTS = 10
 MAX_LINES = 60
 """Lines of a procedure, without those of the procedures that it contains."""
 
-HEADING = re.compile(r"^(?:[^!'\"]*\s)?(?:subroutine|function)\s+(\w+)\s*(?:\(([^)]*)\))?")
+HEADING = re.compile(
+    r"^(?!\s*end\s)(?:[^!'\"]*\s)?(?:subroutine|function)\s+(\w+)\s*(?:\(([^)]*)\))?"
+)
 """First line of a procedure, continuation lines joined."""
 
 
@@ -43,15 +45,16 @@ def _joined(lines: list[str], first: int) -> str:
 def procedures(file: Path) -> Iterator[Procedure]:
     """All procedures of a file, contained ones and those of interfaces too."""
     lines = file.read_text(encoding="utf-8").splitlines()
-    open_ones: list[list] = []
+    open_ones: list[tuple[str, int, int]] = []
     for number, line in enumerate(lines):
-        if open_ones:
-            open_ones[-1][2] += 1
+        if heading := HEADING.match(_joined(lines, number)):
+            arguments = [name for name in (heading[2] or "").split(",") if name.strip()]
+            open_ones.append((f"{file.relative_to(KERNEL)}: {heading[1]}", len(arguments), 1))
+        elif open_ones:
+            name, count, own_lines = open_ones.pop()
+            open_ones.append((name, count, own_lines + 1))
         if re.match(r"\s*end (subroutine|function)\b", line):
             yield Procedure(*open_ones.pop())
-        elif heading := HEADING.match(_joined(lines, number)):
-            arguments = [name for name in (heading[2] or "").split(",") if name.strip()]
-            open_ones.append([f"{file.relative_to(KERNEL)}: {heading[1]}", len(arguments), 1])
     assert not open_ones, file
 
 
