@@ -171,7 +171,7 @@ class Tabulated(ABC):
         return found if found.ndim else float(found)
 
     @cached_property
-    def _spline(self) -> scipy.interpolate.RectBivariateSpline:
+    def _spline(self) -> "scipy.interpolate.RectBivariateSpline":
         """Spline of the property as it is written, over pressure and temperature."""
         pressures = self.pressures - self.pressures[0]
         warmths, values = self.temperatures, self._write(self.values)
