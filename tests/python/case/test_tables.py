@@ -1,16 +1,22 @@
 """Tables of case files that have the fields of a dataclass."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
+from pathlib import Path
 from typing import Literal, get_type_hints
 
 import pytest
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
+import pyworm
 from pyworm.case.kinds import SUBJECTS, case_model
 from pyworm.case.table import Table, plain
 from pyworm.io import units
+from pyworm.kernel.numbers import flow_numbers
+
+ROOT = Path(__file__).parents[3]
 
 
 @dataclass(frozen=True)
@@ -84,3 +90,23 @@ def test_tables_have_all_fields_of_their_dataclasses():
                 of = table.model_fields[part.name]
                 if part.name not in table.__annotations__:
                     assert of.metadata == FieldInfo.from_annotation(hints[part.name]).metadata
+
+
+def test_the_way_of_a_key_to_the_kernel_is_as_the_contributors_read_it():
+    text = (ROOT / "CONTRIBUTING.md").read_text()
+    steps = re.findall(r"^\d\. `(\S+)`, `(\S+)`: ", text, re.MULTILINE)
+    assert len(steps) == 8
+    for file, name in steps:
+        content = (ROOT / file).read_text()
+        for part in name.split("."):
+            assert re.search(rf"^ *(class |def |subroutine )?{part}\b", content, re.MULTILINE), (
+                file,
+                name,
+            )
+    (case, _), *_ = steps
+    law = pyworm.load(ROOT / case).scene(phase=0.5).oil.flow
+    assert flow_numbers(law)[:2] == (3, 3e6)
+    arguments = re.search(
+        r"subroutine film_shear\((.*?)\)", (ROOT / steps[-1][0]).read_text(), re.DOTALL
+    )
+    assert "law, reference," in arguments[1]
