@@ -90,7 +90,7 @@ class _Content(pickle.Pickler):
     def reducer_override(self, obj: Any) -> Any:
         if isinstance(obj, FunctionType):
             held = tuple(cell.cell_contents for cell in obj.__closure__ or ())
-            return str, (repr((_code(obj.__code__), obj.__defaults__)),), (held,)
+            return str, (repr(_code(obj.__code__)),), (held, obj.__defaults__)
         if isinstance(obj, type) and obj.__module__.split(".")[0] not in _KNOWN:
             own = {
                 name: _code(of.__code__) if isinstance(of, FunctionType) else repr(of)

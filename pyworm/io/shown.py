@@ -1,6 +1,11 @@
 """Objects in words: a line on a terminal, a small table in a notebook."""
 
+from dataclasses import dataclass, fields
 from html import escape
+
+from pyworm.io.given import quantities
+from pyworm.io.quantity import Kind
+from pyworm.io.quantity_text import shown
 
 LONGEST = 160
 """Characters of the line of an object."""
@@ -26,3 +31,30 @@ class Shown:
             for name, value in rows.items()
         )
         return f"<table><caption>{escape(heading)}</caption>{body}</table>"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ShownFields(Shown):
+    """A dataclass that shows its fields beyond their defaults, quantities with units."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Name of the class, and its fields by name."""
+        owner: type = type(self)
+        kinds = quantities(owner)
+        rows = {}
+        for part in fields(self):
+            value = getattr(self, part.name)
+            if value is not None and value != part.default:
+                kind, _ = kinds.get(part.name, (None, False))
+                rows[part.name] = _text(value, kind)
+        return owner.__name__, rows
+
+
+def _text(value: object, kind: Kind | None) -> str:
+    """A field in words: of several numbers how many there are, and the first and the last."""
+    if isinstance(value, tuple):
+        ends = [_text(of, kind) for of in (value[0], value[-1])] if kind else []
+        return " to ".join(ends) + f" ({len(value)} values)" if ends else f"{len(value)} entries"
+    if isinstance(value, bool | str) or not isinstance(value, int | float):
+        return value if isinstance(value, str) else repr(value)
+    return f"{value:.4g}" if kind is None else shown(value, kind)

@@ -8,6 +8,7 @@ from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
 from pyworm.io.given import in_si, take, text
 from pyworm.io.present import present
+from pyworm.io.shown import ShownFields
 from pyworm.materials import solids
 from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.softening import Points, modulus_at, points
@@ -23,8 +24,8 @@ ASPERITY_DENSITY = 0.04
 surfaces (Greenwood and Tripp 1970)."""
 
 
-@dataclass(frozen=True)
-class Body:
+@dataclass(frozen=True, repr=False)
+class Body(ShownFields):
     """One of the two solids.
 
     Raises

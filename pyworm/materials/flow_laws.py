@@ -14,6 +14,7 @@ from pyworm.formulas.ranges import one_of, positive, scalar, within
 from pyworm.io import units
 from pyworm.io.given import in_si, kind_of, number, take
 from pyworm.io.plain_values import Fraction, NumberOrZero, PositiveNumber
+from pyworm.io.shown import ShownFields
 
 LEAST_LIMIT = 0.1e6
 """Limiting stress below which none falls [Pa]."""
@@ -27,8 +28,8 @@ ThinningExponent = Annotated[float, Field(strict=True, gt=0, le=1)]
 """Carreau's n: oils thin."""
 
 
-@dataclass(frozen=True)
-class Branch:
+@dataclass(frozen=True, repr=False)
+class Branch(ShownFields):
     """One branch of a liquid of several: a part of its viscosity that thins by Carreau and Yasuda's law."""
 
     fraction: Fraction
@@ -71,8 +72,8 @@ class LimitingStress:
     """Its rise with pressure [-]."""
 
 
-@dataclass(frozen=True, kw_only=True)
-class FlowLaw(ThinningStress, LimitingStress):
+@dataclass(frozen=True, kw_only=True, repr=False)
+class FlowLaw(ShownFields, ThinningStress, LimitingStress):
     """Flow law: the shear rate of an oil of viscosity eta under a stress tau.
 
     | law            | shear rate                                                               |

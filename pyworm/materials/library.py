@@ -16,6 +16,7 @@ from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_MILLIME
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, kind_of, number, text
 from pyworm.io.present import present
+from pyworm.io.shown import Shown
 from pyworm.materials.base_stock import (
     BASES,
     BaseStock,
@@ -29,8 +30,8 @@ from pyworm.materials.viscosity_density import Density, Roelands
 _NAME = re.compile(rf"({'|'.join(BASES)})\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECASE)
 
 
-@dataclass(frozen=True)
-class NamedOil:
+@dataclass(frozen=True, repr=False)
+class NamedOil(Shown):
     """An oil whose properties are known over temperature."""
 
     name: str
@@ -43,6 +44,17 @@ class NamedOil:
     """Constant n of its viscosity (`oil_laws.walther_viscosity`)."""
     source: str
     """Where its viscosity comes from."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the oil in words."""
+        millimetres = (
+            1e6 * float(self.kinematic_viscosity(of)) for of in (DEGREES_40, DEGREES_100)
+        )
+        viscosities = zip(("40 °C", "100 °C"), millimetres, strict=True)
+        return f"NamedOil {self.name}", {
+            **{f"at {at}": f"{nu:.4g} mm²/s" for at, nu in viscosities},
+            "density": f"{self.stock.density_15:.4g} kg/m³ at 15 °C",
+        }
 
     @property
     def viscosity_index(self) -> float:

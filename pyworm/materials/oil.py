@@ -13,8 +13,10 @@ from pyworm.formulas.arrays import Array
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import Given, in_si, take
+from pyworm.io.given import Given, in_si, kind_of, take
 from pyworm.io.present import present
+from pyworm.io.quantity_text import shown
+from pyworm.io.shown import Shown
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.tabulated import Tabulated, TabulatedDensity, TabulatedViscosity
@@ -68,8 +70,8 @@ def require_oil(oil: object) -> None:
         )
 
 
-@dataclass(frozen=True)
-class Oil:
+@dataclass(frozen=True, repr=False)
+class Oil(Shown):
     """An oil as the kernel sees it.
 
     The kernel computes these laws itself, from their constants: a class derived from one of them, whose
@@ -95,6 +97,22 @@ class Oil:
     alpha_spread: float = 0.0
     """Relative uncertainty of the pressure-viscosity coefficient [-]: its base stock's for an oil of the
     library, zero where it was measured."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the oil in words, at its inlet temperature and ambient pressure."""
+        law, heat = self.viscosity, self.heat
+        return "Oil", {
+            "viscosity": shown(law.eta0, kind_of(units.Viscosity)),
+            "alpha": shown(law.alpha, kind_of(units.PressureViscosityOrZero)),
+            "law": type(law).__name__,
+            "density": shown(self.density.rho0, kind_of(units.OilDensity)),
+            **({} if self.flow is None else {"flow": self.flow.law}),
+            **(
+                {}
+                if heat is None
+                else {"inlet": shown(heat.inlet_temperature, kind_of(units.Temperature))}
+            ),
+        }
 
     def __post_init__(self) -> None:
         """Refuse laws unknown to the kernel, and contradictory constants."""

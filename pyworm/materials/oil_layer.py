@@ -9,10 +9,11 @@ from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import within
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, take
+from pyworm.io.shown import ShownFields
 
 
-@dataclass(frozen=True)
-class OilLayer:
+@dataclass(frozen=True, repr=False)
+class OilLayer(ShownFields):
     """Thickness of the oil that arrives at a contact, over the place across its track.
 
     Raises

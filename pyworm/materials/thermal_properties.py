@@ -6,6 +6,7 @@ from math import inf
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, take
+from pyworm.io.shown import ShownFields
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,8 +31,8 @@ class HeatCourse:
     """k2 of rho c [1/Pa]."""
 
 
-@dataclass(frozen=True)
-class OilHeat(HeatCourse):
+@dataclass(frozen=True, repr=False)
+class OilHeat(ShownFields, HeatCourse):
     """Thermal laws of an oil, those of the Appendix of Sharif et al. (2001).
 
     T0 is the inlet temperature, at which oil enters a contact, rho0 and eta0 are density and viscosity there
@@ -54,6 +55,11 @@ class OilHeat(HeatCourse):
     supply_temperature: units.Temperature | None = None
     """Temperature of the oil before it met bodies of another one, which it has taken since [K]; None where it
     is the inlet's."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows in words; the unit of the viscosity's exponent is that of the oil's law."""
+        heading, rows = super().shown()
+        return heading, rows | {"viscosity_exponent": f"{self.viscosity_exponent:.4g}"}
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""

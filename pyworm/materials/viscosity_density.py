@@ -13,6 +13,7 @@ from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMP
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, kind_of, number, take
+from pyworm.io.shown import ShownFields
 
 ROELANDS_PRESSURE = 1.96e8
 """Pole pressure [Pa] of Roelands' law in its usual rounding (Roelands 1966)."""
@@ -27,8 +28,8 @@ LARGEST_Z = 1e6
 """Largest exponent of Roelands' law [-]; that of oils is around 0.6."""
 
 
-@dataclass(frozen=True)
-class Barus:
+@dataclass(frozen=True, repr=False)
+class Barus(ShownFields):
     """Barus' law, eta = eta0 exp(alpha p); alpha = 0 is an isoviscous oil."""
 
     eta0: units.Viscosity
@@ -49,8 +50,8 @@ class Barus:
         return self.eta0 * np.exp(self.alpha * pressure)
 
 
-@dataclass(frozen=True)
-class Roelands:
+@dataclass(frozen=True, repr=False)
+class Roelands(ShownFields):
     """Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z - 1]} (Roelands 1966)."""
 
     eta0: units.Viscosity
@@ -102,8 +103,8 @@ class Roelands:
         return self.eta0 * np.exp(rise)
 
 
-@dataclass(frozen=True)
-class Density:
+@dataclass(frozen=True, repr=False)
+class Density(ShownFields):
     """Density law rho = rho0 [1 + d1 p / (1 + d2 p)] (Dowson and Higginson 1966)."""
 
     rho0: units.OilDensity

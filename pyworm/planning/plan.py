@@ -76,10 +76,10 @@ class Plan(Shown):
         first, last = (" x ".join(map(str, self.grids[of].shape)) for of in (0, -1))
         return "Plan", {
             "accuracy": percent(self.accuracy, 3),
-            "quantities": ", ".join(self.quantities),
             "regime": self.regime.words,
-            "simulated": ", ".join(sorted(self.on)) or "no effect",
             "grids": f"from {first} to {last} nodes, finer ones as needed",
+            "quantities": ", ".join(self.quantities),
+            "simulated": ", ".join(sorted(self.on)) or "no effect",
             **({"refused": self.refusal} if self.refusal else {}),
         }
 

@@ -1,9 +1,11 @@
 """Two solutions side by side: figure by figure, with error bars and their ratio."""
 
 from dataclasses import dataclass
+from typing import Literal
 
+from pyworm.io.quantities import QUANTITIES
 from pyworm.io.shown import Shown
-from pyworm.solver.estimate import Estimate
+from pyworm.solver.estimate import Estimate, in_words
 from pyworm.solver.solution import Solution
 
 
@@ -15,6 +17,8 @@ class Comparison(Shown):
     """Names of both."""
     figures: dict[str, tuple[Estimate, Estimate]]
     """Name of a figure that both have -> the pair."""
+    kind: Literal["point", "line"]
+    """Kind of contact of both."""
 
     @property
     def ratios(self) -> dict[str, Estimate]:
@@ -31,10 +35,12 @@ class Comparison(Shown):
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the comparison in words."""
         ratios = self.ratios
-        rows = {
-            name: f"{one} | {other} | times {ratios[name] if name in ratios else '-'}"
-            for name, (one, other) in self.figures.items()
-        }
+        rows = {}
+        for name, (one, other) in self.figures.items():
+            lost = self.kind == "line" and name == "power_loss"
+            quantity = QUANTITIES["power_loss_per_length" if lost else name]
+            ratio = ratios[name] if name in ratios else "-"
+            rows[name] = f"{in_words(one, quantity)} | {in_words(other, quantity)} | times {ratio}"
         return f"{self.names[0]} | {self.names[1]}", rows
 
 
@@ -61,4 +67,4 @@ def compare(one: Solution, other: Solution) -> Comparison:
         for name, own in vars(one.figures).items()
         if isinstance(own, Estimate) and getattr(other.figures, name) is not None
     }
-    return Comparison((one.name, other.name), figures)
+    return Comparison((one.name, other.name), figures, one.kind)

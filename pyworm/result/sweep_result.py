@@ -23,6 +23,7 @@ from pyworm.io.atomic import whole_file
 from pyworm.io.bounded_number import read_json
 from pyworm.io.number_with_unit import parse_in
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.shown import Shown
 from pyworm.result.result import LARGEST, plain_attributes
 from pyworm.result.sound_result import typed
 from pyworm.solver.left_out import LAMBDAS, MIXED_ABOVE, SHARE, LeftOut, worst
@@ -34,8 +35,8 @@ LEFT_OUT = "left_out_"
 """Prefix of variables that hold an effect's influence."""
 
 
-@dataclass(frozen=True)
-class SweepResult:
+@dataclass(frozen=True, repr=False)
+class SweepResult(Shown):
     """Result of a sweep: a table over its scenes, and its provenance."""
 
     name: str
@@ -48,6 +49,14 @@ class SweepResult:
     """Variables over `scene`."""
     provenance: dict
     """The sweep as written, versions, time and machine."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the sweep in words."""
+        return f"SweepResult {self.name}", {
+            "scenes": f"{self.table.sizes['scene']}",
+            "converged": f"{int(self.converged.sum())}",
+            "varied": " x ".join(" with ".join(axis) for axis in self.axes),
+        }
 
     @property
     def converged(self) -> np.ndarray:

@@ -31,6 +31,9 @@ from pyworm.formulas.regimes import (
 )
 from pyworm.io import units
 from pyworm.io.given import Given, in_si
+from pyworm.io.quantities import QUANTITIES
+from pyworm.io.quantity_text import with_bars
+from pyworm.io.shown import Shown
 from pyworm.materials.oil import Oil, require_oil
 from pyworm.scene.formula_heat import heat_groups, lacks_heat
 from pyworm.scene.point import Scene, require_point
@@ -42,8 +45,8 @@ SPIN_STEP = 0.1
 """Distance over which the spin of a scene's velocities is read, over Hertz's smaller semi-axis."""
 
 
-@dataclass(frozen=True)
-class FormulaFilms:
+@dataclass(frozen=True, repr=False)
+class FormulaFilms(Shown):
     """Isothermal films of smooth point contacts with enough oil, by the formula of the atlas."""
 
     central: Array
@@ -61,6 +64,16 @@ class FormulaFilms:
     """Its similarity groups."""
     holds: tuple[str, ...] = ()
     """Effects of `pyworm.planning.effects` that the films hold besides (`film_of`)."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the films in words; of several contacts from the thinnest to the thickest."""
+        count = np.size(self.central)
+        outside = count - np.count_nonzero(self.inside)
+        return f"FormulaFilms of {count} contact{'s' * (count > 1)}", {
+            "central": _in_words("film_central", self.central, self.central_error),
+            "minimum": _in_words("film_min", self.minimum, self.minimum_error),
+            **({"outside the box of the atlas": f"{outside}"} if outside else {}),
+        }
 
     @property
     def regime(self) -> NDArray[np.str_]:
@@ -110,6 +123,14 @@ class FormulaFilms:
         roughness = in_si("roughness", roughness, units.Roughness)
         positive("composite roughness", roughness, "m")
         return self.central / roughness
+
+
+def _in_words(name: str, films: Array, errors: Array) -> str:
+    """Films [m] in words, one with its error bar, of several the least and the largest."""
+    quantity = QUANTITIES[name]
+    if np.size(films) == 1:
+        return with_bars(quantity.text(np.ravel(films)[0]), np.ravel(errors)[0])
+    return " to ".join(quantity.text(float(of(films))) for of in (np.min, np.max))
 
 
 def film(

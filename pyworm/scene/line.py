@@ -13,14 +13,15 @@ from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import Given, kind_of, number, take
+from pyworm.io.shown import ShownFields
 from pyworm.scene.contact import FROM_GAP, Contact, as_arrays, radii_of
 
 LineGap = Callable[[Array], tuple[Array, Flags]]
 """x [m] -> undeformed gap [m] and a boolean, true where both surfaces exist. The gap is finite everywhere."""
 
 
-@dataclass(frozen=True)
-class Parabola:
+@dataclass(frozen=True, repr=False)
+class Parabola(ShownFields):
     """The gap x^2 / 2R without edges."""
 
     radius: units.Radius

@@ -14,6 +14,7 @@ from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
 from pyworm.io.given import Given, take
+from pyworm.io.shown import ShownFields
 from pyworm.scene.contact import FROM_GAP, Contact, as_arrays, radii_of
 
 Gap = Callable[[Array, Array], tuple[Array, Flags]]
@@ -30,8 +31,8 @@ LARGEST = 1e12
 """Largest speed [m/s] or speed of rotation [rad/s] that is no slip."""
 
 
-@dataclass(frozen=True)
-class Paraboloid:
+@dataclass(frozen=True, repr=False)
+class Paraboloid(ShownFields):
     """The gap x^2 / 2 Rx + y^2 / 2 Ry without edges."""
 
     radius_x: units.Radius
@@ -56,8 +57,8 @@ class Paraboloid:
         return gap, np.ones(gap.shape, dtype=bool)
 
 
-@dataclass(frozen=True)
-class RigidMotion:
+@dataclass(frozen=True, repr=False)
+class RigidMotion(ShownFields):
     """Translation and spin of one surface in the tangent plane."""
 
     u: units.Velocity

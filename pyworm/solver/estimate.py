@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from math import hypot, inf, isinf, isnan
 from typing import Any, TypeVar
 
+from pyworm.io.quantities import Quantity
 from pyworm.io.quantity_text import percent, with_bars
 
 ORIGINS = ("grid", "domain", "algebra", "approximation")
@@ -184,3 +185,22 @@ def _made(
         model=joined("model") if models else None,
         datum=datum,
     )
+
+
+def in_words(figure: Estimate, quantity: Quantity, rise: float | None = None) -> str:
+    """A figure as its quantity is shown, with its unit and error bars, of temperatures in K.
+
+    Parameters
+    ----------
+    figure : Estimate
+        The figure.
+    quantity : Quantity
+        What it is.
+    rise : float, optional
+        Rise of a temperature that its errors are relative to [K], by default above its datum.
+    """
+    value, model = quantity.text(figure.value), figure.model
+    if quantity.unit != "K":
+        return with_bars(value, figure.error, model, reason=figure.reason)
+    scale = abs(figure.value - figure.datum) if rise is None else rise
+    return with_bars(value, figure.error, model, scale, " K", figure.reason)

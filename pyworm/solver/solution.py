@@ -16,7 +16,7 @@ from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction
 from pyworm.scene.index import Place
 from pyworm.solver.ending import Ending
-from pyworm.solver.estimate import ORIGINS, Estimate
+from pyworm.solver.estimate import ORIGINS, Estimate, in_words
 from pyworm.solver.left_out import LeftOut, judged
 from pyworm.solver.oil_supply import SupplyFigures
 
@@ -99,8 +99,11 @@ class Figures(Shown):
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the figures in words."""
+        lost = "power_loss" if self.dry else "power_loss_per_length"  # of a line contact
         return "Figures", {
-            name: f"{of}" for name, of in vars(self).items() if isinstance(of, Estimate)
+            name: in_words(of, QUANTITIES[lost if name == "power_loss" else name])
+            for name, of in vars(self).items()
+            if isinstance(of, Estimate)
         }
 
     def values(self) -> dict[str, float]:
@@ -205,8 +208,9 @@ class Solution(Shown):
         state = "converged" if self.converged else "not converged"
         if self.accurate:
             state = "accurate"
+        plain = self.ending is Ending.ACCURATE
         return f"Solution {self.name}", {
-            "status": f"{state} ({self.stop_reason})",
+            "status": state if plain else f"{state} ({self.stop_reason})",
             **films,
             **figures,
             "regime": self.regime.words,
@@ -313,11 +317,9 @@ class Solution(Shown):
             return ""
         if not isinstance(figure, Estimate | Ratio):
             return figure if isinstance(figure, str) else quantity.text(figure)
+        if isinstance(figure, Estimate):
+            return in_words(figure, quantity, self.rise(figure))
         value = quantity.text(figure.value)
-        if isinstance(figure, Estimate) and quantity.unit == "K":
-            return with_bars(
-                value, figure.error, figure.model, self.rise(figure), " K", figure.reason
-            )
         return with_bars(value, figure.error, figure.model, reason=figure.reason)
 
     @property

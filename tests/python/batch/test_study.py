@@ -1,6 +1,7 @@
 """Studies from Python: a table of scenes, kept, resumed, by several processes, identified by content."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -8,6 +9,9 @@ from contacts import ball
 
 import pyworm
 from pyworm.batch.scene_task import SceneTask, content_digest
+from pyworm.materials.body import named_body
+
+STEEL = named_body("16MnCr5")
 
 
 def contact(load, speed=1.0):
@@ -56,10 +60,19 @@ def gap(factor):
     return lambda x, y: (50 * (x**2 + y**2) + 1e4 * factor * (x**4 + y**4), x == x)
 
 
+def on_solid(body):
+    """A gap that holds a solid as a default, whose line at the prompt leaves digits out."""
+    return lambda x, y, body=body: (body.poisson_ratio * (x**2 + y**2), x == x)
+
+
 def test_content_tells_functions_by_their_code_and_what_they_hold():
     same = content_digest(gap(1.0)), content_digest(gap(1.0))
     assert same[0] == same[1]
     assert content_digest(gap(1.0)) != content_digest(gap(2.0))
+    assert content_digest(on_solid(STEEL)) == content_digest(on_solid(STEEL))
+    other = replace(STEEL, youngs_modulus=STEEL.youngs_modulus * (1 + 1e-9))
+    assert repr(other) == repr(STEEL)
+    assert content_digest(on_solid(STEEL)) != content_digest(on_solid(other))
     assert content_digest(ball()) == content_digest(ball())
     assert content_digest(ball()) != content_digest(ball(load=31.0))
 

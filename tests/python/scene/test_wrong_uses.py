@@ -241,7 +241,7 @@ WRONG = {
                 pyworm.Parabola,
                 steel(),
                 "size",
-                "radius = Body.*: must be a radius as a number",
+                "radius = <Body.*: must be a radius as a number",
             ),
             (
                 "a number",

@@ -1,0 +1,92 @@
+"""Public objects at the prompt: one short line with quantities and their units."""
+
+import inspect
+from importlib.resources import files
+
+import numpy as np
+import pytest
+import xarray as xr
+from contacts import ball, roller
+from synthetic_solution import make_result, make_solution
+
+import pyworm
+
+EXCEPTIONS = ("CaseError", "KernelError", "UnusualWarning")
+
+
+def made():
+    """An object of each public class, and what its line has to have in it."""
+    steel, oil = pyworm.named_body("16MnCr5"), pyworm.named_oil("PAO VG 220")
+    solution = make_solution()
+    table = xr.Dataset({"converged": ("scene", [1, 0])})
+    square = np.linspace(-1e-3, 1e-3, 9)
+    heights = (square[:, None] ** 2 + square[None, :] ** 2) / 0.02
+    return {
+        "Barus": (pyworm.Barus(0.04, 2e-8), "eta0 40 mPa s, alpha 20 1/GPa"),
+        "Body": (steel, "youngs_modulus 210 GPa, poisson_ratio 0.3, density 7850 kg/m³"),
+        "Branch": (pyworm.Branch(0.5, 1.0, 0.4), "fraction 0.5, ratio 1, exponent 0.4"),
+        "Case": (pyworm.load("cases/point_m20_l10.toml"), "contacts 1, accuracy 1 %"),
+        "Comparison": (pyworm.compare(solution, solution), "µm"),
+        "Density": (pyworm.Density(870.0, 6e-10, 1.7e-9), "rho0 870 kg/m³"),
+        "Estimate": (pyworm.Estimate(3.0, 0.1), "3 ± 10 %"),
+        "Figures": (solution.figures, "film_min 0."),
+        "FlowLaw": (pyworm.FlowLaw(law="eyring", stress=5e6), "law eyring, stress 5 MPa"),
+        "FormulaFilms": (pyworm.film_of(ball()), "1 contact: central 0."),
+        "LineScene": (roller(), "load"),
+        "NamedOil": (oil, "at 40 °C 218.1 mm²/s"),
+        "Oil": (oil.oil("60 degC"), "alpha 13.476 1/GPa, law Roelands"),
+        "OilHeat": (oil.oil("60 degC").heat, "inlet_temperature 60 °C"),
+        "OilLayer": (
+            pyworm.OilLayer((-1e-3, 0.0, 1e-3), (0.0, 1e-6, 0.0)),
+            "across -1 mm to 1 mm (3 values)",
+        ),
+        "Parabola": (pyworm.Parabola(0.01), "radius 10 mm"),
+        "Paraboloid": (pyworm.Paraboloid(0.01, 0.02), "radius_x 10 mm, radius_y 20 mm"),
+        "Plan": (pyworm.plan(ball(), 0.1), "accuracy 10 %"),
+        "Result": (make_result(), "contacts"),
+        "RigidMotion": (pyworm.RigidMotion(1.1, 0.0), "u 1.1 m/s, v 0 m/s"),
+        "Roelands": (pyworm.Roelands(0.076, 0.4), "eta0 0.076 Pa s, z 0.4"),
+        "SampledGap": (pyworm.SampledGap(square, square, heights), "9 x 9 heights"),
+        "Scene": (ball(), "load"),
+        "Solution": (solution, "status accurate, film_min 0."),
+        "SweepResult": (
+            pyworm.SweepResult("loads", "Loads", [["load"]], table, {}),
+            "loads: scenes 2, converged 1, varied load",
+        ),
+        "TabulatedDensity": (
+            pyworm.TabulatedDensity.of(lambda p, t: 870.0 * (1 + 5e-10 * p), "40 degC"),
+            "870 kg/m³ at 40 °C",
+        ),
+        "TabulatedViscosity": (
+            pyworm.TabulatedViscosity.of(lambda p, t: 0.1 * np.exp(2e-8 * p), "40 degC"),
+            "0.1 Pa s at 40 °C",
+        ),
+    }
+
+
+def test_every_public_object_shows_itself_in_a_line():
+    objects = made()
+    classes = {name for name in pyworm.__all__ if inspect.isclass(getattr(pyworm, name))}
+    assert objects.keys() == classes - set(EXCEPTIONS)
+    for name, (one, words) in objects.items():
+        line = repr(one)
+        print(line)
+        assert type(one) is getattr(pyworm, name)
+        assert line.startswith("<") and line.endswith(">") and len(line) <= 160, line
+        assert "\n" not in line and "array(" not in line and "np.float64" not in line, line
+        assert words in line, line
+
+
+@pytest.mark.parametrize("count", [1, 3])
+def test_films_by_the_formula_are_shown_from_the_thinnest_to_the_thickest(count):
+    load = np.linspace(1e-3, 50.0, count)
+    films = pyworm.film(
+        (0.01, 0.01), load, 226e9, (1.0, 0.0), pyworm.named_oil("PAO VG 220").oil(333)
+    )
+    line = repr(films)
+    assert (" to " in line) is (count > 1)
+    assert f"of {count} contact" in line and "outside the box of the atlas 1" in line
+
+
+def test_type_checkers_read_the_types_of_the_package():
+    assert files("pyworm").joinpath("py.typed").is_file()
