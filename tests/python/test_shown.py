@@ -30,7 +30,7 @@ def made():
         "Density": (pyworm.Density(870.0, 6e-10, 1.7e-9), "rho0 870 kg/m³"),
         "Estimate": (pyworm.Estimate(3.0, 0.1), "3 ± 10 %"),
         "Figures": (solution.figures, "film_min 0."),
-        "FlowLaw": (pyworm.FlowLaw(law="eyring", stress=5e6), "law eyring, stress 5 MPa"),
+        "FlowLaw": (pyworm.FlowLaw(law="eyring", stress=5e6), "stress 5 MPa, law eyring"),
         "FormulaFilms": (pyworm.film_of(ball()), "1 contact: central 0."),
         "LineScene": (roller(), "load"),
         "NamedOil": (oil, "at 40 °C 218.1 mm²/s"),
