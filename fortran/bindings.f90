@@ -321,7 +321,7 @@ contains
     type(thermal_contact), pointer :: contact
 
     contact => contact_of(handle)
-    fraction = reshape(contact%film%partial%fraction, [nx, ny])
+    fraction = reshape(contact%film%model%partial%fraction, [nx, ny])
   end subroutine film_fraction
 
   !> Sets where the oil has ruptured between rough surfaces, for the next evaluation.
@@ -346,7 +346,7 @@ contains
     integer :: j
 
     contact => contact_of(handle)
-    associate (fields => contact%film%fields)
+    associate (fields => contact%film%model%fields)
       do j = 1, ny
         pressure(:, j) = asperity_pressure(fields%rough, fields%p, j)
       end do
@@ -414,7 +414,7 @@ contains
     call contact%film%work%whole%start()
     if (allocated(contact%heat)) then
       call heated_step(contact%film, contact%heat, forcing, p, new_h0, residual, load_error, step, stat)
-      largest_rise = maxval(contact%film%shear%nodes%rise)
+      largest_rise = maxval(contact%film%model%shear%nodes%rise)
     else
       call cold_step(contact%film, forcing, p, new_h0, residual, load_error, step, stat)
     end if
@@ -432,8 +432,8 @@ contains
     type(thermal_contact), pointer :: contact
 
     contact => contact_of(handle)
-    film = contact%film%fields%h
-    density = contact%film%fields%rho
+    film = contact%film%model%fields%h
+    density = contact%film%model%fields%rho
     imbalance = contact%film%imbalance
   end subroutine film_state
 
@@ -445,7 +445,7 @@ contains
     type(thermal_contact), pointer :: contact
 
     contact => contact_of(handle)
-    film = contact%film%fields%h
+    film = contact%film%model%fields%h
   end subroutine film_thickness
 
   !> Deflection w [m] under pressure p [Pa] on the contact's grid, the unit of cost.
@@ -502,7 +502,7 @@ contains
     !f2py threadsafe
 
     contact => contact_of(handle)
-    associate (p => contact%film%fields%p, dx => contact%film%spacing(1), dy => contact%film%spacing(2))
+    associate (p => contact%film%model%fields%p, dx => contact%film%spacing(1), dy => contact%film%spacing(2))
       call new_conducting_body(u1, v1, p, semi, [dx, dy], bodies(1, 1), bodies(2, 1), body_1, errors(1), stat)
       if (stat == status_ok) call new_conducting_body(u2, v2, p, semi, [dx, dy], bodies(1, 2), bodies(2, 2), body_2, &
         errors(2), stat)
@@ -592,7 +592,7 @@ contains
 
     contact => contact_of(handle)
     count = 0
-    if (allocated(contact%film%shear)) count = contact%film%shear%unsolved()
+    count = contact%film%model%unsolved()
     if (allocated(contact%heat)) count = count + contact%heat%unsolved()
   end subroutine film_unsolved
 
@@ -604,7 +604,7 @@ contains
     type(thermal_contact), pointer :: contact
 
     contact => contact_of(handle)
-    rise = contact%film%shear%nodes%rise
+    rise = contact%film%model%shear%nodes%rise
   end subroutine film_rise
 
   !> Sets the temperature above the inlet's [K].

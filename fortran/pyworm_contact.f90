@@ -291,7 +291,7 @@ contains
     integer, intent(in) :: node(2)
     real(wp) :: reading(3)
 
-    associate (h => contact%film%film%fields%h)
+    associate (h => contact%film%film%model%fields%h)
       reading = [minval(h), h(node(1), node(2)), maxval(contact%p)]
     end associate
   end function reading
@@ -372,10 +372,10 @@ contains
 
     call on_given_grid(contact%p, p)
     p = max(p, 0.0_wp)
-    call on_given_grid(contact%film%film%fields%h, h)
+    call on_given_grid(contact%film%film%model%fields%h, h)
     if (.not. present(rise)) return
     rise = 0
-    if (contact%sheared) call on_given_grid(contact%film%film%shear%nodes%rise(:, :, (contact%flow%levels + 1)/2), rise)
+    if (contact%sheared) call on_given_grid(contact%film%film%model%shear%nodes%rise(:, :, (contact%flow%levels + 1)/2), rise)
   end subroutine pyworm_read
 
   !> Shear stress in the middle of the film [Pa] and heat of shearing [W/m2] of a contact with a flow law.
@@ -583,7 +583,7 @@ contains
       if (heated) then
         call heated_step(contact%film%film, contact%film%heat, forcing, contact%p, contact%h0, residual, load_error, &
           newton, stat)
-        warming = newton%change/max(least_rise, maxval(contact%film%film%shear%nodes%rise))
+        warming = newton%change/max(least_rise, maxval(contact%film%film%model%shear%nodes%rise))
       else
         call film_step(contact%film%film, forcing, contact%p, contact%h0, residual, load_error, newton, stat)
       end if

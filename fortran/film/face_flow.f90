@@ -118,12 +118,12 @@ contains
     call set_nodes(fields, floor, merge(1, 2, faces%di == 1), work%after)
     call average(nodes, faces, work%before, work%after, work%mean, work%shear)
     call shear_faces(nodes, faces, work%shear, work%deficit, flows)
-    if (allocated(fields%rough)) then
+    if (fields%is_rough()) then
       call turn_flow(fields%rough, faces, nodes%levels%count, work%before, work%after, work%deficit)
     end if
     call set_fluidity_changes(nodes, work%deficit, work%mean, work%before, work%after)
     call linearise(nodes, fields, faces, work%shear, work%deficit, work%mean, work%before, work%after, flows)
-    if (allocated(fields%rough)) call add_dragged(nodes, fields, faces, flows)
+    if (fields%is_rough()) call add_dragged(nodes, fields, faces, flows)
   end subroutine flow_through
 
   !> Sets film and weight of the nodes on one side, and their changes by the gap, of rough surfaces that between mean planes;
@@ -142,7 +142,7 @@ contains
       side%mass(:m) = fields%rho(first:last, j)*side%film(:m)**3
       side%widening(:m) = merge(1.0_wp, 0.0_wp, fields%h(first:last, j) > floor)
       side%growth(:m) = 3*side%widening(:m)/side%film(:m)
-      if (.not. allocated(fields%rough)) return
+      if (.not. fields%is_rough()) return
       associate (rough => fields%rough)
         do c = 1, m
           i = first + c - 1

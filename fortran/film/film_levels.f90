@@ -5,12 +5,10 @@
 !> index, (length, count): they are those of the film, transposed if the entrainment is mainly along x.
 module pyworm_film_levels
   use pyworm_kinds, only: pp, wp
+  use pyworm_film_model, only: film_model
   use pyworm_line_relaxation, only: line_systems, new_line_systems
-  use pyworm_partial_film, only: partial_film
   use pyworm_reynolds, only: arithmetic_share, film_fields, film_grid
-  use pyworm_rough_surfaces, only: rough_film
   use pyworm_sheared_couplings, only: couple_row
-  use pyworm_sheared_reynolds, only: sheared_film
   use pyworm_status, only: status_ok, status_no_memory
   implicit none(type, external)
   private
@@ -85,20 +83,19 @@ contains
   end subroutine coarsen_entrainment
 
   !> Sets the change of rho h by (total) pressure, where pressure is free to change, and how far the gap is filled.
-  subroutine set_level(level, fields, free, partial)
+  subroutine set_level(level, model, free)
     type(grid_level), intent(inout) :: level
-    type(film_fields), intent(in) :: fields
+    type(film_model), intent(in) :: model
     logical, intent(in) :: free(:, :)
-    type(partial_film), intent(in), optional :: partial
     real(wp), allocatable :: fraction(:, :)
 
-    associate (stride => level%stride)
-      if (present(partial)) then
-        fraction = reshape(partial%fraction, [partial%nx, partial%ny])
+    associate (stride => level%stride, fields => model%fields)
+      if (model%is_partial()) then
+        fraction = reshape(model%partial%fraction, [model%partial%nx, model%partial%ny])
         if (.not. allocated(level%passing)) allocate (level%passing, mold=level%free)
         call orient(level%transposed, merge(1.0_wp, 0.0_wp, fraction(::stride, ::stride) < 1), level%passing)
       end if
-      if (allocated(fields%rough)) then
+      if (fields%is_rough()) then
         associate (stiffness => fields%rough%stiffness(::stride, ::stride), widening => fields%rough%widening(::stride, ::stride))
           call orient(level%transposed, fields%rho_p(::stride, ::stride)*fields%h(::stride, ::stride) &
             *(1 + level%compliance*stiffness) + level%compliance*fields%rho(::stride, ::stride)*widening, level%f)
@@ -153,14 +150,12 @@ contains
   end subroutine restrict
 
   !> Computes the model's row of each node of line j: coefficients of the node, of its neighbours within the line, and of
-  !> those in the line before and after. `implicit_rate` is that of `film_grid`. The flow of a film that is not
-  !> isothermal and Newtonian is that of `shear`.
-  subroutine model_line(level, j, implicit_rate, shear, rough, centre, left, right, before, after)
+  !> those in the line before and after. `implicit_rate` is that of `film_grid`.
+  subroutine model_line(level, j, implicit_rate, model, centre, left, right, before, after)
     type(grid_level), intent(in) :: level
     integer, intent(in) :: j
     real(pp), intent(in) :: implicit_rate
-    type(sheared_film), intent(in), optional :: shear
-    type(rough_film), intent(in), optional :: rough
+    type(film_model), intent(in) :: model
     real(pp), dimension(level%length), intent(out) :: centre, left, right, before, after
     real(pp), dimension(level%length) :: leave, enter
     integer :: i, n
@@ -168,19 +163,19 @@ contains
     n = level%length
     associate (free => level%free, dq => level%f)
       ! through the faces within the line: outflow by a node's pressure, inflow by the next one's
-      call couple(level, j, .false., leave, enter, shear, rough)
+      call couple(level, j, .false., leave, enter, model)
       do i = 2, n - 1
         centre(i) = implicit_rate*dq(i, j) + leave(i) + enter(i - 1)
         right(i) = -free(i, j)*enter(i)*free(i + 1, j)
         left(i) = -free(i, j)*leave(i - 1)*free(i - 1, j)
       end do
       ! through the faces towards the next line, and from the one before
-      call couple(level, j, .true., leave, enter, shear, rough)
+      call couple(level, j, .true., leave, enter, model)
       do i = 2, n - 1
         centre(i) = centre(i) + leave(i)
         after(i) = -free(i, j)*enter(i)*free(i, j + 1)
       end do
-      call couple(level, j - 1, .true., leave, enter, shear, rough)
+      call couple(level, j - 1, .true., leave, enter, model)
       do i = 2, n - 1
         centre(i) = merge(centre(i) + enter(i), 1.0_pp, free(i, j) > 0)
         before(i) = -free(i, j)*leave(i)*free(i, j - 1)
@@ -191,13 +186,12 @@ contains
   !> Computes the couplings through the faces between the nodes of line j and those of the next line, `across`, or of the same
   !> one: outflow by the pressure of the node before, `leave`, and inflow by that of the node after, `enter`. Nodes without
   !> such a face, and the ends of lines towards the next, are left as they are.
-  subroutine couple(level, j, across, leave, enter, shear, rough)
+  subroutine couple(level, j, across, leave, enter, model)
     type(grid_level), intent(in) :: level
     integer, intent(in) :: j
     logical, intent(in) :: across
     real(pp), intent(inout) :: leave(level%length), enter(level%length)
-    type(sheared_film), intent(in), optional :: shear
-    type(rough_film), intent(in), optional :: rough
+    type(film_model), intent(in) :: model
     real(pp) :: spacing
     integer :: first, last, start(2), step(2)
 
@@ -206,15 +200,15 @@ contains
     spacing = merge(level%d_across, level%d_along, across)
     associate (root => level%root, p => level%p, dm => level%x, dq => level%f, i => first + merge(0, 1, across), &
         n => last + merge(0, 1, across), k => j + merge(1, 0, across))
-      if (present(shear)) then
+      if (model%is_sheared()) then
         start = merge([j, first], [first, j], level%transposed)
         step = merge([0, 1], [1, 0], level%transposed)
         if (across .neqv. level%transposed) then
-          call couple_row(shear%along_y, level%stride, start, step, [0, 1], spacing, level%compliance, leave(first:last), &
-            enter(first:last), rough)
+          call couple_row(model%shear%along_y, level%stride, start, step, [0, 1], spacing, level%compliance, &
+            leave(first:last), enter(first:last), model%fields%rough)
         else
-          call couple_row(shear%along_x, level%stride, start, step, [1, 0], spacing, level%compliance, leave(first:last), &
-            enter(first:last), rough)
+          call couple_row(model%shear%along_x, level%stride, start, step, [1, 0], spacing, level%compliance, &
+            leave(first:last), enter(first:last), model%fields%rough)
         end if
       else
         call diffuse(root(first:last, j), root(i:n, k), p(first:last, j), p(i:n, k), dm(first:last, j), dm(i:n, k), 1/spacing, &

@@ -14,14 +14,13 @@
 !> A kind of contact adds its deflection K p, its flow and the approximate solve that precedes the exact Jacobian in
 !> GMRES. Fields have shape (nx, ny); a line contact's have ny = 1.
 module pyworm_film_newton
+  use pyworm_film_model, only: film_model
   use pyworm_flow_laws, only: flow_law
   use pyworm_interruption, only: interrupted
   use pyworm_kinds, only: pp, wp
   use pyworm_krylov, only: linear_system, gmres
-  use pyworm_partial_film, only: partial_film
-  use pyworm_reynolds, only: film_fields, new_film_fields
-  use pyworm_rough_surfaces, only: gap_curves, new_rough_film, share_pressure
-  use pyworm_sheared_reynolds, only: sheared_film, new_sheared_film
+  use pyworm_reynolds, only: new_film_fields
+  use pyworm_rough_surfaces, only: gap_curves, share_pressure
   use pyworm_status, only: status_ok, status_bad_argument, status_interrupted, status_not_finite, status_no_descent, &
     status_no_memory
   use pyworm_tally, only: work_tally
@@ -73,11 +72,7 @@ module pyworm_film_newton
 
   type, abstract, extends(linear_system) :: film_contact
     type(oil_law) :: oil
-    type(film_fields) :: fields
-    !> Flow through a film that is not Newtonian or not isothermal.
-    type(sheared_film), allocatable :: shear
-    !> How far the gap is filled where the supply of oil is limited.
-    type(partial_film), allocatable :: partial
+    type(film_model) :: model
     !> Spacing along x and y [m]; that of a line contact along y is 1, so that cells count for each length.
     real(wp) :: spacing(2) = 0
     !> Undeformed gap [m]; true where both surfaces exist and pressure is no boundary value.
@@ -218,7 +213,7 @@ contains
     self%covered = conditions%covered
     self%load = conditions%load
     self%floor = conditions%floor
-    call new_film_fields(nx, ny, self%fields, stat)
+    call new_film_fields(nx, ny, self%model%fields, stat)
     if (stat /= status_ok) return
     allocate (self%free(nx, ny), self%imbalance(nx, ny), self%softness(nx, ny), self%dh(nx, ny), &
       self%right(nx*ny + 1), self%change(nx*ny + 1), self%basis(nx*ny + 1, cycle_length), stat=err)
@@ -274,8 +269,7 @@ contains
 
     stat = status_not_finite
     if (.not. all(abs(sliding_x) + abs(sliding_y) <= huge(1.0_wp))) return
-    if (.not. allocated(self%shear)) allocate (self%shear)
-    call new_sheared_film(law, levels, sliding_x, sliding_y, self%shear, stat)
+    call self%model%add_shear(law, levels, sliding_x, sliding_y, stat)
   end subroutine shear_contact
 
   !> Makes the surfaces of a contact with a flow law rough.
@@ -286,9 +280,8 @@ contains
     integer, intent(out) :: stat
 
     stat = status_bad_argument
-    if (.not. allocated(self%shear)) return
-    if (.not. allocated(self%fields%rough)) allocate (self%fields%rough)
-    call new_rough_film(curves, boundary_friction, size(self%gap, 1), size(self%gap, 2), self%fields%rough, stat)
+    if (.not. self%model%is_sheared()) return
+    call self%model%add_roughness(curves, boundary_friction, stat)
   end subroutine roughen_contact
 
   !> Evaluates film and imbalance at pressure p [Pa] and rigid film h0 [m].
@@ -305,7 +298,7 @@ contains
     call film_balance(self, residual, load_error)
     self%least = residual + abs(load_error)
     self%idle_steps = 0
-    if (allocated(self%fields%rough)) self%free = self%covered .and. .not. self%fields%rough%ruptured
+    if (self%model%is_rough()) self%free = self%covered .and. .not. self%model%fields%rough%ruptured
   end subroutine film_residual
 
   !> Sets where the oil has ruptured between rough surfaces, before `film_residual`: a rupture line that starts at the wrong
@@ -314,7 +307,7 @@ contains
     class(film_contact), intent(inout) :: self
     logical, intent(in) :: ruptured(:, :)
 
-    if (allocated(self%fields%rough)) self%fields%rough%ruptured = self%covered .and. ruptured
+    if (self%model%is_rough()) self%model%fields%rough%ruptured = self%covered .and. ruptured
   end subroutine set_ruptured
 
   !> Sets the film at pressure p [Pa] and rigid film h0 [m]; `film_balance` evaluates its flow.
@@ -325,15 +318,15 @@ contains
     integer :: j
 
     call self%work%convolution%start()
-    call self%deflection(p, self%fields%h)
+    call self%deflection(p, self%model%fields%h)
     call self%work%convolution%finish()
     !$omp parallel do schedule(static)
     do j = 1, size(p, 2)
-      self%fields%p(:, j) = p(:, j)
-      self%fields%h(:, j) = self%fields%h(:, j) + self%gap(:, j) + h0
+      self%model%fields%p(:, j) = p(:, j)
+      self%model%fields%h(:, j) = self%model%fields%h(:, j) + self%gap(:, j) + h0
     end do
-    if (allocated(self%fields%rough)) call share_pressure(self%fields%rough, self%covered, self%fields%p, &
-      self%fields%h)
+    if (self%model%is_rough()) call share_pressure(self%model%fields%rough, self%covered, self%model%fields%p, &
+      self%model%fields%h)
   end subroutine set_film
 
   !> Evaluates flow and imbalance at the present pressure and film; arguments as of `film_residual`.
@@ -344,7 +337,7 @@ contains
 
     call self%work%flow%start()
     call self%set_flow()
-    associate (p => self%fields%p)
+    associate (p => self%model%fields%p)
       !$omp parallel do schedule(static)
       do j = 1, size(p, 2)
         self%free(:, j) = self%covered(:, j) .and. (p(:, j) > 0 .or. self%imbalance(:, j) < 0)
@@ -352,12 +345,12 @@ contains
       end do
       residual = total(self%dh)/self%wedge
       ! a film whose stress did not converge must not count as solved
-      if (allocated(self%shear)) residual = residual + self%shear%unsolved()
+      residual = residual + self%model%unsolved()
       load_error = 1 - total(p)*self%spacing(1)*self%spacing(2)/self%load
     end associate
-    if (allocated(self%fields%rough)) then
-      load_error = 1 - total(self%fields%rough%total)*self%spacing(1)*self%spacing(2)/self%load
-      self%dh = abs(self%fields%rough%excess)
+    if (self%model%is_rough()) then
+      load_error = 1 - total(self%model%fields%rough%total)*self%spacing(1)*self%spacing(2)/self%load
+      self%dh = abs(self%model%fields%rough%excess)
       residual = residual + total(self%dh)*self%spacing(1)*self%spacing(2)/self%load
     end if
     if (self%held) load_error = 0
@@ -409,9 +402,9 @@ contains
       k = nx*(j - 1)
       self%right(k + 1:k + nx) = merge(-self%imbalance(:, j), 0.0_wp, self%free(:, j))
     end do
-    if (allocated(self%fields%rough)) then
+    if (self%model%is_rough()) then
       call take_excess(self, self%right(:n))
-      self%fields%rough%ruptured = self%covered .and. .not. self%free
+      self%model%fields%rough%ruptured = self%covered .and. .not. self%free
     end if
     self%right(n + 1) = load_error*self%load*self%load_weight
     call gmres(self, self%right, forcing, most_cycles*size(self%basis, 2), self%basis, self%change, krylov, reduction)
@@ -441,7 +434,7 @@ contains
     r(1:size(self%gap, 1), 1:size(self%gap, 2)) => right
     change(1:size(self%gap, 1), 1:size(self%gap, 2)) => self%change(:size(right))
     self%dh = 0
-    call change_balance(self, self%fields%rough%excess, self%dh, change)
+    call change_balance(self, self%model%fields%rough%excess, self%dh, change)
     r = r + change
   end subroutine take_excess
 
@@ -453,8 +446,8 @@ contains
     real(wp), contiguous, intent(out) :: change(:, :)
     integer :: j
 
-    if (allocated(self%fields%rough)) then
-      associate (rough => self%fields%rough)
+    if (self%model%is_rough()) then
+      associate (rough => self%model%fields%rough)
         !$omp parallel do schedule(static)
         do j = 1, size(dp, 2)
           rough%change(:, j) = merge(dp(:, j) + rough%stiffness(:, j)*dh(:, j), 0.0_wp, self%free(:, j))

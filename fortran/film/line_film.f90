@@ -7,7 +7,7 @@ module pyworm_line_film
   use pyworm_line_reynolds, only: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, &
     band_product
   use pyworm_line_shear, only: sheared_flow
-  use pyworm_partial_film, only: new_partial_film, fill_gap, feed_downstream
+  use pyworm_partial_film, only: fill_gap, feed_downstream
   use pyworm_reynolds, only: set_film_fields
   use pyworm_status, only: status_ok, status_no_memory
   use pyworm_viscosity_density, only: oil_law
@@ -27,7 +27,7 @@ module pyworm_line_film
     type(line_grid) :: still
     type(elastic_half_plane) :: plane
     type(line_flow) :: flow
-    type(band_model) :: model
+    type(band_model) :: bands
     !> Derivatives of the imbalance by pressure and film at the nodes -2 to 2 further on.
     real(wp), allocatable :: by_pressure(:, :), by_film(:, :)
   contains
@@ -85,19 +85,19 @@ contains
   subroutine set_flow(self)
     class(line_contact), intent(inout) :: self
 
-    if (allocated(self%shear)) then
-      call sheared_flow(self%grid, self%oil, self%floor, self%shear, self%fields, self%flow, allocated(self%partial))
+    if (self%model%is_sheared()) then
+      call sheared_flow(self%grid, self%oil, self%floor, self%model%shear, self%model%fields, self%flow, self%model%is_partial())
     else
-      call set_film_fields(self%oil, self%floor, self%fields)
-      call newtonian_flow(self%grid, self%fields, self%flow)
+      call set_film_fields(self%oil, self%floor, self%model%fields)
+      call newtonian_flow(self%grid, self%model%fields, self%flow)
     end if
-    if (.not. allocated(self%partial)) then
-      call line_imbalance(self%grid, self%fields, self%flow, self%imbalance(:, 1))
+    if (.not. self%model%is_partial()) then
+      call line_imbalance(self%grid, self%model%fields, self%flow, self%imbalance(:, 1))
       return
     end if
-    call line_imbalance(self%still, self%fields, self%flow, self%imbalance(:, 1))
-    self%partial%mass = self%fields%rho*self%fields%h
-    call fill_gap(self%partial, self%covered, self%fields%p, self%grid%implicit_rate, self%imbalance)
+    call line_imbalance(self%still, self%model%fields, self%flow, self%imbalance(:, 1))
+    self%model%partial%mass = self%model%fields%rho*self%model%fields%h
+    call fill_gap(self%model%partial, self%covered, self%model%fields%p, self%grid%implicit_rate, self%imbalance)
   end subroutine set_flow
 
   !> Builds the bands of the Jacobian and its preconditioner at the flow last set.
@@ -105,12 +105,12 @@ contains
     class(line_contact), intent(inout) :: self
     integer, intent(out) :: stat
 
-    call line_bands(self%grid, self%fields, self%flow, self%by_pressure, self%by_film, self%partial)
-    if (allocated(self%fields%rough)) then
-      call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat, &
-        self%fields%rough%stiffness(:, 1))
+    call line_bands(self%grid, self%model%fields, self%flow, self%by_pressure, self%by_film, self%model%partial)
+    if (self%model%is_rough()) then
+      call set_band_model(self%bands, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat, &
+        self%model%fields%rough%stiffness(:, 1))
     else
-      call set_band_model(self%model, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat)
+      call set_band_model(self%bands, self%by_pressure, self%by_film, self%plane%influence, self%free(:, 1), stat)
     end if
   end subroutine linearise
 
@@ -121,7 +121,7 @@ contains
     real(wp), contiguous, intent(out) :: change(:, :)
 
     change(:, 1) = band_product(self%by_pressure, dp(:, 1)) + band_product(self%by_film, dh(:, 1))
-    if (allocated(self%partial)) call feed_downstream(self%partial, self%grid%implicit_rate, change)
+    if (self%model%is_partial()) call feed_downstream(self%model%partial, self%grid%implicit_rate, change)
   end subroutine imbalance_change
 
   !> Solves the band model for the pressure.
@@ -131,8 +131,8 @@ contains
     real(wp), contiguous, target, intent(out) :: dp(:, :)
 
     dp(:, 1) = r(:, 1)
-    if (.not. allocated(self%fields%rough)) dp(:, 1) = merge(r(:, 1), 0.0_wp, self%free(:, 1))
-    call self%model%solve(dp(:, 1))
+    if (.not. self%model%is_rough()) dp(:, 1) = merge(r(:, 1), 0.0_wp, self%free(:, 1))
+    call self%bands%solve(dp(:, 1))
   end subroutine relax
 
   !> Sums |um dg/dx| and the transient term of the gap g over the inner nodes [m/s].
@@ -152,7 +152,7 @@ contains
 
     self%grid%implicit_rate = implicit_rate
     self%grid%explicit_rate = explicit_rate(:, 1)
-    if (allocated(self%partial)) self%still%explicit_rate = explicit_rate(:, 1)
+    if (self%model%is_partial()) self%still%explicit_rate = explicit_rate(:, 1)
   end subroutine set_transient
 
   !> Limits the oil that enters to a layer of thickness `supply` [m].
@@ -166,8 +166,7 @@ contains
     self%still%u = 0
     self%still%implicit_rate = 0
     rate = [self%grid%u/self%grid%dx, 0.0_wp]
-    if (.not. allocated(self%partial)) allocate (self%partial)
-    call new_partial_film(self%grid%n, 1, supply, second_order, rate, 0*rate, self%partial, stat)
+    call self%model%limit_supply(supply, second_order, rate, 0*rate, stat)
   end subroutine feed
 
 end module pyworm_line_film

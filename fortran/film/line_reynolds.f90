@@ -105,7 +105,7 @@ contains
     fraction = 1
     if (present(partial)) fraction = partial%fraction
     widening = 1
-    if (allocated(fields%rough)) widening = fields%rough%widening(:, 1)
+    if (fields%is_rough()) widening = fields%rough%widening(:, 1)
     by_pressure = 0
     by_film = 0
     do i = 1, grid%n - 1

@@ -13,11 +13,9 @@ module pyworm_multigrid
   use pyworm_lapack, only: sgbtrf, sgbtrs
   use pyworm_film_levels, only: grid_level, new_level, coarsen_entrainment, set_level, set_mobility, model_line, &
     leaving_rate, orient
+  use pyworm_film_model, only: film_model
   use pyworm_line_relaxation, only: factor_line, relax_line, relax_first
-  use pyworm_partial_film, only: partial_film
-  use pyworm_reynolds, only: film_fields, film_grid
-  use pyworm_rough_surfaces, only: rough_film
-  use pyworm_sheared_reynolds, only: sheared_film
+  use pyworm_reynolds, only: film_grid
   use pyworm_status, only: status_ok, status_not_converged, status_no_memory
   implicit none(type, external)
   private
@@ -105,38 +103,34 @@ contains
     end do
   end function coarsenings
 
-  !> Rebuilds every level about the present fields; `free` is true where pressure may change. The flow of a film that
-  !> is not isothermal and Newtonian is that of `shear`; a gap whose supply is limited is filled as `partial` has it.
-  subroutine set_film_multigrid(self, fields, free, stat, shear, partial)
+  !> Rebuilds every level about the present fields of a film; `free` is true where pressure may change.
+  subroutine set_film_multigrid(self, model, free, stat)
     type(film_multigrid), intent(inout) :: self
-    type(film_fields), intent(in) :: fields
+    type(film_model), intent(in) :: model
     logical, intent(in) :: free(:, :)
     integer, intent(out) :: stat
-    type(sheared_film), intent(in), optional :: shear
-    type(partial_film), intent(in), optional :: partial
     integer :: l
 
     do l = 1, size(self%level)
-      call set_level(self%level(l), fields, free, partial)
-      if (.not. present(shear)) then
+      call set_level(self%level(l), model, free)
+      if (.not. model%is_sheared()) then
         if (l == 1) then
-          call set_mobility(self%level(l), fields)
+          call set_mobility(self%level(l), model%fields)
         else
-          call set_mobility(self%level(l), fields, self%level(l - 1))
+          call set_mobility(self%level(l), model%fields, self%level(l - 1))
         end if
       end if
-      call set_lines(self, l, shear, fields%rough)
+      call set_lines(self, l, model)
       self%level(l)%x = 0
     end do
     call factor_coarsest(self, stat)
   end subroutine set_film_multigrid
 
   !> Factors the lines of a level, on the coarsest the band. Rows where pressure is not free are those of the identity.
-  subroutine set_lines(self, l, shear, rough)
+  subroutine set_lines(self, l, model)
     type(film_multigrid), intent(inout) :: self
     integer, intent(in) :: l
-    type(sheared_film), intent(in), optional :: shear
-    type(rough_film), intent(in), optional :: rough
+    type(film_model), intent(in) :: model
     real(pp), dimension(self%level(l)%length) :: centre, left, right, before, after
     integer :: j, n
 
@@ -145,7 +139,7 @@ contains
     associate (level => self%level(l))
       !$omp parallel do private(centre, left, right, before, after) schedule(static)
       do j = 2, level%count - 1
-        call model_line(level, j, self%implicit_rate, shear, rough, centre, left, right, before, after)
+        call model_line(level, j, self%implicit_rate, model, centre, left, right, before, after)
         if (l == 1) call set_sharpening(level, j, centre, self%sharpening(:, j))
         if (l == size(self%level)) then
           call set_band(self%band, n, j, centre, left, right, before, after)

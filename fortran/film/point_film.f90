@@ -3,7 +3,7 @@ module pyworm_point_film
   use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, weigh_load
   use pyworm_half_space, only: elastic_half_space, new_half_space
   use pyworm_kinds, only: pp, wp
-  use pyworm_partial_film, only: new_partial_film, fill_gap, carry_change
+  use pyworm_partial_film, only: fill_gap, carry_change
   use pyworm_multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
   use pyworm_reynolds, only: film_grid, set_film_fields, set_mass_change, flow_imbalance, flow_imbalance_change
   use pyworm_sheared_reynolds, only: set_sheared_fields, still_ambient_faces, sheared_imbalance, sheared_imbalance_change
@@ -73,9 +73,9 @@ contains
       film%grid%u = face_mean_x(u)
       film%grid%v = face_mean_y(v)
       call set_entrainment(film%cycles, film%grid)
-      if (allocated(film%partial)) then
-        film%partial%rate_x = reshape(film%grid%u/film%grid%dx, [size(u)])
-        film%partial%rate_y = reshape(film%grid%v/film%grid%dy, [size(v)])
+      if (film%model%is_partial()) then
+        film%model%partial%rate_x = reshape(film%grid%u/film%grid%dx, [size(u)])
+        film%model%partial%rate_y = reshape(film%grid%v/film%grid%dy, [size(v)])
       end if
     end select
   end subroutine entrain
@@ -109,26 +109,26 @@ contains
   subroutine set_flow(self)
     class(point_contact), intent(inout) :: self
 
-    if (.not. allocated(self%partial)) then
+    if (.not. self%model%is_partial()) then
       call set_flow_on(self%grid)
       return
     end if
     call set_flow_on(self%still)
-    self%partial%mass = self%fields%rho*self%fields%h
-    call fill_gap(self%partial, self%covered, self%fields%p, self%grid%implicit_rate, self%imbalance)
+    self%model%partial%mass = self%model%fields%rho*self%model%fields%h
+    call fill_gap(self%model%partial, self%covered, self%model%fields%p, self%grid%implicit_rate, self%imbalance)
 
   contains
 
     subroutine set_flow_on(grid)
       type(film_grid), intent(in) :: grid
 
-      if (allocated(self%shear)) then
-        call set_sheared_fields(grid, self%oil, self%floor, self%shear, self%fields)
-        if (allocated(self%partial)) call still_ambient_faces(self%fields%p, self%shear)
-        call sheared_imbalance(grid, self%shear, self%fields, self%imbalance)
+      if (self%model%is_sheared()) then
+        call set_sheared_fields(grid, self%oil, self%floor, self%model%shear, self%model%fields)
+        if (self%model%is_partial()) call still_ambient_faces(self%model%fields%p, self%model%shear)
+        call sheared_imbalance(grid, self%model%shear, self%model%fields, self%imbalance)
       else
-        call set_film_fields(self%oil, self%floor, self%fields)
-        call flow_imbalance(grid, self%fields, self%imbalance)
+        call set_film_fields(self%oil, self%floor, self%model%fields)
+        call flow_imbalance(grid, self%model%fields, self%imbalance)
       end if
     end subroutine set_flow_on
 
@@ -139,8 +139,7 @@ contains
     class(point_contact), intent(inout) :: self
     integer, intent(out) :: stat
 
-    ! a film that is not sheared, or whose supply is not limited, passes no argument
-    call set_film_multigrid(self%cycles, self%fields, self%free, stat, self%shear, self%partial)
+    call set_film_multigrid(self%cycles, self%model, self%free, stat)
   end subroutine linearise
 
   !> Computes the change of the imbalance by a small change of pressure and film.
@@ -149,23 +148,23 @@ contains
     real(wp), contiguous, intent(in) :: dp(:, :), dh(:, :)
     real(wp), contiguous, intent(out) :: change(:, :)
 
-    if (.not. allocated(self%partial)) then
+    if (.not. self%model%is_partial()) then
       call change_on(self%grid)
       return
     end if
     call change_on(self%still)
-    call set_mass_change(self%fields, dp, dh, self%partial%mass_change)
-    call carry_change(self%partial, self%grid%implicit_rate, change)
+    call set_mass_change(self%model%fields, dp, dh, self%model%partial%mass_change)
+    call carry_change(self%model%partial, self%grid%implicit_rate, change)
 
   contains
 
     subroutine change_on(grid)
       type(film_grid), intent(in) :: grid
 
-      if (allocated(self%shear)) then
-        call sheared_imbalance_change(grid, self%shear, self%fields, dp, dh, change)
+      if (self%model%is_sheared()) then
+        call sheared_imbalance_change(grid, self%model%shear, self%model%fields, dp, dh, change)
       else
-        call flow_imbalance_change(grid, self%fields, dp, dh, change)
+        call flow_imbalance_change(grid, self%model%fields, dp, dh, change)
       end if
     end subroutine change_on
 
@@ -179,8 +178,8 @@ contains
 
     call film_cycle(self%cycles, r, dp)
     ! where the oil has ruptured the asperities bear: their pressure and the deflection under a node
-    if (allocated(self%fields%rough)) then
-      where (.not. self%free) dp = r/(1 + self%cycles%level(1)%compliance*self%fields%rough%stiffness)
+    if (self%model%is_rough()) then
+      where (.not. self%free) dp = r/(1 + self%cycles%level(1)%compliance*self%model%fields%rough%stiffness)
     end if
   end subroutine relax
 
@@ -208,7 +207,7 @@ contains
 
     self%grid%implicit_rate = implicit_rate
     self%grid%explicit_rate = explicit_rate
-    if (allocated(self%partial)) self%still%explicit_rate = explicit_rate
+    if (self%model%is_partial()) self%still%explicit_rate = explicit_rate
     self%cycles%implicit_rate = real(implicit_rate, pp)
   end subroutine set_transient
 
@@ -222,9 +221,8 @@ contains
     self%still%u = 0
     self%still%v = 0
     self%still%implicit_rate = 0
-    if (.not. allocated(self%partial)) allocate (self%partial)
-    call new_partial_film(self%grid%nx, self%grid%ny, supply, third_order, self%grid%u/self%grid%dx, &
-      self%grid%v/self%grid%dy, self%partial, stat)
+    call self%model%limit_supply(supply, third_order, reshape(self%grid%u/self%grid%dx, [size(supply)]), &
+      reshape(self%grid%v/self%grid%dy, [size(supply)]), stat)
   end subroutine feed
 
 end module pyworm_point_film

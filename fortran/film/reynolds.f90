@@ -45,6 +45,8 @@ module pyworm_reynolds
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
     real(wp), allocatable :: mobility(:, :), mobility_p(:, :), mobility_h(:, :)
+  contains
+    procedure :: is_rough
   end type film_fields
 
 contains
@@ -60,6 +62,13 @@ contains
       fields%mobility(nx, ny), fields%mobility_p(nx, ny), fields%mobility_h(nx, ny), source=0.0_wp, stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_fields
+
+  !> Whether the surfaces are rough.
+  pure logical function is_rough(self)
+    class(film_fields), intent(in) :: self
+
+    is_rough = allocated(self%rough)
+  end function is_rough
 
   !> Evaluates the fields at their pressure and film.
   !>
@@ -109,7 +118,7 @@ contains
     !$omp parallel do schedule(static)
     do j = 1, size(dp, 2)
       change(:, j) = fields%rho(:, j)*dh(:, j)
-      if (allocated(fields%rough)) change(:, j) = change(:, j)*fields%rough%widening(:, j)
+      if (fields%is_rough()) change(:, j) = change(:, j)*fields%rough%widening(:, j)
       change(:, j) = change(:, j) + fields%rho_p(:, j)*fields%h(:, j)*dp(:, j)
     end do
   end subroutine set_mass_change

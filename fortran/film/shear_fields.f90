@@ -43,8 +43,8 @@ contains
 
     m = last - first + 1
     shear%points = m
-    associate (nodes => contact%shear%nodes, p => contact%fields%p, dx => contact%spacing(1), dy => contact%spacing(2))
-      shear%film(:m) = max(contact%fields%h(first:last, j), contact%floor)
+    associate (nodes => contact%model%shear%nodes, p => contact%model%fields%p, dx => contact%spacing(1), dy => contact%spacing(2))
+      shear%film(:m) = max(contact%model%fields%h(first:last, j), contact%floor)
       shear%px(:m) = (p(first + 1:last + 1, j) - p(first - 1:last - 1, j))/(2*dx)
       if (size(p, 2) > 1) then
         shear%py(:m) = (p(first:last, j + 1) - p(first:last, j - 1))/(2*dy)
@@ -53,7 +53,7 @@ contains
       end if
       shear%us(:m) = nodes%sliding_x(first:last, j)
       shear%vs(:m) = nodes%sliding_y(first:last, j)
-      if (allocated(contact%fields%rough)) shear%wetted(:m) = 1 - contact%fields%rough%area(first:last, j)
+      if (contact%model%is_rough()) shear%wetted(:m) = 1 - contact%model%fields%rough%area(first:last, j)
       rise(:m, :) = nodes%rise(first:last, j, :)
       call shear_columns(contact%oil, nodes, p(first:last, j), rise, shear, mean, softening)
     end associate
@@ -109,12 +109,12 @@ contains
     integer, intent(out) :: stat
     type(shear_strip) :: shear
     real(wp), dimension(most_nodes) :: mean, cosine, sine, along, across, lag_s, lag_r
-    real(wp), dimension(most_nodes, contact%shear%nodes%levels%count) :: rise, softening, rate, heat, own, loading_x, &
+    real(wp), dimension(most_nodes, contact%model%shear%nodes%levels%count) :: rise, softening, rate, heat, own, loading_x, &
       loading_y, relief_x, relief_y
     integer :: j, first, last, m
 
-    associate (nx => size(contact%gap, 1), ny => size(contact%gap, 2), levels => contact%shear%nodes%levels, &
-        faces => contact%shear%along_x)
+    associate (nx => size(contact%gap, 1), ny => size(contact%gap, 2), levels => contact%model%shear%nodes%levels, &
+        faces => contact%model%shear%along_x)
       allocate (field%stress_x(nx, ny), field%stress_y(nx, ny), field%friction(nx, ny), field%rate(nx, ny), &
         field%along(nx, ny), field%across(nx, ny), source=0.0_wp)
       allocate (field%slip(nx, ny), source=0)
@@ -135,7 +135,7 @@ contains
           field%rate(first:last, j) = maxval(rate(:m, :), dim=2)
           field%slip(first:last, j) = shear%slip(:m)
           if (.not. factors_wanted) cycle
-          call flow_factors(contact%shear%nodes%law, levels, shear, cosine, sine, along, across, lag_s, lag_r)
+          call flow_factors(contact%model%shear%nodes%law, levels, shear, cosine, sine, along, across, lag_s, lag_r)
           field%along(first:last, j) = along(:m)
           field%across(first:last, j) = across(:m)
         end do
@@ -157,7 +157,7 @@ contains
     call new_shear_strip(1, size(u), shear, stat)
     if (stat /= status_ok) return
     call shear_nodes(contact, i, i, j, shear, mean, rise, softening)
-    call film_velocity(contact%shear%nodes%law, contact%shear%nodes%levels, shear, [u1], [v1], u_levels, v_levels)
+    call film_velocity(contact%model%shear%nodes%law, contact%model%shear%nodes%levels, shear, [u1], [v1], u_levels, v_levels)
     u = u_levels(1, :)
     v = v_levels(1, :)
   end subroutine film_profile

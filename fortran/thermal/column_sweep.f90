@@ -78,7 +78,7 @@ contains
 
     self%way = way
     self%aside = aside
-    associate (n => way%length, lines => way%lines, levels => film%shear%nodes%levels%count)
+    associate (n => way%length, lines => way%lines, levels => film%model%shear%nodes%levels%count)
       cuts = (n - 3)/most_columns + 1
       allocate (self%u1(n, lines), self%v1(n, lines), self%us(n, lines), self%vs(n, lines), self%p(n, lines), &
         self%h(n, lines), self%stress_x(n, lines), self%stress_y(n, lines), self%rise(0:n + 1, lines, levels), &
@@ -89,12 +89,12 @@ contains
     end associate
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return
-    if (allocated(film%fields%rough)) allocate (self%wetted(way%length, way%lines), stat=err)
+    if (film%model%is_rough()) allocate (self%wetted(way%length, way%lines), stat=err)
     if (err /= 0) stat = status_no_memory
     call to_sweep(way, u1, self%u1)
     call to_sweep(way, v1, self%v1)
-    call to_sweep(way, film%shear%nodes%sliding_x, self%us)
-    call to_sweep(way, film%shear%nodes%sliding_y, self%vs)
+    call to_sweep(way, film%model%shear%nodes%sliding_x, self%us)
+    call to_sweep(way, film%model%shear%nodes%sliding_y, self%vs)
   end subroutine new_swept_columns
 
   !> Sets rates of change of temperature and pressure; the arguments are those of `change_with_time` of `thermal_step`.
@@ -126,10 +126,10 @@ contains
     allocate (threads(0:omp_get_max_threads() - 1), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return
-    associate (levels => film%shear%nodes%levels%count)
+    associate (levels => film%model%shear%nodes%levels%count)
       do thread = 0, ubound(threads, 1)
         associate (own => threads(thread))
-          if (stat == status_ok) call new_film_strip(own%columns, most_columns, film%shear%nodes%levels, stat)
+          if (stat == status_ok) call new_film_strip(own%columns, most_columns, film%model%shear%nodes%levels, stat)
           if (stat == status_ok) call new_shear_strip(most_columns, levels, own%shear, stat)
           if (stat == status_ok) call new_column_oil(most_columns, levels, own%oil, stat)
           allocate (own%rate(most_columns, levels), own%inflow(most_columns, levels), stat=err)
@@ -145,11 +145,11 @@ contains
     class(film_contact), intent(in) :: film
     integer :: k
 
-    call to_sweep(self%way, film%fields%p, self%p)
-    call to_sweep(self%way, film%fields%h, self%h)
-    if (allocated(film%fields%rough)) call to_sweep(self%way, 1 - film%fields%rough%area, self%wetted)
-    do k = 1, film%shear%nodes%levels%count
-      call to_sweep(self%way, film%shear%nodes%rise(:, :, k), self%rise(1:self%way%length, :, k))
+    call to_sweep(self%way, film%model%fields%p, self%p)
+    call to_sweep(self%way, film%model%fields%h, self%h)
+    if (film%model%is_rough()) call to_sweep(self%way, 1 - film%model%fields%rough%area, self%wetted)
+    do k = 1, film%model%shear%nodes%levels%count
+      call to_sweep(self%way, film%model%shear%nodes%rise(:, :, k), self%rise(1:self%way%length, :, k))
     end do
   end subroutine enter_sweep
 
@@ -159,8 +159,8 @@ contains
     class(film_contact), intent(inout) :: film
     integer :: k
 
-    do k = 1, film%shear%nodes%levels%count
-      call from_sweep(self%way, self%rise(1:self%way%length, :, k), film%shear%nodes%rise(:, :, k))
+    do k = 1, film%model%shear%nodes%levels%count
+      call from_sweep(self%way, self%rise(1:self%way%length, :, k), film%model%shear%nodes%rise(:, :, k))
     end do
   end subroutine swept_rise
 
@@ -226,7 +226,7 @@ contains
     first = 2 + (cut - 1)*most_columns
     last = min(1 + cut*most_columns, self%way%length - 1)
     m = last - first + 1
-    associate (nodes => film%shear%nodes, shear => work%shear, columns => work%columns, oil => work%oil)
+    associate (nodes => film%model%shear%nodes, shear => work%shear, columns => work%columns, oil => work%oil)
       call gather(self, film, line, first, last, work)
       call shear_columns(film%oil, nodes, oil%p, columns%known, shear, oil%mean, oil%softening)
       call set_heat(law, film%oil, nodes, shear, oil, columns)

@@ -72,7 +72,7 @@ contains
     integer :: n, levels, i, err
 
     n = film%grid%n
-    levels = film%shear%nodes%levels%count
+    levels = film%model%shear%nodes%levels%count
     self%judged_pressure = judged_pressure
     self%wall_tolerance = wall_tolerance
     self%onward = merge(1, -1, sum(film%grid%u) > 0)
@@ -86,7 +86,7 @@ contains
     stat = merge(status_ok, status_no_memory, err == 0)
     if (stat /= status_ok) return
     do i = 1, size(self%columns)
-      if (stat == status_ok) call new_film_strip(self%columns(i), most_columns, film%shear%nodes%levels, stat)
+      if (stat == status_ok) call new_film_strip(self%columns(i), most_columns, film%model%shear%nodes%levels, stat)
     end do
     do i = 0, ubound(self%shear, 1)
       if (stat == status_ok) call new_shear_strip(most_columns, levels, self%shear(i), stat)
@@ -190,12 +190,12 @@ contains
     shear%tau_y(:m) = 0
     call shear_nodes(film, first, last, 1, shear, oil%mean, columns%known, oil%softening)
     self%stress(first:last) = shear%tau_x(:m)
-    oil%p(:m) = film%fields%p(first:last, 1)
+    oil%p(:m) = film%model%fields%p(first:last, 1)
     oil%u1(:m) = self%u1(first:last)
     oil%v1(:m) = 0
     oil%pressing(:m) = 0
     if (allocated(self%pressing)) oil%pressing(:m) = self%pressing(first:last)
-    call set_heat(self%law, film%oil, film%shear%nodes, shear, oil, columns)
+    call set_heat(self%law, film%oil, film%model%shear%nodes, shear, oil, columns)
     associate (capacity => oil%capacity, compression => oil%compression)
       do k = 1, size(oil%u, 2)
         self%flow(first:last, k) = capacity(:m)*oil%u(:m, k)/film%spacing(1)
@@ -218,7 +218,7 @@ contains
 
     n = size(film%gap, 1)
     levels = size(self%flow, 2)
-    associate (rise => film%shear%nodes%rise)
+    associate (rise => film%model%shear%nodes%rise)
       do i = merge(2, n - 1, along > 0), merge(n - 1, 2, along > 0), along
         if (along /= self%onward .and. all(along*self%flow(i, :) <= 0)) cycle
         strip = (i - 2)/most_columns + 1
@@ -285,7 +285,7 @@ contains
     integer, intent(in) :: strip
     real(wp), intent(in) :: least
     real(wp), intent(inout) :: change
-    real(wp), dimension(most_columns, film%shear%nodes%levels%count) :: inflow
+    real(wp), dimension(most_columns, film%model%shear%nodes%levels%count) :: inflow
     real(wp) :: carried(most_columns)
     integer :: i, c, k, m
 
@@ -300,7 +300,7 @@ contains
         i = before + c
         self%walls%flux(i, 1, :) = columns%flux(c, :)
         self%walls%admittance(i, 1, :, :) = columns%admittance(c, :, :)
-        if (film%fields%p(i, 1) > least) change = max(change, maxval(abs(columns%temperature(c, :) - columns%known(c, :))))
+        if (film%model%fields%p(i, 1) > least) change = max(change, maxval(abs(columns%temperature(c, :) - columns%known(c, :))))
       end do
     end associate
   end subroutine take_up

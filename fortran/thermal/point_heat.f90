@@ -160,7 +160,7 @@ contains
     integer :: k, i
 
     associate (main => self%main)
-      unsettled = lagging*maxval(film%shear%nodes%rise)
+      unsettled = lagging*maxval(film%model%shear%nodes%rise)
       if (main%change_along > unsettled) call sweep_aside(self, film, least)
       call enter_sweep(main, film)
       if (main%change_backward > unsettled) then

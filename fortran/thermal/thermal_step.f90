@@ -118,7 +118,7 @@ contains
     self%law = law
     call new_wall_pair(self%walls, body_1, bulk(1), body_2, bulk(2), most_iterations, stat)
     if (stat /= status_ok) return
-    allocate (self%before, self%wanted, mold=film%shear%nodes%rise, stat=err)
+    allocate (self%before, self%wanted, mold=film%model%shear%nodes%rise, stat=err)
     if (err /= 0) then
       stat = status_no_memory
       return
@@ -159,7 +159,7 @@ contains
     merit = residual + abs(load_error)
     call film_direction(film, forcing, p, h0, load_error, step%krylov, stat)
     if (stat /= status_ok) return
-    heat%before(:, :, :) = film%shear%nodes%rise
+    heat%before(:, :, :) = film%model%shear%nodes%rise
     step%damping = 1
     call move_film(film, step%damping, p, h0)
     call warm_film(film, heat, 1.0_wp, residual, load_error, step%change, heat_stat)
@@ -178,7 +178,7 @@ contains
     end if
     call note_progress(film, residual, load_error)
     heat%last_fraction = heat%fraction
-    heat%wanted(:, :, :) = (film%shear%nodes%rise - heat%before)/heat%fraction
+    heat%wanted(:, :, :) = (film%model%shear%nodes%rise - heat%before)/heat%fraction
   end subroutine heated_step
 
   !> Makes a sweep of heat with a relaxation factor of at most `most`, and evaluates the balance of the film after
@@ -194,7 +194,7 @@ contains
     heat%fraction = 1
     call heat_sweep(film, heat, change, stat)
     if (stat /= status_ok) return
-    associate (rise => film%shear%nodes%rise)
+    associate (rise => film%model%shear%nodes%rise)
       heat%fraction = min(settling_fraction(film, heat), most)
       if (heat%fraction < 1) call set_temperature(film, heat, heat%before + heat%fraction*(rise - heat%before))
     end associate
@@ -211,12 +211,12 @@ contains
 
     turn = 0
     length = 0
-    least = heat%judged_pressure*maxval(film%fields%p)
-    associate (rise => film%shear%nodes%rise)
+    least = heat%judged_pressure*maxval(film%model%fields%p)
+    associate (rise => film%model%shear%nodes%rise)
       do k = 1, size(rise, 3)
         do j = 1, size(rise, 2)
           do i = 1, size(rise, 1)
-            if (.not. film%fields%p(i, j) > least) cycle
+            if (.not. film%model%fields%p(i, j) > least) cycle
             bend = rise(i, j, k) - heat%before(i, j, k) - heat%wanted(i, j, k)
             turn = turn - bend*heat%wanted(i, j, k)
             length = length + bend**2
@@ -246,9 +246,9 @@ contains
     stat = status_interrupted
     if (interrupted()) return
     call heat%work%start()
-    least = heat%judged_pressure*maxval(film%fields%p)
+    least = heat%judged_pressure*maxval(film%model%fields%p)
     call heat%sweep_columns(film, least, change)
-    if (allocated(film%fields%rough)) call rub(film, heat)
+    if (film%model%is_rough()) call rub(film, heat)
     ! heat of a stress that did not converge must not count as settled
     if (heat%unsolved() > 0) change = hottest
     ! the walls of a diverged film may overflow in single precision
@@ -269,9 +269,9 @@ contains
     real(wp) :: rubbed(size(film%gap, 1))
     integer :: j
 
-    associate (nodes => film%shear%nodes, rough => film%fields%rough, flux => heat%walls%flux)
+    associate (nodes => film%model%shear%nodes, rough => film%model%fields%rough, flux => heat%walls%flux)
       do j = first_row(film), last_row(film)
-        rubbed = rough%boundary_friction*asperity_pressure(rough, film%fields%p, j) &
+        rubbed = rough%boundary_friction*asperity_pressure(rough, film%model%fields%p, j) &
           *hypot(nodes%sliding_x(:, j), nodes%sliding_y(:, j))
         flux(:, j, 1) = flux(:, j, 1) + rubbed/2
         flux(:, j, 2) = flux(:, j, 2) + rubbed/2
@@ -288,7 +288,7 @@ contains
     integer :: i
 
     stat = status_ok
-    associate (rise => film%shear%nodes%rise, walls => heat%walls)
+    associate (rise => film%model%shear%nodes%rise, walls => heat%walls)
       if (all(rise > -film%oil%temperature .and. rise < hottest)) return
       stat = status_not_finite
       rise = 0
@@ -320,7 +320,7 @@ contains
     class(film_heat), intent(inout) :: heat
     real(wp), intent(in) :: rise(:, :, :)
 
-    film%shear%nodes%rise(:, :, :) = rise
+    film%model%shear%nodes%rise(:, :, :) = rise
     heat%walls%wall(:, :, 1) = rise(:, :, 1)
     heat%walls%wall(:, :, 2) = rise(:, :, size(rise, 3))
     call admit_oil(film, heat)
@@ -335,7 +335,7 @@ contains
     integer :: k, nx
 
     nx = size(film%gap, 1)
-    associate (rise => film%shear%nodes%rise, levels => film%shear%nodes%levels, body => heat%walls%body)
+    associate (rise => film%model%shear%nodes%rise, levels => film%model%shear%nodes%levels, body => heat%walls%body)
       do k = 2, levels%count - 1
         entering = (0.5_wp - levels%z(k))*body(1)%bulk + (0.5_wp + levels%z(k))*body(2)%bulk
         rise([1, nx], :, k) = entering
@@ -359,12 +359,12 @@ contains
     inner = size(film%gap, 1) - 1
     first = first_row(film)
     last = last_row(film)
-    associate (rise => film%shear%nodes%rise, levels => film%shear%nodes%levels, wall => heat%walls%wall)
+    associate (rise => film%model%shear%nodes%rise, levels => film%model%shear%nodes%levels, wall => heat%walls%wall)
       !$omp parallel do private(k, change_1, change_2) reduction(max:change) schedule(static)
       do j = 1, size(rise, 2)
         change_1 = wall(:, j, 1) - rise(:, j, 1)
         change_2 = wall(:, j, 2) - rise(:, j, levels%count)
-        change = max(change, maxval(max(abs(change_1), abs(change_2)), mask=film%fields%p(:, j) > least))
+        change = max(change, maxval(max(abs(change_1), abs(change_2)), mask=film%model%fields%p(:, j) > least))
         rise(:, j, 1) = wall(:, j, 1)
         rise(:, j, levels%count) = wall(:, j, 2)
         if (j < first .or. j > last) cycle

@@ -105,7 +105,7 @@ contains
       if (stat /= status_ok .or. (step%change < 1e-2_wp .and. residual < 1e-3_wp)) exit
       if (steps == 1 .or. step%damping < 1) cycle
       wanted = contact%heat%wanted
-      judged = spread(contact%film%fields%p > 0.02_wp*maxval(contact%film%fields%p), 3, levels)
+      judged = spread(contact%film%model%fields%p > 0.02_wp*maxval(contact%film%model%fields%p), 3, levels)
       share = -share_before*sum(before*(wanted - before), judged)/sum((wanted - before)**2, judged)
       if (share > 0.125_wp .and. share < 1) extrapolated = extrapolated + 1
       share = min(max(share, 0.125_wp), 1.0_wp)
@@ -116,7 +116,7 @@ contains
     end do
     call check(extrapolated >= 5, "sweeps that overshoot are shortened")
     call check(stat == status_ok .and. step%change < 1e-2_wp .and. residual < 1e-3_wp, "film and temperature settle")
-    call check(maxval(contact%film%shear%nodes%rise) > 1/beta, "where heat changes the viscosity much")
+    call check(maxval(contact%film%model%shear%nodes%rise) > 1/beta, "where heat changes the viscosity much")
   end subroutine warm
 
 end program test_heated_step

@@ -84,10 +84,10 @@ contains
     call check(steps < 15, "Newton converges in few steps")
     call check(all(p >= 0) .and. all(contact%imbalance > -1e-9_wp), "pressure and outflow are complementary")
     call close_to(sum(p)*0.05_wp, load, 1e-9_wp, "the load is carried")
-    thinnest = minval(contact%fields%h)
+    thinnest = minval(contact%model%fields%h)
     call close_to(thinnest*8*m/pi, 3.97_wp, 0.4_wp, "the film is what an independent solver finds, nearly")
     call solve(contact, x, [(-1.0_wp, i=1, n)], modulus, barus, q, 0.4_wp, steps)
-    other = minval(contact%fields%h)
+    other = minval(contact%model%fields%h)
     call close_to(maxval(abs(q(n:1:-1) - p)), 0.0_wp, 1e-9_wp, "backwards as forwards")
     call close_to(other, thinnest, 1e-9_wp*thinnest, "with the same film")
   end subroutine piezoviscous
@@ -120,7 +120,7 @@ contains
     p(n + 1) = 0
     call solve(contact, x, [(1.0_wp, i=1, n + 1)], 1e9_wp, oil, p, h0, steps, beyond - p(1)*d/2)
     call check(steps < 15, "Newton converges on a rigid film")
-    rigid_film = minval(contact%fields%h)/h0 - 1
+    rigid_film = minval(contact%model%fields%h)/h0 - 1
   end function rigid_film
 
   !> Pressure at a distance before a rigid film, and the load carried beyond: midpoints over 1/x.

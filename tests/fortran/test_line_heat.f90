@@ -100,9 +100,9 @@ contains
     integer :: sweep
 
     do sweep = 1, most
-      before = contact%film%shear%nodes%rise(:, 1, :)
+      before = contact%film%model%shear%nodes%rise(:, 1, :)
       call heat_sweep(contact%film, contact%heat, change, stat)
-      change = maxval(abs(contact%film%shear%nodes%rise(:, 1, :) - before))
+      change = maxval(abs(contact%film%model%shear%nodes%rise(:, 1, :) - before))
       if (change < 1e-5_wp) exit
     end do
     call check(change < 1e-5_wp, "the temperature settles")
@@ -121,7 +121,7 @@ contains
     call settle(contact, 40)
     call nodal_shear(contact%film, .false., field, stat)
     tau = eta*us/h*asinh(x)/(x*sqrt(1 + x**2))
-    call close_to(contact%film%shear%nodes%rise(n/2, 1, levels/2 + 1), log(1 + nahme/8)/beta, &
+    call close_to(contact%film%model%shear%nodes%rise(n/2, 1, levels/2 + 1), log(1 + nahme/8)/beta, &
       4e-4_wp*log(1 + nahme/8)/beta, "temperature of thermal Couette flow")
     call close_to(field%stress_x(n/2, 1), tau, 4e-4_wp*tau, "and its stress")
   end subroutine couette
@@ -136,11 +136,11 @@ contains
     integer :: node(2)
 
     call new_film(contact, velocity, velocity, thinned(0.0_wp), capacity, mirror, [1.0_wp, 1.0_wp], 0.0_wp)
-    contact%film%shear%nodes%rise([1, n], 1, 2:levels - 1) = 0
+    contact%film%model%shear%nodes%rise([1, n], 1, 2:levels - 1) = 0
     call settle(contact, 5)
     node = [61, 101]
     if (velocity < 0) node = n + 1 - node
-    associate (levels_here => contact%film%shear%nodes%levels, rise => contact%film%shear%nodes%rise)
+    associate (levels_here => contact%film%model%shear%nodes%levels, rise => contact%film%model%shear%nodes%rise)
       mean(1) = sum(levels_here%weight*rise(node(1), 1, :))
       mean(2) = sum(levels_here%weight*rise(node(2), 1, :))
     end associate
@@ -165,7 +165,8 @@ contains
     do node = 9, 33, 8
       half = sqrt(eps*exp(-decay*slope*(node - 1)*dx)*abs(velocity)*slope/k)*h/2
       wanted = inlet*(1/merge(cos(half), cosh(half), velocity > 0) - 1)
-      call close_to(contact%film%shear%nodes%rise(node, 1, levels/2 + 1), wanted, 1e-3_wp, "compression warms, expansion cools")
+      call close_to(contact%film%model%shear%nodes%rise(node, 1, levels/2 + 1), wanted, 1e-3_wp, &
+        "compression warms, expansion cools")
     end do
   end subroutine compression
 
@@ -199,8 +200,8 @@ contains
     call settle(forth, 200)
     call new_film(back, -4.0_wp, 1.0_wp, thinned(beta), 1.7e6_wp, steel, [5.0_wp, 0.0_wp], 0.0_wp)
     call settle(back, 200)
-    rise = back%film%shear%nodes%rise(n:1:-1, 1, :)
-    call close_to(maxval(abs(rise - forth%film%shear%nodes%rise(:, 1, :))), 0.0_wp, 1e-6_wp*maxval(rise), "the mirror image")
+    rise = back%film%model%shear%nodes%rise(n:1:-1, 1, :)
+    call close_to(maxval(abs(rise - forth%film%model%shear%nodes%rise(:, 1, :))), 0.0_wp, 1e-6_wp*maxval(rise), "the mirror image")
   end subroutine reversed
 
 end program test_line_heat

@@ -95,7 +95,7 @@ contains
     real(wp) :: residual, load_error
 
     call film_residual(contact, on_nodes(p), 0.0_wp, residual, load_error)
-    lifted = h0 - minval(contact%fields%h)
+    lifted = h0 - minval(contact%model%fields%h)
   end function lifted
 
   !> The written Jacobian, hot and unequally at its walls, against central differences of the imbalance.
@@ -110,7 +110,7 @@ contains
     call new_contact(contact)
     call shear_contact(contact, law, levels, on_nodes(sliding), on_nodes(0*sliding), stat)
     do k = 1, levels
-      contact%shear%nodes%rise(:, 1, k) = p/maxval(p)*(20 + 30*real((k - 1)*(levels - k), wp)/9 + 4*k)
+      contact%model%shear%nodes%rise(:, 1, k) = p/maxval(p)*(20 + 30*real((k - 1)*(levels - k), wp)/9 + 4*k)
     end do
     lift = lifted(contact)
     direction(:n) = [(p(i)*sin(0.7_wp*i), i=1, n)]
@@ -141,7 +141,7 @@ contains
     call new_line_contact(contact, x**2/(2*radius), covered, u, dx, modulus, oil, 2e5_wp, floor, stat)
     call shear_contact(contact, flow_law(law_eyring, tau0), levels, on_nodes(sliding), on_nodes(0*sliding), stat)
     call film_residual(contact, pressure, 0.0_wp, residual, load_error)
-    film = 1.5e-6_wp - contact%fields%h(n/2, 1)
+    film = 1.5e-6_wp - contact%model%fields%h(n/2, 1)
     call film_residual(contact, pressure, film, residual, load_error)
     do steps = 1, 20
       call film_step(contact, 1e-4_wp, pressure, film, residual, load_error, step, stat)

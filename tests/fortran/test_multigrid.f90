@@ -1,5 +1,6 @@
 program test_multigrid
   use pyworm_kinds, only: wp
+  use pyworm_film_model, only: film_model
   use pyworm_multigrid, only: film_multigrid, new_film_multigrid, set_film_multigrid, film_cycle
   use pyworm_viscosity_density, only: oil_law, law_barus
   use pyworm_reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance_change
@@ -25,13 +26,15 @@ contains
     type(film_grid) :: grid
     type(film_fields) :: fields
     type(film_multigrid) :: cycles
+    type(film_model) :: model
     real(wp) :: wanted(nx, ny), x(nx, ny), r(nx, ny), f(nx, ny), first
     logical :: free(nx, ny)
     integer :: i, j, k, stat
 
     call still(nx, ny, dx, dy, grid, fields, free)
     call new_film_multigrid(grid, 0.0_wp, cycles, stat)
-    call set_film_multigrid(cycles, fields, free, stat)
+    model%fields = fields
+    call set_film_multigrid(cycles, model, free, stat)
     call check(stat == status_ok, "levels are set up")
     wanted = 0
     do j = 2, ny - 1
@@ -56,6 +59,7 @@ contains
     type(film_grid) :: grid
     type(film_fields) :: fields
     type(film_multigrid) :: cycles
+    type(film_model) :: model
     real(wp) :: x(n, n), f(n, n)
     logical :: free(n, n)
     integer :: stat
@@ -63,7 +67,8 @@ contains
     call still(n, n, 1.0_wp, 1.0_wp, grid, fields, free)
     free(20:, :) = .false.
     call new_film_multigrid(grid, 0.0_wp, cycles, stat)
-    call set_film_multigrid(cycles, fields, free, stat)
+    model%fields = fields
+    call set_film_multigrid(cycles, model, free, stat)
     f = 1
     call film_cycle(cycles, f, x)
     call check(maxval(abs(x(20:, :))) <= 0, "pressure that is not free does not change")
@@ -76,6 +81,7 @@ contains
     type(film_grid) :: grid
     type(film_fields) :: fields
     type(film_multigrid) :: cycles
+    type(film_model) :: model
     real(wp) :: x(n, n), f(n, n), mirrored(n, n)
     logical :: free(n, n)
     integer :: stat
@@ -86,11 +92,13 @@ contains
     f(30, 5) = -2
     grid%u = 1
     call new_film_multigrid(grid, 1.0_wp, cycles, stat)
-    call set_film_multigrid(cycles, fields, free, stat)
+    model%fields = fields
+    call set_film_multigrid(cycles, model, free, stat)
     call film_cycle(cycles, f, x)
     grid%u = -1
     call new_film_multigrid(grid, 1.0_wp, cycles, stat)
-    call set_film_multigrid(cycles, fields, free, stat)
+    model%fields = fields
+    call set_film_multigrid(cycles, model, free, stat)
     call film_cycle(cycles, f(n:1:-1, :), mirrored)
     call close_to(maxval(abs(mirrored(n:1:-1, :) - x)), 0.0_wp, 1e-5_wp*maxval(abs(x)), &
       "sweeps follow the entrainment")

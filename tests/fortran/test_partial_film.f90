@@ -93,8 +93,8 @@ contains
     real(wp) :: net(n, n), along_x(n, n), along_y(n, n), entering, leaving
     integer :: i, j
 
-    call flow_imbalance(contact%still, contact%fields, net)
-    associate (partial => contact%partial)
+    call flow_imbalance(contact%still, contact%model%fields, net)
+    associate (partial => contact%model%partial)
       along_x = reshape(partial%share_x*partial%full_x, [n, n])
       along_y = reshape(partial%share_y*partial%full_y, [n, n])
       do j = 2, n - 1
@@ -107,7 +107,8 @@ contains
       leaving = sum(along_x(n - 1, 2:n - 1)) + sum(along_y(2:n - 1, n - 1))
       call close_to(entering, 1.4_wp*layer*(n - 2)/spacing, 1e-10_wp*entering, "the layer enters")
       call close_to(leaving, entering, 1e-10_wp*entering, "what enters leaves")
-      call check(all(contact%fields%p <= 0 .or. reshape(partial%fraction, [n, n]) >= 1), "pressure only where the gap is full")
+      call check(all(contact%model%fields%p <= 0 .or. reshape(partial%fraction, [n, n]) >= 1), &
+        "pressure only where the gap is full")
       call check(count(partial%fraction < 1) > n*n/4, "a large part of the gap is not full")
     end associate
   end subroutine oil_is_kept

@@ -65,7 +65,7 @@ contains
     call check(residual + abs(load_error) < 1e-8_wp, "Newton converges")
     call close_to(sum(p)*(place(2) - place(1))**2, load, 1e-7_wp*load, "the load is carried")
     call check(all(p >= 0) .and. all(contact%imbalance > -1e-5_wp), "pressure and outflow are complementary")
-    thinnest = minval(contact%fields%h)
+    thinnest = minval(contact%model%fields%h)
   end subroutine solve
 
   !> Nodes on a square of side 7 about the contact.

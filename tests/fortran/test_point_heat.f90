@@ -105,9 +105,9 @@ contains
     integer :: sweep
 
     do sweep = 1, most
-      before = contact%film%shear%nodes%rise
+      before = contact%film%model%shear%nodes%rise
       call heat_sweep(contact%film, contact%heat, change, stat)
-      change = maxval(abs(contact%film%shear%nodes%rise - before))
+      change = maxval(abs(contact%film%model%shear%nodes%rise - before))
       if (change < 1e-5_wp) exit
     end do
     call check(change < 1e-5_wp, "the temperature settles")
@@ -129,7 +129,7 @@ contains
     call settle(contact, 60)
     call nodal_shear(contact%film, .false., field, stat)
     tau = eta*us/h*asinh(x)/(x*sqrt(1 + x**2))
-    call close_to(contact%film%shear%nodes%rise(middle, middle, halfway), log(1 + nahme/8)/beta, &
+    call close_to(contact%film%model%shear%nodes%rise(middle, middle, halfway), log(1 + nahme/8)/beta, &
       4e-4_wp*log(1 + nahme/8)/beta, "temperature of thermal Couette flow")
     call close_to(field%stress_x(middle, middle), tau*way(1), 4e-4_wp*tau, "its stress along x")
     call close_to(field%stress_y(middle, middle), tau*way(2), 4e-4_wp*tau, "and along y")
@@ -147,7 +147,7 @@ contains
     call new_film(contact, [10 - us/2, 0.0_wp], [10 + us/2, 0.0_wp], constant, &
       oil_heat_law(conductivity=k, c1=1.56e-9_wp, c2=0.61e-9_wp), mirror, [0.0_wp, 0.0_wp], p)
     call settle(contact, 5)
-    call close_to(contact%film%shear%nodes%rise(middle, middle, halfway), eta*us**2/(8*k*(3.17_wp/1.61_wp)), &
+    call close_to(contact%film%model%shear%nodes%rise(middle, middle, halfway), eta*us**2/(8*k*(3.17_wp/1.61_wp)), &
       1e-6_wp, "oil conducts better under pressure")
   end subroutine conduction_under_pressure
 
@@ -174,7 +174,7 @@ contains
     call settle(contact, 60)
     do i = inlet_side, middle, middle - inlet_side
       at = merge([i, middle], [middle, i], abs(way(1)) > 0)
-      associate (rise => contact%film%shear%nodes%rise(at(1), at(2), halfway), &
+      associate (rise => contact%film%model%shear%nodes%rise(at(1), at(2), halfway), &
           m2 => eps*exp(-decay*p(at(1), at(2)))*speed*slope/k)
         if (sum(way) > 0) then
           call close_to(rise, inlet*(1/cos(sqrt(m2)*h/2) - 1), 1e-3_wp, "compression warms")
@@ -210,7 +210,7 @@ contains
       ! at places whose oil came in by the near end, not by a side
       at(:, i) = merge([place(i), beside], [beside, place(i)], along_x)
       where (velocity < 0) at(:, i) = nodes + 1 - at(:, i)
-      associate (levels_here => contact%film%shear%nodes%levels, rise => contact%film%shear%nodes%rise)
+      associate (levels_here => contact%film%model%shear%nodes%levels, rise => contact%film%model%shear%nodes%rise)
         mean(i) = sum(levels_here%weight*rise(at(1, i), at(2, i), :))
       end associate
     end do
@@ -223,7 +223,7 @@ contains
   subroutine let_in_cold(contact)
     type(heated_contact), intent(inout) :: contact
 
-    associate (rise => contact%film%shear%nodes%rise)
+    associate (rise => contact%film%model%shear%nodes%rise)
       rise([1, size(rise, 1)], :, 2:size(rise, 3) - 1) = 0
       rise(:, [1, size(rise, 2)], 2:size(rise, 3) - 1) = 0
     end associate
@@ -255,7 +255,7 @@ contains
     end do
     call check(change < 1e-3_wp, "heat across the entrainment settles in a few sweeps")
     do i = 1, 2
-      associate (levels_here => contact%film%shear%nodes%levels, rise => contact%film%shear%nodes%rise)
+      associate (levels_here => contact%film%model%shear%nodes%levels, rise => contact%film%model%shear%nodes%rise)
         mean(i) = sum(levels_here%weight*rise(beside, place(i), :))
       end associate
     end do

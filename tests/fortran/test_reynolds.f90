@@ -49,6 +49,7 @@ end module rigid_film
 program test_reynolds
   use pyworm_kinds, only: pp, wp
   use pyworm_krylov, only: gmres
+  use pyworm_film_model, only: film_model
   use pyworm_multigrid, only: new_film_multigrid, set_film_multigrid
   use pyworm_viscosity_density, only: oil_law, law_barus, law_roelands
   use pyworm_reynolds, only: film_grid, film_fields, new_film_fields, set_film_fields, flow_imbalance, &
@@ -110,6 +111,7 @@ contains
     real(wp), allocatable :: x(:), y(:), wanted(:, :), right(:), change(:), imbalance(:, :)
     real(pp), allocatable :: basis(:, :)
     logical, allocatable :: free(:, :)
+    type(film_model) :: model
     real(wp) :: reduction, dx, dy
     integer :: i, j, iterations, stat, ny
 
@@ -141,7 +143,8 @@ contains
     call set_film_fields(oil_law(law_barus, eta, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp), floor, system%fields)
     call flow_imbalance(system%grid, system%fields, imbalance)
     call new_film_multigrid(system%grid, 0.0_wp, system%cycles, stat)
-    call set_film_multigrid(system%cycles, system%fields, free, stat)
+    model%fields = system%fields
+    call set_film_multigrid(system%cycles, model, free, stat)
     call check(stat == status_ok, "multigrid is set up")
     right = reshape(-imbalance, [size(imbalance)])
     allocate (change(size(right)), basis(size(right), 30))

@@ -164,21 +164,21 @@ contains
     integer :: i
 
     call make_point(flow_law(law_newton), curves(0.3_wp, -0.6_wp, 0.0_wp, angle), 0.0_wp, 0.0_wp, 0.0_wp, contact, p)
-    associate (rough => contact%fields%rough)
+    associate (rough => contact%model%fields%rough)
       do i = 1, nx
         p(i, :) = 1e9_wp + slope*(i - 1)*4e-5_wp
       end do
       h = 2*roughness
       call share_pressure(rough, contact%covered, p, h)
       ! a film of one gap has one pressure of asperities: the oil's gradient is the total's
-      contact%fields%p = p
-      contact%fields%h = h
+      contact%model%fields%p = p
+      contact%model%fields%h = h
       call contact%set_flow()
       fall = exp(-2.0_wp)
       expected = [1.0_wp, 1.0_wp, 0.0_wp] + fall*(0.3_wp*[cos(angle)**2, sin(angle)**2, cos(angle)*sin(angle)] &
         - 0.6_wp*[sin(angle)**2, cos(angle)**2, -cos(angle)*sin(angle)])
       ! the oil's mobility without factors, by the flow along x
-      associate (faces_x => contact%shear%along_x%flow, faces_y => contact%shear%along_y%flow, i => 12, j => 11)
+      associate (faces_x => contact%model%shear%along_x%flow, faces_y => contact%model%shear%along_y%flow, i => 12, j => 11)
         root = [faces_x(i, j)/expected(1), (faces_y(i, j) + faces_y(i + 1, j))/2/expected(3)]
         call close_to(root(2), root(1), 2e-3_wp*root(1), "the lay turns the flow")
       end associate
@@ -193,13 +193,13 @@ contains
     call make_point(flow_law(law_newton), curves(0.0_wp, 0.0_wp, 0.5_wp, 0.0_wp), 1.0_wp, -2.0_wp, 0.0_wp, contact, p)
     p = 1e9_wp
     h = roughness
-    call share_pressure(contact%fields%rough, contact%covered, p, h)
-    contact%fields%p = p
-    contact%fields%h = h
+    call share_pressure(contact%model%fields%rough, contact%covered, p, h)
+    contact%model%fields%p = p
+    contact%model%fields%h = h
     call contact%set_flow()
     ! body 2 moves against x relative to body 1, which is the rough one: oil is carried along x, against `flow`
-    expected = -contact%fields%rho(12, 11)*0.5_wp*roughness*exp(-1.0_wp)*2.0_wp/2
-    call close_to(contact%shear%along_x%flow(12, 11), expected, 1e-5_wp*abs(expected), "a rough wall drags oil along")
+    expected = -contact%model%fields%rho(12, 11)*0.5_wp*roughness*exp(-1.0_wp)*2.0_wp/2
+    call close_to(contact%model%shear%along_x%flow(12, 11), expected, 1e-5_wp*abs(expected), "a rough wall drags oil along")
   end subroutine drag_by_sliding
 
   !> The Jacobian of a contact against central differences of its balance, its rupture held.
@@ -225,7 +225,7 @@ contains
     call balance_at(contact, p + step*dp, h0 + step*dh0, ruptured, above)
     call balance_at(contact, p - step*dp, h0 - step*dh0, ruptured, below)
     call balance_at(contact, p, h0, ruptured, change)
-    call check(any(contact%free .and. contact%fields%rough%total > contact%fields%p) .and. &
+    call check(any(contact%free .and. contact%model%fields%rough%total > contact%model%fields%p) .and. &
       any(contact%covered .and. .not. contact%free), what//": asperities and rupture")
     call set_system(contact, stat)
     x(:size(p)) = reshape(dp, [size(p)])
@@ -250,7 +250,7 @@ contains
 
     call set_ruptured(contact, ruptured)
     call film_residual(contact, p, h0, residual, load_error)
-    balance = merge(contact%imbalance, -contact%fields%rough%excess, contact%free)
+    balance = merge(contact%imbalance, -contact%model%fields%rough%excess, contact%free)
   end subroutine balance_at
 
   subroutine point_jacobian()
@@ -320,7 +320,7 @@ contains
     call check_shares(contact, 100.0_wp, "a starved rough contact")
     call stored_oil(contact, before)
     call close_to(inflow(contact), 0.0_wp, 1e-8_wp*layer/4e-5_wp, "a steady film gains no oil")
-    steady = minval(contact%fields%h)
+    steady = minval(contact%model%fields%h)
     contact%load = heavier
     call set_transient_term(contact, rate, -rate*before, stat)
     call check(stat == status_ok, "a time step is set")
@@ -329,8 +329,8 @@ contains
     call stored_oil(contact, after)
     gained = rate*sum(after(2:nx - 1, 2:ny - 1) - before(2:nx - 1, 2:ny - 1))
     call close_to(inflow(contact), gained, 1e-6_wp*abs(gained), "what enters and does not leave is stored")
-    call check(minval(contact%fields%h) < steady, "more load, less film")
-    call check(any(contact%partial%fraction < 1 .and. contact%partial%fraction > 0), "the gap is filled in part")
+    call check(minval(contact%model%fields%h) < steady, "more load, less film")
+    call check(any(contact%model%partial%fraction < 1 .and. contact%model%partial%fraction > 0), "the gap is filled in part")
   end subroutine starved_transient
 
   !> Oil over each node [m], relative to its density at ambient pressure.
@@ -338,7 +338,7 @@ contains
     type(point_contact), intent(in) :: contact
     real(wp), intent(out) :: stored(nx, ny)
 
-    stored = reshape(contact%partial%fraction, [nx, ny])*contact%fields%rho*contact%fields%h
+    stored = reshape(contact%model%partial%fraction, [nx, ny])*contact%model%fields%rho*contact%model%fields%h
   end subroutine stored_oil
 
   !> Net flow into the inner nodes, summed from their faces on the outline, over the spacing [m/s].
@@ -349,8 +349,8 @@ contains
     call contact%set_flow()
     ! what pressure drives out of all inner nodes; the transient term is not in it
     contact%still%explicit_rate = 0
-    call sheared_imbalance(contact%still, contact%shear, contact%fields, net)
-    associate (partial => contact%partial)
+    call sheared_imbalance(contact%still, contact%model%shear, contact%model%fields, net)
+    associate (partial => contact%model%partial)
       along_x = reshape(partial%share_x*partial%full_x, [nx, ny])
       along_y = reshape(partial%share_y*partial%full_y, [nx, ny])
     end associate
@@ -397,13 +397,13 @@ contains
 
     borne = 0
     do j = 1, ny
-      rubbed = asperity_pressure(contact%fields%rough, contact%fields%p, j)
+      rubbed = asperity_pressure(contact%model%fields%rough, contact%model%fields%p, j)
       borne = borne + sum(rubbed)
       call check(all(rubbed >= 0), what//": asperities bear no less than nothing")
     end do
     borne = borne*4e-5_wp**2
-    call check(all(contact%fields%p >= 0), what//": nor does the oil")
-    call close_to(sum(contact%fields%p)*4e-5_wp**2 + borne, load, 1e-6_wp, what//": together they bear the load")
+    call check(all(contact%model%fields%p >= 0), what//": nor does the oil")
+    call close_to(sum(contact%model%fields%p)*4e-5_wp**2 + borne, load, 1e-6_wp, what//": together they bear the load")
     call check(borne > 0.01_wp*load .and. borne < 0.99_wp*load, what//": both bear a part")
   end subroutine check_shares
 

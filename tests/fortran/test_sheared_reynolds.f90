@@ -1,6 +1,7 @@
 !> The flow of a sheared film: Newton's in its limit, its Jacobian that of its imbalance.
 program test_sheared_reynolds
   use pyworm_flow_laws, only: flow_law, law_newton, law_eyring, law_bair_winer, law_eyring_limited, law_carreau
+  use pyworm_film_model, only: film_model
   use pyworm_film_levels, only: grid_level, new_level, set_level, set_mobility, model_line
   use pyworm_kinds, only: pp, wp
   use pyworm_viscosity_density, only: oil_law, law_roelands
@@ -93,17 +94,20 @@ contains
     logical, intent(in) :: transposed
     type(grid_level) :: level
     real(pp), dimension(merge(ny, nx, transposed), 5) :: plain, sheared
+    type(film_model) :: isothermal, general
     logical :: free(nx, ny)
     integer :: j
 
     free = .true.
+    isothermal%fields = fields
+    general%fields = fields
+    general%shear = film
     call new_level(grid, transposed, 1, 1e-16_wp, level, stat)
-    call set_level(level, fields, free)
+    call set_level(level, isothermal, free)
     call set_mobility(level, fields)
     do j = 2, level%count - 1
-      call model_line(level, j, 500.0_pp, null(), null(), plain(:, 1), plain(:, 2), plain(:, 3), plain(:, 4), plain(:, 5))
-      call model_line(level, j, 500.0_pp, film, null(), sheared(:, 1), sheared(:, 2), sheared(:, 3), sheared(:, 4), &
-        sheared(:, 5))
+      call model_line(level, j, 500.0_pp, isothermal, plain(:, 1), plain(:, 2), plain(:, 3), plain(:, 4), plain(:, 5))
+      call model_line(level, j, 500.0_pp, general, sheared(:, 1), sheared(:, 2), sheared(:, 3), sheared(:, 4), sheared(:, 5))
       call check(all(abs(sheared(2:level%length - 1, :) - plain(2:level%length - 1, :)) &
         < 1e-5_pp*maxval(abs(plain(2:level%length - 1, :)))), "and its preconditioner")
     end do
