@@ -1,12 +1,12 @@
 """`[cooling]`: the thermal balance of a worm drive."""
 
 from pyworm.case.table import Table
+from pyworm.drives.worm.loads.temperatures import Housing
 from pyworm.formulas.worm_losses import Bearings
 from pyworm.io import units
-from pyworm.io.plain_values import PositiveNumber
 
 
-class CoolingTable(Table):
+class CoolingTable(Table, Housing):
     """`[cooling]`: data of the thermal balance that finds the temperatures of oil and bodies.
 
     `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
@@ -16,10 +16,6 @@ class CoolingTable(Table):
     which all this is struck; left out, it is found.
     """
 
-    ambient_temperature: units.Temperature
-    conductance: units.ThermalConductance
     other_loss: units.PowerOrZero | None = None
     bearings: Bearings = "adjusted"
-    immersion: PositiveNumber = 1.0
-    worm_excess: units.TemperatureDifference = 0.0
     tooth_loss: units.Power | None = None

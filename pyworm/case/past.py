@@ -7,7 +7,7 @@ from typing import Annotated, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from pyworm.case.table import Table
+from pyworm.case.table import Table, plain
 from pyworm.io import units
 from pyworm.io.plain_values import Number
 from pyworm.scene.any_contact import AnyContact
@@ -19,17 +19,26 @@ from pyworm.scene.waves import velocities
 Factors = Annotated[tuple[Number, ...], Field(min_length=2)]
 
 
-class PastTable(Table):
+@dataclass(frozen=True, kw_only=True)
+class LoadHistory:
+    """Factors of the load and of the surfaces' velocities at some times, straight between them."""
+
+    times: Annotated[tuple[units.Instant, ...], Field(min_length=2)]
+    """Times since the beginning [s]; the last one is the present."""
+    load: Factors | None = None
+    """Factors of the load [-]; None where it is always the present one."""
+    speed: Factors | None = None
+    """Factors of velocities and spins [-]; None likewise."""
+    separation: Annotated[tuple[units.Separation, ...], Field(min_length=2)] | None = None
+    """Distances of the undeformed surfaces [m], which hold where the factor of the load is zero."""
+
+
+class PastTable(Table, LoadHistory):
     """`[past]`: factors of the load and of the surfaces' velocities at some times, straight between them.
 
     Where the load is zero the separation of the surfaces may be given. The last time is the present, at which
     the contact is solved.
     """
-
-    times: Annotated[tuple[units.Instant, ...], Field(min_length=2)]
-    load: Factors | None = None
-    speed: Factors | None = None
-    separation: Annotated[tuple[units.Separation, ...], Field(min_length=2)] | None = None
 
     @model_validator(mode="after")
     def _a_course_that_ends_at_present(self) -> Self:
@@ -74,20 +83,16 @@ class PastTable(Table):
 
     def of(self, scene: AnyContact) -> AnyContact:
         """The contact with this past."""
-        course = _WrittenLife(scene, self.times, self.load, self.speed, self.separation)
+        course = _WrittenLife(present=scene, **vars(plain(self, LoadHistory)))
         life = Life(self.times[-1], course, unturned, self.times[1:-1])
         return replace(course(self.times[-1]), past=Past(life, self.times[-1]))
 
 
-@dataclass(frozen=True)
-class _WrittenLife:
+@dataclass(frozen=True, kw_only=True)
+class _WrittenLife(LoadHistory):
     """Time since the beginning [s] -> the contact then; ValueError where it carries no load."""
 
     present: AnyContact
-    times: tuple[float, ...]
-    load: tuple[float, ...] | None
-    speed: tuple[float, ...] | None
-    separation: tuple[float, ...] | None
 
     def __call__(self, seconds: float) -> AnyContact:
         load, speed = (

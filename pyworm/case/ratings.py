@@ -8,19 +8,21 @@ from pyworm.case.case_file import FileTable, Published
 from pyworm.case.drive_case import DriveCase
 from pyworm.case.one_oil import check_one_oil
 from pyworm.case.table import Table
-from pyworm.formulas.bearing_life import Direction, Elements
+from pyworm.formulas.bearing_life import LoadedBearing
 from pyworm.formulas.fzg_test_gears import TEST_TEMPERATURE
 from pyworm.formulas.worm_curves import Lubrication, OilKind
+from pyworm.formulas.worm_gear import WormGearSizes
 from pyworm.formulas.worm_losses import Bearings
 from pyworm.io import units
-from pyworm.io.plain_values import Count, Number, PositiveNumber, Text
+from pyworm.io.plain_values import Count, PositiveNumber, Text
 from pyworm.materials.base_stock import Base
+from pyworm.materials.oil_requirements import OilRequirements
 from pyworm.materials.solids import named_material
 
 _UpToOne = Annotated[float, Field(strict=True, ge=0, le=1)]
 
 
-class BearingTable(Table):
+class BearingTable(Table, LoadedBearing):
     """`[bearings.NAME]`: a rolling bearing for ISO 281.
 
     Dynamic rating, load and speed give the basic life; the modified one needs the rest. The oil is given by
@@ -29,13 +31,8 @@ class BearingTable(Table):
     """
 
     name: Text | None = None
-    elements: Elements
-    direction: Direction = "radial"
-    dynamic_rating: units.Force
     static_rating: units.Force | None = None
     fatigue_load_limit: units.Force | None = None
-    load: units.Force
-    speed: units.Speed
     mean_diameter: units.Length | None = None
     viscosity: units.KinematicViscosity | None = None
     oil: Text | None = None
@@ -43,8 +40,6 @@ class BearingTable(Table):
     contamination: _UpToOne | None = None
     lubrication: Literal["inline filter", "oil bath", "grease"] | None = None
     cleanliness: Text | None = None
-    additives: bool = False
-    reliability: units.Share = 0.9
     published: Published = Field(default_factory=dict)
 
     @model_validator(mode="after")
@@ -62,18 +57,8 @@ class BearingTable(Table):
         return self
 
 
-class OilChoiceTable(Table):
-    """`[oil_choice]`: requirements of an oil (`ratings.oil_grades.Duty`); drive and bodies give the rest."""
-
-    base: Base
-    specific_film: PositiveNumber
-    ambient_temperature: units.Temperature
-    sump_temperature: units.Temperature
-    sump_grade: Count
-    bulk_excess: units.TemperatureDifference
-    churning_share: units.Share
-    sump_limit: units.Temperature
-    coldest_start: units.Temperature | None = None
+class OilChoiceTable(Table, OilRequirements):
+    """`[oil_choice]`: requirements of an oil (`OilDuty`); drive and bodies give the rest."""
 
 
 class LoadStepTable(Table):
@@ -191,16 +176,9 @@ class GearRatingTable(DamageLimits):
         return self
 
 
-class WormGearTable(Table):
+class WormGearTable(Table, WormGearSizes):
     """`[worm_gear]`: a worm gear as the standards see it, where no drive is given; roughness as Rq."""
 
-    centre_distance: units.Length
-    starts: Count
-    teeth: Count
-    module: units.Length
-    diameter_factor: PositiveNumber
-    face_width: units.FaceWidth
-    profile_shift: Number = 0.0
     worm_speed: units.Speed
     wheel_torque: units.Torque
     reduced_modulus: units.Modulus

@@ -31,7 +31,7 @@ from pyworm.drives.worm.drawing.deviations import FlankDeviations
 from pyworm.drives.worm.drive import WormDrive
 from pyworm.drives.worm.duty import geometry_of, operating_point
 from pyworm.drives.worm.loads.load_sharing import Shaft, Transmission
-from pyworm.drives.worm.loads.temperatures import Cooling, drive_temperatures
+from pyworm.drives.worm.loads.temperatures import Cooling, Housing, drive_temperatures
 from pyworm.drives.worm.loads.worm_shaft import WormShaft
 from pyworm.formulas.unknown import Unknown, attempt, known
 from pyworm.formulas.worm_curves import Lubrication
@@ -276,13 +276,7 @@ class WormCase(RatedCase):
             torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
             lost = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
             other = BesidesTeeth(lost, table.bearings)
-        return Cooling(
-            table.ambient_temperature,
-            table.conductance,
-            other,
-            table.immersion,
-            table.worm_excess,
-        )
+        return Cooling(other=other, **vars(plain(table, Housing)))
 
     @property
     def hob_life(self) -> tuple[float, ...]:

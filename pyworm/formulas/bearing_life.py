@@ -10,6 +10,7 @@ from typing import Literal
 
 from pyworm.formulas.ranges import one_of, positive, within
 from pyworm.formulas.unknown import Unknown, known
+from pyworm.io import units
 
 Elements = Literal["ball", "roller"]
 Direction = Literal["radial", "thrust"]
@@ -302,21 +303,33 @@ def basic_life(dynamic_rating: float, load: float, elements: Elements) -> float:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BearingRating:
+class LoadedBearing:
+    """A rolling bearing under its load."""
+
+    elements: Elements
+    """Rolling elements, "ball" or "roller"."""
+    direction: Direction = "radial"
+    """Direction of the load, "radial" or "thrust"."""
+    dynamic_rating: units.Force
+    """Dynamic load rating C [N]."""
+    load: units.Force
+    """Equivalent load P [N]."""
+    speed: units.Speed
+    """Speed [rad/s]."""
+    additives: bool = False
+    """Whether the oil has additives that lessen wear (`life_modification`)."""
+    reliability: units.Share = 0.9
+    """Share of bearings that reach the life (`reliability_factor`)."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BearingRating(LoadedBearing):
     """Life of one bearing by ISO 281, each figure by itself.
 
     Each is computed when it is asked for: ValueError with the reason where it lies outside the standard, or
     what it needs is `Unknown`.
     """
 
-    elements: Elements
-    """Rolling elements, "ball" or "roller"."""
-    dynamic_rating: float
-    """Dynamic load rating C [N]."""
-    load: float
-    """Equivalent load P [N]."""
-    speed: float
-    """Speed [rad/s]."""
     fatigue_load_limit: float | Unknown
     """Fatigue load limit C_u [N]."""
     mean_diameter: float | Unknown
@@ -325,12 +338,6 @@ class BearingRating:
     """Kinematic viscosity of the oil at the bearing [m2/s]."""
     contamination: float | Unknown
     """e_C [-], see `contamination_factor` and `contamination_range`."""
-    direction: Direction = "radial"
-    """Direction of the load, "radial" or "thrust"."""
-    additives: bool = False
-    """See `life_modification`."""
-    reliability: float = 0.9
-    """See `reliability_factor`."""
     source = SOURCE
 
     @property

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from math import atan, cos, degrees, pi, sqrt
 
 from pyworm.formulas.ranges import positive, within
+from pyworm.io import units
+from pyworm.io.plain_values import Count, Number, PositiveNumber
 
 REFERENCE_FILM = 0.07
 """h* of the reference gear, nominal."""
@@ -14,7 +16,27 @@ ALLOWED_WEAR = 0.3
 
 
 @dataclass(frozen=True)
-class WormGear:
+class WormGearSizes:
+    """Sizes of a worm gear."""
+
+    centre_distance: units.Length
+    """Centre distance a [m]; 25 mm to 2 m."""
+    starts: Count
+    """Starts of the worm, z1."""
+    teeth: Count
+    """Teeth of the wheel, z2."""
+    module: units.Length
+    """Axial module m_x [m]."""
+    diameter_factor: PositiveNumber
+    """q, reference diameter of the worm over the module [-]; above 0.5."""
+    face_width: units.FaceWidth
+    """b_2H of the wheel [m]."""
+    profile_shift: Number = 0.0
+    """x2 of the wheel [-]."""
+
+
+@dataclass(frozen=True)
+class WormGear(WormGearSizes):
     """Geometry of a worm gear as the standards see it.
 
     Raises
@@ -23,20 +45,6 @@ class WormGear:
         Lengths in other units, or parts that do not make up the centre distance within 2 %.
     """
 
-    centre_distance: float
-    """Centre distance a [m]; 25 mm to 2 m."""
-    starts: int
-    """Starts of the worm, z1."""
-    teeth: int
-    """Teeth of the wheel, z2."""
-    module: float
-    """Axial module m_x [m]."""
-    diameter_factor: float
-    """q, reference diameter of the worm over the module [-]; above 0.5."""
-    face_width: float
-    """b_2H of the wheel [m]."""
-    profile_shift: float = 0.0
-    """x2 of the wheel [-]."""
     pressure_angle: float = pi / 9
     """alpha_0 of the tool, normal to the thread (of ZA axial) [rad]."""
     concave: bool = False

@@ -4,9 +4,11 @@ from math import pi
 from pathlib import Path
 
 from pyworm.case.ratings import BearingTable
+from pyworm.case.table import plain
 from pyworm.formulas.bearing_life import (
     REVOLUTIONS,
     BearingRating,
+    LoadedBearing,
     contamination_factor,
     fatigue_load_limit,
     viscosity_ratio,
@@ -53,17 +55,11 @@ def bearing_life(table: BearingTable, directory: Path) -> BearingRating:
     diameter = table.mean_diameter
     size = Unknown("mean_diameter is missing") if diameter is None else diameter
     return BearingRating(
-        elements=table.elements,
-        dynamic_rating=table.dynamic_rating,
-        load=table.load,
-        speed=table.speed,
+        **vars(plain(table, LoadedBearing)),
         fatigue_load_limit=_fatigue_load_limit(table, size),
         mean_diameter=size,
         viscosity=viscosity,
         contamination=_contamination(table, viscosity, size),
-        direction=table.direction,
-        additives=table.additives,
-        reliability=table.reliability,
     )
 
 

@@ -16,6 +16,7 @@ from pyworm.formulas.worm_standard import PRESSURE_VISCOSITY, minimum_film
 from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.base_stock import Base, base_stock
 from pyworm.materials.library import NamedOil, named_oil, oil_from_index
+from pyworm.materials.oil_requirements import OilRequirements
 
 CHURNING_EXPONENT = 0.5
 """How churning loss grows with viscosity: friction of a laminar boundary layer on a disc goes as its root."""
@@ -106,32 +107,16 @@ def worm_film(
     )
 
 
-@dataclass(frozen=True)
-class OilDuty:
+@dataclass(frozen=True, kw_only=True)
+class OilDuty(OilRequirements):
     """Requirements of an oil."""
 
     name: str
     """The drive."""
-    base: Base
-    """Base stock to choose a grade of."""
     film: FilmLaw
     """How the film follows the oil."""
     roughness: float
     """Composite rms roughness of the teeth [m]."""
-    specific_film: float
-    """Specific film lambda that is wanted [-]."""
-    ambient_temperature: float
-    """Ambient temperature [K]."""
-    sump_temperature: float
-    """Sump temperature [K]."""
-    sump_grade: int
-    """Grade with which the sump temperature is measured or expected."""
-    bulk_excess: float
-    """How far the teeth are hotter than the sump [K]."""
-    churning_share: float
-    """Fraction of the heat in the sump that churning makes with that grade [-], 0 to 0.9."""
-    sump_limit: float
-    """Highest sump temperature allowed [K]."""
     pitch_line_velocity: float | None = None
     """Pitch line velocity [m/s], for the rule of speed and the probability of distress; None for a worm gear,
     to which they do not apply."""
@@ -143,8 +128,6 @@ class OilDuty:
     """Speed of the bearing that needs the thickest oil [rad/s]."""
     bearing_diameter: float | None = None
     """Mean diameter of the bearing that needs the thickest oil [m]."""
-    coldest_start: float | None = None
-    """Lowest temperature at which the drive starts [K], if the pour point is to be given."""
 
     def __post_init__(self) -> None:
         """Refuse impossible requirements."""

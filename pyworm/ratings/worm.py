@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from pyworm.case.ratings import CompletedRating, WormGearTable
+from pyworm.case.table import plain
 from pyworm.case.worm_conditions import MEAN_TO_RMS, standard_oil
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
@@ -14,7 +15,7 @@ from pyworm.formulas.ranges import within
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.unknown import Unknown, attempt, known, or_none
 from pyworm.formulas.wear_distress import regime, specific_film
-from pyworm.formulas.worm_gear import WormGear
+from pyworm.formulas.worm_gear import WormGear, WormGearSizes
 from pyworm.formulas.worm_rating import WormRating
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
@@ -43,15 +44,7 @@ def worm_duty_of_table(table: WormGearTable) -> WormDuty:
 
 def _duty(table: WormGearTable) -> WormDuty:
     return WormDuty(
-        gear=WormGear(
-            table.centre_distance,
-            table.starts,
-            table.teeth,
-            table.module,
-            table.diameter_factor,
-            table.face_width,
-            table.profile_shift,
-        ),
+        gear=WormGear(**vars(plain(table, WormGearSizes))),
         worm_speed=table.worm_speed,
         torque=table.wheel_torque,
         reduced_modulus=table.reduced_modulus,

@@ -12,25 +12,33 @@ from dataclasses import dataclass, replace
 
 from pyworm.drives.besides_teeth import BesidesTeeth
 from pyworm.formulas.worm_standard import bulk_temperature
+from pyworm.io import units
+from pyworm.io.plain_values import PositiveNumber
 from pyworm.io.present import present
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
 
-@dataclass(frozen=True)
-class Cooling:
+@dataclass(frozen=True, kw_only=True)
+class Housing:
+    """How the housing of a worm drive cools it, and what that does to worm and wheel."""
+
+    ambient_temperature: units.Temperature
+    """Temperature of the surroundings [K]."""
+    conductance: units.ThermalConductance
+    """Heat from the housing to its surroundings over the temperature difference to the oil [W/K]."""
+    immersion: PositiveNumber = 1.0
+    """Coefficient c_k of the wheel in the standards [-]."""
+    worm_excess: units.TemperatureDifference = 0.0
+    """Excess of the worm's bulk temperature over the wheel's [K]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Cooling(Housing):
     """Cooling of a worm drive, and its losses outside the teeth."""
 
-    ambient_temperature: float
-    """Temperature of the surroundings [K]."""
-    conductance: float
-    """Heat from the housing to its surroundings over the temperature difference to the oil [W/K]."""
     other: BesidesTeeth
     """Losses of bearings, seals and churning."""
-    immersion: float
-    """Coefficient c_k of the wheel in the standards [-]."""
-    worm_excess: float
-    """Excess of the worm's bulk temperature over the wheel's [K]."""
 
 
 @dataclass(frozen=True)
