@@ -20,8 +20,7 @@ from typing import Any
 import numpy as np
 
 from pyworm.batch.case_run import RESULT_NAME, run
-from pyworm.batch.films_in_motion import in_motion
-from pyworm.batch.lifts_in_motion import lifts_of
+from pyworm.batch.films_in_motion import in_motion, lifts_of
 from pyworm.batch.task import Task
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES

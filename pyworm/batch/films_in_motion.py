@@ -3,6 +3,10 @@
 Each solve is a call of its own, in any process, and leaves a file for each task that it serves; the tasks
 then solve their films with these rates of change. Both are the same to the last bit as where a task finds its
 own: a transient solve does not depend on which of its times are wanted.
+
+Lifts of a drive's teeth, with the loads that they move, come from steady films first. What motion changes in
+them is seen by the first transient solve of each part of the life, a tenth of the work of films within error
+bars; under the loads that follow it is seen again until they stay. Each call goes to any process.
 """
 
 from collections import defaultdict
@@ -17,10 +21,12 @@ import numpy as np
 
 from pyworm.batch.task import Task
 from pyworm.io.kept_arrays import DamagedError, keep, kept
+from pyworm.io.present import present
 from pyworm.io.reason import reason_of
 from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
+from pyworm.solver.transient.lifts import moving_lifts, steady_lift
 from pyworm.solver.transient.march import LostError, RateOfChange, march
 from pyworm.solver.transient.moments import Moment, as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, present_in_life, recent
@@ -207,3 +213,41 @@ def _grid(numbers: Sequence[float]) -> Grid | LineGrid:
         return Grid(west, south, dx, dy, int(columns), int(rows))
     dx, first, count = numbers
     return LineGrid(dx, int(first), int(count))
+
+
+@dataclass(frozen=True)
+class PartLifts:
+    """Lifts at phases of one part of a life."""
+
+    tasks: tuple[Task, ...]
+    """Its contacts, all with point contacts in motion."""
+    moving: bool
+    """Whether by films in motion; else by steady ones in the same window."""
+
+    def __call__(self) -> dict[float, float]:
+        """Phase -> lift [m]; without those of which no film is found."""
+        course = self.tasks[0].course
+        phases = {
+            present_in_life(task.scene).seconds: present(task.place.phase, "phase")
+            for task in self.tasks
+        }
+        if self.moving:
+            begin = part_at(course, min(phases)).begin
+            found = moving_lifts(course, begin, sorted(phases))
+        else:
+            steady = {at: steady_lift(course, at) for at in phases}
+            found = {at: lift for at, lift in steady.items() if lift is not None}
+        return {phases[at]: lift for at, lift in found.items()}
+
+
+def lifts_of(tasks: Sequence[Task], moving: bool, executor: Executor | None) -> dict[float, float]:
+    """Phase -> lift [m] of the contacts of one life, without those of which no film is found."""
+    parts = [PartLifts(part, moving) for part in tasks_by_part(tasks)]
+    calls: list[Callable[[], dict[float, float]]] = [*parts]
+    if executor is not None:
+        calls = [future.result for future in [executor.submit(part) for part in parts]]
+    found: dict[float, float] = {}
+    for call in calls:
+        with suppress(Exception):  # the scenes of that part meet the same, and tell it
+            found |= call()
+    return found

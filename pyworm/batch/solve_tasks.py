@@ -11,8 +11,7 @@ from pyworm.batch.films_in_motion import drop_rates, rates_for, solve_lives
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
 from pyworm.batch.workers import WorkerDiedError, WorkerPool
-from pyworm.io.log_lines import marks_tenth
-from pyworm.io.progress import Progress
+from pyworm.io.progress import Progress, marks_tenth
 from pyworm.io.reason import reason_of
 from pyworm.io.terminal import say
 from pyworm.kernel.core import KernelError

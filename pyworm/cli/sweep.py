@@ -50,7 +50,7 @@ def _sweep(options: argparse.Namespace) -> int:
     from pyworm.batch.solved_scenes import Store
     from pyworm.batch.sweep import load_sweep
     from pyworm.io.console import progress_bar
-    from pyworm.io.log_lines import log_lines
+    from pyworm.io.progress import log_lines
 
     directory = options.out or Path("results") / options.sweep.stem
     check_writable(directory)

@@ -1,5 +1,38 @@
-"""Progress of long work: a callable that takes a message and the fraction done."""
+"""Progress of long work: a callable that takes a message and the fraction done, and its lines in a log.
+
+A log of jobs that nobody watches has a line at the start, at each tenth and at the end.
+"""
 
 from collections.abc import Callable
 
 Progress = Callable[[str, float], None]
+
+PARTS = 10
+"""Lines from start to end."""
+
+
+def log_lines(say: Callable[[str], None], name: str) -> Progress:
+    """A progress that says a line at the start of each kind of work and at each tenth of it.
+
+    Parameters
+    ----------
+    say : callable
+        Told the lines.
+    name : str
+        What it is the progress of, before each line.
+    """
+    reached = -1
+
+    def tell(message: str, fraction: float) -> None:
+        nonlocal reached
+        part = int(PARTS * fraction + 1e-9)
+        if part > reached or (part == 0 and reached != 0):
+            reached = part
+            say(f"{name}: {100 * fraction:.0f} %, {message}")
+
+    return tell
+
+
+def marks_tenth(number: int, count: int) -> bool:
+    """Whether one of some scenes, counted from 1, is the first, the last, or completes a tenth of all."""
+    return number == 1 or PARTS * number // count > PARTS * (number - 1) // count

@@ -18,11 +18,14 @@ from pyworm.plots.contact.convergence import draw_history
 from pyworm.plots.contact.entrainment import draw_entrainment
 from pyworm.plots.contact.film import draw_film
 from pyworm.plots.contact.gap import draw_gap
-from pyworm.plots.contact.line_heat import draw_line_friction, draw_line_temperature
-from pyworm.plots.contact.line_profiles import draw_line_profiles
+from pyworm.plots.contact.line_profiles import (
+    draw_line_friction,
+    draw_line_profiles,
+    draw_line_temperature,
+)
 from pyworm.plots.contact.maps import draw_friction, draw_pressure, draw_supply, draw_temperature
 from pyworm.plots.contact.profiles import draw_profiles
-from pyworm.plots.drives.cycle_pictures import cycle_pictures
+from pyworm.plots.drives.picture import cycle_pictures
 from pyworm.plots.life import draw_life
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve

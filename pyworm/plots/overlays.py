@@ -1,4 +1,4 @@
-"""Overlays of a contact's fields: dry outline, tooth edges, arrows, marked points."""
+"""Overlays of a contact's fields: dry outline, tooth edges, arrows, marked points; fields between nodes."""
 
 from collections.abc import Sequence
 
@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.formulas.whole_numbers import whole
 from pyworm.io.plain_dataset import AnyDataset
 from pyworm.io.quantities import QUANTITIES
-from pyworm.plots.between_nodes import between_nodes
 from pyworm.plots.error_bars import draw_estimates
 from pyworm.plots.layout import MILLI, broken, mark_gaps, panel_size, with_gaps
 from pyworm.solver.solution import Solution
@@ -216,3 +216,15 @@ def draw_largest_temperatures(
     axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
     axes.set_ylabel(broken(QUANTITIES["temperature_max"].axis()))
     axes.legend(frameon=False, ncols=4, loc="upper left")
+
+
+def between_nodes(
+    nodes: np.ndarray, field: np.ndarray, places: np.ndarray, axis: int
+) -> np.ndarray:
+    """A field along one of its axes at places between nodes, linearly; the outermost values beyond them."""
+    at = np.interp(places, nodes, np.arange(nodes.size))
+    first = np.minimum(whole(at), nodes.size - 2)
+    weight = (at - first).reshape(-1, *[1] * (1 - axis))
+    before, behind = (np.take(field, first + step, axis) for step in (0, 1))
+    between_nodes: np.ndarray = before + weight * (behind - before)
+    return between_nodes

@@ -46,9 +46,9 @@ MADE_BY = {
         "batch/test_study.py::test_progress_rises_to_one",
     "batch/films_in_motion.py tasks_by_part ValueError":
         "batch/test_batch_fall_backs.py::test_a_life_without_load_has_no_parts",
-    "batch/lifts_in_motion.py lifts_of suppress Exception":
+    "batch/films_in_motion.py lifts_of suppress Exception":
         "batch/test_lifts_in_motion.py::test_a_part_that_breaks_costs_its_own_lifts_alone",
-    "batch/origin.py _git (OSError, subprocess.TimeoutExpired)":
+    "batch/provenance.py _git (OSError, subprocess.TimeoutExpired)":
         "batch/test_provenance.py::test_without_git_there_is_no_commit",
     "batch/scene_task.py require_sendable Exception":
         "batch/test_batch_fall_backs.py::test_a_scene_that_no_process_would_find_is_refused",

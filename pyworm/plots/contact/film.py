@@ -6,7 +6,6 @@ from matplotlib.ticker import MaxNLocator
 
 from pyworm.io.plain_dataset import AnyDataset
 from pyworm.io.quantities import QUANTITIES
-from pyworm.plots.between_nodes import between_nodes
 from pyworm.plots.layout import (
     MILLI,
     Window,
@@ -16,7 +15,7 @@ from pyworm.plots.layout import (
     in_window,
     panels,
 )
-from pyworm.plots.overlays import draw_dry_outline, draw_tooth
+from pyworm.plots.overlays import between_nodes, draw_dry_outline, draw_tooth
 from pyworm.solver.solution import Solution
 
 CLIP = 3.0

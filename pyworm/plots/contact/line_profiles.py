@@ -1,10 +1,13 @@
-"""Pressure and film of a line contact across the line."""
+"""Pressure, film, temperature and friction of a line contact across the line."""
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from pyworm.formulas.hertz import HertzLine, hertz_line
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.plain_dataset import AnyDataset
+from pyworm.io.present import present
+from pyworm.io.quantities import BODIES, QUANTITIES
 from pyworm.plots.contact.film import thickest_shown
 from pyworm.plots.contact.profiles import draw_profile
 from pyworm.plots.layout import MICRO, MILLI, heading, placed_panels
@@ -46,3 +49,56 @@ def shown(fields: AnyDataset) -> tuple[float, float]:
         max(x[0], loaded.min() - margin) * MILLI,
         min(x[-1], loaded.max() + margin) * MILLI,
     )
+
+
+STRESS_COLOUR, POWER_COLOUR = "tab:purple", "tab:red"
+
+
+def draw_line_temperature(
+    case_name: str, solution: Solution, bodies: tuple[str, str] = BODIES
+) -> Figure:
+    """Temperature of both surfaces and of the middle of the film."""
+    fields = solution.fields
+    room = (0.75, 0.1, 0.85, 0.1)
+    figure, axes = placed_panels((9, 4.8), heading(case_name, solution), room)
+    for name, label, colour in (
+        ("temperature_body_1", f"surface of {bodies[0]}", "tab:blue"),
+        ("temperature_body_2", f"surface of {bodies[1]}", "tab:orange"),
+        ("temperature_middle", "middle of the film", "tab:red"),
+    ):
+        axes.plot(fields["x"] * MILLI, fields[name] - ZERO_CELSIUS, color=colour, label=label)
+    axes.axhline(
+        present(solution.inlet_temperature, "inlet_temperature") - ZERO_CELSIUS,
+        color="0.4",
+        linestyle="--",
+        label="inlet",
+    )
+    axes.set_ylabel(QUANTITIES["temperature_max"].axis("temperature"))
+    axes.set_xlabel("x / mm")
+    axes.set_xlim(*shown(fields))
+    axes.grid(True, color="0.9")
+    figure.legend(loc="lower center", ncols=4, frameon=False)
+    return figure
+
+
+def draw_line_friction(case_name: str, solution: Solution) -> Figure:
+    """Shear stress in the middle of the film, and friction power."""
+    fields = solution.fields
+    room = (0.75, 0.75, 0.55, 0.35)
+    figure, axes = placed_panels((9, 4.8), heading(case_name, solution), room)
+    place = fields["x"] * MILLI
+    stress, power = QUANTITIES["shear_stress"], QUANTITIES["friction_power"]
+    axes.plot(place, stress.number(fields["shear_stress_x"]), color=STRESS_COLOUR)
+    axes.axhline(0, color="0.7", linewidth=0.8)
+    axes.set_ylabel(stress.axis(), color=STRESS_COLOUR)
+    axes.set_xlabel("x / mm")
+    axes.set_xlim(*shown(fields))
+    title = solution.left_out.headed(QUANTITIES["friction_coefficient"].words())
+    friction = present(solution.figures.friction_coefficient, "friction_coefficient").value
+    title = f"{title}: {friction:.3g}"
+    axes.set_title(title, fontsize="medium", y=1)
+    power_axes = axes.twinx()
+    power_axes.plot(place, power.number(fields["friction_power"]), color=POWER_COLOUR)
+    power_axes.set_ylim(bottom=0)
+    power_axes.set_ylabel(power.axis(), color=POWER_COLOUR)
+    return figure

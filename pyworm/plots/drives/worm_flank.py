@@ -9,7 +9,6 @@ from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.quantities import QUANTITIES
-from pyworm.plots.drives.flank_sides import name_sides
 from pyworm.plots.layout import MILLI, broken, new_figure, result_heading
 from pyworm.result.flank_map import FAILURE, flank_map
 from pyworm.result.flank_wear import FlankGrid, flank_work
@@ -104,3 +103,23 @@ def _draw_tooth(axes: Axes, cycle: "xr.Dataset") -> None:
     axes.set_aspect("equal")
     axes.set_xlabel("along the face / mm")
     axes.set_ylabel("from the wheel's\naxis / mm")
+
+
+def name_sides(axes: Axes, leaving_right: bool, root: float) -> None:
+    """Words at tip, root and both ends of a flank that fills a panel.
+
+    Parameters
+    ----------
+    axes : Axes
+        The panel, places along the face from left to right.
+    leaving_right : bool
+        Whether the worm's threads leave at the right end.
+    root : float
+        Height of the word for the root, a fraction of the panel.
+    """
+    right, left = ("leaving side", "entering side")[:: 1 if leaving_right else -1]
+    at = axes.transAxes
+    axes.text(0.5, 0.985, "tip", ha="center", va="top", transform=at)
+    axes.text(0.5, root, "root", ha="center", va="bottom", transform=at)
+    axes.text(0.985, 0.5, right, rotation=90, ha="right", va="center", transform=at)
+    axes.text(0.015, 0.5, left, rotation=90, ha="left", va="center", transform=at)

@@ -5,7 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.io.on_demand import xarray as xr
-from pyworm.plots.drives.flank_sides import name_sides
+from pyworm.plots.drives.worm_flank import name_sides
 from pyworm.plots.layout import MICRO, MILLI, new_figure, result_heading
 from pyworm.result.result import Result
 

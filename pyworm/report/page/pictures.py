@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.reason import reason_of
 from pyworm.plots.draw import KEY_PICTURES, SCENE_PICTURES, has_picture, scene_picture
-from pyworm.plots.drives.cycle_pictures import cycle_pictures
+from pyworm.plots.drives.picture import cycle_pictures
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.report.findings import Findings

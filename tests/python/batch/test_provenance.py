@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from pyworm import _core, kernel
-from pyworm.batch import origin
+from pyworm.batch import provenance
 from pyworm.batch.provenance import where_and_when
 
 ROOT = Path(__file__).parents[3]
@@ -42,26 +42,26 @@ def checkout(tmp_path, monkeypatch):
     who = ["-c", "user.name=A", "-c", "user.email=a@b"]
     for command in (["init", "-q"], ["add", "."], [*who, "commit", "-qm", "first"]):
         subprocess.run(["git", "-C", tmp_path, *command], check=True)
-    monkeypatch.setattr(origin.pyworm, "__file__", str(source))
-    origin.origin.cache_clear()
+    monkeypatch.setattr(provenance.pyworm, "__file__", str(source))
+    provenance.origin.cache_clear()
     yield source
-    origin.origin.cache_clear()
+    provenance.origin.cache_clear()
 
 
 def test_sources_changed_since_their_commit_are_marked(checkout):
-    clean = origin.origin()["commit"]
+    clean = provenance.origin()["commit"]
     assert len(clean) == 40
     checkout.write_text("changed = True\n")
-    origin.origin.cache_clear()
-    assert origin.origin()["commit"] == f"{clean}, changed since"
+    provenance.origin.cache_clear()
+    assert provenance.origin()["commit"] == f"{clean}, changed since"
 
 
 def test_without_git_there_is_no_commit(checkout, monkeypatch):
     monkeypatch.setenv("PATH", "")
-    assert "commit" not in origin.origin()
+    assert "commit" not in provenance.origin()
 
 
 def test_an_installed_package_has_no_commit(checkout):
     shutil.rmtree(checkout.parents[1] / ".git")
-    assert "commit" not in origin.origin()
-    assert origin.origin()["compiler"] == kernel.compiled_with()[0]
+    assert "commit" not in provenance.origin()
+    assert provenance.origin()["compiler"] == kernel.compiled_with()[0]

@@ -1,6 +1,6 @@
 """Lines of a job's log: at the start, at each tenth, at the end."""
 
-from pyworm.io.log_lines import log_lines, marks_tenth
+from pyworm.io.progress import log_lines, marks_tenth
 
 
 def test_a_line_at_the_start_of_each_kind_of_work_and_at_each_tenth():

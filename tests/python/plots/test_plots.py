@@ -33,8 +33,11 @@ from pyworm.plots.contact.convergence import draw_history
 from pyworm.plots.contact.entrainment import LINES, draw_entrainment, inflow_points
 from pyworm.plots.contact.film import draw_film, interferogram
 from pyworm.plots.contact.gap import draw_gap
-from pyworm.plots.contact.line_heat import draw_line_friction, draw_line_temperature
-from pyworm.plots.contact.line_profiles import draw_line_profiles
+from pyworm.plots.contact.line_profiles import (
+    draw_line_friction,
+    draw_line_profiles,
+    draw_line_temperature,
+)
 from pyworm.plots.contact.maps import draw_friction, draw_pressure, draw_temperature
 from pyworm.plots.contact.profiles import draw_profiles
 from pyworm.plots.draw import draw
