@@ -106,6 +106,7 @@ contains
       call project_out(basis(:, :j), w, hessenberg(:j, j), lift)
       lift = sqrt(lift)
       hessenberg(j + 1, j) = lift
+      ! Givens rotations keep the least squares problem triangular; its residual is the last entry
       do i = 1, j - 1
         call rotate(hessenberg(i, j), hessenberg(i + 1, j), cosine(i), sine(i))
       end do

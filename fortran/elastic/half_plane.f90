@@ -79,6 +79,7 @@ contains
     integer, intent(in) :: i
     real(wp) :: near, far
 
+    ! the antiderivative of ln|x| is x ln|x| - x
     near = i - 0.5_wp
     far = i + 0.5_wp
     mean_log = far*log(far) - near*log(abs(near)) - 1

@@ -57,7 +57,7 @@ module pyworm_face_flow
   type :: face_mean
     !> Weight of the node before, density [-], and the root of both nodes' weights.
     real(wp) :: weight(most_faces), rho(most_faces), root(most_faces)
-    !> Change of S by the weight of the node before [m2/s].
+    !> Change of S through the weights, by the logarithm of the mass of the node before; that by the other's is minus it [m2/s].
     real(wp) :: by_weight(most_faces)
     !> Geometric means of the nodes' fluidities at the levels, times twice their share [1/(Pa s)].
     real(wp), allocatable :: geometric(:, :)
@@ -155,8 +155,6 @@ contains
   end subroutine set_nodes
 
   !> Sets film, gradient, sliding, stresses and fluidity at the faces from the nodes on both sides.
-  !>
-  !> Fluidities are averaged with weights rho h**3, so that a Newtonian oil's mobility is the mean of its nodes'.
   pure subroutine average(nodes, faces, before, after, mean, shear)
     type(sheared_oil), intent(in) :: nodes
     type(face_strip), intent(in) :: faces
@@ -176,6 +174,8 @@ contains
     end if
     associate (share => nodes%arithmetic, h => shear%film(:m), &
         f1 => nodes%fluidity(before%first:before%last, before%row, :), f2 => nodes%fluidity(after%first:after%last, after%row, :))
+      ! with weights w = rho h**3 the mobility of a Newtonian oil's face is share (M1 + M2)/2 + (1 - share) sqrt(M1 M2) of its
+      ! nodes' M = w f, near their logarithmic mean (`arithmetic_share`)
       mean%weight(:m) = before%mass(:m)/(before%mass(:m) + after%mass(:m))
       h = (before%film(:m) + after%film(:m))/2
       mean%rho(:m) = (before%mass(:m) + after%mass(:m))/(2*h**3)
@@ -302,7 +302,7 @@ contains
     end associate
   end subroutine turn_flow
 
-  !> Computes the change of the flow by the weight of the node before, and by the fluidities of both nodes.
+  !> Computes the changes of S through the nodes' weights, and by the fluidities of both nodes.
   pure subroutine set_fluidity_changes(nodes, deficit, mean, before, after)
     type(sheared_oil), intent(in) :: nodes
     type(deficit_change), intent(in) :: deficit
@@ -318,6 +318,7 @@ contains
         f1 => nodes%fluidity(before%first:before%last, before%row, :), f2 => nodes%fluidity(after%first:after%last, after%row, :), &
         f1_p => nodes%fluidity_p(before%first:before%last, before%row, :), &
         f2_p => nodes%fluidity_p(after%first:after%last, after%row, :))
+      ! of the weight w by ln(mass): w (1 - w), the square of `root`, whose own change by w is (1 - 2 w)/(2 root)
       do k = 1, nodes%levels%count
         geometric(:m, k) = mean%root(:m)*geometric(:m, k)/2
         mean%by_weight(:m) = mean%by_weight(:m) + f_x(:m, k)*(share*(f1(:, k) - f2(:, k))*mean%root(:m)**2 &
@@ -348,6 +349,7 @@ contains
       do c = 1, before%last - before%first + 1
         i = before%first + c - 1
         k = after%first + c - 1
+        ! rho = (mass1 + mass2)/(2 h**3): changes of rho S by the logarithms of the masses, and by the mean film h
         by_mass1 = s%x(c)*before%mass(c)/(2*h(c)**3) + rho(c)*mean%by_weight(c)
         by_mass2 = s%x(c)*after%mass(c)/(2*h(c)**3) - rho(c)*mean%by_weight(c)
         by_p1 = fields%rho_p(i, j)/fields%rho(i, j)*by_mass1 + rho(c)*(before%by_fluidity(c) &

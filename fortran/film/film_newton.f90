@@ -340,6 +340,8 @@ contains
     associate (p => self%model%fields%p)
       !$omp parallel do schedule(static)
       do j = 1, size(p, 2)
+        ! p > 0 or r < 0: the active set that makes Newton's method for p r = 0 semismooth (Hintermueller, Ito and Kunisch,
+        ! SIAM J. Optim. 13 (2002) 865)
         self%free(:, j) = self%covered(:, j) .and. (p(:, j) > 0 .or. self%imbalance(:, j) < 0)
         self%dh(:, j) = merge(abs(self%imbalance(:, j)), 0.0_wp, self%free(:, j))
       end do
@@ -588,6 +590,7 @@ contains
     call self%work%cycle%start()
     call self%relax(r, dp)
     call self%work%cycle%finish()
+    ! the border by its Schur complement: the pressure less what the rise of the rigid film takes has the load asked for
     y(n + 1) = (total(dp) - x(n + 1)/(self%spacing(1)*self%spacing(2)*self%load_weight))/self%softness_load
     if (self%held) y(n + 1) = x(n + 1)
     !$omp parallel do schedule(static)

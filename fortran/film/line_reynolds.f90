@@ -120,6 +120,7 @@ contains
       end do
       p(0:1) = p(0:1) - [faces%before(i), faces%after(i)]
       h(0:1) = h(0:1) - [faces%film_before(i), faces%film_after(i)]
+      ! what flows through the face leaves node i and enters node i + 1
       by_pressure(i, -1:2) = by_pressure(i, -1:2) + p/grid%dx
       by_film(i, -1:2) = by_film(i, -1:2) + h/grid%dx
       by_pressure(i + 1, -2:1) = by_pressure(i + 1, -2:1) - p/grid%dx

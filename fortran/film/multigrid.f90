@@ -269,6 +269,7 @@ contains
       step = merge(1, -1, self%rising)
       first = merge(2, level%count - 1, self%rising)
       last = merge(level%count - 1, 2, self%rising)
+      ! from zero, downstream: only the line after each then adds to its residual
       do j = first, last, step
         call relax_first(level%lines, j, self%rising, level%f, level%x)
       end do

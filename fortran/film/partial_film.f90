@@ -155,6 +155,7 @@ contains
       if (.not. (self%fraction(node) > 0 .and. self%fraction(node) < 1)) cycle
       call outflows(self, node, leaving, to)
       leaving = max(leaving, 0.0_wp)
+      ! the node's balance is kept: what its fraction passes on and stores takes up the change
       fraction_change = -change(node)/(sum(leaving) + implicit_rate*mass(node))
       do side = 1, sides(self)
         change(to(side)) = change(to(side)) - leaving(side)*fraction_change

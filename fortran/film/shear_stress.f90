@@ -162,6 +162,7 @@ contains
       do i = first, last
         x = s%tau_x(i) + z*s%film(i)*s%px(i)
         y = s%tau_y(i) + z*s%film(i)*s%py(i)
+        ! A = int f (g I + 2 g' tau tau^T) dz', g' by the square of the stress tau
         along = weight*s%film(i)*s%fluidity(i, level)*s%g(i, level)
         across = 2*weight*s%film(i)*s%fluidity(i, level)*s%g_slope(i, level)
         s%rest_x(i) = s%rest_x(i) - along*x

@@ -208,6 +208,7 @@ contains
           + volume*(loading(:, k, 1)*relief(:, l, 1) + loading(:, k, 2)*relief(:, l, 2))
       end do
       balances(:, k, levels%count + 1) = excess
+      ! growth beyond what conduction removes would make Newton's method diverge (`most_growth`)
       balances(:, k, k) = balances(:, k, k) - volume*(min(growth(:, k), most_growth*bound, loading(:, k, 1)*relief_x &
         + loading(:, k, 2)*relief_y + most_growth_of_all*bound) - absorption(:, k))
     end do

@@ -177,6 +177,7 @@ contains
     real(wp) :: centre, before, after
     integer :: i
 
+    ! at the age t a spot is a Gaussian of variance 2 kappa t about U t, here averaged over the cells
     centre = speed*depth**2
     from = max(1 - n, ceiling((centre - 2*reach*depth)/spacing - 0.5_wp))
     to = min(n - 1, floor((centre + 2*reach*depth)/spacing + 0.5_wp))

@@ -272,6 +272,7 @@ contains
     end do
     !$omp parallel do private(group) schedule(static)
     do line = 1, self%lines
+      ! integral of a flux linear in time over the root of its age, in the last step
       self%risen(:, line) = self%root(:, line)*(4*self%flux(:, line) + 2*self%before(:, line))/3
       do group = 1, self%groups
         self%risen(:, line) = self%risen(:, line) + self%history(:, line, group)
@@ -288,6 +289,7 @@ contains
     real(wp) :: spread
     integer :: node
 
+    ! the implicit step of `factor_spread`, forward and back along the line
     associate (before => self%before(:, line), passed => self%passed(:, line))
       spread = 0
       do node = 1, self%nodes

@@ -159,6 +159,7 @@ contains
     !$omp parallel do private(i, a11, a12, a21, a22, determinant) schedule(static)
     do j = 1, self%ny
       do i = 1, self%nx
+        ! (I - rise admittance) change = missed, two equations at a node
         a11 = 1 - rise(1)*self%admittance(i, j, 1, 1)
         a12 = -rise(1)*self%admittance(i, j, 1, 2)
         a21 = -rise(2)*self%admittance(i, j, 2, 1)

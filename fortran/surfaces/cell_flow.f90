@@ -103,6 +103,7 @@ contains
     real(wp), intent(out) :: mobility(:, :), gap(:, :)
     real(wp) :: next(size(a, 1), size(a, 2)), ratio(size(a, 1), size(a, 2))
 
+    ! two halves in series: the harmonic mean of the cubes, and the gap that a wall's drag sees through both;
     ! in the smaller gap and its ratio to the larger, so that no power overflows
     next = cshift(a, 1, dim=along)
     ratio = min(a, next)/max(a, next)

@@ -62,6 +62,7 @@ contains
           + (1 - crossing)*(left*here(c - 1) + (1 - left)*here(c + 1)))
         second = max(1 - 2*skew, 0.0_wp)*far(c) + (1 - abs(2*skew - 1))*(left*far(c - 1) + (1 - left)*far(c + 1)) &
           + max(2*skew - 1, 0.0_wp)*(left*far(c - 2) + (1 - left)*far(c + 2))
+        ! capacity rate (T - foot + order (T - 2 foot + second)): with an order of one half the difference is of second order
         absorption(c) = (1 + order)*capacity(c)*rate
         inflow(c) = capacity(c)*rate*((1 + 2*order)*foot - order*second)
       end do

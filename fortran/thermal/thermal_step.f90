@@ -217,6 +217,8 @@ contains
         do j = 1, size(rise, 2)
           do i = 1, size(rise, 1)
             if (.not. film%model%fields%p(i, j) > least) cycle
+            ! w - w', w being what this sweep wants to change and w' what the one before did: the new factor is
+            ! - factor (w - w').w'/(w - w')**2
             bend = rise(i, j, k) - heat%before(i, j, k) - heat%wanted(i, j, k)
             turn = turn - bend*heat%wanted(i, j, k)
             length = length + bend**2
