@@ -5,8 +5,9 @@ module pyworm_film_model
   use pyworm_kinds, only: wp
   use pyworm_partial_film, only: partial_film, new_partial_film
   use pyworm_reynolds, only: film_fields
-  use pyworm_rough_surfaces, only: gap_curves, new_rough_film
+  use pyworm_rough_surfaces, only: gap_curves, new_rough_film, share_total_pressure => share_pressure
   use pyworm_sheared_reynolds, only: sheared_film, new_sheared_film
+  use pyworm_vectors, only: total
   implicit none(type, external)
   private
 
@@ -24,6 +25,8 @@ module pyworm_film_model
     procedure :: is_partial
     procedure :: is_rough
     procedure :: unsolved
+    procedure :: share_pressure
+    procedure :: summed_pressure
     procedure :: add_shear
     procedure :: add_roughness
     procedure :: limit_supply
@@ -59,6 +62,25 @@ contains
     unsolved = 0
     if (allocated(self%shear)) unsolved = self%shear%unsolved()
   end function unsolved
+
+  !> Shares the total pressure of rough surfaces between oil and asperities, and widens the gap by their roughness.
+  subroutine share_pressure(self, covered)
+    class(film_model), intent(inout) :: self
+    logical, intent(in) :: covered(:, :)
+
+    if (allocated(self%fields%rough)) call share_total_pressure(self%fields%rough, covered, self%fields%p, self%fields%h)
+  end subroutine share_pressure
+
+  !> Sum over the nodes of the pressure that bears the load, of rough surfaces that of the asperities too [Pa].
+  real(wp) function summed_pressure(self)
+    class(film_model), intent(in) :: self
+
+    if (allocated(self%fields%rough)) then
+      summed_pressure = total(self%fields%rough%total)
+    else
+      summed_pressure = total(self%fields%p)
+    end if
+  end function summed_pressure
 
   !> Gives the film a flow law and levels; arguments as of `new_sheared_film`.
   subroutine add_shear(self, law, levels, sliding_x, sliding_y, stat)

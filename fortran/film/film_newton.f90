@@ -20,7 +20,7 @@ module pyworm_film_newton
   use pyworm_kinds, only: pp, wp
   use pyworm_krylov, only: linear_system, gmres
   use pyworm_reynolds, only: new_film_fields
-  use pyworm_rough_surfaces, only: gap_curves, share_pressure
+  use pyworm_rough_surfaces, only: gap_curves
   use pyworm_status, only: status_ok, status_bad_argument, status_interrupted, status_not_finite, status_no_descent, &
     status_no_memory
   use pyworm_tally, only: work_tally
@@ -325,8 +325,7 @@ contains
       self%model%fields%p(:, j) = p(:, j)
       self%model%fields%h(:, j) = self%model%fields%h(:, j) + self%gap(:, j) + h0
     end do
-    if (self%model%is_rough()) call share_pressure(self%model%fields%rough, self%covered, self%model%fields%p, &
-      self%model%fields%h)
+    call self%model%share_pressure(self%covered)
   end subroutine set_film
 
   !> Evaluates flow and imbalance at the present pressure and film; arguments as of `film_residual`.
@@ -348,10 +347,9 @@ contains
       residual = total(self%dh)/self%wedge
       ! a film whose stress did not converge must not count as solved
       residual = residual + self%model%unsolved()
-      load_error = 1 - total(p)*self%spacing(1)*self%spacing(2)/self%load
     end associate
+    load_error = 1 - self%model%summed_pressure()*self%spacing(1)*self%spacing(2)/self%load
     if (self%model%is_rough()) then
-      load_error = 1 - total(self%model%fields%rough%total)*self%spacing(1)*self%spacing(2)/self%load
       self%dh = abs(self%model%fields%rough%excess)
       residual = residual + total(self%dh)*self%spacing(1)*self%spacing(2)/self%load
     end if
