@@ -1,19 +1,33 @@
-"""What case files about a drive have in common."""
+"""What case files about a drive have in common, `[lubrication]` among it: how oil comes to the teeth."""
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from pyworm.case.case_file import CaseTable
-from pyworm.case.lubrication import BathTable, LubricationTable
-from pyworm.case.table import plain
+from pyworm.case.table import Table, plain
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty
 from pyworm.drives.oil_supply import Bath, Jets
 
 LOADS = ("load", "worm_torque", "wheel_torque", "power")
 """Keys of `[operation]` of which one gives the load of the teeth."""
+
+
+class BathTable(Table, Bath):
+    """`[lubrication]`, method = "bath": one body dips into oil."""
+
+    method: Literal["bath"]
+
+
+class JetsTable(Table, Jets):
+    """`[lubrication]`, method = "jets": oil is sprayed onto the mesh."""
+
+    method: Literal["jets"]
+
+
+LubricationTable = Annotated[BathTable | JetsTable, Field(discriminator="method")]
 
 
 class DriveCase(CaseTable):

@@ -19,7 +19,6 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.convergence_history import convergence_history
 from pyworm.solver.ending import Ending, Stop
 from pyworm.solver.error_estimate import Reading, change, changes, largest_of_films
 from pyworm.solver.estimates import estimates
@@ -27,16 +26,17 @@ from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.levels_across import MOVED, UNJUDGED, EnoughLevels, enough_levels, is_hot
 from pyworm.solver.memory import NoMemoryError, shortage
-from pyworm.solver.newton import NewtonStep, Settled, settle
-from pyworm.solver.prospect import refusal
-from pyworm.solver.sharp_edge import CURE, rests_on_edge
+from pyworm.solver.newton import NewtonStep, Settled, convergence_history, settle
 from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import (
+    CURE,
     MOST_LOST_ON_EDGE,
     MOST_UNSETTLED,
     TELLING,
     bound_by_conduction,
     film_is_sound,
+    refusal,
+    rests_on_edge,
     stop_reason,
     with_wider_bars,
 )

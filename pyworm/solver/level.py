@@ -16,7 +16,6 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.any_contact import AnyContact
 from pyworm.solver import figures
 from pyworm.solver.error_estimate import Peak, Reading
-from pyworm.solver.newtonian_shear import newtonian_shear
 
 FLOOR = 1e-3
 """Film over the expected central film below which the mobility is constant."""
@@ -314,3 +313,24 @@ class Level(ABC):
         across = figures.maximum_across(self.film.rise(), positions, np.asarray(contact), highest)
         coldest = self.scene.coldest
         return dict(zip(HEAT_FIGURES, (of - coldest for of in (*largest, across)), strict=True))
+
+
+def newtonian_shear(
+    viscosity: Array, film: Array, sliding: Sequence[Array], slopes: Sequence[Array]
+) -> Shear:
+    """Shear of Couette flow by the sliding [m/s] and Poiseuille flow by the pressure gradient [Pa/m].
+
+    tau = eta us/h + z dp/dx, the heat eta us^2/h + h^3/(12 eta) |grad p|^2 (Hamrock 1994, chapter 7).
+    """
+    couette = [viscosity * speed / film for speed in sliding]
+    poiseuille = sum(slope**2 for slope in slopes)
+    heat = sum(stress * speed for stress, speed in zip(couette, sliding, strict=True))
+    at_body_1, at_body_2 = (
+        sum((c + side * film / 2 * s) ** 2 for c, s in zip(couette, slopes, strict=True))
+        for side in (-1, 1)
+    )
+    return Shear(
+        tuple(-stress for stress in couette),
+        heat + film**3 / (12 * viscosity) * poiseuille,
+        np.sqrt(np.maximum(at_body_1, at_body_2)) / viscosity,
+    )

@@ -1,10 +1,15 @@
-"""Newton steps on one grid until its equations are met and its figures are settled."""
+"""Newton steps on one grid until its equations are met and its figures are settled; steps as a dataset."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
+from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.kernel.core import NO_DESCENT, NOT_CONVERGED, NOT_FINITE, KernelError
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.target import Aim
 from pyworm.solver.error_estimate import Reading, algebra_errors, change
 from pyworm.solver.level import Level
@@ -126,3 +131,19 @@ def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> S
 def _most_steps(level: Level, tolerance: float) -> int:
     """Largest number of Newton steps on a grid of the figures."""
     return MOST_SLOW_STEPS if level.film.balance.worst <= NEAR * tolerance else MOST_STEPS
+
+
+def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> PlainDataset:
+    """Over iteration: grid points along each direction of a grid, balances, GMRES iterations and work."""
+    columns: dict[str, list[Any]] = {
+        f"points_{axis}": [step.points[number] for step in steps]
+        for number, axis in enumerate("xy"[: len(grid.shape)])
+    }
+    for name in ("residual", "load_error", "krylov"):
+        columns[name] = [getattr(step, name) for step in steps]
+    for name in steps[0].work if steps else ():
+        columns[name] = [step.work[name] for step in steps]
+    return described(
+        {name: (("iteration",), np.array(values)) for name, values in columns.items()},
+        {"iteration": (("iteration",), np.arange(len(steps)))},
+    )

@@ -1,19 +1,27 @@
-"""Criteria by which a grid sequence stops, and their reasons."""
+"""Criteria by which a grid sequence stops, and their reasons.
 
-from collections.abc import Mapping
+Among them whether the largest grid allowed can reach the accuracy, estimated before it is solved, and whether
+the contact rests on a sharp edge, where no film converges.
+"""
+
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
+from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.quantity_text import percent
 from pyworm.planning import error_budget
+from pyworm.planning.expected_work import WORTHLESS
+from pyworm.planning.grid import Grid
+from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
-from pyworm.planning.target import HEAT_FIGURES
+from pyworm.planning.target import FILMS, HEAT_FIGURES
 from pyworm.solver.ending import Ending, Stop
+from pyworm.solver.error_estimate import SPIKE, Reading, change, hot_spike
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.level import Level
 from pyworm.solver.newton import HOPELESS, Settled
-from pyworm.solver.prospect import spike_stays
 
 WIDEST = 0.5
 """Largest error of the figures asked for with which a film is used: in means and losses over a mesh cycle it
@@ -167,3 +175,107 @@ def _accurate_but_for(
         left = max(errors[name] for name in bound)
         return Ending.ACCURATE_BUT_FOR_CONDUCTION.stop(error=percent(left))
     return None
+
+
+LEAST_RATIO = 0.3
+"""Least ratio of the dry pressure beside an edge to the largest for a contact that rests on it."""
+
+CURE = (
+    "; the load rests on a sharp edge of the surfaces, where pressure has no bound: ease the edge, as tip "
+    "relief of teeth does (tip_relief, tip_relief_length), or keep the contact within the surfaces, by more "
+    "crowning or less load"
+)
+"""Advice that a stop reason adds then."""
+
+
+def rests_on_edge(fields: PlainDataset) -> bool:
+    """Whether the dry pressure of a solution's fields is large beside the end of a surface.
+
+    At a sharp edge the elastic pressure grows without bound as the grid is refined (Johnson, Contact
+    Mechanics, 1985, section 2.4), and no film converges there; a relieved edge has no such pressure.
+
+    Parameters
+    ----------
+    fields : PlainDataset
+        Fields of a solution; "dry_pressure" [Pa], or "pressure" where there is none, and "covered".
+    """
+    if "covered" not in fields:
+        return False
+    covered = fields["covered"].values.astype(bool)
+    pressure = fields["dry_pressure" if "dry_pressure" in fields else "pressure"].values
+    beside = np.zeros_like(covered)
+    for axis in range(covered.ndim):
+        ends = np.diff(covered.astype(np.int8), axis=axis) != 0
+        before, after = ([slice(None)] * covered.ndim for _ in range(2))
+        before[axis], after[axis] = slice(None, -1), slice(1, None)
+        beside[tuple(before)] |= ends
+        beside[tuple(after)] |= ends
+    at_edge = pressure[beside & covered]
+    return bool(at_edge.size and at_edge.max() > LEAST_RATIO * pressure.max())
+
+
+def refusal(
+    plan: Plan,
+    readings: Sequence[Reading],
+    orders: Mapping[str, float],
+    finer: Grid | LineGrid,
+) -> Stop | None:
+    """How the sequence ends without the next grid; None if it, or those after it, may reach the accuracy.
+
+    Parameters
+    ----------
+    plan : Plan
+        Accuracy and figures asked for.
+    readings : sequence of Reading
+        Figures on grids of halving spacing so far.
+    orders : mapping
+        Highest credible order of convergence of each figure with the spacing.
+    finer : Grid or LineGrid
+        The next grid.
+    """
+    if plan.refusal is not None:
+        return Ending.REFUSED_BY_PLAN.stop(reason=plan.refusal)
+    if not readings or not finer.nodes <= plan.largest_grid < finer.finer().nodes:
+        return None
+    aim = plan.aim if hot_spike(readings[-1]) is None else plan.aim.without("temperature_max_film")
+    least = aim.worst(least_errors(readings, orders), readings[-1].figures)
+    if least <= max(plan.accuracy, WORTHLESS):
+        return None
+    return Ending.OUT_OF_REACH.stop(error=percent(least))
+
+
+def spike_stays(reading: Reading, grid: Grid | LineGrid, largest: int) -> bool:
+    """Whether the film's largest temperature is still the tip of a spike on the largest grid allowed.
+
+    A spike that a grid resolves is no more than twice as wide, in nodes, on the next one.
+
+    Parameters
+    ----------
+    reading : Reading
+        Figures on a grid.
+    grid : Grid or LineGrid
+        That grid.
+    largest : int
+        Nodes of the largest grid allowed.
+    """
+    if hot_spike(reading) is None:
+        return False
+    nodes = reading.peaks["temperature_max_film"].nodes
+    while (grid := grid.finer()).nodes <= largest:
+        nodes *= 2
+    return nodes < SPIKE
+
+
+def least_errors(readings: Sequence[Reading], orders: Mapping[str, float]) -> dict[str, float]:
+    """Lower bound of the relative error of each figure on the next grid (`error_estimate.grid_errors`).
+
+    There the present last change will be the one before, of which a quarter counts, and a film that is not
+    positive now will have changed by 100 %. No error falls faster than its order of convergence allows.
+    """
+    last = readings[-1]
+    before = change(readings[-2], last) if len(readings) > 1 else dict.fromkeys(last.figures, 0.0)
+    errors = {}
+    for name, value in last.figures.items():
+        none_yet = name in FILMS and not value > 0
+        errors[name] = float(max(before[name] / 4, none_yet) / (2 ** orders[name] - 1))
+    return errors

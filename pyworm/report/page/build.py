@@ -6,7 +6,12 @@ from pyworm.case.case import Case
 from pyworm.ratings.heating import heating_of
 from pyworm.ratings.rating import Rating
 from pyworm.report.findings import Findings, findings
-from pyworm.report.page.assumptions import assumptions_section, plan_section, provenance_section
+from pyworm.report.page.assumptions import (
+    assumptions_section,
+    inputs_section,
+    plan_section,
+    provenance_section,
+)
 from pyworm.report.page.content import Block, Items, Picture, Report, Section, Words
 from pyworm.report.page.cover import Identity, cover_of, overleaf_of
 from pyworm.report.page.figures import (
@@ -16,7 +21,6 @@ from pyworm.report.page.figures import (
     place_of,
     printed_section,
 )
-from pyworm.report.page.inputs import inputs_section
 from pyworm.report.page.pictures import contact_section, cycle_section, signed_pictures
 from pyworm.report.page.sensitivity import sensitivity_section
 from pyworm.report.ratings import rating_table, safeties_table

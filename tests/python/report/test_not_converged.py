@@ -28,7 +28,7 @@ from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
 from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
-from pyworm.solver.sharp_edge import CURE, rests_on_edge
+from pyworm.solver.stop_reason import CURE, rests_on_edge
 
 CASES = Path(__file__).parents[3] / "cases"
 REASON = "the residual stayed at 5.0e+02, 1.0e-05 is wanted" + CURE

@@ -21,8 +21,7 @@ from pyworm.solver.error_estimate import (
 )
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.newton import Settled
-from pyworm.solver.prospect import spike_stays
-from pyworm.solver.stop_reason import bound_by_conduction, stop_reason, with_wider_bars
+from pyworm.solver.stop_reason import bound_by_conduction, spike_stays, stop_reason, with_wider_bars
 
 SECOND = dict.fromkeys(FIGURES, 2.0)
 

@@ -13,7 +13,7 @@ from pyworm.solver.figures import (
     outline_imbalance,
     peak,
 )
-from pyworm.solver.newtonian_shear import newtonian_shear
+from pyworm.solver.level import newtonian_shear
 
 
 def _across(field, positions, within):

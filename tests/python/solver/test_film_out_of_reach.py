@@ -14,7 +14,7 @@ from pyworm.planning.target import FIGURES
 from pyworm.report.console.scenes import plan_table
 from pyworm.solver.cost.expected_time import Expectation
 from pyworm.solver.error_estimate import Peak, Reading, grid_errors
-from pyworm.solver.prospect import least_errors, refusal
+from pyworm.solver.stop_reason import least_errors, refusal
 
 ORDERS = dict.fromkeys(FIGURES, 2.0)
 
