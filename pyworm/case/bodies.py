@@ -8,8 +8,9 @@ from pyworm.case.surface import SurfaceTable, texture_of
 from pyworm.case.table import Table
 from pyworm.formulas.rough_contact import RQ_OVER_RA
 from pyworm.io import units
+from pyworm.io.plain_values import AboveZeroToOne
 from pyworm.materials import solids
-from pyworm.materials.body import Body
+from pyworm.materials.body import Body, SolidConstants
 from pyworm.materials.oil import Oil
 from pyworm.materials.softening import check_points
 from pyworm.materials.topography import Topography
@@ -32,7 +33,7 @@ _OF_HEIGHTS = "roughness_slope", "roughness_aspect", "asperity_sharpness", "aspe
 """Keys that say how the heights of a roughness are spread."""
 
 
-class BodyTable(Table):
+class BodyTable(Table, SolidConstants):
     """`[bodies.NAME]`: one solid; the thermal constants are needed where the oil has `[oil.heat]`.
 
     Without a bulk temperature of its own a body is as warm as the oil at the inlet. The roughness is the root
@@ -46,23 +47,13 @@ class BodyTable(Table):
 
     material: Annotated[str, AfterValidator(solids.named_material)] | None = None
     finish: Annotated[str, AfterValidator(_finish)] | None = None
-    modulus_by_temperature: tuple[tuple[units.MaterialTemperature, units.Modulus], ...] = ()
-    youngs_modulus: units.Modulus  # after the other, which is at fault where it is missing
-    temperature_limit: units.MaterialTemperature | None = None
     poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
-    density: units.MassDensity | None = None
-    conductivity: units.Conductivity | None = None
-    specific_heat: units.SpecificHeat | None = None
-    bulk_temperature: units.Temperature | None = None
-    roughness: units.Roughness | None = None
     roughness_ra: units.Roughness | None = None
     roughness_rz: units.Roughness | None = None
-    roughness_slope: Annotated[float, Field(strict=True, gt=0, le=1)] | None = None
+    roughness_slope: AboveZeroToOne | None = None
     roughness_aspect: Annotated[float, Field(strict=True, ge=1 / 9, le=9)] | None = None
     lay: units.AngleOrZero | None = None
-    asperity_sharpness: Annotated[float, Field(strict=True, gt=0, le=1)] | None = None
     asperity_density: Annotated[float, Field(strict=True, gt=0, le=0.3)] | None = None
-    hardness: units.Hardness | None = None
     boundary_friction_factor: Annotated[float, Field(strict=True, ge=0.2, le=5)] | None = None
     surface: SurfaceTable | None = None
 

@@ -20,10 +20,10 @@ from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.formulas.unit_factors import DEGREES_40
 from pyworm.io import units
 from pyworm.io.given import kind_of, number, text
-from pyworm.io.plain_values import PositiveNumber, Text
+from pyworm.io.plain_values import AboveZeroToOne, PositiveNumber, Text
 from pyworm.io.present import present
 from pyworm.materials.base_stock import Base
-from pyworm.materials.flow_laws import FlowLaw, LimitingStress, ThinningExponent, ThinningStress
+from pyworm.materials.flow_laws import FlowLaw, LimitingStress, ThinningStress
 from pyworm.materials.library import named_oil, names
 from pyworm.materials.oil import BOUNDARY_FRICTION, Oil
 from pyworm.materials.oil_layer import OilLayer
@@ -154,7 +154,7 @@ class CarreauTable(Table, ThinningStress):
     """`[oil.shear]`, law = "carreau"; stress is Carreau's modulus G, exponent his n."""
 
     law: Literal["carreau"]
-    exponent: ThinningExponent
+    exponent: AboveZeroToOne
 
 
 ShearTable = (

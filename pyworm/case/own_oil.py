@@ -10,9 +10,9 @@ from pydantic import Field, model_validator
 from pyworm.case.table import Table, plain
 from pyworm.formulas.liquids import Doolittle, RoelandsFit, Tait
 from pyworm.io import units
-from pyworm.io.plain_values import Fraction, PositiveNumber
+from pyworm.io.plain_values import AboveZeroToOne, Fraction, PositiveNumber
 from pyworm.io.toml import read_toml
-from pyworm.materials.flow_laws import Branch, LimitingStress, ThinningExponent, ThinningStress
+from pyworm.materials.flow_laws import Branch, LimitingStress, ThinningStress
 from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
 
 _LIQUIDS = Path(units.__file__).parents[1] / "materials/liquids.toml"
@@ -96,7 +96,7 @@ class CarreauYasudaTable(Table, ThinningStress, LimitingStress):
     """`[oil.shear]`, law = "carreau-yasuda", of one branch or several, with or without a limiting stress."""
 
     law: Literal["carreau-yasuda"]
-    exponent: ThinningExponent = 1.0
+    exponent: AboveZeroToOne = 1.0
     yasuda: PositiveNumber = 2.0
     branches: list[BranchTable] = Field(default_factory=list)
 

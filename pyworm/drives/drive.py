@@ -40,6 +40,11 @@ class Drive(Lubricated, ABC):
         return ("The load of each contact is that of the drive.",)
 
     @property
+    def usual_values(self) -> tuple[str, ...]:
+        """Those of its assumptions that are dimensions taken as usual, since the input does not give them."""
+        return ()
+
+    @property
     def warnings(self) -> tuple[str, ...]:
         """Unusual properties that change its contacts, a sentence each, beginning with a key of `[drive]`."""
         return ()

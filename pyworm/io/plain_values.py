@@ -15,6 +15,7 @@ NumberOrZero = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le
 MOST_COUNTED = 10_000
 """Largest number of teeth, threads, rollers, jets or values: the largest gears have some hundred teeth."""
 
+AboveZeroToOne = Annotated[float, Field(strict=True, gt=0, le=1)]
 Fraction = Annotated[float, Field(strict=True, gt=0, lt=1)]
 Count = Annotated[int, Field(strict=True, gt=0, le=MOST_COUNTED)]
 Seed = Annotated[int, Field(strict=True, ge=0, le=LARGEST_INTEGER)]

@@ -1,12 +1,13 @@
 """The solids in contact: elastic and thermal constants."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
 from pyworm.io.given import in_si, take, text
+from pyworm.io.plain_values import AboveZeroToOne
 from pyworm.io.present import present
 from pyworm.io.shown import ShownFields
 from pyworm.materials import solids
@@ -24,16 +25,12 @@ ASPERITY_DENSITY = 0.04
 surfaces (Greenwood and Tripp 1970)."""
 
 
-@dataclass(frozen=True, repr=False)
-class Body(ShownFields):
-    """One of the two solids.
+@dataclass(frozen=True)
+class SolidConstants:
+    """Constants of a solid and its surface."""
 
-    Raises
-    ------
-    ValueError
-        A constant that no solid has.
-    """
-
+    modulus_by_temperature: Points = field(default=(), kw_only=True)
+    """Temperatures [K] and Young's moduli there [Pa] of a solid that softens; empty of one that does not."""
     youngs_modulus: units.Modulus
     """Young's modulus [Pa]; with `modulus_by_temperature` and a bulk temperature that of the latter."""
     poisson_ratio: float
@@ -49,29 +46,39 @@ class Body(ShownFields):
     roughness: units.Roughness | None = None
     """Root mean square height of the surface, Rq [m]; None if it is not known. Drawings often give the
     arithmetic mean Ra, from which it is about 1.25 Ra where heights are spread normally."""
+    asperity_sharpness: AboveZeroToOne | None = field(default=None, kw_only=True)
+    """Composite roughness over the radius of the asperities' tips [-], all alike; None of a surface that is
+    rough on all scales."""
+    hardness: units.Hardness | None = field(default=None, kw_only=True)
+    """Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield."""
+    temperature_limit: units.MaterialTemperature | None = field(default=None, kw_only=True)
+    """Temperature that it bears in continuous use [K]; None where it is not known."""
+
+
+@dataclass(frozen=True, repr=False)
+class Body(ShownFields, SolidConstants):
+    """One of the two solids.
+
+    Raises
+    ------
+    ValueError
+        A constant that no solid has.
+    """
+
     roughness_slope: float = RUN_IN_SLOPE
     """Root mean square slope of the surface [-]."""
     roughness_aspect: float = 1.0
     """Correlation length of the roughness along its lay over that across it [-]; 1 where it has no lay."""
     lay: units.Tilt = 0.0
     """Angle of the lay from the surface's own motion through the contact [rad]."""
-    asperity_sharpness: float | None = None
-    """Composite roughness over the radius of the asperities' tips [-], all alike; None of a surface that is
-    rough on all scales."""
     asperity_density: float = ASPERITY_DENSITY
     """Such asperities for each area times radius times composite roughness [-]."""
-    hardness: units.Hardness | None = None
-    """Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield."""
     boundary_friction_factor: float = 1.0
     """Boundary friction of its asperities over that of steel or tin bronze under the same oil [-]."""
     topography: Topography | None = None
     """Heights of the surface, in place of averages by the figures above; None where they are not known."""
     long_waves: LongWaves | None = None
     """Its waves longer than those of the roughness; None where they are not known."""
-    modulus_by_temperature: Points = ()
-    """Temperatures [K] and Young's moduli there [Pa] of a solid that softens; empty of one that does not."""
-    temperature_limit: units.MaterialTemperature | None = None
-    """Temperature that it bears in continuous use [K]; None where it is not known."""
 
     def __post_init__(self) -> None:
         """Read quantities with units; refuse impossible constants of a solid."""

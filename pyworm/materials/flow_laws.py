@@ -3,17 +3,16 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from math import asinh, exp, expm1, inf, sinh
-from typing import Annotated, Any, Literal, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 import scipy
-from pydantic import Field
 
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import one_of, positive, scalar, within
 from pyworm.io import units
 from pyworm.io.given import in_si, kind_of, number, take
-from pyworm.io.plain_values import Fraction, NumberOrZero, PositiveNumber
+from pyworm.io.plain_values import AboveZeroToOne, Fraction, NumberOrZero, PositiveNumber
 from pyworm.io.shown import ShownFields
 
 LEAST_LIMIT = 0.1e6
@@ -24,9 +23,6 @@ FlowLawName = Literal[
 ]
 """Names of the laws; the stress of the last two may be limited."""
 
-ThinningExponent = Annotated[float, Field(strict=True, gt=0, le=1)]
-"""Carreau's n: oils thin."""
-
 
 @dataclass(frozen=True, repr=False)
 class Branch(ShownFields):
@@ -36,7 +32,7 @@ class Branch(ShownFields):
     """Its part of the viscosity at rest [-]."""
     ratio: PositiveNumber
     """Its stress G over that of the flow law [-]."""
-    exponent: ThinningExponent
+    exponent: AboveZeroToOne
     """Exponent n [-]."""
     yasuda: PositiveNumber = 2.0
     """Yasuda's exponent a [-]."""

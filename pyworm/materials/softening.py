@@ -6,9 +6,9 @@ from itertools import pairwise
 import numpy as np
 
 from pyworm.io.given import kind_of, number
-from pyworm.io.units import Modulus, Temperature
+from pyworm.io.units import MaterialTemperature, Modulus, Temperature
 
-Points = tuple[tuple[float, float], ...]
+Points = tuple[tuple[MaterialTemperature, Modulus], ...]
 """Temperatures [K] and Young's moduli there [Pa], in order of temperature."""
 
 

@@ -89,6 +89,11 @@ class WormDrive(WormMesh, Drive):
         )
 
     @property
+    def usual_values(self) -> tuple[str, ...]:
+        """Dimensions that the drawing does not give."""
+        return tuple(f"Taken as usual: drive.{one}." for one in self.taken)
+
+    @property
     def assumptions(self) -> tuple[str, ...]:
         """The load and its sharing, rigid teeth and shafts, the hand, and usual values taken."""
         load = self.load
@@ -110,7 +115,7 @@ class WormDrive(WormMesh, Drive):
             *filter(None, (self.warmth,)),
             *(() if self.edge_contact is None else (self.edge_contact.words,)),
             *((MIRRORED,) if self.hand == "left" else ()),
-            *(f"Taken as usual: drive.{one}." for one in self.taken),
+            *self.usual_values,
         )
 
     @property

@@ -17,9 +17,6 @@ from pyworm.report.page.symbols import made_of, named
 from pyworm.report.table import Table
 from pyworm.result.result import Result
 
-USUAL = "Taken as usual: "
-"""Beginning of an assumption about a dimension that a drawing leaves to the workshop."""
-
 Identity = tuple[tuple[str, str], ...]
 
 
@@ -121,7 +118,9 @@ def overleaf_of(found: Findings, pictures: tuple[Picture | Words, ...]) -> Overl
         Flanks, and wear of them.
     """
     assumed = assumptions_of(found)
-    decisive = tuple(of for of in assumed.items if not of.startswith(USUAL))
+    drive = found.case.drive
+    usual = () if drive is None else drive.usual_values
+    decisive = tuple(sentence for sentence in assumed.items if sentence not in usual)
     more = len(assumed.items) - len(decisive)
     if more:
         decisive += (f'{more} dimensions taken as usual, listed under "What was assumed".',)
