@@ -35,6 +35,9 @@ _WANTED = {
 Location = tuple[str | int, ...]
 """Keys of tables and places in lists on the way to a value, with those of the models that pydantic chose."""
 
+_LAST = {"extra_forbidden": 0, "missing": 2}
+"""Kind of error -> place in the order of reporting, 1 of all others."""
+
 
 class CaseError(ValueError):
     """Invalid input; the message is one sentence for the user."""
@@ -57,8 +60,8 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     str
         Dotted key, value as written, and what would be right.
     """
-    # A misspelt key also leaves another one missing: the misspelling is the one to report.
-    problem = min(error.errors(), key=lambda found: found["type"] != "extra_forbidden")
+    # A misspelt key or a wrong name leaves another key missing, too: the former is the one to report.
+    problem = min(error.errors(), key=lambda found: _LAST.get(found["type"], 1))
     keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")
     name = shortened(dotted(keys))
     if problem["type"] == "extra_forbidden":
