@@ -8,7 +8,7 @@ module pyworm_column_sweep
   use pyworm_film_newton, only: film_contact
   use pyworm_gauss_lobatto, only: levels_across
   use pyworm_kinds, only: wp
-  use pyworm_oil_convection, only: line_temperatures, carry_level, most_columns
+  use pyworm_oil_convection, only: line_cut, carry_level, most_columns
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use pyworm_shear_fields, only: shear_columns
   use pyworm_shear_profile, only: film_shear_rate
@@ -378,7 +378,7 @@ contains
     real(wp), contiguous, intent(in) :: capacity(:), along(:, :), across(:, :)
     real(wp), contiguous, intent(inout) :: absorption(:, :), inflow(:, :)
     real(wp) :: across_rate(most_columns), along_rate(most_columns)
-    type(line_temperatures) :: temperatures
+    type(line_cut) :: part
     integer :: k, before, m
 
     m = last - first + 1
@@ -386,14 +386,12 @@ contains
     before = max(line - 2, 1)
     self%onward(cut, line) = .false.
     self%backward(cut, line) = .false.
-    temperatures = line_temperatures(m, first == 2, last == self%way%length - 1, line > 2 .and. .not. self%aside, &
-      self%way%per_node, self%way%per_line, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp)
+    part = line_cut(m, first == 2, last == self%way%length - 1, line > 2 .and. .not. self%aside, self%way%per_node, &
+      self%way%per_line)
     do k = 1, size(along, 2)
-      temperatures%far(-1:m + 2) = self%rise(first - 2:last + 2, before, k)
-      temperatures%back(0:m + 1) = self%rise(first - 1:last + 1, line - 1, k)
-      temperatures%here(0:m + 1) = self%old(first - 1:last + 1, mod(line, 2), k)
-      temperatures%ahead(0:m + 1) = self%rise(first - 1:last + 1, line + 1, k)
-      call carry_level(temperatures, capacity, along(:, k), across(:, k), absorption(:, k), inflow(:, k))
+      call carry_level(part, self%rise(first - 2:last + 2, before, k), self%rise(first - 1:last + 1, line - 1, k), &
+        self%old(first - 1:last + 1, mod(line, 2), k), self%rise(first - 1:last + 1, line + 1, k), capacity, along(:, k), &
+        across(:, k), absorption(:, k), inflow(:, k))
       along_rate(:m) = merge(1, 0, self%aside)*abs(along(:m, k))*self%way%per_node
       across_rate(:m) = across(:m, k)*self%way%per_line
       self%onward(cut, line) = self%onward(cut, line) .or. any(across_rate(:m) > along_rate(:m))

@@ -4,50 +4,49 @@ module pyworm_oil_convection
   implicit none(type, external)
   private
 
-  public :: line_temperatures, carry_level
+  public :: line_cut, carry_level
 
   !> Columns of a line treated together, whatever the number of threads.
   integer, parameter, public :: most_columns = 32
 
-  !> Temperature [K] at one level of some columns of a line, of their neighbours within it, `here`, and of the columns one and
-  !> two lines back and one ahead.
-  type :: line_temperatures
+  !> Some columns of a line.
+  type :: line_cut
     integer :: columns = 0
     !> Whether the first and the last column are those of the line, and whether there is a line two back.
     logical :: at_first = .false., at_last = .false., two_back = .false.
     !> Reciprocal spacings of the nodes and of the lines [1/m].
     real(wp) :: per_node = 0, per_line = 0
-    real(wp) :: far(-1:most_columns + 2)
-    real(wp), dimension(0:most_columns + 1) :: back, here, ahead
-  end type line_temperatures
+  end type line_cut
 
 contains
 
   !> Computes the heat convected from one level of a line's columns per kelvin, `absorption` [W/(m3 K)], and to them,
-  !> `inflow` [W/m3], by oil of heat `capacity` [J/(m3 K)] that moves with u along and v across the line [m/s].
+  !> `inflow` [W/m3], by oil of heat `capacity` [J/(m3 K)] that moves with u along and v across the line [m/s], from the
+  !> temperature of this line, `here`, of those one and two lines back, and of the one ahead.
   !>
   !> Oil comes from the foot of its path on the square of the eight neighbouring nodes; where that lies on the line
   !> before, a second foot two lines back gives a second-order difference along the path, unless there is no such line
   !> (`two_back`) or the foot lies beyond its end (`at_first`, `at_last`). Elsewhere values lag behind, and only with a
   !> first-order difference do their errors never grow from sweep to sweep.
-  pure subroutine carry_level(line, capacity, u, v, absorption, inflow)
-    type(line_temperatures), intent(in) :: line
-    real(wp), dimension(line%columns), intent(in) :: capacity, u, v
-    real(wp), dimension(line%columns), intent(out) :: absorption, inflow
+  pure subroutine carry_level(cut, far, back, here, ahead, capacity, u, v, absorption, inflow)
+    type(line_cut), intent(in) :: cut
+    real(wp), intent(in) :: far(-1:cut%columns + 2)
+    real(wp), dimension(0:cut%columns + 1), intent(in) :: back, here, ahead
+    real(wp), dimension(cut%columns), intent(in) :: capacity, u, v
+    real(wp), dimension(cut%columns), intent(out) :: absorption, inflow
     !> One or zero: whether oil comes from the left, from the line before, and from a line more than along it; whether its
     !> second foot exists.
     real(wp) :: left, behind, crossing, reached
     real(wp) :: along, across, rate, skew, beside, foot, second, order
     integer :: c, low, high
 
-    associate (at_first => line%at_first, at_last => line%at_last, two_back => line%two_back, far => line%far, back => line%back, &
-        here => line%here, ahead => line%ahead)
+    associate (at_first => cut%at_first, at_last => cut%at_last, two_back => cut%two_back)
       low = merge(1, 0, at_first)
-      high = merge(line%columns, line%columns + 1, at_last)
+      high = merge(cut%columns, cut%columns + 1, at_last)
       ! weights instead of branches let the loop be vectorised
-      do c = 1, line%columns
-        along = u(c)*line%per_node
-        across = v(c)*line%per_line
+      do c = 1, cut%columns
+        along = u(c)*cut%per_node
+        across = v(c)*cut%per_line
         left = merge(1.0_wp, 0.0_wp, along > 0)
         behind = merge(1.0_wp, 0.0_wp, across > 0)
         crossing = merge(1.0_wp, 0.0_wp, abs(across) >= abs(along))
