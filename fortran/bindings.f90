@@ -211,7 +211,7 @@ contains
     type(thermal_contact), pointer :: contact
 
     contact => contact_of(handle)
-    contact%film%held = .true.
+    contact%film%rigid_film_fixed = .true.
   end subroutine film_hold
 
   !> Sets what both bodies of a heated contact remember of other fluxes before [K]; see `wall_balance`.

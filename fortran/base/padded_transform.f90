@@ -56,21 +56,21 @@ contains
     type(field_transform), intent(inout) :: self
     integer, intent(in) :: nx, ny, mx, my
     integer, intent(out) :: stat
-    integer :: held, threads
+    integer :: row_length, threads
 
     self%nx = nx
     self%ny = ny
     self%mx = mx
     self%my = my
     ! every row is aligned as FFTW's vector instructions want it
-    held = 2*(mx/4 + 1)
+    row_length = 2*(mx/4 + 1)
     threads = omp_get_max_threads()
     stat = status_no_memory
-    call self%spectra_memory%reserve_single(int(held, c_size_t)*ny)
+    call self%spectra_memory%reserve_single(int(row_length, c_size_t)*ny)
     call self%columns_memory%reserve_single(int(my, c_size_t)*block_columns*threads)
     if (.not. (c_associated(self%spectra_memory%address) .and. c_associated(self%columns_memory%address))) return
-    call c_f_pointer(self%spectra_memory%address, self%spectra, [held, ny])
-    call c_f_pointer(self%spectra_memory%address, self%rows, [2*held, ny])
+    call c_f_pointer(self%spectra_memory%address, self%spectra, [row_length, ny])
+    call c_f_pointer(self%spectra_memory%address, self%rows, [2*row_length, ny])
     call c_f_pointer(self%columns_memory%address, self%columns, [my, block_columns, threads])
     call plan_field_single([mx], self%rows, self%spectra, self%rows_forward, self%rows_backward)
     call plan_columns_single(my, block_columns, self%columns, self%columns_forward, self%columns_backward)

@@ -32,7 +32,7 @@ module pyworm_film_newton
   public :: contact_conditions, newton_step
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
   public :: set_film, film_residual, film_step, set_ruptured
-  public :: set_system, film_direction, move_film, film_balance, bearable, note_progress, search_step, first_row, last_row
+  public :: set_system, film_direction, move_film, film_balance, acceptable, note_progress, search_step, first_row, last_row
 
   !> Cycles of GMRES in a Newton step: most need a third of one, sheared films with thick inlets up to three.
   integer, parameter :: most_cycles = 4
@@ -43,7 +43,7 @@ module pyworm_film_newton
   !> e-fold many times from node to node full steps throw the pressure of single nodes to and fro by half of it, and heat
   !> follows. Of cold films that loses some: an isothermal film of 13 nm in a wide window was not found with it.
   real(wp), parameter :: most_growth = 2
-  integer, parameter :: patience = 3
+  integer, parameter :: max_idle_steps = 3
 
   !> Work on a contact: convolutions, fields and flows, building the preconditioner, its solves; `whole` is
   !> timed by the caller.
@@ -81,11 +81,11 @@ module pyworm_film_newton
     !> Load [N], of a line contact for each length [N/m], and the film [m] below which mobility is constant.
     real(wp) :: load = 0, floor = 0
     !> Whether the rigid film is given instead of the load.
-    logical :: held = .false.
+    logical :: rigid_film_fixed = .false.
     !> Summed wedge flow of the undeformed gap [m/s], the reference of residuals, and the scale of the load's
     !> row.
     real(wp) :: wedge = 0, load_weight = 0
-    !> Least residual and load error of the iteration, and steps since it was reached, up to `patience`.
+    !> Least residual and load error of the iteration, and steps since it was reached, up to `max_idle_steps`.
     real(wp) :: least = 0
     integer :: idle_steps = 0
     !> True where pressure is free in the present step.
@@ -353,7 +353,7 @@ contains
       self%dh = abs(self%model%fields%rough%excess)
       residual = residual + total(self%dh)*self%spacing(1)*self%spacing(2)/self%load
     end if
-    if (self%held) load_error = 0
+    if (self%rigid_film_fixed) load_error = 0
     call self%work%flow%finish()
   end subroutine film_balance
 
@@ -373,13 +373,13 @@ contains
     if (stat == status_ok) call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step%damping, stat)
   end subroutine film_step
 
-  !> Notes after a heated step whether it reached a new least residual. Once `patience` has ended it stays so until no step
+  !> Notes after a heated step whether it reached a new least residual. Once `max_idle_steps` are made it stays so until no step
   !> lowers the residual (`search_step`), or the film is started again.
   pure subroutine note_progress(self, residual, load_error)
     class(film_contact), intent(inout) :: self
     real(wp), intent(in) :: residual, load_error
 
-    if (self%idle_steps >= patience) return
+    if (self%idle_steps >= max_idle_steps) return
     self%idle_steps = merge(0, self%idle_steps + 1, residual + abs(load_error) < self%least)
     self%least = min(self%least, residual + abs(load_error))
   end subroutine note_progress
@@ -403,7 +403,7 @@ contains
       self%right(k + 1:k + nx) = merge(-self%imbalance(:, j), 0.0_wp, self%free(:, j))
     end do
     if (self%model%is_rough()) then
-      call take_excess(self, self%right(:n))
+      call add_asperity_residual(self, self%right(:n))
       self%model%fields%rough%ruptured = self%covered .and. .not. self%free
     end if
     self%right(n + 1) = load_error*self%load*self%load_weight
@@ -426,7 +426,7 @@ contains
 
   !> Adds to the right-hand side what the asperities' pressure exceeds the total by: the oil there has ambient pressure, from
   !> which the change of its pressure counts.
-  subroutine take_excess(self, right)
+  subroutine add_asperity_residual(self, right)
     class(film_contact), target, intent(inout) :: self
     real(wp), contiguous, target, intent(inout) :: right(:)
     real(wp), contiguous, pointer :: r(:, :), change(:, :)
@@ -436,7 +436,7 @@ contains
     self%dh = 0
     call change_balance(self, self%model%fields%rough%excess, self%dh, change)
     r = r + change
-  end subroutine take_excess
+  end subroutine add_asperity_residual
 
   !> Computes the change of the imbalance, where pressure is free, by a small change of total pressure and of the gap between mean
   !> planes. Elsewhere it is the change of the pressure of the oil [Pa], of smooth surfaces zero.
@@ -486,12 +486,12 @@ contains
   end subroutine move_film
 
   !> Whether the residual and load error of a film have not grown too much from `merit`, their sum.
-  pure logical function bearable(self, merit, residual, load_error)
+  pure logical function acceptable(self, merit, residual, load_error)
     class(film_contact), intent(in) :: self
     real(wp), intent(in) :: merit, residual, load_error
 
-    bearable = residual + abs(load_error) <= merge(most_growth, 1.0_wp, self%idle_steps < patience)*merit
-  end function bearable
+    acceptable = residual + abs(load_error) <= merge(most_growth, 1.0_wp, self%idle_steps < max_idle_steps)*merit
+  end function acceptable
 
   !> Takes the Newton step with the largest damping factor, by halving, at which the residual does not grow too much;
   !> arguments as of `film_step`.
@@ -508,14 +508,14 @@ contains
       call move_film(self, step, p, h0)
       call film_balance(self, residual, load_error)
       stat = merge(status_ok, status_no_descent, step > 0)
-      if (bearable(self, merit, residual, load_error) .or. .not. step > 0) return
+      if (acceptable(self, merit, residual, load_error) .or. .not. step > 0) return
       if (interrupted()) then
         stat = status_interrupted
         return
       end if
       step = merge(step/2, 0.0_wp, step > shortest_step)
-      if (.not. step > 0 .and. self%idle_steps >= patience) then
-        ! no step lowers the residual: a rupture line has to move first, and patience begins anew
+      if (.not. step > 0 .and. self%idle_steps >= max_idle_steps) then
+        ! no step lowers the residual: a rupture line has to move first, and the count begins anew
         self%idle_steps = 0
         step = 1
       end if
@@ -571,7 +571,7 @@ contains
     call change_balance(self, dp, self%dh, dr)
     call self%work%flow%finish()
     y(n + 1) = total(dp)*self%spacing(1)*self%spacing(2)*self%load_weight
-    if (self%held) y(n + 1) = x(n + 1)
+    if (self%rigid_film_fixed) y(n + 1) = x(n + 1)
   end subroutine multiply
 
   !> Solves the bordered system approximately: `relax` for the pressure, with h0 such that the load is met.
@@ -590,7 +590,7 @@ contains
     call self%work%cycle%finish()
     ! the border by its Schur complement: the pressure less what the rise of the rigid film takes has the load asked for
     y(n + 1) = (total(dp) - x(n + 1)/(self%spacing(1)*self%spacing(2)*self%load_weight))/self%softness_load
-    if (self%held) y(n + 1) = x(n + 1)
+    if (self%rigid_film_fixed) y(n + 1) = x(n + 1)
     !$omp parallel do schedule(static)
     do j = 1, size(dp, 2)
       dp(:, j) = dp(:, j) - self%softness(:, j)*y(n + 1)

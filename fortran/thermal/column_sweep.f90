@@ -22,7 +22,7 @@ module pyworm_column_sweep
   public :: swept_columns, column_work, new_swept_columns, new_column_work, change_swept, enter_sweep, sweep_lines, swept_rise
 
   !> Heat capacity flow that holds the temperature of a level [W/(m3 K)], far above any other.
-  real(wp), parameter :: held = 1e30_wp
+  real(wp), parameter :: fixed_capacity = 1e30_wp
 
   !> Scratch of a thread: columns, their shear and their oil, and at their levels the rate of shear [1/s] and the heat convected
   !> to them [W/m3]; heat of shearing [W/m2].
@@ -398,8 +398,8 @@ contains
       self%backward(cut, line) = self%backward(cut, line) .or. any(-across_rate(:m) > along_rate(:m))
       if (self%aside) then
         where (.not. abs(across_rate(:m)) > along_rate(:m))
-          absorption(:m, k) = held
-          inflow(:m, k) = held*self%rise(first:last, line, k)
+          absorption(:m, k) = fixed_capacity
+          inflow(:m, k) = fixed_capacity*self%rise(first:last, line, k)
         end where
       end if
     end do

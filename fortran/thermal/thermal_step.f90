@@ -8,7 +8,7 @@
 !> Conduction along the film is neglected: relative to that across, it is of the order (film over contact length)^2.
 module pyworm_thermal_step
   use pyworm_column_sources, only: hottest
-  use pyworm_film_newton, only: newton_step, film_contact, film_direction, move_film, film_balance, bearable, note_progress, &
+  use pyworm_film_newton, only: newton_step, film_contact, film_direction, move_film, film_balance, acceptable, note_progress, &
     search_step, first_row, last_row
   use pyworm_heated_surface, only: heated_body
   use pyworm_interruption, only: interrupted
@@ -165,7 +165,7 @@ contains
     call warm_film(film, heat, 1.0_wp, residual, load_error, step%change, heat_stat)
     if (heat_stat == status_interrupted) stat = heat_stat
     if (stat /= status_ok) return
-    if (heat_stat /= status_ok .or. .not. bearable(film, merit, residual, load_error)) then
+    if (heat_stat /= status_ok .or. .not. acceptable(film, merit, residual, load_error)) then
       call set_temperature(film, heat, heat%before)
       call search_step(film, merit, p, h0, residual, load_error, step%damping, stat)
       most = merge(0.5_wp, 1.0_wp, heat%last_fraction > 0)
