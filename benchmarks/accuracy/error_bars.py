@@ -1,16 +1,16 @@
-"""Whether error bars hold: random scenes at 2 %, all figures against finer grids in a wider window.
+"""Whether error bars hold: random scenes, all figures against finer grids in a wider window.
 
-Scenes are those of `tests/hard/draws.py`, COUNT of each kind and seed: isothermal and thermal points, thermal
-lines, both between bodies 10 K colder to 40 K warmer than the oil supplied, rough points, and points to which
-a thin layer of oil comes (whose window has no wider one). The truth is Richardson's limit over grids down to
-a quarter of the solution's spacing, half of it with heat (as far as MOST_NODES allows), in a window of twice
-the reach, with more levels across the film, corrected for the end of that
-window: by the power with which a film's error falls, and of temperatures by windows of four and eight times
-the reach on a coarse grid and by how their changes fall. It may be off by the limit's own uncertainty
-(`pyworm.precision.limits`) and half of what no window shows; a bar is judged where that is below half of it.
-From the repository's root:
+Scenes, solved to 2 % or another accuracy, are those of `tests/hard/draws.py`, COUNT of each kind and seed:
+isothermal and thermal points, thermal lines, both between bodies 10 K colder to 40 K warmer than the oil
+supplied, rough points, and points to which a thin layer of oil comes (whose window has no wider one). The
+truth is Richardson's limit over grids down to a quarter of the solution's spacing, half of it with heat (as
+far as MOST_NODES allows), in a window of twice the reach, with more levels across the film, corrected for the
+end of that window: by the power with which a film's error falls, and of temperatures by windows of four and
+eight times the reach on a coarse grid and by how their changes fall. It may be off by the limit's own
+uncertainty (`pyworm.precision.limits`) and half of what no window shows; a bar is judged where that is below
+half of it. From the repository's root:
 
-    python benchmarks/accuracy/error_bars.py [--kinds KIND,...] [COUNT [SEED ...]]
+    python benchmarks/accuracy/error_bars.py [--kinds KIND,...] [--accuracy 0.1] [COUNT [SEED ...]]
 
 Truths, by far the most of the work, are kept in results/truths.csv, which serves later runs whose bars are
 told in another way; what was found in results/error_bars.csv. The next run goes on from there.
@@ -197,7 +197,7 @@ def within(readings: dict[int, Reading]) -> Truth:
 
 def truth_of(task: Task, solution: pyworm.Solution, kind: str) -> Truth:
     """The truth of a scene in a window and on grids that do for one of its solutions."""
-    exact = pyworm.plan(task.scene, EXACT * ACCURACY, EFFECTS[kind])
+    exact = pyworm.plan(task.scene, EXACT * task.accuracy, EFFECTS[kind])
     # temperatures of films that hardly warm are settled too
     exact = replace(exact, aim=replace(exact.aim, warmth=0.0))
     if exact.model.heated:
@@ -211,9 +211,11 @@ def with_levels(plan: Plan, levels: int) -> Plan:
     return replace(plan, model=replace(plan.model, levels=levels))
 
 
-def judged(scene: str, kind: str, drawn: Drawn, truths: dict[str, Truth]) -> Iterator[dict]:
+def judged(
+    scene: str, kind: str, drawn: Drawn, accuracy: float, truths: dict[str, Truth]
+) -> Iterator[dict]:
     """Each figure of a scene: its bar, and how far it is from the truth, which is added to those known."""
-    task = Task(case_of(drawn.tables, kind, Path()), Place(), ACCURACY, EFFECTS[kind])
+    task = Task(case_of(drawn.tables, kind, Path()), Place(), accuracy, EFFECTS[kind])
     solution = pyworm.solve(task.scene, task.plan)
     if scene not in truths:
         truths[scene] = truth_of(task, solution, kind)
@@ -347,14 +349,17 @@ def main() -> None:
     parser.add_argument("count", type=int, nargs="?", default=15)
     parser.add_argument("seeds", type=int, nargs="*", default=[1, 2])
     parser.add_argument("--kinds", default=",".join(EFFECTS))
+    parser.add_argument("--accuracy", type=float, default=ACCURACY)
     asked = parser.parse_args()
     kinds = asked.kinds.split(",")
     rows, truths = saved(), saved_truths()
     for seed, place, kind in product(asked.seeds, range(asked.count), kinds):
         scene = f"{kind}:{place} of {seed}"
+        if asked.accuracy != ACCURACY:
+            scene += f" at {asked.accuracy:.0%}"
         if any(row["scene"] == scene for row in rows):
             continue
-        rows += judged(scene, kind, JUDGED_DRAWS[kind](place, seed), truths)
+        rows += judged(scene, kind, JUDGED_DRAWS[kind](place, seed), asked.accuracy, truths)
         save(rows)
         print(*by_scene([row for row in rows if row["scene"] == scene])[1], sep="  ", flush=True)
     for kind in kinds:

@@ -16,8 +16,8 @@ WARM = 2
 """Usual number of passes until temperatures are found: that of `cases/zi_cooled.toml`."""
 
 USUAL_PASSES = 2
-"""Usual number of passes until loads are found by films of the accuracy asked for, where it is no higher than
-the one of the search."""
+"""Usual number of passes until loads are found by steady films of the accuracy asked for, where it is no
+higher than the one of the search."""
 
 MARCHES = 2
 """Work of the search for lifts in motion, in first transient solves of the life: one, and the steady films
@@ -52,7 +52,7 @@ def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
     if "cooling" in open_:
         search += WARM * _solved([steady(task) for task in every(STRIDE, tasks)])[1]
     if "lifts" in open_.get("operation", ()):
-        search += _lifts(tasks) if tasks[0].accuracy < GLANCE else (USUAL_PASSES - 1) * once
+        search += _lifts(tasks, once)
     return ExpectedRun(each, once, search)
 
 
@@ -63,13 +63,18 @@ def _solved(tasks: Sequence[Task]) -> tuple[tuple[Expectation, ...], float]:
     return each, together(each, lives)
 
 
-def _lifts(tasks: Sequence[Task]) -> float:
-    """Processor time of the search for lifts, from some of the tasks [s]."""
+def _lifts(tasks: Sequence[Task], once: float) -> float:
+    """Processor time of the search for lifts, from some of the tasks and that of all solved once [s]."""
+    accuracy = tasks[0].accuracy
     some = [replace(task, accuracy=GLANCE, wider_window=False) for task in every(STRIDE, tasks)]
     all_of_them = len(tasks) / len(some)
     moving = [task for task in some if in_motion(task)]
-    if not moving:
+    if not moving and accuracy < GLANCE:
         return GLANCES * all_of_them * _solved(some)[1]
+    if not moving:
+        return (USUAL_PASSES - 1) * once
     each, seconds = _solved(moving)
     life = seconds - sum(of.seconds - of.past for of in each)
+    if accuracy >= GLANCE:
+        return life
     return all_of_them * _solved([steady(task) for task in some])[1] + MARCHES * life

@@ -26,7 +26,7 @@ from pyworm.io.reason import reason_of
 from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
-from pyworm.solver.transient.lifts import moving_lifts, steady_lift
+from pyworm.solver.transient.lifts import Lift, moving_lifts, steady_lift
 from pyworm.solver.transient.march import LostError, RateOfChange, march
 from pyworm.solver.transient.moments import Moment, as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, present_in_life, recent
@@ -224,8 +224,8 @@ class PartLifts:
     moving: bool
     """Whether by films in motion; else by steady ones in the same window."""
 
-    def __call__(self) -> dict[float, float]:
-        """Phase -> lift [m]; without those of which no film is found."""
+    def __call__(self) -> dict[float, Lift]:
+        """Phase -> lift; without those of which no film is found."""
         course = self.tasks[0].course
         phases = {
             present_in_life(task.scene).seconds: present(task.place.phase, "phase")
@@ -240,13 +240,13 @@ class PartLifts:
         return {phases[at]: lift for at, lift in found.items()}
 
 
-def lifts_of(tasks: Sequence[Task], moving: bool, executor: Executor | None) -> dict[float, float]:
-    """Phase -> lift [m] of the contacts of one life, without those of which no film is found."""
+def lifts_of(tasks: Sequence[Task], moving: bool, executor: Executor | None) -> dict[float, Lift]:
+    """Phase -> lift of the contacts of one life, without those of which no film is found."""
     parts = [PartLifts(part, moving) for part in tasks_by_part(tasks)]
-    calls: list[Callable[[], dict[float, float]]] = [*parts]
+    calls: list[Callable[[], dict[float, Lift]]] = [*parts]
     if executor is not None:
         calls = [future.result for future in [executor.submit(part) for part in parts]]
-    found: dict[float, float] = {}
+    found: dict[float, Lift] = {}
     for call in calls:
         with suppress(Exception):  # the scenes of that part meet the same, and tell it
             found |= call()

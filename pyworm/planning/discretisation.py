@@ -8,6 +8,7 @@ from typing import Any
 from pyworm.planning import error_budget
 from pyworm.planning.expected_work import (
     AUXILIARY_CHANGE,
+    COARSEST,
     Work,
     expected_work,
     first_change,
@@ -68,7 +69,21 @@ class _Numerics:
     refusal: str | None
 
 
-def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
+@dataclass(frozen=True)
+class _PointGrids:
+    """Grids of a point contact, and what follows from its sizes."""
+
+    size: Scales
+    grids: tuple[Grid, ...]
+    wider_grids: tuple[Grid, ...]
+    change: float
+    auxiliary: bool
+
+
+def _point_grids(
+    scene: Scene, accuracy: float, model: Model, coarsest: float = COARSEST
+) -> _PointGrids:
+    """Grids for an accuracy, with cells of at most `coarsest` times the usual size."""
     drawn = with_auxiliary_entrainment(scene) if model.heated else scene
     size = scales(drawn)
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
@@ -84,30 +99,35 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     change = AUXILIARY_CHANGE
     if drawn is scene:
         change = _first_change(scene, size, spacing)
-        finer = first_refinement(change, accuracy, model.heated)
-        spacing = spacing[0] * finer, spacing[1] * finer
+        factor = min(first_refinement(change, accuracy, model.heated), coarsest)
+        spacing = spacing[0] * factor, spacing[1] * factor
         change = _first_change(scene, size, spacing)
     grids = nest(inner, outer, *spacing)[nested]
     wider_grids = nest(wider, far, *spacing)[nested]
     if starved and size.supply_ratio > NEAR_MENISCUS:
         grids, wider_grids = (led_up_to(of[-1], COARSER_MENISCI) for of in (grids, wider_grids))
+    return _PointGrids(size, grids, wider_grids, change, drawn is not scene)
+
+
+def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
+    of = _point_grids(scene, accuracy, model)
     work = expected_work(
         "point",
-        _nodes(grids, wider_grids),
-        change,
+        _nodes(of.grids, of.wider_grids),
+        of.change,
         accuracy,
         LARGEST_GRID,
         full=model.levels > 0,
-        stiffness=stiffness(model.heated, size.groups.moes_l),
-        auxiliary=drawn is not scene,
+        stiffness=stiffness(model.heated, of.size.groups.moes_l),
+        auxiliary=of.auxiliary,
     )
     return _Numerics(
-        grids=grids,
-        wider_grids=wider_grids,
+        grids=of.grids,
+        wider_grids=of.wider_grids,
         largest_grid=LARGEST_GRID,
         tolerance=error_budget.RESIDUAL * accuracy,
         work=work,
-        refusal=_refusal(work, size.open_film, LARGEST_GRID),
+        refusal=_refusal(work, of.size.open_film, LARGEST_GRID),
     )
 
 
@@ -163,6 +183,13 @@ PLANS: dict[type, Callable[[Any, float, Model], _Numerics]] = {
     LineScene: _plan_line,
 }
 """Planner of each kind of contact, by its scene."""
+
+
+def moving_grid(scene: Scene | LineScene, accuracy: float, model: Model) -> Grid | LineGrid:
+    """The first grid of the figures with cells of the usual size at most: a rate of change needs them."""
+    if isinstance(scene, LineScene):
+        return _plan_line(scene, accuracy, model).grids[-1]
+    return _point_grids(scene, accuracy, model, 1.0).grids[-1]
 
 
 def _first_change(scene: Scene, size: Scales, spacing: tuple[float, float]) -> float:

@@ -47,6 +47,10 @@ ratios of isothermal films two of five worm contacts at 1 % needed a halving mor
 MOST_BEYOND = 2.5
 """Factor beyond these ratios up to which a finer first grid is cheaper than one more halving."""
 
+COARSEST, NEARLY = 2.0, 0.85
+"""Factor of the first grid's spacing where little accuracy is asked for, eight cells over the contact's
+shorter half-width, and the share of it from which it is worth a try."""
+
 WORTHLESS = 0.1
 """Relative error of the films beyond which figures are worthless, whatever accuracy was asked for."""
 
@@ -168,15 +172,17 @@ def first_change(
 
 
 def first_refinement(change: float, accuracy: float, heated: bool) -> float:
-    """Factor of the first grid's spacing, 1 at most, by which the last one most probably just suffices.
+    """Factor of the first grid's spacing by which the last one most probably just suffices.
 
     Where the films' expected change is a little too large for a number of halvings, a somewhat finer first
-    grid saves the last of them, which has four times the nodes.
+    grid saves the last of them, which has four times the nodes. Where it is far less than one halving needs,
+    twice the spacing does: if not, the last grid is what it would have been.
     """
     ratio = change / accuracy
     for enough in SUFFICIENT_OF_HEATED if heated else SUFFICIENT:
         if ratio <= enough * MOST_BEYOND:
-            return float(min(1.0, (enough / ratio) ** (1 / SHARPNESS_POWER)))
+            factor = float((enough / ratio) ** (1 / SHARPNESS_POWER))
+            return COARSEST if factor >= NEARLY * COARSEST else min(1.0, factor)
     return 1.0
 
 

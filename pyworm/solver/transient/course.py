@@ -8,10 +8,11 @@ from math import ceil, exp, hypot, log
 import numpy as np
 import scipy
 
+from pyworm.planning.discretisation import moving_grid
 from pyworm.planning.expected_work import STEPS_A_TRANSIT, Kind
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
-from pyworm.planning.plan import Plan, effects_for, first_grids_of, planned
+from pyworm.planning.plan import Plan, effects_for, planned
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.planning.window import OUTFLOW_FRACTION, enlarged
 from pyworm.scene.any_contact import AnyContact
@@ -59,8 +60,8 @@ in turn. A line whose speed goes from -1.6 to 1.6 m/s, in a window whose later i
 loses 14 % of its film (`tests/python/solver/test_symmetries.py`)."""
 
 COARSENING: dict[Kind, float] = {"point": 2.0, "line": 0.5}
-"""Spacing of the first transient solve over that of the plan's first grid; nodes of lines cost next to
-nothing."""
+"""Spacing of the first transient solve over that of the first grid of usual cells
+(`planning.discretisation.moving_grid`); nodes of lines cost next to nothing."""
 
 FORMING = 0.25
 """Transits after the first touch up to which films form: the window is that of surfaces that come together,
@@ -205,7 +206,8 @@ def course_of(life: Life, plan: Plan) -> Course:
     flows = [_flow(contact) for contact in of_all]
     some = _drawn(flows)
     drawn, flows = [at[number] for number in some], [flows[number] for number in some]
-    grids = [first_grids_of(whole.simplified(of_all[number]), whole)[-1] for number in some]
+    simple = [whole.simplified(of_all[number]) for number in some]
+    grids = [moving_grid(contact, whole.accuracy, whole.model) for contact in simple]
     coarsening = COARSENING[whole.work.kind]
     sides = _sides(grids, flows, coarsening)
     spacings = _spacings(drawn, grids, coarsening, written=bool(life.kinks))
@@ -230,7 +232,7 @@ def _approach(course: Course) -> Approach:
     touched = course.place(course.life.touched)
     touch, until = (course.instant(touched + later) for later in (0.0, FORMING))
     contact = course.plan.simplified(course.life.at(touch))
-    grid = first_grids_of(contact, course.plan)[-1]
+    grid = moving_grid(contact, course.plan.accuracy, course.plan.model)
     if isinstance(contact, LineScene) or isinstance(grid, LineGrid):
         raise TypeError("the surfaces of a line contact do not come together")
     window = enlarged(contact, grid.box, WIDER)

@@ -6,17 +6,30 @@ lift is told well by the difference from a steady film in the same window.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 from pyworm.solver.point.level import dry_contact
 from pyworm.solver.transient.course import Course
-from pyworm.solver.transient.march import LostError, contact_at, march, steady_level
+from pyworm.solver.transient.march import LostError, March, contact_at, march, steady_level
 from pyworm.solver.transient.time_steps import Step
 
 
-def moving_lifts(course: Course, begin: float, wanted: Sequence[float]) -> dict[float, float]:
+@dataclass(frozen=True)
+class Lift:
+    """How far a film holds bodies apart, and what it loses."""
+
+    distance: float
+    """The lift [m]."""
+    friction: float = 0.0
+    """Friction coefficient [-]; 0 of a steady film and where the flow law of the oil is not known."""
+    loss: float = 0.0
+    """Work of the friction [W], likewise."""
+
+
+def moving_lifts(course: Course, begin: float, wanted: Sequence[float]) -> dict[float, Lift]:
     """Lifts by the films in motion of a life of point contacts.
 
     Parameters
@@ -31,22 +44,31 @@ def moving_lifts(course: Course, begin: float, wanted: Sequence[float]) -> dict[
     Returns
     -------
     dict
-        Time [s] -> lift [m]; without times to which no films lead.
+        Time [s] -> lift; without times to which no films lead.
     """
     try:
-        found = march(course, 0, begin, wanted).rigid_films
+        found = march(course, 0, begin, wanted)
     except LostError:
         return {}
-    return {seconds: rigid + _approach(course, seconds) for seconds, rigid in found.items()}
+    return {
+        seconds: Lift(rigid + _approach(course, seconds), *_lost_nearest(found, seconds))
+        for seconds, rigid in found.rigid_films.items()
+    }
 
 
-def steady_lift(course: Course, seconds: float) -> float | None:
-    """Lift by the steady film of a point contact at a time [s], in the window of its life [m], if any."""
+def _lost_nearest(found: March, seconds: float) -> tuple[float, float]:
+    """Friction coefficient and loss [W] at the instant that is nearest to a time."""
+    figures = min(found.moments, key=lambda moment: abs(moment.seconds - seconds)).figures
+    return figures.get("friction_coefficient", 0.0), figures.get("power_loss", 0.0)
+
+
+def steady_lift(course: Course, seconds: float) -> Lift | None:
+    """Lift by the steady film of a point contact at a time [s], in the window of its life, if any."""
     try:
         level, _ = steady_level(course, Step(seconds, 0))
     except LostError:
         return None
-    return level.film.rigid_film + _approach(course, seconds)
+    return Lift(level.film.rigid_film + _approach(course, seconds))
 
 
 def _approach(course: Course, seconds: float) -> float:

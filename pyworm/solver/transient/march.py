@@ -210,8 +210,12 @@ def march(
 
 def _long_after(course: Course, found: March) -> bool:
     """Whether films were found for so long after the first touch that another beginning changes nothing."""
-    begun, ended = (course.transits(at) for at in (course.life.touched, found.moments[-1].seconds))
-    return ended - begun > FORGOTTEN
+    return _since_touch(course, found.moments[-1].seconds) > FORGOTTEN
+
+
+def _since_touch(course: Course, seconds: float) -> float:
+    """Transits from the first touch to a time."""
+    return course.transits(seconds) - course.transits(course.life.touched)
 
 
 def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> March:
@@ -420,10 +424,7 @@ def _onward(
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), course.plan, term)
     tolerances = _tolerances(course, step)
     with _told(seconds):
-        guess = extrapolated(before, seconds)
-        if contact.separation is not None:
-            guess = replace(guess, rigid_film=contact.separation)
-        level = solver.on_grid(grid, guess)
+        level = _begun_from(course, solver, grid, contact, before, seconds)
         # one step at least: a film that is only extrapolated would follow no equation until it is far from it
         newton_step(level)
         taken = 1 + len(lead(level, *tolerances, most=TRIAL_STEPS - 1))
@@ -433,6 +434,33 @@ def _onward(
             level = _beside(contact, course, grid, solver)
             taken += len(lead(level, *tolerances))
     return _sound(level, seconds), taken
+
+
+def _begun_from(
+    course: Course,
+    solver: ContactSolver,
+    grid: Grid | LineGrid,
+    contact: Scene | LineScene,
+    before: Sequence[Instant],
+    seconds: float,
+) -> Level:
+    """The level of a time that begins with the films before, the latest first.
+
+    Where an edge moves through the contact its pressure moves over the nodes, and no film follows from
+    extrapolated pressures; the last film, or its pressure as that of the oil, is nearer then. Soon after
+    surfaces came together a film that does not follow asks for shorter time steps instead.
+    """
+    latest, guesses = before[0].state, [extrapolated(before, seconds)]
+    if course.approach is None or _since_touch(course, seconds) > FORGOTTEN:
+        guesses += [latest, replace(latest, oil=None)]
+    levels: list[Level] = []
+    for guess in guesses:
+        if contact.separation is not None:
+            guess = replace(guess, rigid_film=contact.separation)
+        levels.append(solver.on_grid(grid, guess))
+        if levels[-1].film.balance.residual <= SENSELESS:
+            break
+    return min(levels, key=lambda level: level.film.balance.residual)
 
 
 def _differenced(course: Course, seconds: float, before: Sequence[Instant]) -> Sequence[Instant]:

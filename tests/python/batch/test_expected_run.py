@@ -21,11 +21,11 @@ def test_phases_of_one_life_share_its_transient_solves():
 
 
 def test_lifts_are_searched_for_where_they_are_left_open():
-    """By films of lower accuracy, or in another pass of the accuracy asked for."""
+    """By films of lower accuracy, or by one more transient solve of the life."""
     how = {"path": "cases/zi_drive.toml", "effects": "isothermal,squeeze", "phase": PHASES}
     fine, coarse = (of_run(accuracy=accuracy, **how) for accuracy in (0.05, 0.2))
     assert 0 < fine.search < fine.once
-    assert coarse.search == coarse.once < fine.once
+    assert 0 < coarse.search < coarse.once < fine.once
 
 
 def test_temperatures_are_searched_for_too():

@@ -36,6 +36,7 @@ from pyworm.result.mesh_cycle import drive_cycle, flank_place
 from pyworm.result.result import case_in
 from pyworm.solver.ending import Ending
 from pyworm.solver.solution import Estimate
+from pyworm.solver.transient.lifts import Lift
 
 CASES = Path(__file__).parents[3] / "cases"
 
@@ -423,7 +424,9 @@ def test_motion_changes_the_lifts_of_steady_films(tmp_path, lifting, monkeypatch
 
     def lifts_of(tasks, moving, executor):
         asked.append((moving, tasks[0].case.drive.load.lifts))
-        return {task.place.phase: (3 * moving * task.place.phase + 0.5) * 1e-6 for task in tasks}
+        return {
+            task.place.phase: Lift((3 * moving * task.place.phase + 0.5) * 1e-6) for task in tasks
+        }
 
     monkeypatch.setattr(drive_iteration, "lifts_of", lifts_of)
     case, tasks, steady_lifts = three_phases("auto")
@@ -434,3 +437,25 @@ def test_motion_changes_the_lifts_of_steady_films(tmp_path, lifting, monkeypatch
     assert asked == [(False, ()), (True, steady_lifts)]
     assert lifting[:2] == [(drive_iteration.GLANCE, ()), (0.02, lifts)]
     assert "lifts of 1.50 to 5.10 µm" in said[1]
+
+
+def test_lifts_of_a_coarse_solution_come_from_films_in_motion_alone(tmp_path, lifting, monkeypatch):
+    """The first transient solve gives lifts, and the friction that balances the torques."""
+    asked = []
+
+    def lifts_of(tasks, moving, executor):
+        asked.append((moving, tasks[0].case.drive.load.lifts))
+        return {task.place.phase: Lift(1e-6, 0.04, 2.0) for task in tasks if not lost}
+
+    monkeypatch.setattr(drive_iteration, "lifts_of", lifts_of)
+    case, tasks, _ = three_phases("auto")
+    tasks = [replace(task, accuracy=drive_iteration.GLANCE) for task in tasks]
+    lost = False
+    drive_iteration.run_balanced(case, tasks, tmp_path)
+    lifts = tuple((task.place.phase, 1e-6) for task in tasks)
+    assert asked == [(True, ())] and lifting[0] == (drive_iteration.GLANCE, lifts)
+    # where none is found they are found with the films, as of drives whose films are steady
+    lost = True
+    lifting.clear()
+    drive_iteration.run_balanced(case, tasks, tmp_path / "lost")
+    assert lifting[0] == (drive_iteration.GLANCE, ())

@@ -15,7 +15,7 @@ def both_lifts(contact):
     plan = pyworm.plan(contact, 0.1, "isothermal,squeeze", ("film",))
     course, now = course_of(contact.past.life, plan), contact.past.seconds
     moving = moving_lifts(course, part_at(course, now).begin, [now])
-    return moving[now], steady_lift(course, now)
+    return moving[now].distance, steady_lift(course, now).distance
 
 
 def test_a_contact_without_change_is_lifted_like_a_steady_one():
