@@ -6,8 +6,8 @@ films under these loads and temperatures. Where roughness carries load and is no
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
 temperatures are found with every `STRIDE`-th phase and steady films, lifts by first transient solves
-(`films_in_motion.lifts_of`), or, for an accuracy below `GLANCE`, by steady films at that one in one window and what
-motion changes in them: all that is solved last is solved in full.
+(`films_in_motion.lifts_of`), or, for an accuracy below `GLANCE`, by steady films at that one in one window
+and what motion changes in them: all that is solved last is solved in full.
 """
 
 from collections.abc import Callable, Sequence

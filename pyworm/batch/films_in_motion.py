@@ -4,9 +4,9 @@ Each solve is a call of its own, in any process, and leaves a file for each task
 then solve their films with these rates of change. Both are the same to the last bit as where a task finds its
 own: a transient solve does not depend on which of its times are wanted.
 
-Lifts of a drive's teeth, with the loads that they move, come from steady films first. What motion changes in
-them is seen by the first transient solve of each part of the life, a tenth of the work of films within error
-bars; under the loads that follow it is seen again until they stay. Each call goes to any process.
+Lifts of a drive's teeth, with the loads that they move, come from the first transient solve of each part of
+the life, a tenth of the work of films within error bars, or from what motion changes there in those of steady
+films; under the loads that follow it is solved again until they stay. Each call goes to any process.
 """
 
 from collections import defaultdict

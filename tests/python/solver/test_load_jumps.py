@@ -33,7 +33,7 @@ def first_guesses_of_extrapolated_films(course, solver, grid, contact, before, s
     [(march_module._begun_from, 1), (first_guesses_of_extrapolated_films, 2)],
 )
 def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from, steady_films):
-    """It begins with the last film, since the extrapolated one makes no sense, or else with the steady one."""
+    """It begins with the last film, or else the steady one: the extrapolated one makes no sense."""
     course, begin, wanted = part
     beside, asked = march_module._beside, []
 
