@@ -19,7 +19,7 @@ from pyworm.planning.expected_work import (
 from pyworm.planning.grid import Grid, led_up_to, nest
 from pyworm.planning.line_grid import LineGrid, first_grids
 from pyworm.planning.model import Model
-from pyworm.planning.window import FAR, grown, near_reach, supplied_reach, windows
+from pyworm.planning.window import FAR, Reach, grown, near_reach, supplied_reach, windows
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -70,31 +70,23 @@ class _Numerics:
 
 
 @dataclass(frozen=True)
-class _PointGrids:
-    """Grids of a point contact, and what follows from its sizes."""
+class _Sized:
+    """What the grids of a point contact are made of."""
 
     size: Scales
-    grids: tuple[Grid, ...]
-    wider_grids: tuple[Grid, ...]
+    near: Reach
+    spacing: tuple[float, float]
     change: float
     auxiliary: bool
 
 
-def _point_grids(
-    scene: Scene, accuracy: float, model: Model, coarsest: float = COARSEST
-) -> _PointGrids:
-    """Grids for an accuracy, with cells of at most `coarsest` times the usual size."""
+def _sized(scene: Scene, accuracy: float, model: Model, coarsest: float = COARSEST) -> _Sized:
+    """Reach of the window and spacing of the first grid, at most `coarsest` times the usual one."""
     drawn = with_auxiliary_entrainment(scene) if model.heated else scene
     size = scales(drawn)
-    # what heat alone carries ends with the heat: nothing lies beyond the window of the figures
-    nested = slice(None) if drawn is scene else slice(-1, None)
     near = near_reach(size)
-    starved = scene.oil.supply is not None
-    if starved:
-        # no oil has pressure beyond the meniscus, so that one window holds it all
-        near, nested = supplied_reach(size, float(scene.oil.layer_at(0.0))), slice(-1, None)
-    inner, outer, wider, far = windows(scene, size, near, FAR, near.doubled(), FAR.doubled())
-    wider = grown(scene, inner, wider)
+    if scene.oil.supply is not None:
+        near = supplied_reach(size, float(scene.oil.layer_at(0.0)))
     spacing = _first_spacing(scene, size)
     change = AUXILIARY_CHANGE
     if drawn is scene:
@@ -102,18 +94,24 @@ def _point_grids(
         factor = min(first_refinement(change, accuracy, model.heated), coarsest)
         spacing = spacing[0] * factor, spacing[1] * factor
         change = _first_change(scene, size, spacing)
-    grids = nest(inner, outer, *spacing)[nested]
-    wider_grids = nest(wider, far, *spacing)[nested]
-    if starved and size.supply_ratio > NEAR_MENISCUS:
-        grids, wider_grids = (led_up_to(of[-1], COARSER_MENISCI) for of in (grids, wider_grids))
-    return _PointGrids(size, grids, wider_grids, change, drawn is not scene)
+    return _Sized(size, near, spacing, change, drawn is not scene)
 
 
 def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
-    of = _point_grids(scene, accuracy, model)
+    of = _sized(scene, accuracy, model)
+    near, starved = of.near, scene.oil.supply is not None
+    inner, outer, wider, far = windows(scene, of.size, near, FAR, near.doubled(), FAR.doubled())
+    wider = grown(scene, inner, wider)
+    # what heat alone carries ends with the heat: nothing lies beyond the window of the figures; nor has oil
+    # pressure beyond the meniscus, so that one window holds it all
+    nested = slice(-1, None) if of.auxiliary or starved else slice(None)
+    grids = nest(inner, outer, *of.spacing)[nested]
+    wider_grids = nest(wider, far, *of.spacing)[nested]
+    if starved and of.size.supply_ratio > NEAR_MENISCUS:
+        grids, wider_grids = (led_up_to(some[-1], COARSER_MENISCI) for some in (grids, wider_grids))
     work = expected_work(
         "point",
-        _nodes(of.grids, of.wider_grids),
+        _nodes(grids, wider_grids),
         of.change,
         accuracy,
         LARGEST_GRID,
@@ -122,8 +120,8 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         auxiliary=of.auxiliary,
     )
     return _Numerics(
-        grids=of.grids,
-        wider_grids=of.wider_grids,
+        grids=grids,
+        wider_grids=wider_grids,
         largest_grid=LARGEST_GRID,
         tolerance=error_budget.RESIDUAL * accuracy,
         work=work,
@@ -189,7 +187,9 @@ def moving_grid(scene: Scene | LineScene, accuracy: float, model: Model) -> Grid
     """The first grid of the figures with cells of the usual size at most: a rate of change needs them."""
     if isinstance(scene, LineScene):
         return _plan_line(scene, accuracy, model).grids[-1]
-    return _point_grids(scene, accuracy, model, 1.0).grids[-1]
+    of = _sized(scene, accuracy, model, 1.0)
+    (inner,) = windows(scene, of.size, of.near)
+    return nest(inner, inner, *of.spacing)[-1]
 
 
 def _first_change(scene: Scene, size: Scales, spacing: tuple[float, float]) -> float:
