@@ -244,8 +244,8 @@ def _shape(log_ratio: Values, slope: float, given: Mapping[str, float]) -> Value
 
 def _turned(side: Values, power: float) -> Values:
     """A part between 0 and 1, steeper in the middle by a power."""
-    one, other = side**power, (1 - side) ** power
-    return one / (one + other)
+    upper, lower = side**power, (1 - side) ** power
+    return upper / (upper + lower)
 
 
 def joined(groups: AtlasGroups, found: Limits, constants: AtlasConstants) -> Values:
@@ -283,10 +283,10 @@ def _ellipses() -> tuple[Array, ...]:
     places = log(MOST_SLENDER) * (1 - np.cos(np.linspace(0, pi, 60))) / 2
     contacts = [hertz(1.0, ratio, 1.0, 1.0) for ratio in np.exp(places)]
     rows = (
-        [of.ellipticity for of in contacts],
-        [of.semi_axis_y for of in contacts],
-        [of.pressure_max for of in contacts],
-        [of.approach for of in contacts],
+        [contact.ellipticity for contact in contacts],
+        [contact.semi_axis_y for contact in contacts],
+        [contact.pressure_max for contact in contacts],
+        [contact.approach for contact in contacts],
     )
     return tuple(np.polyfit(places, np.log(row), 12) for row in rows)
 
@@ -391,16 +391,18 @@ def films(groups: AtlasGroups) -> AtlasFilms:
     AtlasFilms
         Films with left-out errors.
     """
-    given = np.broadcast_arrays(*(getattr(groups, of.name) for of in fields(groups)))
+    given = np.broadcast_arrays(*(getattr(groups, field.name) for field in fields(groups)))
     shape = given[0].shape
-    flat = [np.asarray(of, dtype=float).ravel() for of in given]
+    flat = [np.asarray(values, dtype=float).ravel() for values in given]
     count = flat[0].size
     out = np.empty((4, count))
     inside = np.empty(count, dtype=bool)
     constants = _constants()
     for first in range(0, count, PART):
         part = slice(first, first + PART)
-        out[:, part], inside[part] = _films(AtlasGroups(*(of[part] for of in flat)), constants)
+        out[:, part], inside[part] = _films(
+            AtlasGroups(*(values[part] for values in flat)), constants
+        )
     central, minimum, *errors = (row.reshape(shape) for row in out)
     return AtlasFilms(central, minimum, errors[0], errors[1], inside.reshape(shape))
 
@@ -511,7 +513,7 @@ def _constants() -> AtlasConstants:
     """The constants of the fit."""
     content = json.loads(files("pyworm.formulas").joinpath("film_atlas.json").read_text("utf-8"))
     arrays = {
-        name: {key: np.asarray(of) for key, of in content[name].items()}
+        name: {key: np.asarray(values) for key, values in content[name].items()}
         for name in ("network", "errors")
     }
     return {

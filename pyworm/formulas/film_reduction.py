@@ -197,5 +197,5 @@ def _constants() -> HeatConstants:
         "high": np.asarray(content["high"]),
         "slope": np.asarray(content["slope"]),
         "level": np.asarray(content["level"]),
-        "films": {name: np.asarray(of) for name, of in content["films"].items()},
+        "films": {name: np.asarray(values) for name, values in content["films"].items()},
     }

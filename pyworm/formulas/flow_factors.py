@@ -60,8 +60,8 @@ def pressure_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
     near, far = np.maximum(gap, CLOSED), np.maximum(gap, FITTED)
     fits = np.array(
         [
-            1 + c * near**-r if own > 1 else 1 - c * np.exp(-r * np.maximum(gap, 0.0))
-            for own, (c, r) in zip(ASPECTS, PRESSURE_FACTORS, strict=True)
+            1 + c * near**-r if fitted_aspect > 1 else 1 - c * np.exp(-r * np.maximum(gap, 0.0))
+            for fitted_aspect, (c, r) in zip(ASPECTS, PRESSURE_FACTORS, strict=True)
         ]
     )
     asymptote = 1 + 3 * (1 - 3 / (1 + aspect)) / far**2

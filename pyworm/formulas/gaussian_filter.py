@@ -42,6 +42,8 @@ def smoothed(
         within = np.ones(1)
         if not periodic:
             line = scipy.ndimage.convolve1d(np.ones(heights.shape[axis]), weights, mode=mode)
-            within = np.expand_dims(line, [one for one in range(heights.ndim) if one != axis])
+            within = np.expand_dims(
+                line, [direction for direction in range(heights.ndim) if direction != axis]
+            )
         heights = scipy.ndimage.convolve1d(heights, weights, axis=axis, mode=mode) / within
     return heights

@@ -69,10 +69,10 @@ def compiled_with() -> tuple[str, str]:
     """
     compiler, options = (text.decode().strip() for text in bindings.compiled_with())
     given = [
-        one
-        for one in options.split()
-        if one.startswith("-") and "/" not in one and not one.startswith(_NOT_GIVEN)
-        if not one.startswith("-m") or one.startswith(("-march", "-mtune"))
+        option
+        for option in options.split()
+        if option.startswith("-") and "/" not in option and not option.startswith(_NOT_GIVEN)
+        if not option.startswith("-m") or option.startswith(("-march", "-mtune"))
     ]
     return compiler, " ".join(dict.fromkeys(given))
 

@@ -375,7 +375,7 @@ class Film:
         KernelError
             If memory does not suffice or a curve is not finite.
         """
-        values, slopes = (fortran_array(of) for of in (curves.values, curves.slopes))
+        values, slopes = (fortran_array(table) for table in (curves.values, curves.slopes))
         check_status(
             core.bindings.film_roughen(
                 self._handle,

@@ -34,7 +34,7 @@ class FluxReading:
     """Number of the time of the history, from 0 at present, that ends the interval of time it lies in."""
     share: float
     """Part of that interval before its end."""
-    way: tuple[float, ...]
+    distance: tuple[float, ...]
     """Way of the surface through the contact point since then, along each direction [m]."""
 
 
@@ -73,24 +73,26 @@ def remembered_flux(
     u, v = (velocity[0], np.zeros_like(velocity[0])) if line else velocity
     nodes = (*history.flux[0].shape, 1)[:2]
     flux = np.empty((*nodes, len(history.flux)), order="F")
-    for number, of in enumerate(history.flux):
-        flux[..., number] = of.reshape(nodes)
+    for number, field in enumerate(history.flux):
+        flux[..., number] = field.reshape(nodes)
     found: Array = core.bindings.integrate_remembered_flux(
         flux,
         _pairs(history.first, 0.0),
         _pairs(history.spacing, 1.0),
-        fortran_array(np.transpose([(one.age, one.weight, one.share) for one in readings])),
-        np.array([one.interval + 1 for one in readings], dtype=np.int32),
-        _pairs([one.way for one in readings], 0.0),
+        fortran_array(
+            np.transpose([(reading.age, reading.weight, reading.share) for reading in readings])
+        ),
+        np.array([reading.interval + 1 for reading in readings], dtype=np.int32),
+        _pairs([reading.distance for reading in readings], 0.0),
         turning,
         _pairs([at_origin], 0.0)[:, 0],
         x,
         y,
-        *(fortran_array(of.reshape(len(x), len(y))) for of in (u, v)),
+        *(fortran_array(component.reshape(len(x), len(y))) for component in (u, v)),
     )
     return found[:, 0] if line else found
 
 
 def _pairs(of_directions: Sequence[Sequence[float]], second: float) -> Array:
     """Numbers along each direction in columns, with one along a second direction that a line has not."""
-    return fortran_array(np.transpose([(*of, second)[:2] for of in of_directions]))
+    return fortran_array(np.transpose([(*numbers, second)[:2] for numbers in of_directions]))

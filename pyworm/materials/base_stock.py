@@ -132,16 +132,16 @@ class StockTable(_Table):
 
     def own(self) -> dict[str, Any]:
         """The given properties under the names of `BaseStock`."""
-        own = self.model_dump(exclude_unset=True, include=set(StockTable.model_fields))
-        if {"gold_s", "gold_t"} & own.keys():
-            own.setdefault("alpha_spread", 0.0)  # measured by whoever gives it
-        if "agma_k" in own:
-            own["agma_k"] *= 1e6  # AGMA's law is written in mm2/N
-        if "eyring_stress" in own:
-            own["limiting_coefficient"] = None
-        elif "limiting_coefficient" in own:
-            own["eyring_stress"] = own["limiting_stress"] = None
-        return own
+        given = self.model_dump(exclude_unset=True, include=set(StockTable.model_fields))
+        if {"gold_s", "gold_t"} & given.keys():
+            given.setdefault("alpha_spread", 0.0)  # measured by whoever gives it
+        if "agma_k" in given:
+            given["agma_k"] *= 1e6  # AGMA's law is written in mm2/N
+        if "eyring_stress" in given:
+            given["limiting_coefficient"] = None
+        elif "limiting_coefficient" in given:
+            given["eyring_stress"] = given["limiting_stress"] = None
+        return given
 
 
 class _BaseStockTable(StockTable):

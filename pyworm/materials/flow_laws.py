@@ -153,9 +153,10 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
         if self.law == "carreau-yasuda":
             branches = self.branches or (Branch(1.0, 1.0, self.exponent, self.yasuda),)
             factors = (
-                of.fraction
-                * (1 + (newtonian / of.ratio) ** of.yasuda) ** ((of.exponent - 1) / of.yasuda)
-                for of in branches
+                branch.fraction
+                * (1 + (newtonian / branch.ratio) ** branch.yasuda)
+                ** ((branch.exponent - 1) / branch.yasuda)
+                for branch in branches
             )
             return newtonian * sum(factors)
         places, stresses = np.log(np.array(self.table)).T

@@ -48,11 +48,12 @@ class NamedOil(Shown):
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the oil in words."""
         millimetres = (
-            1e6 * float(self.kinematic_viscosity(of)) for of in (DEGREES_40, DEGREES_100)
+            1e6 * float(self.kinematic_viscosity(temperature))
+            for temperature in (DEGREES_40, DEGREES_100)
         )
         viscosities = zip(("40 °C", "100 °C"), millimetres, strict=True)
         return f"NamedOil {self.name}", {
-            **{f"at {at}": f"{nu:.4g} mm²/s" for at, nu in viscosities},
+            **{f"at {degrees}": f"{nu:.4g} mm²/s" for degrees, nu in viscosities},
             "density": f"{self.stock.density_15:.4g} kg/m³ at 15 °C",
         }
 
@@ -204,7 +205,7 @@ def named_oil(name: str) -> NamedOil:
     match = _NAME.fullmatch(name.strip())
     if match is None or int(match[2]) not in ISO_GRADES:
         near = get_close_matches(name, names(), n=3)
-        listed = " or ".join(f'"{one}"' for one in near)
+        listed = " or ".join(f'"{name_of_oil}"' for name_of_oil in near)
         meant = f"; did you mean {listed}?" if near else ""
         raise ValueError(
             f'oil "{name}": must be a base stock ({", ".join(BASES)}) and a grade '

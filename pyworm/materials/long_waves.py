@@ -64,10 +64,10 @@ class LongWaves:
                 places, self.surface.spacing, self.surface.height.shape, strict=True
             )
         ]
-        at: Array = scipy.ndimage.map_coordinates(
+        heights: Array = scipy.ndimage.map_coordinates(
             self._coefficients, np.broadcast_arrays(*rows), mode=self._beyond, prefilter=False
         )
-        return at
+        return heights
 
     def ridges(self, direction: float) -> "Ridges":
         """The waves' part that is constant along a direction from the surface's own motion [rad].
@@ -97,8 +97,8 @@ class Ridges:
     def at(self, across: Array) -> Array:
         """Heights [m] at places across them from the middle [m]; beyond the ends as in a mirror."""
         rows = np.asarray(across) / self.spacing + self.middle
-        at: Array = scipy.ndimage.map_coordinates(self.height, [rows], mode="mirror")
-        return at
+        heights: Array = scipy.ndimage.map_coordinates(self.height, [rows], mode="mirror")
+        return heights
 
 
 @lru_cache(maxsize=8)
@@ -111,9 +111,9 @@ def _ridges(waves: LongWaves, direction: float) -> Ridges:
     across, along = np.meshgrid(places, places, indexing="ij")
     x = cos(direction) * along - sin(direction) * across
     y = sin(direction) * along + cos(direction) * across
-    own = cos(turn) * x + sin(turn) * y, cos(turn) * y - sin(turn) * x
+    on_surface = cos(turn) * x + sin(turn) * y, cos(turn) * y - sin(turn) * x
     inside = np.logical_and(
-        *(np.abs(at) <= side / 2 for at, side in zip(own, surface.extent, strict=True))
+        *(np.abs(place) <= side / 2 for place, side in zip(on_surface, surface.extent, strict=True))
     )
     halves = [inside & half for half in (along < 0, along > 0)]
     counts = [half.sum(axis=1) for half in halves]

@@ -52,9 +52,9 @@ def read_oil(path: str | Path) -> NamedOil:
         raise CaseError(f"{path}: {sentence(error, _OilTable, data)}") from None
     except ValueError as error:
         raise CaseError(f"{path}: {error}") from None
-    own = table.own()
-    sources = {**made.stock.sources, **dict.fromkeys(own, table.source)}
-    return replace(made, source=table.source, stock=replace(made.stock, **own, sources=sources))
+    given = table.own()
+    sources = {**made.stock.sources, **dict.fromkeys(given, table.source)}
+    return replace(made, source=table.source, stock=replace(made.stock, **given, sources=sources))
 
 
 class _OilTable(StockTable):

@@ -129,7 +129,7 @@ class RoughPair:
         """
         gap = np.asarray(gap, dtype=float)
         pressure, area = self._elastic_contact(gap)
-        yielding = [own.hardness for own in self.surfaces if own.hardness is not None]
+        yielding = [surface.hardness for surface in self.surfaces if surface.hardness is not None]
         if not yielding:
             return pressure, area
         overlap = scipy.special.ndtr(-gap)
@@ -139,13 +139,15 @@ class RoughPair:
     def _elastic_contact(self, gap: Array) -> tuple[Array, Array]:
         """`contact` of surfaces that do not yield."""
         summits = [
-            (own.height, own.density, own.sharpness)
-            for own in self.surfaces
-            if own.sharpness is not None
+            (surface.height, surface.density, surface.sharpness)
+            for surface in self.surfaces
+            if surface.sharpness is not None
         ]
         if not summits:
-            return self_affine(gap, hypot(*(own.slope for own in self.surfaces)), self.modulus)
-        _, density, sharpness = max(summits, key=lambda one: one[0])
+            return self_affine(
+                gap, hypot(*(surface.slope for surface in self.surfaces)), self.modulus
+            )
+        _, density, sharpness = max(summits, key=lambda summit: summit[0])
         return greenwood_tripp(gap, density, sharpness, self.modulus)
 
     def mean_thickness(self, gap: npt.ArrayLike) -> Array:
@@ -178,21 +180,21 @@ class RoughPair:
         """The surfaces as if they did not yield; None where neither does."""
         if all(surface.hardness is None for surface in self.surfaces):
             return None
-        return self._with(lambda own: replace(own, hardness=None))
+        return self._with(lambda surface: replace(surface, hardness=None))
 
     def steeper(self, factor: float) -> "RoughPair":
         """Surfaces whose slopes are larger by a factor, asperities of one radius as much sharper."""
         return self._with(
-            lambda own: replace(
-                own,
-                slope=factor * own.slope,
-                sharpness=None if own.sharpness is None else factor**2 * own.sharpness,
+            lambda surface: replace(
+                surface,
+                slope=factor * surface.slope,
+                sharpness=None if surface.sharpness is None else factor**2 * surface.sharpness,
             )
         )
 
     def drawn_out(self, factor: float) -> "RoughPair":
         """Surfaces longer along their lay by a factor, as against across."""
-        return self._with(lambda own: replace(own, aspect=factor * own.aspect))
+        return self._with(lambda surface: replace(surface, aspect=factor * surface.aspect))
 
     def _with(self, change: Callable[[RoughSurface], RoughSurface]) -> "RoughPair":
         first, second = (change(surface) for surface in self.surfaces)

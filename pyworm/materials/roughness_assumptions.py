@@ -183,11 +183,13 @@ def _drawn_out(pair: RoughSurfaces, curves: GapCurves, thickness: float, part: f
 
     Of larger and smaller aspects those count by which the film resists pressure more otherwise.
     """
-    whole, rows = (pair.drawn_out(ASPECT_FACTOR**of) for of in (1.0, -1.0)), slice(3, 9)
+    whole, rows = (pair.drawn_out(ASPECT_FACTOR**exponent) for exponent in (1.0, -1.0)), slice(3, 9)
     present = curves.at_thickness(thickness)[3:5]
     changed = [
-        0.0 if of is None else abs(of.curves().at_thickness(thickness)[3:5] - present).max()
-        for of in whole
+        0.0
+        if other_aspect is None
+        else abs(other_aspect.curves().at_thickness(thickness)[3:5] - present).max()
+        for other_aspect in whole
     ]
     other = pair.drawn_out(ASPECT_FACTOR ** (part if changed[0] >= changed[1] else -part))
     return curves if other is None else _with_rows(curves, rows, other.curves().values[rows])

@@ -27,8 +27,8 @@ def points(name: str, given: Sequence[Sequence[float | str]]) -> Points:
                 f'{name}[{place}]: must be a temperature and a modulus, such as ["80 degC", "1.3 GPa"]'
             )
         temperature, modulus = (
-            number(f"{name}[{place}]", one, kind_of(kind))
-            for one, kind in zip(pair, (Temperature, Modulus), strict=True)
+            number(f"{name}[{place}]", value, kind_of(kind))
+            for value, kind in zip(pair, (Temperature, Modulus), strict=True)
         )
         read.append((temperature, modulus))
     check_points(name, read)

@@ -223,8 +223,8 @@ class Tabulated(ABC):
     @property
     def _ambient(self) -> float:
         """The property at ambient pressure and the reference, as it is written."""
-        at = self.temperatures[0] if self.temperatures.size == 1 else self.reference
-        return float(self._spline.ev(0.0, at))
+        temperature = self.temperatures[0] if self.temperatures.size == 1 else self.reference
+        return float(self._spline.ev(0.0, temperature))
 
     @cached_property
     def digest(self) -> str:
@@ -266,8 +266,8 @@ class TabulatedViscosity(Tabulated):
     @property
     def alpha(self) -> float:
         """Pressure-viscosity coefficient at ambient pressure and the reference [1/Pa]."""
-        at = self.temperatures[0] if self.temperatures.size == 1 else self.reference
-        return float(self._spline.ev(0.0, at, dx=1))
+        temperature = self.temperatures[0] if self.temperatures.size == 1 else self.reference
+        return float(self._spline.ev(0.0, temperature, dx=1))
 
     def _write(self, values: Array) -> Array:
         write: Array = np.log(values)
@@ -294,8 +294,8 @@ class TabulatedDensity(Tabulated):
     @property
     def d1(self) -> float:
         """Compressibility at ambient pressure [1/Pa]."""
-        at = self.temperatures[0] if self.temperatures.size == 1 else self.reference
-        return float(self._spline.ev(0.0, at, dx=1)) / self._ambient
+        temperature = self.temperatures[0] if self.temperatures.size == 1 else self.reference
+        return float(self._spline.ev(0.0, temperature, dx=1)) / self._ambient
 
     def _write(self, values: Array) -> Array:
         return values

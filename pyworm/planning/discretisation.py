@@ -98,26 +98,26 @@ def _sized(scene: Scene, accuracy: float, model: Model, coarsest: float = COARSE
 
 
 def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
-    of = _sized(scene, accuracy, model)
-    near, starved = of.near, scene.oil.supply is not None
-    inner, outer, wider, far = windows(scene, of.size, near, FAR, near.doubled(), FAR.doubled())
+    sized = _sized(scene, accuracy, model)
+    near, starved = sized.near, scene.oil.supply is not None
+    inner, outer, wider, far = windows(scene, sized.size, near, FAR, near.doubled(), FAR.doubled())
     wider = grown(scene, inner, wider)
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures; nor has oil
     # pressure beyond the meniscus, so that one window holds it all
-    nested = slice(-1, None) if of.auxiliary or starved else slice(None)
-    grids = nest(inner, outer, *of.spacing)[nested]
-    wider_grids = nest(wider, far, *of.spacing)[nested]
-    if starved and of.size.supply_ratio > NEAR_MENISCUS:
+    nested = slice(-1, None) if sized.auxiliary or starved else slice(None)
+    grids = nest(inner, outer, *sized.spacing)[nested]
+    wider_grids = nest(wider, far, *sized.spacing)[nested]
+    if starved and sized.size.supply_ratio > NEAR_MENISCUS:
         grids, wider_grids = (led_up_to(some[-1], COARSER_MENISCI) for some in (grids, wider_grids))
     work = expected_work(
         "point",
         _nodes(grids, wider_grids),
-        of.change,
+        sized.change,
         accuracy,
         LARGEST_GRID,
         full=model.levels > 0,
-        stiffness=stiffness(model.heated, of.size.groups.moes_l),
-        auxiliary=of.auxiliary,
+        stiffness=stiffness(model.heated, sized.size.groups.moes_l),
+        auxiliary=sized.auxiliary,
     )
     return _Numerics(
         grids=grids,
@@ -125,7 +125,7 @@ def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
         largest_grid=LARGEST_GRID,
         tolerance=error_budget.RESIDUAL * accuracy,
         work=work,
-        refusal=_refusal(work, of.size.open_film, LARGEST_GRID),
+        refusal=_refusal(work, sized.size.open_film, LARGEST_GRID),
     )
 
 
@@ -187,9 +187,9 @@ def moving_grid(scene: Scene | LineScene, accuracy: float, model: Model) -> Grid
     """The first grid of the figures with cells of the usual size at most: a rate of change needs them."""
     if isinstance(scene, LineScene):
         return _plan_line(scene, accuracy, model).grids[-1]
-    of = _sized(scene, accuracy, model, 1.0)
-    (inner,) = windows(scene, of.size, of.near)
-    return nest(inner, inner, *of.spacing)[-1]
+    sized = _sized(scene, accuracy, model, 1.0)
+    (inner,) = windows(scene, sized.size, sized.near)
+    return nest(inner, inner, *sized.spacing)[-1]
 
 
 def _first_change(scene: Scene, size: Scales, spacing: tuple[float, float]) -> float:

@@ -56,7 +56,7 @@ def model_for(
 
 def _levels(accuracy: float, errors: tuple[tuple[int, float], ...]) -> tuple[int, float]:
     """Levels across the film whose error is small against an accuracy, and that error."""
-    return next(of for of in errors if of[1] <= error_budget.PLANNED_LEVELS * accuracy)
+    return next(entry for entry in errors if entry[1] <= error_budget.PLANNED_LEVELS * accuracy)
 
 
 def _error_by_five(prediction: Prediction) -> float:

@@ -17,9 +17,13 @@ def no_friction(effects: Sequence[Judgement]) -> str:
     effects : sequence of Judgement
         Every effect of a contact without friction.
     """
-    known = {of.name: of for of in effects if of.name in OF_FRICTION and of.indicator is not None}
+    known = {
+        effect.name: effect
+        for effect in effects
+        if effect.name in OF_FRICTION and effect.indicator is not None
+    }
     off = [name for name in OF_FRICTION if name in known]
-    if not off or any(of.on for of in known.values()):
+    if not off or any(effect.on for effect in known.values()):
         return ""
     *others, last = off
     names = f"{', '.join(others)} and {last}" if others else last

@@ -73,7 +73,7 @@ class Plan(Shown):
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of its picture in words."""
-        first, last = (" x ".join(map(str, self.grids[of].shape)) for of in (0, -1))
+        first, last = (" x ".join(map(str, self.grids[number].shape)) for number in (0, -1))
         return "Plan", {
             "accuracy": percent(self.accuracy, 3),
             "regime": self.regime.words,
@@ -99,7 +99,7 @@ class Plan(Shown):
     @property
     def may_grow(self) -> bool:
         """Whether it leaves out effects that the solution may call for."""
-        left_out = {one.name for one in self.effects if not one.on and one.influence}
+        left_out = {effect.name for effect in self.effects if not effect.on and effect.influence}
         return self.asked is None and not left_out.isdisjoint(
             SIMULATED.keys() - self.excluded.keys()
         )
@@ -297,8 +297,8 @@ def steady(plan: Plan, reason: str) -> Plan:
     return replace(
         plan,
         effects=tuple(
-            replace(of, on=False, reason=reason) if of.name == SQUEEZE.name else of
-            for of in plan.effects
+            replace(effect, on=False, reason=reason) if effect.name == SQUEEZE.name else effect
+            for effect in plan.effects
         ),
         excluded={**plan.excluded, SQUEEZE.name: reason},
     )

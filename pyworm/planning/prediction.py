@@ -214,7 +214,7 @@ class Prediction:
         """Largest difference between a body's bulk temperature and the inlet's [K]."""
         inlet = self.oil.thermal.inlet_temperature
         bulk = (present(body.bulk_temperature, "bulk_temperature") for body in self.scene.bodies)
-        return max(abs(of - inlet) for of in bulk)
+        return max(abs(temperature - inlet) for temperature in bulk)
 
     @property
     def warmest(self) -> float:

@@ -95,7 +95,7 @@ def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
     # the windows grow together: few large calls of the gap cost less than many small ones
     boxes = np.tile([-half_x, half_x, -half_y, half_y], (len(reaches), 1))
     inlet, exit_ = (
-        np.array([[getattr(reach, at)] for reach in reaches]) for at in ("inlet", "exit")
+        np.array([[getattr(reach, side)] for reach in reaches]) for side in ("inlet", "exit")
     )
     flat = _least(scene, boxes[0]) + size.hertz.approach
     for _ in range(MOST_GROWTHS):

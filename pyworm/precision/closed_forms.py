@@ -46,7 +46,10 @@ def closed_forms(scene: Scene | LineScene) -> dict[str, Point]:
         found, seconds = _timed(films_of)
         films = {"film_min": found.minimum, "film_central": found.central}
         points[name] = Point(
-            (), seconds, 0.0, {key: float(of) for key, of in films.items() if of is not None}
+            (),
+            seconds,
+            0.0,
+            {key: float(thickness) for key, thickness in films.items() if thickness is not None},
         )
     if scene.oil.flow is not None or scene.oil.heat is not None:
         figures, seconds = _timed(lambda: _estimate(scene))

@@ -73,10 +73,10 @@ def fidelities(
         wanted.append(("+ roughness", scene, "all"))
     models: list[Fidelity] = []
     lacking: dict[str, str] = {}
-    for name, of, words in wanted:
+    for name, contact, words in wanted:
         try:
-            planned = plan_of(of, accuracy, words, quantities)
-            model = Fidelity(name, simplified(of, planned.on), planned)
+            planned = plan_of(contact, accuracy, words, quantities)
+            model = Fidelity(name, simplified(contact, planned.on), planned)
         except ValueError as error:
             if name == wanted[-1][0]:
                 raise

@@ -96,7 +96,7 @@ class Study:
                 good = point
             if good is not None:
                 found.append((curve, good))
-        return min(found, key=lambda one: one[1].seconds, default=None)
+        return min(found, key=lambda candidate: candidate[1].seconds, default=None)
 
     def _within(self, point: Point, figure: str, accuracy: float) -> bool:
         error = self.error(point, figure)

@@ -302,7 +302,7 @@ class _Study:
     def _levels(self, halvings: int) -> Iterator[Point]:
         plan = self._complete.plan
         least = (PARABOLA,) if plan.model.heated else ()
-        for levels in (*least, *(of for of in LEVELS if of <= plan.model.levels)):
+        for levels in (*least, *(entry for entry in LEVELS if entry <= plan.model.levels)):
             other = replace(plan, model=replace(plan.model, levels=levels))
             yield on_grid(replace(self._complete, plan=other), halvings, f"{levels} levels")
 

@@ -44,8 +44,12 @@ def as_object(study: Study) -> dict[str, Any]:
         "scene": study.scene_name,
         "inlet_temperature_K": study.inlet_temperature,
         "references": {
-            UNITS[figure]: {"value": of.value, "relative_to": of.size, "uncertainty": of.band}
-            for figure, of in study.references.items()
+            UNITS[figure]: {
+                "value": reference.value,
+                "relative_to": reference.size,
+                "uncertainty": reference.band,
+            }
+            for figure, reference in study.references.items()
         },
         "rungs": {
             curve.name: {

@@ -23,33 +23,37 @@ class Comparison(Shown):
     @property
     def ratios(self) -> dict[str, Estimate]:
         """Second over first by figure, with the error bars of both."""
-        return {name: other / one for name, (one, other) in self.figures.items() if one.value}
+        return {
+            name: second / first for name, (first, second) in self.figures.items() if first.value
+        }
 
     @property
     def differ(self) -> tuple[str, ...]:
         """Figures whose difference is more than both error bars."""
         return tuple(
-            name for name, (one, other) in self.figures.items() if not one.agrees_with(other)
+            name for name, (first, second) in self.figures.items() if not first.agrees_with(second)
         )
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the comparison in words."""
         ratios = self.ratios
         rows = {}
-        for name, (one, other) in self.figures.items():
+        for name, (first, second) in self.figures.items():
             lost = self.kind == "line" and name == "power_loss"
             quantity = QUANTITIES["power_loss_per_length" if lost else name]
             ratio = ratios[name] if name in ratios else "-"
-            rows[name] = f"{in_words(one, quantity)} | {in_words(other, quantity)} | times {ratio}"
+            rows[name] = (
+                f"{in_words(first, quantity)} | {in_words(second, quantity)} | times {ratio}"
+            )
         return f"{self.names[0]} | {self.names[1]}", rows
 
 
-def compare(one: Solution, other: Solution) -> Comparison:
+def compare(first: Solution, second: Solution) -> Comparison:
     """Set the figures of two solutions beside each other.
 
     Parameters
     ----------
-    one, other : Solution
+    first, second : Solution
         Two solutions, of point contacts or of line contacts.
 
     Raises
@@ -57,14 +61,18 @@ def compare(one: Solution, other: Solution) -> Comparison:
     ValueError
         Not two solutions, or of different kinds of contact: losses of lines are for each length.
     """
-    for of in (one, other):
-        if not isinstance(of, Solution):
-            raise ValueError(f"compare takes two solutions, and was given a {type(of).__name__}")
-    if one.kind != other.kind:
-        raise ValueError(f"{one.name} is a {one.kind} contact, {other.name} a {other.kind} contact")
+    for solution in (first, second):
+        if not isinstance(solution, Solution):
+            raise ValueError(
+                f"compare takes two solutions, and was given a {type(solution).__name__}"
+            )
+    if first.kind != second.kind:
+        raise ValueError(
+            f"{first.name} is a {first.kind} contact, {second.name} a {second.kind} contact"
+        )
     figures = {
-        name: (own, getattr(other.figures, name))
-        for name, own in vars(one.figures).items()
-        if isinstance(own, Estimate) and getattr(other.figures, name) is not None
+        name: (estimate, getattr(second.figures, name))
+        for name, estimate in vars(first.figures).items()
+        if isinstance(estimate, Estimate) and getattr(second.figures, name) is not None
     }
-    return Comparison((one.name, other.name), figures, one.kind)
+    return Comparison((first.name, second.name), figures, first.kind)

@@ -11,17 +11,17 @@ def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
     """Friction and loss of solutions with friction, in their order."""
     return [
         ContactLoss(
-            phase=present(of.phase, "phase"),
-            load=of.load,
-            friction=present(of.figures.friction_coefficient, "friction").value,
-            power=present(of.figures.power_loss, "power_loss").value,
-            error=present(of.figures.power_loss, "power_loss").error,
-            model=present(of.figures.power_loss, "power_loss").model,
-            section=of.section,
-            station=of.station,
-            course=_course(of),
+            phase=present(solution.phase, "phase"),
+            load=solution.load,
+            friction=present(solution.figures.friction_coefficient, "friction").value,
+            power=present(solution.figures.power_loss, "power_loss").value,
+            error=present(solution.figures.power_loss, "power_loss").error,
+            model=present(solution.figures.power_loss, "power_loss").model,
+            section=solution.section,
+            station=solution.station,
+            course=_course(solution),
         )
-        for of in solutions
+        for solution in solutions
     ]
 
 

@@ -38,7 +38,7 @@ def write_csv(solution: Solution, path: str | os.PathLike) -> Path:
     with whole_file(path) as partial, partial.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(heads)
-        rows = zip(*(of.ravel() for of in columns.values()), strict=True)
+        rows = zip(*(values.ravel() for values in columns.values()), strict=True)
         writer.writerows([f"{number:.9g}" for number in row] for row in rows)
     return path
 

@@ -64,19 +64,25 @@ def flank_map(result: Result) -> "xr.Dataset | None":
         `asperity_rubbing` the asperities' pressure times the sliding [W/m2], by which wear goes.
     """
     solved = sorted(
-        (one for one in result.solutions if one.converged and "tooth_face" in one.fields),
+        (
+            solution
+            for solution in result.solutions
+            if solution.converged and "tooth_face" in solution.fields
+        ),
         key=phase_of,
     )
     if len(solved) < FEWEST_PHASES:
         return None
     x, y = common_grid(solved)
-    layers = [layer_of(one, x, y) for one in solved]
+    layers = [layer_of(solution, x, y) for solution in solved]
     names = [name for name in (*_LARGEST, *_LEAST) if name in layers[0]]
     face, radius = _axes(layers)
     shape = len(radius), len(face)
     extremes = {name: np.full(shape, np.inf if name in _LEAST else -np.inf) for name in names}
     loaded = LOADED_FRACTION * max(float(layer["pressure"].max()) for layer in layers)
-    for before, after in _neighbours(solved, layers, [phase_of(one) for one in result.unsound]):
+    for before, after in _neighbours(
+        solved, layers, [phase_of(solution) for solution in result.unsound]
+    ):
         for part in np.linspace(0, 1, STEPS + 1):
             now = {name: (1 - part) * before[name] + part * after[name] for name in before}
             inside = now["pressure"] > loaded
@@ -131,9 +137,11 @@ def common_grid(solved: list[Solution]) -> tuple[Array, Array]:
     sides = []
     for axis, other, count in zip("xy", "yx", NODES, strict=True):
         ends = []
-        for one in solved:
-            loaded = one.fields[axis].values[(one.fields["pressure"] > 0).any(other).values]
-            pressure = one.fields["pressure"].max(other).sel({axis: loaded}).values
+        for solution in solved:
+            loaded = solution.fields[axis].values[
+                (solution.fields["pressure"] > 0).any(other).values
+            ]
+            pressure = solution.fields["pressure"].max(other).sel({axis: loaded}).values
             inside = loaded[pressure > LOADED_FRACTION / 2 * pressure.max()]
             ends += [inside[0], inside[-1]]
         sides.append(np.linspace(min(ends), max(ends), count))
@@ -219,8 +227,8 @@ MOST_STEPS = 4 * sum(NODES)
 
 def _at(field: Array, place: Array) -> Array:
     """Values of a field between nodes."""
-    at: Array = scipy.ndimage.map_coordinates(field, place, order=1, mode="nearest")
-    return at
+    values: Array = scipy.ndimage.map_coordinates(field, place, order=1, mode="nearest")
+    return values
 
 
 def _filled(field: Array) -> Array:

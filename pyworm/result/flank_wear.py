@@ -66,7 +66,7 @@ class FlankGrid:
         row, along = _between(radius, self.radius)
         inside = (column >= 0) & (column < len(self.face) - 1)
         inside &= (row >= 0) & (row < len(self.radius) - 1)
-        column, row, across, along = (of[inside] for of in (column, row, across, along))
+        column, row, across, along = (values[inside] for values in (column, row, across, along))
         held = amount[inside] / self.cell
         for down, part in ((0, 1 - along), (1, along)):
             for right, share in ((0, 1 - across), (1, across)):
@@ -76,9 +76,9 @@ class FlankGrid:
 
 def _between(place: Array, axis: Array) -> tuple[Array, Array]:
     """Cell before each place, and the fraction of the way to the next."""
-    at = (place - axis[0]) / (axis[1] - axis[0])
-    cell = whole(np.floor(at))
-    return cell, at - cell
+    distance = (place - axis[0]) / (axis[1] - axis[0])
+    cell = whole(np.floor(distance))
+    return cell, distance - cell
 
 
 @dataclass(frozen=True)
@@ -98,11 +98,11 @@ _PLACES = {"wheel": ("tooth_face", "tooth_radius"), "worm": ("thread_axial", "th
 """Fields with the place on each flank."""
 
 
-def _placed(one: Solution, x: Array, y: Array, side: Side) -> dict[str, Array]:
+def _placed(solution: Solution, x: Array, y: Array, side: Side) -> dict[str, Array]:
     """A solution's fields on the common grid, with places on one of the flanks."""
     at_x, at_y = np.meshgrid(x, y)
-    places = flank_place(one, at_x, at_y, _PLACES[side])
-    return {**layer_of(one, x, y), **dict(zip(("face", "radius"), places, strict=True))}
+    places = flank_place(solution, at_x, at_y, _PLACES[side])
+    return {**layer_of(solution, x, y), **dict(zip(("face", "radius"), places, strict=True))}
 
 
 def flank_grid(result: Result, side: Side = "wheel") -> FlankGrid:
@@ -121,8 +121,8 @@ def flank_grid(result: Result, side: Side = "wheel") -> FlankGrid:
         Too few phases converged.
     """
     solved = _solved(result)
-    layers = [_placed(one, *common_grid(solved), side) for one in solved]
-    stations = _whole_mesh([phase_of(one) for one in solved], layers, _tooth_load(result))
+    layers = [_placed(solution, *common_grid(solved), side) for solution in solved]
+    stations = _whole_mesh([phase_of(solution) for solution in solved], layers, _tooth_load(result))
     axes = []
     for name in ("face", "radius"):
         low = min(float(_loaded(layer, name).min()) for _, layer in stations) - MARGIN
@@ -138,13 +138,17 @@ def _loaded(layer: dict[str, Array], name: str) -> Array:
 
 
 def _rough_phases(result: Result) -> list[Solution]:
-    return [one for one in result.solutions if one.converged and "asperity_pressure" in one.fields]
+    return [
+        solution
+        for solution in result.solutions
+        if solution.converged and "asperity_pressure" in solution.fields
+    ]
 
 
 def _solved(result: Result) -> list[Solution]:
     solved = _rough_phases(result)
     if len(solved) < FEWEST_PHASES:
-        listed = ", ".join(f"{one.phase:g}" for one in solved) or "none"
+        listed = ", ".join(f"{solution.phase:g}" for solution in solved) or "none"
         raise ValueError(
             f"operation.phases: of those solved {len(solved)} converged with simulated roughness ({listed}); "
             f"wear needs {FEWEST_PHASES} or more, at which the teeth carry load: give more of them, or "
@@ -175,12 +179,14 @@ def asperity_pass(
     """
     solved = _solved(result)
     x, y = common_grid(solved)
-    layers = [_with_areas(_placed(one, x, y, side), x, y) for one in solved]
+    layers = [_with_areas(_placed(solution, x, y, side), x, y) for solution in solved]
     work, volume = np.zeros(grid.shape), 0.0
-    phases, layers = _in_motion(result, [phase_of(one) for one in solved], layers, x, y)
+    phases, layers = _in_motion(result, [phase_of(solution) for solution in solved], layers, x, y)
     stations = _whole_mesh(phases, layers, _tooth_load(result))
     for (phase, before), (next_phase, after) in pairwise(stations):
-        moved = np.hypot(*(np.median(after[of] - before[of]) for of in ("face", "radius")))
+        moved = np.hypot(
+            *(np.median(after[direction] - before[direction]) for direction in ("face", "radius"))
+        )
         steps = max(int(whole(np.ceil(2 * moved / CELL))), 4)
         seconds = (next_phase - phase) / abs(phases_per_second) / steps
         for part in (np.arange(steps) + 0.5) / steps:  # the middle of each step
@@ -213,7 +219,7 @@ def _worm_life(result: Result) -> ContactLife | None:
     if len(found) != 1 or found[0].phases is None or len(found[0].seconds) < 2:
         return None
     frames = found[0].frames
-    return found[0] if frames and all(one.rubbing is not None for one in frames) else None
+    return found[0] if frames and all(frame.rubbing is not None for frame in frames) else None
 
 
 def _in_motion(
@@ -227,17 +233,20 @@ def _in_motion(
     life = _worm_life(result)
     if life is None:
         return phases, layers
-    at = np.interp(
-        [one.seconds for one in life.frames],
+    phases_of_frames = np.interp(
+        [frame.seconds for frame in life.frames],
         life.seconds,
         present(life.phases, "phases of the life"),
     )
     between = [
         (phase, *_on_grid(frame, x, y))
-        for phase, frame in sorted(zip(at, life.frames, strict=True), key=lambda pair: pair[0])
+        for phase, frame in sorted(
+            zip(phases_of_frames, life.frames, strict=True), key=lambda pair: pair[0]
+        )
     ]
     known, whole = (
-        np.array(of) for of in zip(*((one[0], one[2].sum()) for one in between), strict=True)
+        np.array(column)
+        for column in zip(*((instant[0], instant[2].sum()) for instant in between), strict=True)
     )
     solved = [float(layer["asperity_rubbing"].sum()) for layer in layers]
     coarse = np.interp(phases, known, whole)
@@ -251,10 +260,10 @@ def _in_motion(
             name: (1 - part) * layers[after - 1][name] + part * layers[after][name]
             for name in layers[after]
         }
-        fine, rough = (float(np.interp(phase, phases, of)) for of in (solved, coarse))
+        fine, rough = (float(np.interp(phase, phases, values)) for values in (solved, coarse))
         if rough > 0:  # else nothing is known but the solved phases
-            own = {"pressure": pressure, "asperity_rubbing": fine / rough * rubbing}
-            stations[phase] = {**layer, **own}
+            rubbed = {"pressure": pressure, "asperity_rubbing": fine / rough * rubbing}
+            stations[phase] = {**layer, **rubbed}
     return sorted(stations), [stations[phase] for phase in sorted(stations)]
 
 
@@ -299,8 +308,12 @@ def _whole_mesh(
     touching = load[0][load[1] > 0]
     early = np.linspace(touching[0], phases[0], ENDS, endpoint=False)
     late = np.linspace(touching[-1], phases[-1], ENDS, endpoint=False)[::-1]
-    before = [(at, _moved(at, solved[0], solved[1], load)) for at in early if at < phases[0]]
-    after = [(at, _moved(at, solved[-1], solved[-2], load)) for at in late if at > phases[-1]]
+    before = [
+        (phase, _moved(phase, solved[0], solved[1], load)) for phase in early if phase < phases[0]
+    ]
+    after = [
+        (phase, _moved(phase, solved[-1], solved[-2], load)) for phase in late if phase > phases[-1]
+    ]
     return [*before, *solved, *after]
 
 
@@ -311,7 +324,7 @@ def _moved(
     load: Load,
 ) -> dict[str, Array]:
     """The layer of the last solved phase at one beyond it."""
-    carried, there = (float(np.interp(at, *load)) for at in (phase, end[0]))
+    carried, there = (float(np.interp(position, *load)) for position in (phase, end[0]))
     part = (min(max(phase, 0.0), 1.0) - end[0]) / (end[0] - inner[0])
     shift = {name: part * np.median(end[1][name] - inner[1][name]) for name in ("face", "radius")}
     moved = {name: end[1][name] + by for name, by in shift.items()}

@@ -11,14 +11,14 @@ from pyworm.solver.solution import Solution
 def of_all(solutions: Iterable[Solution]) -> LeftOut:
     """The worst of solved contacts; of those that converged if there are any."""
     solutions = list(solutions)
-    good = [of for of in solutions if of.converged] or solutions
-    return worst([of.left_out for of in good])
+    good = [solution for solution in solutions if solution.converged] or solutions
+    return worst([solution.left_out for solution in good])
 
 
 def headline(solutions: Sequence[Solution]) -> str:
     """Minimum film thickness of solved contacts, its error bar and the effects left out; empty without."""
     words = of_all(solutions).words
-    films = [of.figures.film_min for of in solutions if of.converged]
+    films = [solution.figures.film_min for solution in solutions if solution.converged]
     if not words or not films:
         return words
     film = min(films, key=lambda film: film.value)
@@ -30,16 +30,16 @@ def headline(solutions: Sequence[Solution]) -> str:
 
 def less_accurate(solutions: Sequence[Solution]) -> str:
     """The contacts whose figures are used with wider error bars than asked for; empty without any."""
-    wide = [of for of in solutions if of.converged and not of.accurate]
+    wide = [solution for solution in solutions if solution.converged and not solution.accurate]
     if not wide:
         return ""
-    return "Less accurate than asked for: " + ", ".join(of.name for of in wide) + "."
+    return "Less accurate than asked for: " + ", ".join(solution.name for solution in wide) + "."
 
 
 def without_friction(solutions: Sequence[Solution]) -> str:
     """Why contacts have no friction though their oil's data would allow it; empty where they have."""
-    lacking = [of for of in solutions if of.figures.friction_coefficient is None]
-    reason = next(filter(None, (no_friction(of.effects) for of in lacking)), "")
+    lacking = [solution for solution in solutions if solution.figures.friction_coefficient is None]
+    reason = next(filter(None, (no_friction(solution.effects) for solution in lacking)), "")
     return f"Friction is not given: {reason}." if reason else ""
 
 

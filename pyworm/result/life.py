@@ -91,16 +91,16 @@ class ContactLife:
         if "power_loss" not in self.figures:
             return None
         work, error = (
-            float(np.trapezoid(of["power_loss"], self.seconds))
-            for of in (self.figures, self.errors)
+            float(np.trapezoid(values["power_loss"], self.seconds))
+            for values in (self.figures, self.errors)
         )
         return work, error
 
     def extreme(self, name: str) -> tuple[float, float, float]:
         """The least film, or the largest value of another figure, its error bar and its time [s]."""
         values = self.figures[name]
-        at = int(np.argmin(values) if name.startswith("film") else np.argmax(values))
-        return float(values[at]), float(self.errors[name][at]), float(self.seconds[at])
+        index = int(np.argmin(values) if name.startswith("film") else np.argmax(values))
+        return float(values[index]), float(self.errors[name][index]), float(self.seconds[index])
 
     def summary(self) -> dict:
         """Extremes and work of friction as one object, units in the keys."""
@@ -145,30 +145,32 @@ def lives(result: Result) -> tuple[ContactLife, ...]:
 def life_names(result: Result) -> dict[str, ContactLife]:
     """The lives by the names of their files: "life", and the place where there are several."""
     found = lives(result)
-    words = (["life", *str(one.place).replace(",", "").split()] for one in found)
-    return {"_".join(of): one for of, one in zip(words, found, strict=True)}
+    words = (["life", *str(life.place).replace(",", "").split()] for life in found)
+    return {"_".join(parts): life for parts, life in zip(words, found, strict=True)}
 
 
 def _life(place: Place, solutions: Sequence[Solution]) -> ContactLife:
     held = [solution.dataset("life") for solution in solutions]
-    times = np.concatenate([of["life_seconds"].values for of in held])
+    times = np.concatenate([dataset["life_seconds"].values for dataset in held])
     seconds, first = np.unique(times, return_index=True)
 
     def over_life(name: str) -> Array:
-        return np.concatenate([of[name].values for of in held])[first]
+        return np.concatenate([dataset[name].values for dataset in held])[first]
 
-    names = [name for name in OVER_LIFE if all(f"life_{name}" in of for of in held)]
-    frames = {one.seconds: one for of in held for one in _frames(of)}
+    names = [name for name in OVER_LIFE if all(f"life_{name}" in dataset for dataset in held)]
+    frames = {frame.seconds: frame for dataset in held for frame in _frames(dataset)}
     return ContactLife(
         place,
         solutions[0].kind,
         seconds,
-        over_life("life_phase") if all("life_phase" in of for of in held) else None,
+        over_life("life_phase") if all("life_phase" in dataset for dataset in held) else None,
         over_life("life_load"),
-        _along_last([over_life(name) for name in VELOCITIES if all(name in of for of in held)]),
+        _along_last(
+            [over_life(name) for name in VELOCITIES if all(name in dataset for dataset in held)]
+        ),
         {name: over_life(f"life_{name}") for name in names},
         {name: over_life(f"life_{name}_error") for name in names},
-        tuple(frames[at] for at in sorted(frames)),
+        tuple(frames[seconds_of_frame] for seconds_of_frame in sorted(frames)),
         tuple(solutions),
     )
 
@@ -182,37 +184,40 @@ def _along_last(components: Sequence[Array]) -> Array:
     return along_last
 
 
-def _frames(of: "PlainDataset | xr.Dataset") -> list[Fields]:
-    if "frame_seconds" not in of:
+def _frames(dataset: "PlainDataset | xr.Dataset") -> list[Fields]:
+    if "frame_seconds" not in dataset:
         return []
     columns = zip(
-        of["frame_seconds"].values,
-        of["frame_x"].values,
-        of["frame_y"].values if "frame_y" in of else of["frame_seconds"].values,
-        *(of[name].values for name in FRAMED if name in of),
+        dataset["frame_seconds"].values,
+        dataset["frame_x"].values,
+        dataset["frame_y"].values if "frame_y" in dataset else dataset["frame_seconds"].values,
+        *(dataset[name].values for name in FRAMED if name in dataset),
         strict=True,
     )
     return [
-        Fields(float(at), x, y if np.ndim(y) else None, *fields) for at, x, y, *fields in columns
+        Fields(float(seconds), x, y if np.ndim(y) else None, *fields)
+        for seconds, x, y, *fields in columns
     ]
 
 
 def as_csv(all_lives: Sequence[ContactLife]) -> str:
     """A table of all instants: place, time, phase, load, and each figure with its error bar, in SI."""
-    names = [name for name in OVER_LIFE if any(name in one.figures for one in all_lives)]
-    places = list({name: None for one in all_lives for name in one.place.given})
+    names = [name for name in OVER_LIFE if any(name in life.figures for life in all_lives)]
+    places = list({name: None for life in all_lives for name in life.place.given})
     text = StringIO()
     table = writer(text, lineterminator="\n")
     of_figures = [column for name in names for column in (name, f"{name}_error")]
     table.writerow([*places, "seconds", "phase", "load", "entrainment", *of_figures])
-    for one in all_lives:
-        at = [one.place.given.get(name, "") for name in places]
+    for life in all_lives:
+        place = [life.place.given.get(name, "") for name in places]
         columns = [
-            of.get(name, np.full(len(one.seconds), np.nan))
+            values_of.get(name, np.full(len(life.seconds), np.nan))
             for name in names
-            for of in (one.figures, one.errors)
+            for values_of in (life.figures, life.errors)
         ]
-        phases = np.full(len(one.seconds), np.nan) if one.phases is None else one.phases
-        for values in zip(one.seconds, phases, one.load, one.entrainment, *columns, strict=True):
-            table.writerow([*at, *("" if np.isnan(value) else f"{value:.8g}" for value in values)])
+        phases = np.full(len(life.seconds), np.nan) if life.phases is None else life.phases
+        for values in zip(life.seconds, phases, life.load, life.entrainment, *columns, strict=True):
+            table.writerow(
+                [*place, *("" if np.isnan(value) else f"{value:.8g}" for value in values)]
+            )
     return text.getvalue()

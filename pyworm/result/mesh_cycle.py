@@ -80,10 +80,12 @@ class DriveCycle:
             "film_min": _told(self.film_min, "m"),
             "pressure_max": _told(self.pressure_max, "Pa"),
             "temperature_max": {
-                name: _told(replace(one, value=one.value - ZERO_CELSIUS), "C")
-                for name, one in self.temperatures.items()
+                name: _told(replace(extreme, value=extreme.value - ZERO_CELSIUS), "C")
+                for name, extreme in self.temperatures.items()
             },
-            "bulk_temperature_C": {name: of - ZERO_CELSIUS for name, of in self.bulk.items()},
+            "bulk_temperature_C": {
+                name: temperature - ZERO_CELSIUS for name, temperature in self.bulk.items()
+            },
             "lambda_min": self.lambda_min and _told(self.lambda_min, ""),
             "lambda_central": self.lambda_central and _told(self.lambda_central, ""),
             "load_moved_by_lift": self.lifted
@@ -117,18 +119,18 @@ class DriveCycle:
         }
 
 
-def _told(one: Extreme, unit: str) -> dict:
+def _told(extreme: Extreme, unit: str) -> dict:
     values: dict[str, Any] = {
-        f"value_{unit}".rstrip("_"): one.value,
-        "error": one.error,
-        "phase": one.phase,
+        f"value_{unit}".rstrip("_"): extreme.value,
+        "error": extreme.error,
+        "phase": extreme.phase,
     }
-    if one.place is not None:
-        values |= {"face_m": one.place[0], "radius_m": one.place[1]}
-    if one.model is not None:
-        values["model_error"] = one.model
-    if one.reason is not None:
-        values["error_reason"] = one.reason
+    if extreme.place is not None:
+        values |= {"face_m": extreme.place[0], "radius_m": extreme.place[1]}
+    if extreme.model is not None:
+        values["model_error"] = extreme.model
+    if extreme.reason is not None:
+        values["error_reason"] = extreme.reason
     return values
 
 
@@ -141,12 +143,16 @@ def drive_cycle(result: Result) -> DriveCycle | None:
     good = [solution for solution in solved if solution.converged]
     if len(good) < FEWEST_PHASES:
         return None
-    lifts = [(phase_of(one), one.figures.lift) for one in good if one.figures.lift is not None]
-    heated = all(one.figures.temperature_max_film is not None for one in good)
+    lifts = [
+        (phase_of(solution), solution.figures.lift)
+        for solution in good
+        if solution.figures.lift is not None
+    ]
+    heated = all(solution.figures.temperature_max_film is not None for solution in good)
     film = _extreme(good, "film_min", min, _least_at)
     return DriveCycle(
-        phases=tuple(phase_of(one) for one in good),
-        unconverged=tuple(phase_of(one) for one in solved if not one.converged),
+        phases=tuple(phase_of(solution) for solution in good),
+        unconverged=tuple(phase_of(solution) for solution in solved if not solution.converged),
         film_min=film,
         pressure_max=_extreme(good, "pressure_max", max, _largest_at),
         temperatures={
@@ -160,7 +166,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
         lambda_min=_lambda(film, good[0].composite_roughness),
         loss=(
             cycle_loss(cycle, contact_losses(good))
-            if all(one.figures.power_loss is not None for one in good)
+            if all(solution.figures.power_loss is not None for solution in good)
             else None
         ),
         lifts=(tuple(lifts) if len(lifts) == len(good) else ()),
@@ -173,7 +179,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
 
 def _lifted(cycle: "xr.Dataset", good: list[Solution]) -> tuple[float, float]:
     """Largest relative change of the load of a solved phase by the lifts, and that phase."""
-    phases = np.array([one.phase for one in good])
+    phases = np.array([solution.phase for solution in good])
     loads = (
         np.interp(phases, cycle["load_phase"], cycle[name])
         for name in ("tooth_load", "dry_tooth_load")
@@ -189,14 +195,19 @@ def _extreme(
     pick: Callable,
     place: Callable[[Solution], tuple[float, float]] | None = None,
 ) -> Extreme:
-    one = pick(solutions, key=lambda solution: getattr(solution.figures, name).value)
-    estimate: Estimate = getattr(one.figures, name)
+    extreme = pick(solutions, key=lambda solution: getattr(solution.figures, name).value)
+    estimate: Estimate = getattr(extreme.figures, name)
     heat = name.startswith("temperature")
-    size = one.rise(estimate) if heat else estimate.value
-    at = None if place is None else flank_place(one, *place(one))
+    size = extreme.rise(estimate) if heat else estimate.value
+    flank_position = None if place is None else flank_place(extreme, *place(extreme))
     model = None if estimate.model is None else estimate.model * abs(size)
     return Extreme(
-        estimate.value, estimate.error * abs(size), one.phase, at, estimate.reason, model
+        estimate.value,
+        estimate.error * abs(size),
+        extreme.phase,
+        flank_position,
+        estimate.reason,
+        model,
     )
 
 
@@ -215,7 +226,9 @@ def _largest_at(solution: Solution) -> tuple[float, float]:
     """Place of the largest pressure [m]: the middle of its nodes, of which rounded fields have several."""
     pressure = solution.fields["pressure"].transpose("x", "y")
     nodes = np.nonzero(pressure.values == pressure.values.max())
-    x, y = (pressure[axis].values[of].mean() for axis, of in zip("xy", nodes, strict=True))
+    x, y = (
+        pressure[axis].values[indices].mean() for axis, indices in zip("xy", nodes, strict=True)
+    )
     return float(x), float(y)
 
 
@@ -244,10 +257,10 @@ def flank_place(
         is followed over points that were beyond it.
     """
     fields = solution.fields
-    at = {"tooth_x": ("point", np.ravel(x)), "tooth_y": ("point", np.ravel(y))}
+    points = {"tooth_x": ("point", np.ravel(x)), "tooth_y": ("point", np.ravel(y))}
     places = [
         fields[name]
-        .interp(at, assume_sorted=True, kwargs={"fill_value": None})
+        .interp(points, assume_sorted=True, kwargs={"fill_value": None})
         .values.reshape(np.shape(x))
         for name in names
     ]

@@ -110,14 +110,14 @@ class Result(Shown):
         """
         return replace(
             self,
-            solutions=tuple(one for one in self.solutions if one.converged),
+            solutions=tuple(solution for solution in self.solutions if solution.converged),
             provenance=self.provenance | {"failed": self.without_solution},
         )
 
     @property
     def without_solution(self) -> dict[str, str]:
         """Names of the contacts without a converged solution, and the reason of each."""
-        unsound = {one.name: one.stop_reason for one in self.unsound}
+        unsound = {solution.name: solution.stop_reason for solution in self.unsound}
         failed: dict[str, str] = self.provenance.get("failed", {})
         return unsound | failed
 
@@ -143,7 +143,9 @@ class Result(Shown):
     def shortfall(self) -> str | None:
         """Why a run does not have all figures with the accuracy asked for; None where it has."""
         wide = [
-            f"{one.name}: {one.stop_reason}" for one in self.sound.solutions if not one.accurate
+            f"{solution.name}: {solution.stop_reason}"
+            for solution in self.sound.solutions
+            if not solution.accurate
         ]
         lacking = [self.stop_reason, *wide]
         return "; ".join(filter(None, lacking)) or None
@@ -151,14 +153,16 @@ class Result(Shown):
     @property
     def unsound(self) -> tuple[Solution, ...]:
         """The solutions that did not converge."""
-        return tuple(one for one in self.solutions if not one.converged)
+        return tuple(solution for solution in self.solutions if not solution.converged)
 
     @property
     def thinnest(self) -> int:
         """Number of the converged contact with the thinnest film; of all contacts if none converged."""
         judged = self.sound.solutions or self.solutions
-        thinnest = min(judged, key=lambda one: one.figures.film_min.value)
-        return next(number for number, one in enumerate(self.solutions) if one is thinnest)
+        thinnest = min(judged, key=lambda solution: solution.figures.film_min.value)
+        return next(
+            number for number, solution in enumerate(self.solutions) if solution is thinnest
+        )
 
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file, atomically."""
@@ -286,7 +290,9 @@ def _groups(result: Result) -> "dict[str, PlainDataset | xr.Dataset]":
         attributes["solution"] = _to_json(_scalars(solution))
         groups[scene] = PlainDataset({}, (), attributes)
         parts = {part: solution.held(part) for part in DATASETS}
-        groups |= {f"{scene}/{part}": of for part, of in parts.items() if of is not None}
+        groups |= {
+            f"{scene}/{part}": dataset for part, dataset in parts.items() if dataset is not None
+        }
     return groups
 
 

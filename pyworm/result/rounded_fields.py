@@ -54,7 +54,10 @@ def rounded(solution: Solution) -> Solution:
         data = solution.held(part)
         if data is not None:
             data = data if type(data) is PlainDataset else _plain(data)
-            variables = {name: _rounded(solution, name, of) for name, of in data.variables.items()}
+            variables = {
+                name: _rounded(solution, name, variable)
+                for name, variable in data.variables.items()
+            }
             parts[part] = PlainDataset(variables, data.coords, dict(data.attrs))
     fields = parts["fields"]
     marked = {**fields.attrs, _MARK: f"to {OF_ERROR_BAR:g} of error bars"}
@@ -65,8 +68,8 @@ def rounded(solution: Solution) -> Solution:
 def _plain(data: "PlainDataset | xr.Dataset") -> PlainDataset:
     """A dataset of xarray's as a plain one."""
     variables = {
-        str(name): PlainVariable(tuple(map(str, of.dims)), of.values, of.attrs)
-        for name, of in data.variables.items()
+        str(name): PlainVariable(tuple(map(str, variable.dims)), variable.values, variable.attrs)
+        for name, variable in data.variables.items()
     }
     return PlainDataset(variables, tuple(map(str, data.coords)), data.attrs)
 

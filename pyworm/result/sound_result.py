@@ -61,7 +61,10 @@ def typed(kind: Any, value: Any, name: str = "") -> Any:
         kinds = options[:1] * len(value) if options[-1] is Ellipsis else options
         if len(kinds) == len(value):
             pairs = enumerate(zip(kinds, value, strict=True))
-            return tuple(typed(of, part, f"{name}[{number}]") for number, (of, part) in pairs)
+            return tuple(
+                typed(type_of_part, part, f"{name}[{number}]")
+                for number, (type_of_part, part) in pairs
+            )
     if origin is list and isinstance(value, list):
         return [typed(options[0], part, f"{name}[{number}]") for number, part in enumerate(value)]
     if origin is dict and isinstance(value, dict):
@@ -96,7 +99,12 @@ def _made(kind: Any, value: dict[str, Any], name: str) -> Any:
         raise ValueError(f"{name} has an unknown {min(strange)!r:.60}")
     below = f"{name}." if name else ""
     try:
-        return kind(**{key: typed(hints[key], of, f"{below}{key}") for key, of in value.items()})
+        return kind(
+            **{
+                key: typed(hints[key], part_value, f"{below}{key}")
+                for key, part_value in value.items()
+            }
+        )
     except TypeError as error:
         raise ValueError(f"{name or 'it'} is not complete ({error})") from None
 

@@ -173,7 +173,9 @@ def _check(result: SweepResult) -> None:
     for name, column in table.variables.items():
         if column.dims != ("scene",):
             raise ValueError(f"{name} does not have one value for each scene")
-        if column.dtype.kind not in "iufb" and not all(isinstance(of, str) for of in column.values):
+        if column.dtype.kind not in "iufb" and not all(
+            isinstance(entry, str) for entry in column.values
+        ):
             raise ValueError(f"{name} holds neither numbers nor texts")
     for key in (key for axis in result.axes for key in axis or [""]):
         if not any(name == key or str(name).startswith(f"{key}[") for name in table.data_vars):
@@ -207,7 +209,7 @@ def sweep_table(
     """
     table = xr.Dataset()
     for key in values[0]:
-        for name, column, unit in _varied(key, [of[key] for of in values]):
+        for name, column, unit in _varied(key, [given[key] for given in values]):
             table[name] = ("scene", column, {"units": unit} if unit else {})
     flat = [_flat(row) for row in rows]
     names = list({name: None for row in flat for name in row if name != "name"})
@@ -219,9 +221,15 @@ def sweep_table(
 
 def _left_out(row: Mapping[str, float | str]) -> LeftOut:
     """Effects left out of the figures of a scene, from its row; invalid entries are ignored."""
-    numbers = {name: of for name, of in row.items() if isinstance(of, float) and not np.isnan(of)}
+    numbers = {
+        name: number
+        for name, number in row.items()
+        if isinstance(number, float) and not np.isnan(number)
+    }
     influence = {
-        name.removeprefix(LEFT_OUT): of for name, of in numbers.items() if name.startswith(LEFT_OUT)
+        name.removeprefix(LEFT_OUT): number
+        for name, number in numbers.items()
+        if name.startswith(LEFT_OUT)
     }
     regime = row.get("lubrication")
     lubrication = regime if regime in BY_SEVERITY else "unknown"

@@ -85,7 +85,7 @@ class Contact(Shown, ABC):
         if self.travelled is not None:
             kind = kind_of(units.Offset)
             ways = tuple(
-                tuple(number("travelled", one, kind) for one in row("travelled", body))
+                tuple(number("travelled", distance, kind) for distance in row("travelled", body))
                 for body in row("travelled", self.travelled)
             )
             object.__setattr__(self, "travelled", ways)
@@ -115,8 +115,8 @@ class Contact(Shown, ABC):
         """Heading and rows of the contact in words."""
         origin = (np.zeros(()),) * len(self.radii_along)
         entrainment, sliding = (
-            ", ".join(f"{float(part):.3g}" for part in of(*origin))
-            for of in (self.entrainment_at, self.sliding_at)
+            ", ".join(f"{float(part):.3g}" for part in velocity(*origin))
+            for velocity in (self.entrainment_at, self.sliding_at)
         )
         moduli = ", ".join(f"{body.youngs_modulus / 1e9:.4g}" for body in self.bodies)
         return f"{type(self).__name__} {self.name}", {
@@ -147,7 +147,13 @@ class Contact(Shown, ABC):
 
     def supply_at(self, *places: Given) -> Array:
         """Thickness of the oil that arrives at places [m], of a contact whose supply is limited."""
-        u, v = (*(float(of) for of in self.entrainment_at(*(np.zeros(()),) * len(places))), 0.0)[:2]
+        u, v = (
+            *(
+                float(component)
+                for component in self.entrainment_at(*(np.zeros(()),) * len(places))
+            ),
+            0.0,
+        )[:2]
         x, y = (*as_arrays(*places), np.zeros(np.shape(places[0])))[:2]
         return self.oil.layer_at((u * y - v * x) / max(hypot(u, v), STILL))
 
@@ -227,17 +233,20 @@ def radii_of(gap: Any, given: tuple[Any, ...] | None) -> tuple[float, ...]:
 def _given_radii(given: tuple[Any, ...], of_gap: tuple[float, ...] | None) -> tuple[float, ...]:
     """Radii that are given, as numbers; ValueError where they contradict those of the gap."""
     kind = kind_of(units.Radius)
-    radii = tuple(number("radii", one, kind) for one in row("radii", given))
+    radii = tuple(number("radii", radius, kind) for radius in row("radii", given))
     positive("radii", radii, "m")
     if of_gap is None:
         return radii
     if len(radii) != len(of_gap) or any(
-        abs(given - own) > SAME * own for given, own in zip(radii, of_gap, strict=True)
+        abs(given - gap_radius) > SAME * gap_radius
+        for given, gap_radius in zip(radii, of_gap, strict=True)
     ):
-        theirs, own = (", ".join(f"{radius:g}" for radius in of) for of in (radii, of_gap))
+        theirs, its = (
+            ", ".join(f"{radius:g}" for radius in radii_of_one) for radii_of_one in (radii, of_gap)
+        )
         key = "radii" if len(radii) > 1 else "radius"
         raise ValueError(
-            f"radii {theirs} m contradict the gap, whose radii are {own} m; leave them out, and where "
+            f"radii {theirs} m contradict the gap, whose radii are {its} m; leave them out, and where "
             f"dataclasses.replace changes the gap, give {key}=None beside it"
         )
     return radii

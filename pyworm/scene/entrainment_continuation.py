@@ -38,8 +38,8 @@ class _Carried:
 def with_auxiliary_entrainment(scene: Scene, fraction: float = 1.0) -> Scene:
     """The scene with a fraction of its auxiliary entrainment; itself where none is needed."""
     entrained, slid = (
-        [float(component) for component in of(np.array(0.0), np.array(0.0))]
-        for of in (scene.entrainment, scene.sliding)
+        [float(component) for component in velocity_at(np.array(0.0), np.array(0.0))]
+        for velocity_at in (scene.entrainment, scene.sliding)
     )
     if hypot(*entrained) >= SCARCE * hypot(*slid):
         return scene

@@ -130,7 +130,7 @@ def _in_words(name: str, films: Array, errors: Array) -> str:
     quantity = QUANTITIES[name]
     if np.size(films) == 1:
         return with_bars(quantity.text(np.ravel(films)[0]), np.ravel(errors)[0])
-    return " to ".join(quantity.text(float(of(films))) for of in (np.min, np.max))
+    return " to ".join(quantity.text(float(extreme(films))) for extreme in (np.min, np.max))
 
 
 def film(
@@ -174,7 +174,8 @@ def film(
     groups, unit = _groups(radii, load, reduced_modulus, velocity, oil, spin)
     found = films(groups)
     central_error, minimum_error = (
-        np.where(found.inside, of, np.inf) for of in (found.central_error, found.minimum_error)
+        np.where(found.inside, error, np.inf)
+        for error in (found.central_error, found.minimum_error)
     )
     return FormulaFilms(
         unit * found.central,
@@ -204,12 +205,15 @@ def _groups(
     """The groups of contacts, and Moes' unit of their films [m]; arguments as of `film`."""
     require_oil(oil)
     rx, ry, load, modulus, u, v, spin = (
-        np.asarray(in_si(name, of, kind), dtype=float)
-        for name, of, kind in (
-            *(("radii", of, units.Radius) for of in _pair("radii", radii)),
+        np.asarray(in_si(name, value_given, kind), dtype=float)
+        for name, value_given, kind in (
+            *(("radii", value_given, units.Radius) for value_given in _pair("radii", radii)),
             ("load", load, units.Force),
             ("reduced_modulus", reduced_modulus, units.Modulus),
-            *(("velocity", of, units.Velocity) for of in _pair("velocity", velocity)),
+            *(
+                ("velocity", value_given, units.Velocity)
+                for value_given in _pair("velocity", velocity)
+            ),
             ("spin", spin, units.Spin),
         )
     )
@@ -314,7 +318,7 @@ def film_of(scene: Scene, reduced: bool = False) -> FormulaFilms:
         step * np.array([0.0, 1.0, -1.0, 0.0, 0.0]),
         step * np.array([0.0, 0.0, 0.0, 1.0, -1.0]),
     )
-    u, v = (np.broadcast_to(of, 5) for of in scene.entrainment(*places))
+    u, v = (np.broadcast_to(component, 5) for component in scene.entrainment(*places))
     spin = ((v[1] - v[2]) - (u[3] - u[4])) / (4 * step)
     cold = film(scene.radii, scene.load, scene.reduced_modulus, (u[0], v[0]), scene.oil, spin)
     return cold if not reduced or lacks_heat(scene) else _reduced(scene, cold)

@@ -22,7 +22,7 @@ NO_LIMIT = 1.0
 def lacks_heat(scene: Scene) -> bool:
     """Whether the oil or the bodies lack data for heat and shear thinning."""
     oil = scene.oil
-    constants = [getattr(of, name) for of in scene.bodies for name in BODY_CONSTANTS]
+    constants = [getattr(body, name) for body in scene.bodies for name in BODY_CONSTANTS]
     return oil.heat is None or oil.flow is None or oil.flow.law not in LAWS or None in constants
 
 
@@ -37,7 +37,7 @@ def heat_groups(scene: Scene, central: Values) -> HeatGroups:
     oil, flow = scene.oil, scene.oil.sheared
     dry = hertz(*scene.radii, scene.load, scene.reduced_modulus)
     (u, v), sliding = (
-        [float(np.ravel(of)[0]) for of in along(np.zeros(1), np.zeros(1))]
+        [float(np.ravel(component)[0]) for component in along(np.zeros(1), np.zeros(1))]
         for along in (scene.entrainment_at, scene.sliding_at)
     )
     speed = hypot(u, v)

@@ -24,9 +24,9 @@ class Place:
     """Place on a traction curve: sliding over entrainment [-]."""
 
     @classmethod
-    def of(cls, one: object) -> Self:
+    def of(cls, solved: object) -> Self:
         """The place of a scene or a solution."""
-        return cls(**{name: getattr(one, name) for name in PLACE_NAMES})
+        return cls(**{name: getattr(solved, name) for name in PLACE_NAMES})
 
     @property
     def given(self) -> dict[str, Any]:
@@ -48,5 +48,6 @@ PLACE_NAMES = tuple(part.name for part in fields(Place))
 def crossed(values: Mapping[str, Sequence[Any]]) -> tuple[Place, ...]:
     """Every combination of values by name; a name without values stays None."""
     return tuple(
-        Place(*one) for one in product(*(values.get(name) or (None,) for name in PLACE_NAMES))
+        Place(*combination)
+        for combination in product(*(values.get(name) or (None,) for name in PLACE_NAMES))
     )

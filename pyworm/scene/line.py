@@ -75,7 +75,7 @@ class LineScene(Contact):
         if not (isinstance(self.velocities, tuple) and len(self.velocities) == 2):
             raise ValueError("velocities: must be a tuple of two, of body 1 and of body 2 [m/s]")
         kind = kind_of(units.Velocity)
-        velocities = tuple(number("velocities", one, kind) for one in self.velocities)
+        velocities = tuple(number("velocities", velocity, kind) for velocity in self.velocities)
         object.__setattr__(self, "velocities", velocities)
 
     @property

@@ -68,9 +68,9 @@ def nearer_to_supply(oil: Oil, body: Body, speed: float, film: float, distance: 
     if heat.supply_temperature is None:
         return 0.0
     capacity = oil.density.rho0 * heat.specific_heat
-    own = sqrt(heat.conductivity * capacity)
-    its = sqrt(body.thermal_inertia)
-    touching = own / (own + its)
+    oil_effusivity = sqrt(heat.conductivity * capacity)
+    body_effusivity = sqrt(body.thermal_inertia)
+    touching = oil_effusivity / (oil_effusivity + body_effusivity)
     spread = 2 * sqrt(heat.conductivity / capacity * distance / speed)
     share = touching + (1 - touching) * erf(film / 2 / spread)
     return share * (heat.supply_temperature - bulk_temperature(body))

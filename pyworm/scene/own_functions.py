@@ -71,7 +71,9 @@ def _parts(
 def _described(given: object) -> str:
     """What a function gave, in words."""
     if isinstance(given, tuple | list):
-        return f"{len(given)} values, {' and '.join(_described(one) for one in given) or 'none'}"
+        return (
+            f"{len(given)} values, {' and '.join(_described(value) for value in given) or 'none'}"
+        )
     if isinstance(given, np.ndarray):
         return f"one array of the shape {given.shape}"
     return f"{type(given).__name__} {given!r:.40}"

@@ -63,7 +63,7 @@ class UnusualWarning(UserWarning):
 class Doubt:
     """An objection to a contact."""
 
-    of: str
+    quantity: str
     """The quantity in doubt."""
     excess: float
     """How far it is beyond what is usual [-]; above 1."""
@@ -111,8 +111,8 @@ def doubts(scenes: Iterable[Scene | LineScene], key: str) -> tuple[str, ...]:
     worst: dict[str, Doubt] = {}
     for scene in scenes:
         for doubt in _judged(scene):
-            if doubt.of not in worst or doubt.excess > worst[doubt.of].excess:
-                worst[doubt.of] = doubt
+            if doubt.quantity not in worst or doubt.excess > worst[doubt.quantity].excess:
+                worst[doubt.quantity] = doubt
     return tuple(f"{key}: {doubt.sentence}" for doubt in worst.values())
 
 
@@ -124,8 +124,8 @@ def overheated(summaries: Iterable[Mapping[str, Any]]) -> tuple[str, ...]:
     summaries : iterable of mapping
         `Solution.summary()` of solved contacts.
     """
-    hot = [of for of in summaries if "temperature_max_C" in of]
-    hottest = max(hot, key=lambda of: of["temperature_max_C"]["film"], default=None)
+    hot = [summary for summary in summaries if "temperature_max_C" in summary]
+    hottest = max(hot, key=lambda summary: summary["temperature_max_C"]["film"], default=None)
     if hottest is None or not hottest["temperature_max_C"]["film"] > HOTTEST_FILM:
         return ()
     reached = hottest["temperature_max_C"]["film"]

@@ -85,8 +85,8 @@ class SampledGap:
         if not isinstance(other, SampledGap):
             return NotImplemented
         return all(
-            np.array_equal(own, one, equal_nan=True)
-            for own, one in zip(self._arrays, other._arrays, strict=True)
+            np.array_equal(first, second, equal_nan=True)
+            for first, second in zip(self._arrays, other._arrays, strict=True)
         )
 
     def __hash__(self) -> int:

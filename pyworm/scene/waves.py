@@ -40,7 +40,7 @@ def opening(scene: Contact, *places: Array) -> tuple[Array, Flags]:
 
 def waves_in_gap(scene: Contact) -> float:
     """Root mean square height of the waves in the gap of a contact [m]."""
-    return hypot(*(_rms(scene, *of) for of in _known(scene)))
+    return hypot(*(_rms(scene, *wave) for wave in _known(scene)))
 
 
 def moving_waves(scene: Contact) -> MovingWaves | None:
@@ -49,7 +49,7 @@ def moving_waves(scene: Contact) -> MovingWaves | None:
         (max(waves.rms**2 - _rms(scene, waves, direction, number) ** 2, 0.0) ** 0.5, waves.length)
         for waves, direction, number in _known(scene)
     ]
-    height = hypot(*(of for of, _ in left))
+    height = hypot(*(height_left for height_left, _ in left))
     return MovingWaves(height, max(left)[1]) if height > 0 else None
 
 

@@ -30,7 +30,10 @@ def other_bodies(level: Level) -> tuple[Body, Body]:
     """
     scene = level.scene
     origin = (np.zeros(()),) * len(scene.radii_along)
-    speeds = [hypot(*(float(of) for of in velocity)) for velocity in scene.velocities_at(*origin)]
+    speeds = [
+        hypot(*(float(component) for component in velocity))
+        for velocity in scene.velocities_at(*origin)
+    ]
     film, distance = level.read().film_central, min(scene.radii_along)
     first, second = (
         replace(
@@ -66,4 +69,4 @@ def arrival_uncertainty(
     lead(level, 0.0, most=1)
     if not followed:
         return dict.fromkeys(figures, inf)
-    return {name: abs(after[name] / of - 1) if of else 0.0 for name, of in figures.items()}
+    return {name: abs(after[name] / value - 1) if value else 0.0 for name, value in figures.items()}

@@ -451,8 +451,8 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             of_models.append(self._roughness_uncertainty(level))
         if self._model.heated and self._scene.oil.thermal.supply_temperature is not None:
             of_models.append(arrival_uncertainty(level, self._warm_between(level)))
-        names = {name: None for of in of_models for name in of}
-        return {name: hypot(*(of.get(name, 0.0) for of in of_models)) for name in names}
+        names = {name: None for model in of_models for name in model}
+        return {name: hypot(*(model.get(name, 0.0) for model in of_models)) for name in names}
 
     def _roughness_uncertainty(self, level: LevelT) -> dict[str, float]:
         scene, half_width = self._scene, predicted(self._scene).half_width

@@ -46,7 +46,7 @@ class Reading:
 class Left:
     """Error that grids leave in a figure, over its changes from grid to grid."""
 
-    own: float
+    figure: float
     """On two grids: error over the figure's change; the larger of both counts, since a figure may stand still
     by chance."""
     films: float
@@ -56,9 +56,9 @@ class Left:
     least: float = 0.05
     """On more grids: least error over the figure's last change; two limits may be equal by chance."""
 
-    def of_changes(self, own: float, films: float) -> float:
+    def of_changes(self, figure: float, films: float) -> float:
         """Relative error by relative changes, of either sign, between the only two grids."""
-        return max(self.own * abs(own), self.films * abs(films))
+        return max(self.figure * abs(figure), self.films * abs(films))
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ class Convergence:
 
 def change(before: Reading, after: Reading) -> dict[str, float]:
     """Absolute relative change of each figure from one reading to another."""
-    return {name: abs(of) for name, of in changes(before, after).items()}
+    return {name: abs(relative) for name, relative in changes(before, after).items()}
 
 
 def changes(before: Reading, after: Reading) -> dict[str, float]:
@@ -129,7 +129,10 @@ def grid_errors(
     last = changes(readings[-2], readings[-1])
     if len(readings) == 2:
         films, known = largest_of_films(last), two_grids or {}
-        return {name: known.get(name, UNKNOWN).of_changes(of, films) for name, of in last.items()}
+        return {
+            name: known.get(name, UNKNOWN).of_changes(figure, films)
+            for name, figure in last.items()
+        }
     before = changes(readings[-3], readings[-2])
     return {name: _grid_error(before[name], last[name], 2 ** orders[name]) for name in last}
 

@@ -88,26 +88,26 @@ class Estimate:
         return -self if self.value < 0 else self
 
     def __add__(self, other: Any) -> "Estimate":
-        return self._with(other, lambda own, one: own._sum(own, 1.0, one, 1.0))
+        return self._with(other, lambda first, second: first._sum(first, 1.0, second, 1.0))
 
     __radd__ = __add__
 
     def __sub__(self, other: Any) -> "Estimate":
-        return self._with(other, lambda own, one: own._sum(own, 1.0, one, -1.0))
+        return self._with(other, lambda first, second: first._sum(first, 1.0, second, -1.0))
 
     def __rsub__(self, other: Any) -> "Estimate":
-        return self._with(other, lambda own, one: own._sum(one, 1.0, own, -1.0))
+        return self._with(other, lambda first, second: first._sum(second, 1.0, first, -1.0))
 
     def __mul__(self, other: Any) -> "Estimate":
-        return self._with(other, lambda own, one: own._power_product(one, 1.0))
+        return self._with(other, lambda first, second: first._power_product(second, 1.0))
 
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> "Estimate":
-        return self._with(other, lambda own, one: own._power_product(one, -1.0))
+        return self._with(other, lambda first, second: first._power_product(second, -1.0))
 
     def __rtruediv__(self, other: Any) -> "Estimate":
-        return self._with(other, lambda own, one: one._power_product(own, -1.0))
+        return self._with(other, lambda first, second: second._power_product(first, -1.0))
 
     def __pow__(self, exponent: float) -> "Estimate":
         if not isinstance(exponent, int | float):
@@ -115,16 +115,16 @@ class Estimate:
         return Estimate(1.0, 0.0)._power_product(self, float(exponent))
 
     def __lt__(self, other: Any) -> bool:
-        return self._with(other, lambda own, one: own.value < one.value)
+        return self._with(other, lambda first, second: first.value < second.value)
 
     def __gt__(self, other: Any) -> bool:
-        return self._with(other, lambda own, one: own.value > one.value)
+        return self._with(other, lambda first, second: first.value > second.value)
 
     def __le__(self, other: Any) -> bool:
-        return self._with(other, lambda own, one: own.value <= one.value)
+        return self._with(other, lambda first, second: first.value <= second.value)
 
     def __ge__(self, other: Any) -> bool:
-        return self._with(other, lambda own, one: own.value >= one.value)
+        return self._with(other, lambda first, second: first.value >= second.value)
 
     def agrees_with(self, other: "Estimate | float") -> bool:
         """Whether both error bars together cover the difference."""
@@ -142,24 +142,35 @@ class Estimate:
             return incomparable
 
     @staticmethod
-    def _sum(one: "Estimate", by: float, other: "Estimate", times: float) -> "Estimate":
+    def _sum(first: "Estimate", by: float, second: "Estimate", times: float) -> "Estimate":
         """by one + times other; errors are added, since figures of one solve err together."""
-        value = by * one.value + times * other.value
+        value = by * first.value + times * second.value
         # an exact number only shifts what the error of a temperature is relative to
-        shifted = one.datum != 0 or other.datum != 0
-        own, its = (of.value if shifted and not of.error else of.datum for of in (one, other))
-        datum = by * own + times * its
+        shifted = first.datum != 0 or second.datum != 0
+        first_datum, second_datum = (
+            summand.value if shifted and not summand.error else summand.datum
+            for summand in (first, second)
+        )
+        datum = by * first_datum + times * second_datum
         parts = (
-            (abs(by * (one.value - one.datum)), one),
-            (abs(times * (other.value - other.datum)), other),
+            (abs(by * (first.value - first.datum)), first),
+            (abs(times * (second.value - second.datum)), second),
         )
         return _made(value, datum, parts, abs(value - datum))
 
     def _power_product(self, other: "Estimate", exponent: float) -> "Estimate":
         """Self times other to a power; relative errors are added."""
         parts = tuple(
-            (times * (1.0 if not of.datum else abs(of.value - of.datum) / abs(of.value)), of)
-            for times, of in ((1.0, self), (abs(exponent), other))
+            (
+                times
+                * (
+                    1.0
+                    if not factor.datum
+                    else abs(factor.value - factor.datum) / abs(factor.value)
+                ),
+                factor,
+            )
+            for times, factor in ((1.0, self), (abs(exponent), other))
         )
         return _made(self.value * other.value**exponent, 0.0, parts, 1.0)
 
@@ -170,13 +181,15 @@ def _made(
     """A figure whose errors are those of others by their weights, over its size."""
 
     def joined(name: str) -> float:
-        total = sum(weight * (getattr(of, name) or 0.0) for weight, of in parts if weight)
+        total = sum(
+            weight * (getattr(estimate, name) or 0.0) for weight, estimate in parts if weight
+        )
         if size:
             return total / size
         return inf if total else 0.0
 
-    reasons = [of.reason for _, of in parts if of.reason is not None]
-    models = any(of.model is not None for _, of in parts)
+    reasons = [estimate.reason for _, estimate in parts if estimate.reason is not None]
+    models = any(estimate.model is not None for _, estimate in parts)
     errors = {name: joined(name) for name in ORIGINS}
     return Estimate(
         value,

@@ -55,8 +55,8 @@ def estimates(
         Relative uncertainty of each figure by the assumptions of its model; empty where there are none.
     """
     limits = grid_limits(readings or [settled.reading], solver.convergence)
-    grid = {name: of.error for name, of in limits.items()}
-    grid |= {name: max(grid[name], of) for name, of in peak_errors(settled.reading).items()}
+    grid = {name: limit.error for name, limit in limits.items()}
+    grid |= {name: max(grid[name], error) for name, error in peak_errors(settled.reading).items()}
     reasons = {"pressure_max": unresolved(settled.reading)}
     if not film_is_sound(level, settled, plan):
         grid = dict.fromkeys(grid, np.inf)

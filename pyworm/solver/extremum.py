@@ -76,8 +76,8 @@ def _four(places: Array, count: int) -> tuple[Array, Array]:
 
 def _near(within: Array) -> slice:
     """The nodes along one direction on which the surface about some of them depends."""
-    at = np.flatnonzero(within)
-    return slice(max(int(at[0]) - MARGIN, 0), int(at[-1]) + MARGIN + 1)
+    nodes = np.flatnonzero(within)
+    return slice(max(int(nodes[0]) - MARGIN, 0), int(nodes[-1]) + MARGIN + 1)
 
 
 def _surface_minimum(
@@ -95,7 +95,7 @@ def _surface_minimum(
     # the lowest node whatever the floors of others promise: the surface goes through it
     about = {lowest, *zip(i[promising], j[promising], strict=True)}
     found = [_about(field, within, usable, *node) for node in sorted(about)]
-    return min(found, key=lambda one: one[0])
+    return min(found, key=lambda valley: valley[0])
 
 
 def _line_minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[float]]:
@@ -153,7 +153,7 @@ def _about(
     value, place = float(field[i, j]), (0.0, 0.0)
     for parts, reach in SEARCHES:
         offsets = np.arange(-reach * parts, reach * parts + 1) / parts
-        x, y = (at + offsets for at in place)
+        x, y = (offset + offsets for offset in place)
         surface = _weights(x) @ values @ _weights(y).T
         if not cells.all():
             surface = np.where(_cells_of(x) @ cells @ _cells_of(y).T, surface, np.inf)
@@ -170,9 +170,11 @@ def _around(node: int, count: int) -> tuple[Array, Array]:
     return on_grid, on_grid == nodes
 
 
-def _corners(of: np.ufunc, nodes: Array) -> Array:
+def _corners(combine: np.ufunc, nodes: Array) -> Array:
     """Cells all or one of whose corners are such nodes."""
-    corners: Array = of.reduce([nodes[:-1, :-1], nodes[1:, :-1], nodes[:-1, 1:], nodes[1:, 1:]])
+    corners: Array = combine.reduce(
+        [nodes[:-1, :-1], nodes[1:, :-1], nodes[:-1, 1:], nodes[1:, 1:]]
+    )
     return corners
 
 

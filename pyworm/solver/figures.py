@@ -114,7 +114,7 @@ def maximum_across(field: Array, positions: Array, within: Array, highest: Array
     """
     nodal = np.where(within, highest, -np.inf)
     node = np.unravel_index(np.argmax(nodal), nodal.shape)
-    about = tuple(slice(max(at - ABOUT, 0), at + ABOUT + 1) for at in node)
+    about = tuple(slice(max(index - ABOUT, 0), index + ABOUT + 1) for index in node)
     between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
     columns = (field[about] @ between.T).max(axis=-1)
     return maximum(columns, within[about])
@@ -137,19 +137,19 @@ SIDE = 0.35
 contact."""
 
 
-def minimum_kind(at: Sequence[float], angle: float, half_extents: tuple[float, float]) -> str:
+def minimum_kind(place: Sequence[float], angle: float, half_extents: tuple[float, float]) -> str:
     """Kind of a point contact's minimum by its place: "side lobe", "exit" or "middle".
 
     Parameters
     ----------
-    at : tuple of float
+    place : tuple of float
         The place (x, y) [m].
     angle : float
         Direction of the entrainment at the contact point, from x to y [rad].
     half_extents : tuple of float
         Half the extent of the dry contact along x and y [m].
     """
-    (x, y), (a, b) = at, half_extents
+    (x, y), (a, b) = place, half_extents
     cosine, sine = np.cos(angle), np.sin(angle)
     along = (x * cosine + y * sine) / _half_width(a, b, cosine, sine)
     across = (y * cosine - x * sine) / _half_width(a, b, -sine, cosine)
@@ -209,9 +209,9 @@ def exit_minimum(grid: Grid, film: Array, angle: float) -> tuple[float, float]:
             film, (ray[0] - grid.west) / grid.dx, (ray[1] - grid.south) / grid.dy
         )
         place = int(np.argmin(thickness))
-        least, at = float(thickness[place]), float(along[place])
+        least, distance = float(thickness[place]), float(along[place])
         along = np.linspace(along[max(place - 1, 0)], along[min(place + 1, along.size - 1)], 65)
-    return least, at
+    return least, distance
 
 
 def contact_extent(grid: Grid, pressure: Array) -> tuple[float, float]:

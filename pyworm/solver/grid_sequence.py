@@ -132,7 +132,7 @@ class GridSequence:
         """The figures so far; None where there is no film yet."""
         if not film_is_sound(self._level, self._settled, self._plan):
             return None
-        return {name: of.value for name, of in self._estimates().items()}
+        return {name: estimate.value for name, estimate in self._estimates().items()}
 
     def finish(self) -> Solution:
         """Refine the grid as far as the accuracy asks."""
@@ -321,7 +321,10 @@ class GridSequence:
         if not film_is_sound(wider, settled, plan):
             return None if self._refinements < MOST_RETRIES else Ending.NO_WIDER_FILM.stop()
         here = self._settled.reading
-        algebra = {name: of + settled.algebra[name] for name, of in self._settled.algebra.items()}
+        algebra = {
+            name: algebraic + settled.algebra[name]
+            for name, algebraic in self._settled.algebra.items()
+        }
         pair = here, settled.reading, with_falls(solver.convergence, seen), algebra
         cut_off = solver.cut_off(self._level, wider)
         near, far = in_this_window(*pair), in_wider_window(*pair, cut_off)
@@ -329,7 +332,7 @@ class GridSequence:
             beta = self._scene.oil.beta
             near, far = (by_warmth(limits, settled.reading, beta) for limits in (near, far))
         worst_near, worst_far = (
-            plan.aim.worst({name: of.error for name, of in limits.items()}, here.figures)
+            plan.aim.worst({name: limit.error for name, limit in limits.items()}, here.figures)
             for limits in (near, far)
         )
         if worst_far > plan.accuracy and self._widenings < MOST_WIDENINGS and self._widen():

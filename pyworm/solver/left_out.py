@@ -116,13 +116,13 @@ class LeftOut:
     @property
     def _not_judged(self) -> str:
         """What is not known without a roughness, and which one would matter, in words."""
-        at = "" if self.contacts == 1 else f" in the worst of {self.contacts} contacts"
+        in_contacts = "" if self.contacts == 1 else f" in the worst of {self.contacts} contacts"
         usual, _ = parse_in(usual_roughness(USUAL), "um")
         above = present(self.mixed_above_roughness_m, "roughness")
         return (
             "Roughness is not given: figures are those of smooth surfaces, and lubrication is not judged. "
             f"Above a composite roughness of {above * 1e6:.2g} µm (Rq) it would be "
-            f"mixed{at}; two {USUAL} surfaces of Ra {usual:.2g} µm have "
+            f"mixed{in_contacts}; two {USUAL} surfaces of Ra {usual:.2g} µm have "
             f"{sqrt(2) * RQ_OVER_RA * usual:.2g} µm."
         )
 
@@ -228,19 +228,19 @@ def worst(several: Sequence[LeftOut]) -> LeftOut:
     if not several:
         return LeftOut()
     influence: dict[str, float] = {}
-    for one in several:
-        for name, fraction in one.influence.items():
+    for contact in several:
+        for name, fraction in contact.influence.items():
             influence[name] = max(fraction, influence.get(name, 0.0))
-    at = max(several, key=_severity)
-    return replace(at, influence=_largest_first(influence), contacts=len(several))
+    severest = max(several, key=_severity)
+    return replace(severest, influence=_largest_first(influence), contacts=len(several))
 
 
-def _severity(one: LeftOut) -> tuple[float, float, float]:
+def _severity(contact: LeftOut) -> tuple[float, float, float]:
     """Numbers that rise with the severity of lubrication."""
-    bearable = one.mixed_above_roughness_m
+    bearable = contact.mixed_above_roughness_m
     return (
-        BY_SEVERITY.index(one.lubrication),
-        -(one.lambda_central or 0.0),
+        BY_SEVERITY.index(contact.lubrication),
+        -(contact.lambda_central or 0.0),
         -inf if bearable is None else -bearable,
     )
 

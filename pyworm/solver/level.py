@@ -125,13 +125,13 @@ class Level(ABC):
     def read(self) -> Reading:
         """Read the film's figures in its present state, without their `peaks`, which few readings need."""
         film, pressure = self.film.thickness(), self.film.pressure
-        film_min, at = figures.film_minimum(self.grid, film, self.borne(), self.covered)
+        film_min, film_place = figures.film_minimum(self.grid, film, self.borne(), self.covered)
         pressure_max = figures.maximum(pressure, self.covered)
         return Reading(
             film_min,
             figures.value_at_origin(self.grid, film),
             pressure_max,
-            at,
+            film_place,
             {},
             self._sheared(self.share_of_contact()) | self._temperatures(),
         )
@@ -154,8 +154,11 @@ class Level(ABC):
         return {
             name: figures.peak(field - start, counted, reading.figures[name])
             for name, (field, counted, start) in (
-                *((name, (*of, 0.0)) for name, of in pressure.items()),
-                *((name, (*of, self.scene.coldest)) for name, of in heat.items()),
+                *((name, (*counted_field, 0.0)) for name, counted_field in pressure.items()),
+                *(
+                    (name, (*counted_field, self.scene.coldest))
+                    for name, counted_field in heat.items()
+                ),
             )
         }
 
@@ -288,7 +291,9 @@ class Level(ABC):
         speed = np.sqrt(sum(component**2 for component in sliding))
         bearing = self.film.asperities().pressure if self.film.rough else np.zeros(speed.shape)
         stress = self.film.boundary_friction * bearing
-        return tuple(-stress * of / np.maximum(speed, STILL) for of in sliding), stress * speed
+        return tuple(
+            -stress * component / np.maximum(speed, STILL) for component in sliding
+        ), stress * speed
 
     def _temperature_fields(self) -> dict[str, tuple[Array, Flags | bool]]:
         """Temperatures above the inlet's [K] whose largest values are figures, and where they count.
@@ -312,7 +317,13 @@ class Level(ABC):
         positions = kernel.level_positions(self.film.levels)
         across = figures.maximum_across(self.film.rise(), positions, np.asarray(contact), highest)
         coldest = self.scene.coldest
-        return dict(zip(HEAT_FIGURES, (of - coldest for of in (*largest, across)), strict=True))
+        return dict(
+            zip(
+                HEAT_FIGURES,
+                (temperature - coldest for temperature in (*largest, across)),
+                strict=True,
+            )
+        )
 
 
 def newtonian_shear(

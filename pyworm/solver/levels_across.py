@@ -88,7 +88,10 @@ def enough_levels(
         changed = change(last.settled.reading, further.settled.reading)
         aim, figures = last.plan.aim, further.settled.reading.figures
         worst = aim.worst(changed, figures)
-        errors = {name: max(of, before[name] / 2, LEAST * worst) for name, of in changed.items()}
+        errors = {
+            name: max(relative, before[name] / 2, LEAST * worst)
+            for name, relative in changed.items()
+        }
         if not film_is_sound(further.level, further.settled, further.plan):
             return _as_judged_by(further, replace(last, errors=errors)) or found
         enough = worst <= error_budget.LEVELS * last.plan.accuracy
@@ -109,7 +112,9 @@ def _as_judged_by(further: EnoughLevels, last: EnoughLevels) -> EnoughLevels | N
     settled = last.plan.aim.worst(algebra, figures) <= last.plan.accuracy
     if figures["film_min"] <= 0 or not (further.level.film.balance.worst <= TELLING and settled):
         return None
-    return replace(last, errors={name: of + algebra[name] for name, of in last.errors.items()})
+    return replace(
+        last, errors={name: error + algebra[name] for name, error in last.errors.items()}
+    )
 
 
 def _with_more_levels(film: EnoughLevels, transient: Transient | None) -> EnoughLevels:

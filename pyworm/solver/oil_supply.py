@@ -110,7 +110,7 @@ def _half_length(level: Level) -> float:
 def _direction(level: Level) -> Array:
     """Unit vector of the entrainment at the contact point."""
     origin = (np.zeros(()),) * level.gap.ndim
-    vector = np.array([float(of) for of in level.scene.entrainment_at(*origin)])
+    vector = np.array([float(component) for component in level.scene.entrainment_at(*origin)])
     direction: Array = vector / np.linalg.norm(vector)
     return direction
 
@@ -139,8 +139,8 @@ def _at(level: Level, field: Array, places: tuple[Array, ...]) -> Array:
     nodes = [
         (place - axis[0]) / (axis[1] - axis[0]) for place, axis in zip(places, axes, strict=True)
     ]
-    at: Array = map_coordinates(field, nodes, order=1, mode="nearest")
-    return at
+    values: Array = map_coordinates(field, nodes, order=1, mode="nearest")
+    return values
 
 
 def _reach(level: Level, sign: float) -> float:

@@ -68,7 +68,7 @@ def fields(
     }
     axes = _axes(level)
     return described(
-        {name: (tuple(reversed(axes)), _single(of).T) for name, of in variables.items()},
+        {name: (tuple(reversed(axes)), _single(values).T) for name, values in variables.items()},
         {axis: ((axis,), places) for axis, places in axes.items()},
         attributes,
     )
@@ -115,9 +115,9 @@ def profile(scene: Contact, level: Level) -> PlainDataset:
     """Temperature and velocity across the film where it is hottest in the contact."""
     rise = level.film.rise()
     hottest = np.where(level.contact(), rise.max(axis=-1), -np.inf)
-    node = tuple(int(at) for at in np.unravel_index(np.argmax(hottest), hottest.shape))
-    place = [of[at] for of, at in zip(_axes(level).values(), node, strict=True)]
-    body_1, _ = scene.velocities_at(*(np.array(of) for of in place))
+    node = tuple(int(index) for index in np.unravel_index(np.argmax(hottest), hottest.shape))
+    place = [axis[index] for axis, index in zip(_axes(level).values(), node, strict=True)]
+    body_1, _ = scene.velocities_at(*(np.array(coordinate) for coordinate in place))
     velocities = _along(
         "profile_velocity",
         level.film.profile(node, [np.asarray(component, dtype=float) for component in body_1]),
@@ -127,7 +127,7 @@ def profile(scene: Contact, level: Level) -> PlainDataset:
         {
             "profile_temperature": (("level",), temperature),
             **{name: (("level",), values) for name, values in velocities.items()},
-            **{name: ((), at) for name, at in _along("profile", place).items()},
+            **{name: ((), coordinate) for name, coordinate in _along("profile", place).items()},
         },
         {"level_position": (("level",), kernel.level_positions(rise.shape[-1]))},
     )
@@ -145,7 +145,7 @@ def heat_balance(level: Level) -> float:
 def _along(name: str, components: Sequence[Any]) -> dict[str, Any]:
     """Components of a vector by the names of their variables."""
     axes = "xy"[: len(components)]
-    return {f"{name}_{axis}": of for axis, of in zip(axes, components, strict=True)}
+    return {f"{name}_{axis}": component for axis, component in zip(axes, components, strict=True)}
 
 
 def _axes(level: Level) -> dict[str, Array]:

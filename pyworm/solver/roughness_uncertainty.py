@@ -110,7 +110,9 @@ def roughness_uncertainty(
     changes = changes_by(level, pair, boundary_friction, dict(varied)).values()
     others = _of_stress(figures, pair.height), waves.changes(figures)
     return {
-        key: hypot(*(of[key] for of in changes), *(of.get(key, 0.0) for of in others))
+        key: hypot(
+            *(change[key] for change in changes), *(change.get(key, 0.0) for change in others)
+        )
         for key in figures
     }
 
@@ -130,8 +132,8 @@ def changes_by(
         followed = _follow(level)
         after = level.read().figures
         changes[name] = {
-            key: whole_change(of, after[key], variation.by_factor) if followed else inf
-            for key, of in figures.items()
+            key: whole_change(value, after[key], variation.by_factor) if followed else inf
+            for key, value in figures.items()
         }
     level.film.roughen(pair.curves(), boundary_friction)
     _start(level, converged)

@@ -101,14 +101,18 @@ class Figures(Shown):
         """Heading and rows of the figures in words."""
         lost = "power_loss" if self.dry else "power_loss_per_length"  # of a line contact
         return "Figures", {
-            name: in_words(of, QUANTITIES[lost if name == "power_loss" else name])
-            for name, of in vars(self).items()
-            if isinstance(of, Estimate)
+            name: in_words(figure, QUANTITIES[lost if name == "power_loss" else name])
+            for name, figure in vars(self).items()
+            if isinstance(figure, Estimate)
         }
 
     def values(self) -> dict[str, float]:
         """Values of the simulated figures that have error bars, by name."""
-        return {name: of.value for name, of in vars(self).items() if isinstance(of, Estimate)}
+        return {
+            name: figure.value
+            for name, figure in vars(self).items()
+            if isinstance(figure, Estimate)
+        }
 
 
 @dataclass(frozen=True)
@@ -214,7 +218,7 @@ class Solution(Shown):
             **films,
             **figures,
             "regime": self.regime.words,
-            "grid": " x ".join(str(self._sizes[of]) for of in self._axes),
+            "grid": " x ".join(str(self._sizes[axis]) for axis in self._axes),
             "effects": ", ".join(effect.name for effect in self.effects if effect.on),
         }
 

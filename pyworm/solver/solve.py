@@ -98,11 +98,11 @@ def _no_worse(
     may be larger in the end, or its film be lost. A film in motion keeps its rates of change.
     """
     error = _error(solution, plan)
-    coarser = next((of for of in COARSER if of > plan.accuracy), None)
+    coarser = next((accuracy for accuracy in COARSER if accuracy > plan.accuracy), None)
     if solution.accurate or coarser is None or error <= coarser:
         return solution
-    own = with_accuracy(scene, plan, plan.accuracy)
-    chosen = (own.grids, own.tolerance) != (plan.grids, plan.tolerance)
+    usual = with_accuracy(scene, plan, plan.accuracy)
+    chosen = (usual.grids, usual.tolerance) != (plan.grids, plan.tolerance)
     if chosen or plan.refusal is not None:
         return solution
     report(f"{scene.name}: again at {percent(coarser)}", 0.0)
@@ -127,8 +127,8 @@ def _error(solution: Solution, plan: Plan) -> float:
     if not solution.converged:
         return inf
     found = {name: getattr(solution.figures, name) for name in plan.aim.figures}
-    errors = {name: of.error for name, of in found.items()}
-    rises = {name: of.value - of.datum for name, of in found.items()}
+    errors = {name: estimate.error for name, estimate in found.items()}
+    rises = {name: estimate.value - estimate.datum for name, estimate in found.items()}
     worst = plan.aim.worst(errors, rises)
     return worst if worst <= WIDEST else plan.aim.without(*HEAT_FIGURES).worst(errors, rises)
 

@@ -56,8 +56,10 @@ def with_wider_bars(
     plan : Plan
         Accuracy and figures asked for.
     """
-    errors = {name: of.error for name, of in estimates.items()}
-    worst, cold = (of.worst(errors, figures) for of in (plan.aim, plan.aim.without(*HEAT_FIGURES)))
+    errors = {name: estimate.error for name, estimate in estimates.items()}
+    worst, cold = (
+        aim.worst(errors, figures) for aim in (plan.aim, plan.aim.without(*HEAT_FIGURES))
+    )
     if stop.ending.accurate or not cold <= WIDEST:
         return stop
     if worst <= WIDEST:
@@ -96,18 +98,18 @@ def stop_reason(
         Accuracy, tolerance and largest grid.
     """
     figures = settled.reading.figures
-    error = plan.aim.worst({name: of.error for name, of in estimates.items()}, figures)
+    error = plan.aim.worst({name: estimate.error for name, estimate in estimates.items()}, figures)
     met = level.film.balance.worst <= plan.tolerance
     resolved = min(settled.reading.film_min, estimates["film_min"].value) > 0
     if met and resolved and error <= plan.accuracy:
         return Ending.ACCURATE.stop()
-    domains = {name: of.domain for name, of in estimates.items()}
+    domains = {name: estimate.domain for name, estimate in estimates.items()}
     domain = plan.aim.worst(domains, figures)
     if np.isfinite(domain) and domain > plan.accuracy:
         if plan.aim.without(*HEAT_FIGURES).worst(domains, figures) > plan.accuracy:
             return Ending.WINDOW_OF_FILM.stop(error=percent(domain))
         # temperatures go on to finer grids, without which nothing is known of what the grids leave
-        grids = {name: of.grid for name, of in estimates.items()}
+        grids = {name: estimate.grid for name, estimate in estimates.items()}
         if plan.aim.worst(grids, figures) <= domain:
             return Ending.WINDOW_OF_HEAT.stop(error=percent(domain))
     last = level.grid.finer().nodes > plan.largest_grid
@@ -139,7 +141,7 @@ def bound_by_conduction(
         least = aim.worst({name: conduction}, figures)
         return least > error_budget.CONDUCTION * plan.accuracy and rest <= plan.accuracy
 
-    return tuple(name for name, of in level.conduction_errors().items() if is_bound(name, of))
+    return tuple(name for name, error in level.conduction_errors().items() if is_bound(name, error))
 
 
 def _not_met(level: Level, plan: Plan) -> Stop:
@@ -157,7 +159,7 @@ def _accurate_but_for(
 ) -> Stop | None:
     """The end that names temperatures which no grid allowed brings to the accuracy, if all else has it."""
     figures = settled.reading.figures
-    errors = {name: of.error for name, of in estimates.items()}
+    errors = {name: estimate.error for name, estimate in estimates.items()}
 
     def without(*names: str) -> bool:
         return plan.aim.without(*names).worst(errors, figures) <= plan.accuracy

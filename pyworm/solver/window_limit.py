@@ -47,7 +47,9 @@ def in_wider_window(
     `cut_off` is the part of some figures, relative, by which the narrower window cuts the contact off and the
     wider one does not: that is no sign of more to come.
     """
-    change = {name: of - cut_off.get(name, 0.0) for name, of in changes(this, wider).items()}
+    change = {
+        name: relative - cut_off.get(name, 0.0) for name, relative in changes(this, wider).items()
+    }
     return _limits(change, convergence, algebra, seen=1.0)
 
 
@@ -100,7 +102,7 @@ def by_warmth(
         if name in HEAT_FIGURES
     )
     others = WindowLimit(0.0, beta * warmer)
-    return {name: of if name in HEAT_FIGURES else others for name, of in limits.items()}
+    return {name: limit if name in HEAT_FIGURES else others for name, limit in limits.items()}
 
 
 def _limits(

@@ -40,7 +40,7 @@ def periodic_cell(surface: Topography) -> Topography:
 
 def common_cell(surfaces: tuple[Topography, Topography]) -> Topography:
     """Sum of two surfaces' heights in one cell, with their x axes alongside."""
-    cells = [periodic_cell(one) for one in surfaces]
+    cells = [periodic_cell(surface) for surface in surfaces]
     if cells[0].height.shape == cells[1].height.shape and cells[0].spacing == cells[1].spacing:
         total = cells[0].height + cells[1].height
         return Topography(total, cells[0].spacing, periodic=True)
@@ -50,7 +50,7 @@ def common_cell(surfaces: tuple[Topography, Topography]) -> Topography:
         _even(min(NODES, round(side / step))) for side, step in zip(sides, finest, strict=True)
     )
     spacing = sides[0] / nx, sides[1] / ny
-    first, second = (_sampled(one, (nx, ny), spacing).height for one in surfaces)
+    first, second = (_sampled(surface, (nx, ny), spacing).height for surface in surfaces)
     return Topography(first + second, spacing, periodic=True)
 
 
@@ -74,15 +74,18 @@ def _sampled(
     else:
         margins, mode = (nodes[0] // BLENDED, nodes[1] // BLENDED), "nearest"
     places = []
-    for n, margin, step, own, count in zip(
+    for n, margin, step, surface_step, count in zip(
         nodes, margins, spacing, surface.spacing, surface.height.shape, strict=True
     ):
-        start = (count - (n + margin) * step / own) // 2
-        places.append(start + np.arange(n + margin) * step / own)
-    exact = all(np.allclose(one, np.round(one)) for one in places)
+        start = (count - (n + margin) * step / surface_step) // 2
+        places.append(start + np.arange(n + margin) * step / surface_step)
+    exact = all(np.allclose(axis_places, np.round(axis_places)) for axis_places in places)
     height = scipy.ndimage.map_coordinates(
         surface.height,
-        np.meshgrid(*(np.round(one) if exact else one for one in places), indexing="ij"),
+        np.meshgrid(
+            *(np.round(axis_places) if exact else axis_places for axis_places in places),
+            indexing="ij",
+        ),
         order=1 if exact else 3,
         mode=mode,
     )
@@ -99,6 +102,6 @@ def _blended(height: Array, axis: int, margin: int) -> Array:
     height = np.moveaxis(height, axis, 0)
     angle = np.pi / 2 * (np.arange(margin) + 0.5) / margin
     cell = height[:-margin].copy()
-    own, beyond = np.sin(angle)[:, None], np.cos(angle)[:, None]
-    cell[:margin] = own * cell[:margin] + beyond * height[-margin:]
+    before, beyond = np.sin(angle)[:, None], np.cos(angle)[:, None]
+    cell[:margin] = before * cell[:margin] + beyond * height[-margin:]
     return np.moveaxis(cell, 0, axis)

@@ -96,7 +96,7 @@ def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None)
 
 def _of_arrays(arrays: dict[str, Array]) -> CellTable:
     """The table of kept arrays, one each for the places of the others; ValueError if they are not."""
-    height, *rest = (arrays[one.name] for one in fields(CellTable))
+    height, *rest = (arrays[field.name] for field in fields(CellTable))
     table = CellTable(float(height), *rest)
     if len({len(column) for column in rest}) != 1 or not all(np.isfinite(rest[0])):
         raise ValueError("columns of other lengths, or without values")

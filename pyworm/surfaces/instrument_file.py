@@ -101,14 +101,14 @@ def _scales(
 ) -> tuple[float, tuple[float, float]]:
     """Metres of a unit of the heights, and the distances of points [m], by the file or in its place."""
     unit, sides, shape = channel.unit, channel.physical_sizes, channel.nb_grid_pts
-    own = None if unit is None else metres_of(str(unit))
-    if unit is not None and own is None:
+    file_unit = None if unit is None else metres_of(str(unit))
+    if unit is not None and file_unit is None:
         raise ValueError(f'has numbers in "{unit}"; heights are needed')
-    if own is None and metres is None:
+    if file_unit is None and metres is None:
         raise ValueError('does not give its unit; give height_unit = "um" beside it')
-    if own is not None and metres is not None:
+    if file_unit is not None and metres is not None:
         raise ValueError(f"gives its own unit, {unit}; leave out height_unit")
-    scale = own if own is not None else present(metres, "height_unit")
+    scale = file_unit if file_unit is not None else present(metres, "height_unit")
     steps = None
     if sides is not None:
         step_x, step_y = (float(side) * scale / n for side, n in zip(sides, shape, strict=True))

@@ -170,8 +170,8 @@ def _autocorrelation(surface: Topography) -> Array:
     padded = shape
     if not surface.periodic:
         padded = tuple(scipy.fft.next_fast_len(2 * n, real=True) for n in shape)
-    pairs = [np.abs(np.fft.rfft2(one, s=padded)) ** 2 for one in (height, known.astype(float))]
-    raw, count = (np.fft.irfft2(one, s=padded) for one in pairs)
+    pairs = [np.abs(np.fft.rfft2(field, s=padded)) ** 2 for field in (height, known.astype(float))]
+    raw, count = (np.fft.irfft2(field, s=padded) for field in pairs)
     raw = raw / np.maximum(count, 1.0)
     middle = np.fft.fftshift(raw / raw[0, 0])
     if surface.periodic:

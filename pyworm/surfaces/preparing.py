@@ -123,7 +123,7 @@ def _levelled(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array
         if not _matter(level, cleaned, far):
             return level, np.isnan(level)
         worst = np.nanmax(np.abs(level[far])) * 1e6
-        kept, without = (np.nanstd(one) * 1e6 for one in (level, cleaned))
+        kept, without = (np.nanstd(field) * 1e6 for field in (level, cleaned))
         raise ValueError(
             f"has {far.sum()} outliers, up to {worst:.3g} um from the mean, which stand out of all around "
             f"them: Rq is {kept:.3g} um with them and {without:.3g} um without; give outliers = "
@@ -233,8 +233,8 @@ def _filled(level: Array, missing: Array) -> Array:
     rows, columns, values = [], [], []
     right = np.zeros(missing.sum())
     count = np.zeros(missing.sum())
-    for axis, way in ((0, 1), (0, -1), (1, 1), (1, -1)):
-        beside, height = (_neighbours(field, axis, way) for field in (number, level))
+    for axis, step in ((0, 1), (0, -1), (1, 1), (1, -1)):
+        beside, height = (_neighbours(field, axis, step) for field in (number, level))
         inside = missing & (beside > -2)
         count += inside[missing]
         known = inside & (beside == -1)
@@ -252,10 +252,10 @@ def _filled(level: Array, missing: Array) -> Array:
     return full
 
 
-def _neighbours(field: Array, axis: int, way: int) -> Array:
+def _neighbours(field: Array, axis: int, step: int) -> Array:
     """The field's value at each point's neighbour; -2 beyond the edge."""
-    beside = np.roll(field, -way, axis=axis)
+    beside = np.roll(field, -step, axis=axis)
     edge: list[slice | int] = [slice(None)] * 2
-    edge[axis] = -1 if way == 1 else 0
+    edge[axis] = -1 if step == 1 else 0
     beside[tuple(edge)] = -2
     return beside

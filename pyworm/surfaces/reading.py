@@ -118,7 +118,7 @@ def _require_given(
 
 def _require_readable(shape: tuple[int, ...]) -> None:
     if prod(shape) > MOST_POINTS:
-        size = " x ".join(f"{one}" for one in shape)
+        size = " x ".join(f"{count}" for count in shape)
         raise ValueError(f"has {size} points, {MOST_POINTS} are read at most; give a part of it")
 
 
@@ -126,7 +126,7 @@ def _require_area(heights: Array) -> None:
     if heights.ndim != 2:
         raise ValueError(f"must be an area, two dimensions of heights, not {heights.ndim}")
     if min(heights.shape) < LEAST_POINTS:
-        size = " x ".join(f"{one}" for one in heights.shape)
+        size = " x ".join(f"{count}" for count in heights.shape)
         raise ValueError(
             f"has {size} points, at least {LEAST_POINTS} along each side are needed, such as 256 x 256"
         )
@@ -167,27 +167,29 @@ def _of_text(
     metres = header.height_metres if metres is None else metres
     if columns == 3 and header.sides is None:
         return _of_points(numbers, header.metres, metres, spacing)
-    own = header.steps
+    file_steps = header.steps
     if header.sides is not None:
-        own = header.sides[0] / columns, header.sides[1] / rows
-    if own is not None and spacing is not None:
-        if plausible_side((columns, rows), own):
+        file_steps = header.sides[0] / columns, header.sides[1] / rows
+    if file_steps is not None and spacing is not None:
+        if plausible_side((columns, rows), file_steps):
             raise ValueError("gives the distance of its points in its header; leave out spacing")
-        own = None
-    metres, step = _require_given(numbers, metres, spacing if own is None else own[0])
-    return numbers.T * metres, (step, step) if own is None else own
+        file_steps = None
+    metres, step = _require_given(numbers, metres, spacing if file_steps is None else file_steps[0])
+    return numbers.T * metres, (step, step) if file_steps is None else file_steps
 
 
 def _of_points(
     points: Array,
-    own: tuple[float, float] | None,
+    file_units: tuple[float, float] | None,
     metres: float | None,
     spacing: float | None,
 ) -> tuple[Array, tuple[float, float]]:
-    """Heights [m] and spacing [m] of a list of points, `own` being the metres of its x and of its y."""
-    if own is not None and spacing is not None:
+    """Heights [m] and spacing [m] of a list of points, `file_units` the metres of its x and y."""
+    if file_units is not None and spacing is not None:
         raise ValueError("gives the units of x and y in its header; leave out spacing")
-    metres, step = _require_given(points[:, 2], metres, spacing if own is None else own[0])
+    metres, step = _require_given(
+        points[:, 2], metres, spacing if file_units is None else file_units[0]
+    )
     heights, (dx, dy) = on_grid(points, MOST_POINTS)
-    scales = (step / dx, step / dx) if own is None else own
+    scales = (step / dx, step / dx) if file_units is None else file_units
     return heights * metres, (dx * scales[0], dy * scales[1])

@@ -99,7 +99,7 @@ def _require_words(above: list[tuple[int, str]], separator: str | None, count: i
     """Refuse a row of numbers with something else among them that would count as a line of the header."""
     for n, line in above:
         entries = _entries(line, separator)
-        wrong = [one for one in entries if not _number(one)]
+        wrong = [entry for entry in entries if not _number(entry)]
         if not _comment(line) and len(entries) >= count > 3 and 2 * len(wrong) < len(entries):
             if wrong:
                 raise _no_number(n, wrong[0])
@@ -120,7 +120,7 @@ def _separator(line: str) -> str | None:
     if ";" in line:
         return ";"
     entries = line.split()
-    commas = "," in line and not all(_DECIMAL_COMMA.fullmatch(one) for one in entries)
+    commas = "," in line and not all(_DECIMAL_COMMA.fullmatch(entry) for entry in entries)
     if commas:
         return ","
     return "\t" if "\t\t" in line.strip() else None
@@ -130,18 +130,18 @@ def _entries(line: str, separator: str | None) -> list[str]:
     """Entries of a line; one after the last separator counts only if something stands there."""
     if separator is None:
         return line.split()
-    entries = [one.strip() for one in line.split(separator)]
+    entries = [entry.strip() for entry in line.split(separator)]
     return entries[:-1] if len(entries) > 1 and not entries[-1] else entries
 
 
 def _count(line: str, separator: str | None) -> int:
     """Number of entries of a line of numbers; zero of any other."""
     entries = _entries(line, separator)
-    if _comment(line) or all(_missing(one) for one in entries):
+    if _comment(line) or all(_missing(entry) for entry in entries):
         return 0
     try:
-        for one in entries:
-            _value(one.replace(",", "."))
+        for entry in entries:
+            _value(entry.replace(",", "."))
     except ValueError:
         return 0
     return len(entries)
@@ -171,9 +171,9 @@ def _numbers(rows: list[str], separator: str | None, lines: list[str], start: in
                 f"{len(numbers[0])}; it may be cut short)"
             )
         try:
-            numbers.append([_value(one) for one in entries])
+            numbers.append([_value(entry) for entry in entries])
         except ValueError:
-            raise _no_number(n, next(one for one in entries if not _number(one))) from None
+            raise _no_number(n, next(entry for entry in entries if not _number(entry))) from None
     return np.array(numbers)
 
 

@@ -158,8 +158,8 @@ def _length(text: str | None, metres: float | None) -> float | None:
     if parts is None:
         return None
     number, unit = parts
-    own = metres_of(unit) if unit else metres
-    return float(number) * own if own is not None and float(number) > 0 else None
+    unit_metres = metres_of(unit) if unit else metres
+    return float(number) * unit_metres if unit_metres is not None and float(number) > 0 else None
 
 
 def _number(text: str) -> float | None:

@@ -43,15 +43,17 @@ class TopographyPair:
 
     def contact(self) -> CellTable:
         """The table of both together: heights add, or stand for both where only one is known."""
-        known = [one for one in self.surfaces if one is not None]
+        known = [surface for surface in self.surfaces if surface is not None]
         cell = common_cell((known[0], known[1])) if len(known) == 2 else periodic_cell(known[0])
         return self._table(cell)
 
     def flows(self) -> tuple[tuple[float, CellTable], tuple[float, CellTable]]:
         """Of each surface the direction of its x axis [rad] and the table of it alone, as high as both."""
-        known = next(one for one in self.surfaces if one is not None)
-        own = [one if one is not None else known for one in self.surfaces]
-        first, second = ((one.x_direction, self._table(periodic_cell(one))) for one in own)
+        known = next(surface for surface in self.surfaces if surface is not None)
+        both = [surface if surface is not None else known for surface in self.surfaces]
+        first, second = (
+            (surface.x_direction, self._table(periodic_cell(surface))) for surface in both
+        )
         return first, second
 
     def _table(self, cell: Topography) -> CellTable:
@@ -79,8 +81,10 @@ class TopographyPair:
         least = NARROWEST * self.height
         thickness = (np.maximum(open_gap, 0.0) ** 4 + least**4) ** 0.25
         cube, shear = np.zeros((3, gap.size)), np.zeros((3, gap.size))
-        for (direction, table), own, side in zip(self.flows(), self.heights, (1, -1), strict=True):
-            share = (own / self.height) ** 2
+        for (direction, table), height, side in zip(
+            self.flows(), self.heights, (1, -1), strict=True
+        ):
+            share = (height / self.height) ** 2
             factors, dragged = flow_beyond(table, gap)
             cube += share * _turned(factors, direction) * np.maximum(open_gap, 0.0) ** 3
             shear += side * share * _turned(dragged, direction) * np.maximum(open_gap, 0.0)

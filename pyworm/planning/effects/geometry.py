@@ -73,7 +73,9 @@ def _axis(scene: Scene) -> int | None:
     """The axis of the contact along which entrainment and sliding lie; None if there is none."""
     origin = np.zeros(())
     for axis in (0, 1):
-        velocities = [of(origin, origin) for of in (scene.entrainment, scene.sliding)]
+        velocities = [
+            velocity_at(origin, origin) for velocity_at in (scene.entrainment, scene.sliding)
+        ]
         if all(
             abs(float(v[1 - axis])) <= ALIGNED * hypot(float(v[0]), float(v[1])) for v in velocities
         ):
@@ -234,9 +236,9 @@ def _uniform(scene: AnyContact) -> str | None:
     return None
 
 
-def _variation(scene: AnyContact, of: str) -> float:
+def _variation(scene: AnyContact, name: str) -> float:
     """Largest change of a velocity field on the rim over its size in the middle."""
-    field = getattr(scene, of)
+    field = getattr(scene, name)
     u, v = field(*_on_the_rim(scene))
     middle = [float(part) for part in field(np.zeros(()), np.zeros(()))]
     change = float(np.max(np.hypot(u - middle[0], v - middle[1])))
@@ -267,7 +269,7 @@ VARYING_VELOCITY = Effect(
     symbol="|u - u0| / |u0|, at the rim",
     source="velocities at eight places of the outline of Hertz's contact; h ~ u^0.7",
     indicator=lambda prediction: max(
-        _variation(prediction.scene, of) for of in ("entrainment", "sliding")
+        _variation(prediction.scene, field) for field in ("entrainment", "sliding")
     ),
     influence=_by_variation,
     without=_translating,

@@ -105,12 +105,12 @@ HOT_FRICTION = 2.0
 
 def unlike(prediction: Prediction, other: FlowLaw) -> Influence:
     """Influence of replacing the oil's flow law by another one."""
-    own = prediction.oil.sheared
+    law_of_oil = prediction.oil.sheared
 
     def change(newtonian: float, pressure: float) -> float:
         if newtonian == 0:
             return 0.0
-        stresses = [law.stress_at(newtonian, pressure) for law in (own, other)]
+        stresses = [law.stress_at(newtonian, pressure) for law in (law_of_oil, other)]
         return 1 - min(stresses) / max(stresses)
 
     lobe = LOBE_PRESSURE * prediction.pressure_mean

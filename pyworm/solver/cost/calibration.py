@@ -126,13 +126,13 @@ class Calibration:
         """Expected processor time of time steps, without the sampling of the scene [s]."""
         full = self._full(kind, model)
         return sum(
-            one.count
+            step.count
             * (
-                full.entry(one.nodes)
-                + full.steps(NEWTON_STEPS[kind][model.heated], one.nodes)
-                + BESIDE[kind][model.heated] * full.entry(one.coarse)
+                full.entry(step.nodes)
+                + full.steps(NEWTON_STEPS[kind][model.heated], step.nodes)
+                + BESIDE[kind][model.heated] * full.entry(step.coarse)
             )
-            for one in steps
+            for step in steps
         )
 
     def _full(self, kind: Kind, model: Model) -> Pace:

@@ -38,7 +38,7 @@ class TimeSteps:
 class Motion:
     """Expected transient solves of the life of one contact."""
 
-    own: tuple[TimeSteps, ...]
+    up_to_present: tuple[TimeSteps, ...]
     """Time steps up to its own time."""
     further: tuple[TimeSteps, ...]
     """Those of one more solve, for it alone; empty where there is none to be had."""
@@ -98,8 +98,10 @@ def _time_steps(
         for refinement in refinements
         for on, place in places_of(course, refinement, begin, last)
     )
-    of = {True: course.grid, False: course.grid_of_contact}
+    grids = {True: course.grid, False: course.grid_of_contact}
     return tuple(
-        TimeSteps(of[together](course.begin, on).nodes, of[together](course.begin, 0).nodes, count)
+        TimeSteps(
+            grids[together](course.begin, on).nodes, grids[together](course.begin, 0).nodes, count
+        )
         for (on, together), count in counts.items()
     )

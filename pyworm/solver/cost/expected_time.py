@@ -69,11 +69,11 @@ def expectation(scene: Scene | LineScene, plan: Plan, course: Course | None = No
     making = _making(scene)
 
     def taken(steps: Sequence[TimeSteps]) -> float:
-        sampled = sum(one.count * (one.nodes * times + making) for one in steps)
+        sampled = sum(step.count * (step.nodes * times + making) for step in steps)
         return pace.motion_seconds(plan.work.kind, plan.model, steps) + sampled
 
     film += FURTHER * taken(moving.further)
-    past = taken(moving.own)
+    past = taken(moving.up_to_present)
     return Expectation(film + past, (film + past) / unit, past, taken(moving.shared), moving.part)
 
 
@@ -93,15 +93,15 @@ def expectations(
 
 def together(expected: Sequence[Expectation], lives: Sequence[Hashable]) -> float:
     """Processor time of several solves, each of a life, whose transient solves they share [s]."""
-    seconds = sum(of.seconds - of.past for of in expected)
+    seconds = sum(solve.seconds - solve.past for solve in expected)
     by_life = defaultdict(list)
-    for number, (of, life) in enumerate(zip(expected, lives, strict=True)):
-        by_life[number if of.part is None else life].append(of)
+    for number, (solve, life) in enumerate(zip(expected, lives, strict=True)):
+        by_life[number if solve.part is None else life].append(solve)
     for some in by_life.values():
         if len(some) == 1:
             seconds += some[0].past
         else:
-            seconds += sum({of.part: of.shared for of in some}.values())
+            seconds += sum({solve.part: solve.shared for solve in some}.values())
     return seconds
 
 

@@ -77,8 +77,8 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
     return LineFarField(-log1p(-believed) / viscosity.alpha, max(load, 0.0) + stiffening)
 
 
-def _deflection(scene: LineScene, at: Array, grid: LineGrid, pressure: Array) -> Array:
+def _deflection(scene: LineScene, places: Array, grid: LineGrid, pressure: Array) -> Array:
     """Deflection [m], up to a constant, beyond a grid, with the pressure of each cell as a line load."""
-    distance = np.maximum(abs(at[:, None] - grid.x[None, :]), grid.dx / 2)
+    distance = np.maximum(abs(places[:, None] - grid.x[None, :]), grid.dx / 2)
     deflection: Array = -4 * grid.dx / (np.pi * scene.bending_modulus) * np.log(distance) @ pressure
     return deflection

@@ -135,7 +135,9 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         beyond = np.ones(wider.grid.shape, dtype=bool)
         beyond[wider.grid.nodes_of(narrow.grid)] = False
         whole = wider.read().figures
-        return {name: of / abs(whole[name]) for name, of in wider.rubbed(beyond).items() if of}
+        return {
+            name: value / abs(whole[name]) for name, value in wider.rubbed(beyond).items() if value
+        }
 
     def _begun(self, grids: Sequence[Grid]) -> tuple[PointLevel, list[NewtonStep]]:
         """Solve the windows for a Newtonian oil of one temperature; the last of them is not solved yet."""

@@ -147,8 +147,8 @@ def guess_around(narrow: PointLevel, wide: PointLevel) -> InitialGuess:
     rise = None
     if within.rise is not None:
         nearest = (
-            np.clip(np.arange(nodes) + of.start - to.start, 0, most - 1)
-            for nodes, most, to, of in zip(
+            np.clip(np.arange(nodes) + source.start - target.start, 0, most - 1)
+            for nodes, most, target, source in zip(
                 wide.grid.shape, narrow.grid.shape, covered, shared, strict=True
             )
         )

@@ -177,7 +177,7 @@ class Course:
         """Velocity of the grid's nodes at a time."""
         first, last = self._fitted
         breathes = first <= seconds <= last
-        growth = [float(of.deriv()(seconds)) * breathes for of in self._log_spacing]
+        growth = [float(spacing.deriv()(seconds)) * breathes for spacing in self._log_spacing]
         if len(growth) == 1:
             return Stretching(*growth)
         along_x, along_y = growth
@@ -195,33 +195,42 @@ def course_of(life: Life, plan: Plan) -> Course:
     times, contacts = _loaded(life)
     heaviest = max(contact.load for contact in contacts)
     counted = [
-        (seconds, contact, of)
+        (seconds, contact, prediction)
         for seconds, contact in zip(times, contacts, strict=True)
-        if contact.load >= LIGHT * heaviest and (of := _predicted(contact)) is not None
+        if contact.load >= LIGHT * heaviest and (prediction := _predicted(contact)) is not None
     ]
     if not counted:
         raise ValueError("its surfaces carry no load in motion")
-    at, of_all, predictions = zip(*counted, strict=True)
-    whole = _whole_plan(of_all, predictions, plan)
-    flows = [_flow(contact) for contact in of_all]
+    times_under_load, contacts_under_load, predictions = zip(*counted, strict=True)
+    whole = _whole_plan(contacts_under_load, predictions, plan)
+    flows = [_flow(contact) for contact in contacts_under_load]
     some = _drawn(flows)
-    drawn, flows = [at[number] for number in some], [flows[number] for number in some]
-    simple = [whole.simplified(of_all[number]) for number in some]
+    drawn, flows = [times_under_load[number] for number in some], [flows[number] for number in some]
+    simple = [whole.simplified(contacts_under_load[number]) for number in some]
     grids = [moving_grid(contact, whole.accuracy, whole.model) for contact in simple]
     coarsening = COARSENING[whole.work.kind]
     sides = _sides(grids, flows, coarsening)
     spacings = _spacings(drawn, grids, coarsening, written=bool(life.kinks))
     if whole.work.kind == "line":
-        half_widths = [of.half_width for of in predictions]
-        lines = [of for of in grids if isinstance(of, LineGrid)]
-        sides = (_covering(sides[0], at, half_widths, drawn, lines, spacings[0]),)
-    paced = list(zip(at, of_all, predictions, strict=True))
-    if times[0] < life.touched < at[0]:
+        half_widths = [prediction.half_width for prediction in predictions]
+        lines = [grid for grid in grids if isinstance(grid, LineGrid)]
+        sides = (_covering(sides[0], times_under_load, half_widths, drawn, lines, spacings[0]),)
+    paced = list(zip(times_under_load, contacts_under_load, predictions, strict=True))
+    if times[0] < life.touched < times_under_load[0]:
         touching = life.at(life.touched)
         paced.insert(0, (life.touched, touching, predicted(touching)))
     instants, paced_contacts, expected = zip(*paced, strict=True)
     pace = _pace(instants, paced_contacts, expected, life)
-    course = Course(life, whole, times[0], times[-1], sides, spacings, (at[0], at[-1]), pace)
+    course = Course(
+        life,
+        whole,
+        times[0],
+        times[-1],
+        sides,
+        spacings,
+        (times_under_load[0], times_under_load[-1]),
+        pace,
+    )
     if whole.work.kind == "line" or not life.touched > course.begin:
         return course
     return replace(course, approach=_approach(course))
@@ -253,8 +262,10 @@ def _loaded(life: Life) -> tuple[list[float], list[AnyContact]]:
         knots[first], states[first] = _farthest(life, knots[first], knots[first - 1])
     if last < len(knots) - 1:
         knots[last], states[last] = _farthest(life, knots[last], knots[last + 1])
-    found = [(at, state) for at, state in zip(knots, states, strict=True) if state is not None]
-    return [at for at, _ in found], [state for _, state in found]
+    found = [
+        (seconds, state) for seconds, state in zip(knots, states, strict=True) if state is not None
+    ]
+    return [seconds for seconds, _ in found], [state for _, state in found]
 
 
 def _at(life: Life[AnyContact], seconds: float) -> AnyContact | None:
@@ -292,7 +303,10 @@ def _whole_plan(
     It depends on the accuracy and the choice of effects alone, and is the same for all contacts of a life.
     """
     called = frozenset().union(
-        *(effects_for(one, plan, of) for one, of in zip(contacts, predictions, strict=True))
+        *(
+            effects_for(contact, plan, prediction)
+            for contact, prediction in zip(contacts, predictions, strict=True)
+        )
     )
     middle = len(contacts) // 2
     return planned(
@@ -333,7 +347,9 @@ def _sides(
             step = grid.spacing[direction] * coarsening
             reach = -places[0] / step, places[-1] / step
             reaches.setdefault(flow[direction], []).append(reach)
-        of_flows = [np.quantile(of, COMMON, axis=0) for of in reaches.values()]
+        of_flows = [
+            np.quantile(reaches_of_flow, COMMON, axis=0) for reaches_of_flow in reaches.values()
+        ]
         sides.append(np.max(of_flows, axis=0).tolist())
     return _whole_cells(sides)
 
@@ -371,7 +387,7 @@ def _covering(
         return sides
     ends = []
     for side, reaches in zip(
-        sides, zip(*((-of.x[0], of.x[-1]) for of in grids), strict=True), strict=True
+        sides, zip(*((-grid.x[0], grid.x[-1]) for grid in grids), strict=True), strict=True
     ):
         windows = np.interp(times, drawn, reaches / np.interp(drawn, times, widths))
         ends.append(max(side, np.max(windows * widths / steps)))
@@ -385,9 +401,9 @@ def _spacings(
     logs = np.log([[coarsening * step for step in grid.spacing] for grid in grids])
     if written and np.all(np.ptp(logs, axis=0) <= 2 * log(KEPT)):
         middle = (logs.max(axis=0) + logs.min(axis=0)) / 2
-        return tuple(np.polynomial.Polynomial([of]) for of in middle)
+        return tuple(np.polynomial.Polynomial([values]) for values in middle)
     degree = min(DEGREE, len(times) - 1)
-    return tuple(np.polynomial.Polynomial.fit(times, of, degree) for of in logs.T)
+    return tuple(np.polynomial.Polynomial.fit(times, values, degree) for values in logs.T)
 
 
 def _pace(
@@ -402,7 +418,7 @@ def _pace(
     surfaces that are apart, counts as one, in a tooth pair's two of them (`FOLDS`).
     """
     duration = life.duration
-    paces = [max(1 / of.transit, LEAST_TRANSITS / duration) for of in predictions]
+    paces = [max(1 / prediction.transit, LEAST_TRANSITS / duration) for prediction in predictions]
     each = 1.0 if life.kinks else 1 / FOLDS
     for number, (before, after) in enumerate(pairwise(zip(times, contacts, strict=True))):
         folds = each * _folds(before[1], after[1]) / (after[0] - before[0])

@@ -7,14 +7,14 @@ import numpy as np
 from pyworm.formulas.arrays import Array
 
 
-def weights(times: Sequence[float], at: float) -> tuple[Array, Array]:
+def weights(times: Sequence[float], time: float) -> tuple[Array, Array]:
     """Weights of values at some times in the polynomial through them and in its rate of change.
 
     Parameters
     ----------
     times : sequence of float
         Times of the values [s].
-    at : float
+    time : float
         Time at which the polynomial is wanted [s].
 
     Returns
@@ -22,7 +22,7 @@ def weights(times: Sequence[float], at: float) -> tuple[Array, Array]:
     values, rates : ndarray
         Weights in the value [-] and in the rate of change [1/s].
     """
-    since = np.asarray(times, float) - at
+    since = np.asarray(times, float) - time
     scale = np.abs(since).max() or 1.0
     coefficients = np.linalg.inv(np.vander(since / scale, increasing=True))
     rates = coefficients[1] / scale if len(since) > 1 else np.zeros(1)

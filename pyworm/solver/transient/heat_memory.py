@@ -66,7 +66,8 @@ def velocities_at_origin(contact: Scene | LineScene) -> tuple[tuple[float, ...],
     """Velocity of each body at the contact point along each direction [m/s]."""
     origin = [np.zeros(1)] * (1 if isinstance(contact, LineScene) else 2)
     return tuple(
-        tuple(float(component.item()) for component in of) for of in contact.velocities_at(*origin)
+        tuple(float(component.item()) for component in velocity)
+        for velocity in contact.velocities_at(*origin)
     )
 
 
@@ -102,8 +103,8 @@ def remembered_rise(
     """
     # solved for the film's nodes already, of which those of the coarse grid are some
     nodes = tuple(
-        slice(None, None, (of - 1) // (few - 1))
-        for of, few in zip(grid.shape, coarse.shape, strict=True)
+        slice(None, None, (nodes_of_grid - 1) // (nodes_of_coarse - 1))
+        for nodes_of_grid, nodes_of_coarse in zip(grid.shape, coarse.shape, strict=True)
     )
     now = velocities_at_origin(contact)
     present = HeatedInstant(seconds, grid, _onward(history, seconds), now)
@@ -113,15 +114,15 @@ def remembered_rise(
     ):
         chosen = _ages(history, seconds, _passage(grid, now[number]))
         known = [present, *chosen]
-        ages = [seconds - one.seconds for one in known]
-        way = _way([present, *history], chosen[-1].seconds, number)
+        ages = [seconds - instant.seconds for instant in known]
+        distance = _way([present, *history], chosen[-1].seconds, number)
         rise = kernel.remembered_flux(
             _history(known, number),
-            _readings(ages, _passing(coarse, now[number]), way),
+            _readings(ages, _passing(coarse, now[number]), distance),
             turning,
             now[number],
             _axes(coarse),
-            [of[nodes] for of in velocity],
+            [component[nodes] for component in velocity],
         )
         rise /= sqrt(pi * body.thermal_inertia)
         rises.append(at_places(coarse, rise, grid))
@@ -131,9 +132,9 @@ def remembered_rise(
 def _history(known: Sequence[HeatedInstant], body: int) -> kernel.FluxHistory:
     """Fluxes into a body at some times on their grids."""
     return kernel.FluxHistory(
-        [one.flux[..., body] for one in known],
-        [tuple(float(axis[0]) for axis in _axes(one.grid)) for one in known],
-        [one.grid.spacing for one in known],
+        [instant.flux[..., body] for instant in known],
+        [tuple(float(axis[0]) for axis in _axes(instant.grid)) for instant in known],
+        [instant.grid.spacing for instant in known],
     )
 
 
@@ -150,7 +151,7 @@ def _onward(history: Sequence[HeatedInstant], seconds: float) -> Array:
     latest = history[0].flux
     if len(history) == 1:
         return latest
-    last, before = (one.flux.sum(axis=-1) for one in history[:2])
+    last, before = (instant.flux.sum(axis=-1) for instant in history[:2])
     ahead = (seconds - history[0].seconds) / (history[0].seconds - history[1].seconds)
     parts = np.abs(latest)
     whole = parts.sum(axis=-1, keepdims=True)
@@ -164,19 +165,19 @@ def _onward(history: Sequence[HeatedInstant], seconds: float) -> Array:
 def _passage(grid: Grid | LineGrid, velocity: Sequence[float]) -> float:
     """Time of a surface's way through a grid [s]."""
     lengths = [abs(axis[-1] - axis[0]) for axis in _axes(grid)]
-    rate = max(abs(of) / length for of, length in zip(velocity, lengths, strict=True))
+    rate = max(abs(component) / length for component, length in zip(velocity, lengths, strict=True))
     return 1 / rate if rate > 0 else np.inf
 
 
 def _ages(history: Sequence[HeatedInstant], seconds: float, passage: float) -> list[HeatedInstant]:
     """Instants of growing distance, up to those so long ago that the heated place has left the grid."""
     chosen = [history[0]]
-    for one in history[1:]:
+    for instant in history[1:]:
         last = seconds - chosen[-1].seconds
         if last > passage:
             break
-        if seconds - one.seconds >= min(RATIO * last, last + passage / PARTS):
-            chosen.append(one)
+        if seconds - instant.seconds >= min(RATIO * last, last + passage / PARTS):
+            chosen.append(instant)
     return chosen
 
 
@@ -193,17 +194,19 @@ def _weights(ages: Sequence[float]) -> list[float]:
         late = (first - a * whole) / (b - a)
         weights[number] += whole - late
         weights[number + 1] += late
-    return [float(of) for of in weights[1:]]
+    return [float(weight) for weight in weights[1:]]
 
 
 def _passing(grid: Grid | LineGrid, velocity: Sequence[float]) -> float:
     """Time in which a surface passes `CELLS` of a grid [s]."""
-    rate = max(abs(of) / step for of, step in zip(velocity, grid.spacing, strict=True))
+    rate = max(
+        abs(component) / step for component, step in zip(velocity, grid.spacing, strict=True)
+    )
     return CELLS / rate if rate > 0 else np.inf
 
 
 def _readings(
-    ages: Sequence[float], most: float, way: Callable[[float], Array]
+    ages: Sequence[float], most: float, distance: Callable[[float], Array]
 ) -> list[kernel.FluxReading]:
     """Readings up to each of some ages, the first of which is zero, not more than a time apart [s]."""
     places = []
@@ -213,7 +216,7 @@ def _readings(
         places += [(later + share * (earlier - later), interval, share) for share in shares]
     weights = _weights([age for age, _, _ in places])
     return [
-        kernel.FluxReading(age, weight, interval, share, tuple(way(age)))
+        kernel.FluxReading(age, weight, interval, share, tuple(distance(age)))
         for (age, interval, share), weight in zip(places, weights, strict=True)
     ]
 
@@ -223,12 +226,12 @@ def _way(known: Sequence[HeatedInstant], since: float, body: int) -> Callable[[f
 
     It is that of instants from the present, the first, to a time [s].
     """
-    some = [one for one in known if one.seconds >= since]
-    ages = some[0].seconds - np.array([one.seconds for one in some])
-    velocities = np.array([one.velocities[body] for one in some])
+    some = [instant for instant in known if instant.seconds >= since]
+    ages = some[0].seconds - np.array([instant.seconds for instant in some])
+    velocities = np.array([instant.velocities[body] for instant in some])
     parts = (velocities[1:] + velocities[:-1]) / 2 * np.diff(ages)[:, np.newaxis]
     ways = np.vstack([np.zeros_like(velocities[:1]), np.cumsum(parts, axis=0)])
-    return lambda age: np.array([np.interp(age, ages, of) for of in ways.T])
+    return lambda age: np.array([np.interp(age, ages, distances) for distances in ways.T])
 
 
 def _axes(grid: Grid | LineGrid) -> tuple[Array, ...]:

@@ -54,11 +54,11 @@ def extrapolated(before: Sequence[Instant], seconds: float) -> InitialGuess:
     settle slowly, and extrapolated they run away.
     """
     latest = before[0].state
-    of, _ = weights([one.seconds for one in before], seconds)
+    coefficients, _ = weights([instant.seconds for instant in before], seconds)
 
     def onward(name: str) -> Array:
-        parts = zip(of, before, strict=True)
-        return np.asarray(sum(weight * getattr(one.state, name) for weight, one in parts))
+        parts = zip(coefficients, before, strict=True)
+        return np.asarray(sum(weight * getattr(instant.state, name) for weight, instant in parts))
 
     oil = present(latest.oil, "pressure of the oil")
     pressure, oil = (

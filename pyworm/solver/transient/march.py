@@ -249,15 +249,15 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
                 continue
             frame = course.grid_of_contact(step.seconds, 0) if step.seconds in framed else None
             moments.append(moment(level, step.seconds, frame))
-            for at in turns.get(step.seconds, ()):
+            for time in turns.get(step.seconds, ()):
                 then, known, taken = level, before, 0
-                if at > step.seconds:
-                    turn = Step(at, refinement)
+                if time > step.seconds:
+                    turn = Step(time, refinement)
                     past = _led_on(course, step, turn, before, heat)
                     then, known, _, taken = _reached(course, turn, *past, held)
-                    known = [instant_of(then, at), *known]
+                    known = [instant_of(then, time), *known]
                 taken_of_all += taken
-                rates[at], rigid_films[at] = _rate_of(course, then, known), then.film.rigid_film
+                rates[time], rigid_films[time] = _rate_of(course, then, known), then.film.rigid_film
         except LostError as error:
             lost = str(error)
             break
@@ -275,15 +275,15 @@ def _led_on(
 ) -> tuple[list[Instant], list[HeatedInstant]]:
     """Films and heat up to a last step on the kind of grid of the next."""
     if step.refinement > last.refinement:
-        before, heat = [one.finer() for one in before], [one.finer() for one in heat]
+        before, heat = [film.finer() for film in before], [film.finer() for film in heat]
     if course.come_together(last.seconds) and not course.come_together(step.seconds):
         grids = course.grid, course.grid_of_contact
-        large, small = (of(last.seconds, step.refinement) for of in grids)
+        large, small = (grid(last.seconds, step.refinement) for grid in grids)
         if isinstance(large, Grid) and isinstance(small, Grid):  # lines do not come together
             window = large.window_of(small)
             before, heat = (
-                [one.finer(window) for one in before],
-                [one.finer(window) for one in heat],
+                [film.finer(window) for film in before],
+                [film.finer(window) for film in heat],
             )
     return before, heat
 
@@ -294,12 +294,12 @@ def _turns(instants: Sequence[float], wanted: Sequence[float]) -> dict[float, li
     It is half a step long at least, if it can be: shorter ones make much of what Newton's iteration left.
     """
     turns: dict[float, list[float]] = {}
-    halfway = [(one + other) / 2 for one, other in pairwise(instants)]
-    for at in wanted:
-        if at < instants[0]:
+    halfway = [(earlier + later) / 2 for earlier, later in pairwise(instants)]
+    for time in wanted:
+        if time < instants[0]:
             continue
-        number = max(int(np.searchsorted(halfway, at, side="right")) - 1, 0)
-        turns.setdefault(instants[number], []).append(at)
+        number = max(int(np.searchsorted(halfway, time, side="right")) - 1, 0)
+        turns.setdefault(instants[number], []).append(time)
     return turns
 
 
@@ -333,7 +333,9 @@ def _begun(
 
 def _beginnings(instants: Sequence[float], wanted: float) -> Iterator[int]:
     """Numbers of the instants at which to begin, in turn: twice as far each, up to the first one wanted."""
-    last = next((number for number, at in enumerate(instants) if at >= wanted), len(instants) - 1)
+    last = next(
+        (number for number, seconds in enumerate(instants) if seconds >= wanted), len(instants) - 1
+    )
     yield from range(min(EACH_TRIED, last))
     number = EACH_TRIED
     while number < last:
@@ -415,8 +417,8 @@ def _onward(
         contact = replace(contact, separation=None)
     grid = course.grid(seconds, step.refinement)
     used = _differenced(course, seconds, before)
-    implicit, *earlier = backward_weights([seconds, *(one.seconds for one in used)])
-    explicit = sum(of * one.content for of, one in zip(earlier, used, strict=True))
+    implicit, *earlier = backward_weights([seconds, *(instant.seconds for instant in used)])
+    explicit = sum(weight * instant.content for weight, instant in zip(earlier, used, strict=True))
     rise = None
     if heat:
         rise = remembered_rise(heat, contact, grid, course.grid(seconds, 0), seconds, mesh.turning)
@@ -522,8 +524,8 @@ def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
 
     rise = None if state.rise is None else each_at_places(level.grid, state.rise, grid)
     pressure, oil = (
-        np.maximum(there(of), 0.0)
-        for of in (state.pressure, present(state.oil, "pressure of the oil"))
+        np.maximum(there(values), 0.0)
+        for values in (state.pressure, present(state.oil, "pressure of the oil"))
     )
     return InitialGuess(pressure, level.rigid_film_on(grid, pressure), rise, oil)
 
@@ -543,15 +545,15 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
 
     implicit, explicit = level.transient_term.on(grid)
     rate = at_place((implicit - mesh.divergence) * now.content + explicit, now.content)
-    warm = [one for one in instants if one.state.rise is not None]
+    warm = [instant for instant in instants if instant.state.rise is not None]
     oil, rise = now.state.oil, now.state.rise
     if len(warm) < 2 or oil is None or rise is None:
         return RateOfChange(grid, rate, now.rise)
-    of = backward_weights([one.seconds for one in warm])
+    coefficients = backward_weights([instant.seconds for instant in warm])
 
     def changing(name: str) -> Array:
-        parts = zip(of, warm, strict=True)
-        changing: Array = sum(weight * getattr(one.state, name) for weight, one in parts)
+        parts = zip(coefficients, warm, strict=True)
+        changing: Array = sum(weight * getattr(instant.state, name) for weight, instant in parts)
         return changing
 
     storing = _prompt(level, instants[0].seconds - instants[1].seconds)

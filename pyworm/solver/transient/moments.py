@@ -66,7 +66,7 @@ def moment(level: Level, seconds: float, frame: Grid | LineGrid | None) -> Momen
         seconds,
         contact.phase,
         level.carried(),
-        tuple(float(of.item()) for of in contact.entrainment_at(*origin)),
+        tuple(float(component.item()) for component in contact.entrainment_at(*origin)),
         level.read().figures,
         None if frame is None else _frame(level, frame),
     )
@@ -77,31 +77,31 @@ def _frame(level: Level, grid: Grid | LineGrid) -> Frame:
     if level.film.rough:
         sliding = np.linalg.norm(level.scene.sliding_at(*level.grid.mesh()), axis=0)
         fields.append(level.film.asperities().pressure * sliding)
-    pressure, film, *rubbing = (at_places(level.grid, of, grid) for of in fields)
+    pressure, film, *rubbing = (at_places(level.grid, field, grid) for field in fields)
     # between nodes cubics may dip below zero
-    kept = np.maximum(pressure, 0.0), film, *(np.maximum(of, 0.0) for of in rubbing)
+    kept = np.maximum(pressure, 0.0), film, *(np.maximum(values, 0.0) for values in rubbing)
     places = (grid.x, grid.y) if isinstance(grid, Grid) else (grid.x,)
-    return Frame(places, *(of.astype(np.float32) for of in kept))
+    return Frame(places, *(values.astype(np.float32) for values in kept))
 
 
 def until(moments: Sequence[Moment], seconds: float) -> tuple[Moment, ...]:
     """The moments not later than a time [s]."""
-    return tuple(one for one in moments if one.seconds <= seconds)
+    return tuple(record for record in moments if record.seconds <= seconds)
 
 
 def as_arrays(moments: Sequence[Moment]) -> dict[str, Array]:
     """Moments as arrays by names, from which `from_arrays` makes them again."""
-    framed = [(one.seconds, one.frame) for one in moments if one.frame is not None]
+    framed = [(record.seconds, record.frame) for record in moments if record.frame is not None]
     frames = [frame for _, frame in framed]
     names = list(moments[0].figures) if moments else []
     return {
-        "seconds": np.array([one.seconds for one in moments]),
-        "phases": np.array([nan if one.phase is None else one.phase for one in moments]),
-        "loads": np.array([one.load for one in moments]),
-        "entrainments": np.array([one.entrainment for one in moments]),
+        "seconds": np.array([record.seconds for record in moments]),
+        "phases": np.array([nan if record.phase is None else record.phase for record in moments]),
+        "loads": np.array([record.load for record in moments]),
+        "entrainments": np.array([record.entrainment for record in moments]),
         "names": np.array(names, dtype=np.str_),
-        "figures": np.array([[one.figures[name] for name in names] for one in moments]),
-        "framed": np.array([one.frame is not None for one in moments], dtype=bool),
+        "figures": np.array([[record.figures[name] for name in names] for record in moments]),
+        "framed": np.array([record.frame is not None for record in moments], dtype=bool),
         **{name: np.array([getattr(frame, name) for frame in frames]) for name in _fields(frames)},
     } | {
         f"places_{axis}": np.array([frame.places[number] for frame in frames])
@@ -124,8 +124,8 @@ def from_arrays(arrays: Mapping[str, Array]) -> tuple[Moment, ...]:
     axes = [f"places_{axis}" for axis in AXES if f"places_{axis}" in arrays]
     fields = [name for name in ("pressure", "film", "rubbing") if name in arrays]
     frames = iter(
-        Frame(tuple(of[: len(axes)]), *of[len(axes) :])
-        for of in zip(*(arrays[name] for name in (*axes, *fields)), strict=True)
+        Frame(tuple(columns[: len(axes)]), *columns[len(axes) :])
+        for columns in zip(*(arrays[name] for name in (*axes, *fields)), strict=True)
     )
     names = [str(name) for name in arrays["names"]]
     return tuple(
@@ -149,7 +149,7 @@ def curves(
     kind: Kind,
     share: float,
     least: float,
-    at: float,
+    present_seconds: float,
     present: Mapping[str, float],
     coldest: float | None,
 ) -> PlainDataset:
@@ -169,25 +169,25 @@ def curves(
         Error of the finest over its change from the one before [-].
     least : float
         Least relative error.
-    at : float
+    present_seconds : float
         Time of the present film [s], beyond which the curves of the last scene of a life go on.
     present : Mapping
         Figures of that film, on the first grid of the figures.
     coldest : float or None
         Bulk temperature of the colder body [K]; None where heat was not simulated.
     """
-    moments = [one for one in solves[-1] if one.seconds > since]
+    moments = [record for record in solves[-1] if record.seconds > since]
     variables: dict[str, Any] = {
-        "life_load": (("instant",), np.array([one.load for one in moments]))
+        "life_load": (("instant",), np.array([record.load for record in moments]))
     }
     if moments[0].phase is not None:
-        variables["life_phase"] = (("instant",), np.array([one.phase for one in moments]))
-    entrainment = tuple(zip(*(one.entrainment for one in moments), strict=True))
-    for axis, of in zip(AXES[: len(entrainment)], entrainment, strict=True):
-        variables[f"life_entrainment_{axis}"] = ("instant",), np.array(of)
+        variables["life_phase"] = (("instant",), np.array([record.phase for record in moments]))
+    entrainment = tuple(zip(*(record.entrainment for record in moments), strict=True))
+    for axis, component in zip(AXES[: len(entrainment)], entrainment, strict=True):
+        variables[f"life_entrainment_{axis}"] = ("instant",), np.array(component)
     for name in moments[0].figures:
-        values = np.array([one.figures[name] for one in moments])
-        then = float(np.interp(at, [one.seconds for one in moments], values))
+        values = np.array([record.figures[name] for record in moments])
+        then = float(np.interp(present_seconds, [record.seconds for record in moments], values))
         off = abs(present[name] - then) / max(abs(then), TINY)
         error = np.abs(values) * np.maximum(
             max(least, off), share * _changes(solves, moments, name)
@@ -195,7 +195,7 @@ def curves(
         base = coldest if name in HEAT_FIGURES else 0.0
         variables[f"life_{name}"] = ("instant",), base + values
         variables[f"life_{name}_error"] = ("instant",), error
-    seconds = np.array([one.seconds for one in moments])
+    seconds = np.array([record.seconds for record in moments])
     found = described(variables | _frames(moments), {"life_seconds": (("instant",), seconds)})
     return found if kind == "point" else _for_each_length(found)
 
@@ -203,40 +203,40 @@ def curves(
 def _for_each_length(dataset: PlainDataset) -> PlainDataset:
     """The dataset of a line contact, whose loads and losses are for each length."""
     variables = {
-        name: replace(of, attrs={**of.attrs, "units": f"{of.attrs['units']}/m"})
+        name: replace(variable, attrs={**variable.attrs, "units": f"{variable.attrs['units']}/m"})
         if name.startswith(FOR_EACH_LENGTH)
-        else of
-        for name, of in dataset.variables.items()
+        else variable
+        for name, variable in dataset.variables.items()
     }
     return replace(dataset, variables=variables)
 
 
 def _changes(solves: Sequence[Sequence[Moment]], moments: Sequence[Moment], name: str) -> Array:
     """Relative change of a figure by the last solve at some moments of it, straight between those of both."""
-    seconds = [one.seconds for one in moments]
+    seconds = [record.seconds for record in moments]
     if len(solves) == 1:
         return np.zeros(len(seconds))
-    before = {one.seconds: one.figures[name] for one in solves[-2]}
-    both = [one for one in solves[-1] if one.seconds in before]
+    before = {record.seconds: record.figures[name] for record in solves[-2]}
+    both = [record for record in solves[-1] if record.seconds in before]
     if not both:
         return np.full(len(seconds), np.inf)
     changes = [
-        abs(one.figures[name] - before[one.seconds]) / max(abs(one.figures[name]), TINY)
-        for one in both
+        abs(record.figures[name] - before[record.seconds]) / max(abs(record.figures[name]), TINY)
+        for record in both
     ]
-    return np.interp(seconds, [one.seconds for one in both], changes)
+    return np.interp(seconds, [record.seconds for record in both], changes)
 
 
 def _frames(moments: Sequence[Moment]) -> dict[str, tuple[tuple[str, ...], Array]]:
     """Frames as variables over frame and nodes."""
-    framed = [(one.seconds, one.frame) for one in moments if one.frame is not None]
+    framed = [(record.seconds, record.frame) for record in moments if record.frame is not None]
     if not framed:
         return {}
     frames = [frame for _, frame in framed]
     axes = AXES[: len(frames[0].places)]
     over = ("frame", *(f"node_{axis}" for axis in axes))
     return {
-        "frame_seconds": (("frame",), np.array([at for at, _ in framed])),
+        "frame_seconds": (("frame",), np.array([seconds for seconds, _ in framed])),
         **{
             f"frame_{axis}": (
                 ("frame", f"node_{axis}"),

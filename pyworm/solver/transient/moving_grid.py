@@ -141,7 +141,9 @@ def _means_along(places: Array, field: Array, nodes: Array, width: float, axis: 
 
 def each_at_places(grid: Grid | LineGrid, fields: Array, other: Grid | LineGrid) -> Array:
     """The same of several fields along the last axis."""
-    return np.stack([at_places(grid, of, other) for of in np.moveaxis(fields, -1, 0)], axis=-1)
+    return np.stack(
+        [at_places(grid, field, other) for field in np.moveaxis(fields, -1, 0)], axis=-1
+    )
 
 
 def slopes(grid: Grid | LineGrid, field: Array) -> tuple[Array, ...]:

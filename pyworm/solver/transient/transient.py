@@ -256,8 +256,8 @@ def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
     if not marches:
         return Rates((), flaw=found.lost)
     return Rates(
-        tuple(one.rates[past.seconds] for one in marches),
-        tuple(until(one.moments, past.seconds) for one in marches),
+        tuple(solve.rates[past.seconds] for solve in marches),
+        tuple(until(solve.moments, past.seconds) for solve in marches),
         finest=past.seconds not in found.rates,
     )
 
@@ -322,12 +322,12 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
 def _turned_round(scene: Scene | LineScene, solves: Sequence[Sequence[Moment]], kind: Kind) -> bool:
     """Whether the entrainment has turned round while oil went the last `WARM_UP` lengths of the contact."""
     moments = until(solves[-1], recent(scene).seconds)
-    length, way = WARM_UP[kind] * 2 * predicted(scene).half_width, 0.0
+    length, distance = WARM_UP[kind] * 2 * predicted(scene).half_width, 0.0
     for after, before in pairwise(reversed(moments)):
         if np.dot(before.entrainment, moments[-1].entrainment) < 0:
             return True
-        way += float(np.hypot.reduce(after.entrainment)) * (after.seconds - before.seconds)
-        if way > length:
+        distance += float(np.hypot.reduce(after.entrainment)) * (after.seconds - before.seconds)
+        if distance > length:
             break
     return False
 
@@ -352,8 +352,8 @@ def _life(
     shared = readings[: len(rates.moments) + 1]
     share, least = _share(kind, turned), _least(shared, kind, turned)
     present = readings[-1].figures
-    at = present_in_life(scene).seconds
-    return curves(rates.moments, since, kind, share, least, at, present, coldest)
+    present_seconds = present_in_life(scene).seconds
+    return curves(rates.moments, since, kind, share, least, present_seconds, present, coldest)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, float]:
@@ -367,7 +367,7 @@ def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, 
         return dict.fromkeys(moving[-1].figures, least)
     left = _left(moving, _share(kind, turned))
     films = max(left[name] for name in FILMS)
-    return {name: max(of, films, least) for name, of in left.items()}
+    return {name: max(error, films, least) for name, error in left.items()}
 
 
 def _share(kind: Kind, turned: bool) -> float:
@@ -388,9 +388,9 @@ def _left(readings: Sequence[Reading], share: float) -> dict[str, float]:
     """What the last of some readings leaves of error, by its change from those before."""
     last = change(*readings[-2:])
     if len(readings) == 2:
-        return {name: share * of for name, of in last.items()}
+        return {name: share * relative for name, relative in last.items()}
     before = change(*readings[-3:-1])
     return {
-        name: share * of if of <= REGULAR * before[name] else of + before[name]
-        for name, of in last.items()
+        name: share * relative if relative <= REGULAR * before[name] else relative + before[name]
+        for name, relative in last.items()
     }

@@ -33,10 +33,10 @@ def test_the_time_steps_counted_are_those_that_a_solve_takes(monkeypatch):
     scene, plan, course = moving(LINE, 0.5)
     at = scene.past.seconds
     part = part_at(course, at)
-    (own,) = motion(scene, plan, course).own
+    (steps,) = motion(scene, plan, course).up_to_present
     solved = march(course, 0, part.begin, [at])
-    assert own.count == len(solved.moments)
-    assert own.nodes == own.coarse == course.grid(at, 0).nodes
+    assert steps.count == len(solved.moments)
+    assert steps.nodes == steps.coarse == course.grid(at, 0).nodes
     (shared,) = motion(scene, plan, course).shared
     assert shared.count == len(
         march(course, 0, part.begin, [at], course.instant(part.last)).moments
@@ -46,10 +46,10 @@ def test_the_time_steps_counted_are_those_that_a_solve_takes(monkeypatch):
 @pytest.mark.parametrize("accuracy", [0.5, 0.05, 0.02])
 def test_each_solve_of_a_life_has_twice_the_time_steps_and_four_times_the_nodes(accuracy):
     scene, plan, course = moving(POINT, accuracy)
-    own, solves = motion(scene, plan, course).own, solves_of_life(accuracy)
-    assert len(own) == 2 * solves  # as surfaces come together, and of the contact
+    steps, solves = motion(scene, plan, course).up_to_present, solves_of_life(accuracy)
+    assert len(steps) == 2 * solves  # as surfaces come together, and of the contact
     of_contact = [course.grid_of_contact(course.begin, number).nodes for number in range(solves)]
-    counts = [sum(of.count for of in own if of.nodes == nodes) for nodes in of_contact]
+    counts = [sum(step.count for step in steps if step.nodes == nodes) for nodes in of_contact]
     for coarse, fine in pairwise(zip(of_contact, counts, strict=True)):
         assert fine[0] == pytest.approx(4 * coarse[0], rel=0.1)
         assert fine[1] == pytest.approx(2 * coarse[1], rel=0.1)
@@ -71,7 +71,7 @@ def test_the_first_half_of_the_way_to_the_first_touch_is_solved_on_the_grid_befo
 def test_a_further_solve_begins_on_the_grid_before():
     scene, plan, course = moving(POINT, 0.05)
     before, last = motion(scene, plan, course).further
-    assert before.nodes == motion(scene, plan, course).own[-1].nodes < last.nodes
+    assert before.nodes == motion(scene, plan, course).up_to_present[-1].nodes < last.nodes
     passed = course.transits(scene.past.seconds) - begin_of_one(course, scene.past.seconds)
     assert last.count < passed * (STEPS_A_TRANSIT["point"] << 2)
 
