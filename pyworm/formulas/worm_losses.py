@@ -163,7 +163,7 @@ def _rise_without_fan(gear: WormGear, second: float, torque: float, thick: float
 
 
 def _rise_with_fan(gear: WormGear, second: float, torque: float, thick: float) -> float:
-    """The same with a fan on the worm's shaft [K]."""
+    """c1 T2/(a/63)^3 + c0 [K] with a fan on the worm's shaft; speed in 1/s, viscosity over 100 mm2/s."""
     distance = gear.centre_distance * 1e3
     idle = 0.081 * (second - 0.23) ** 0.7 * thick**0.41 * (distance + 32) ** 0.63
     loaded = 0.039 * (second + 2) ** 0.34 * thick**-0.17

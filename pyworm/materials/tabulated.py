@@ -153,7 +153,7 @@ class Tabulated(ABC):
         return cls(pressures, warmths, values, reference)
 
     def at(self, temperature: float | str) -> Self:
-        """The same property of an oil that enters at another temperature [K]."""
+        """The property of an oil that enters at another temperature [K]."""
         return replace(self, reference=in_si("temperature", temperature, units.Temperature))
 
     def __call__(self, pressure: Given, rise: Given = 0.0) -> Any:

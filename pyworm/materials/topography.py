@@ -46,7 +46,7 @@ class Topography:
         return self.height.ravel() if self.measured is None else self.height[self.measured]
 
     def turned(self, x_direction: float) -> "Topography":
-        """The same heights with their x axis at an angle from the surface's own motion [rad]."""
+        """The heights with their x axis at an angle from the surface's own motion [rad]."""
         return replace(self, x_direction=x_direction)
 
     @property

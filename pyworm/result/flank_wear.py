@@ -88,7 +88,7 @@ class Pass:
     work: Array
     """Pressure of asperities times sliding speed, over the time of a pass, (radius, face) [Pa m]."""
     volume: float
-    """The same over the flank's true area [N m]."""
+    """`work` integrated over the flank's true area [N m]."""
 
 
 Side = Literal["wheel", "worm"]

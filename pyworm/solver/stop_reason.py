@@ -36,8 +36,8 @@ MOST_UNSETTLED = 3
 of a film with a limiting stress."""
 
 MOST_LOST_ON_EDGE = 2
-"""The same of films that coarser grids had, where the load rests on a sharp edge: on finer grids the pressure
-there is higher, and each costs four times the one before."""
+"""Number of grids whose film may diverge although coarser ones had one, where the load rests on a sharp edge:
+on finer grids the pressure there is higher, and each costs four times the one before."""
 
 
 def with_wider_bars(

@@ -35,6 +35,63 @@ FOLDERS = {name_of(kind) for kind in KINDS}
 LONGEST = 60
 """Lines of a function."""
 
+GRAMMAR = {"of", "one", "at", "own", "way"}
+"""Words that name nothing: a variable, an argument or a field is called as what it is."""
+
+CALLED_AT = {("scene/life.py", "at"): "Life.at, a public function of time"}
+"""File and public name that reads as the word it is -> what it names."""
+
+BACKWARD = ("The same", "Likewise")
+"""First words of a docstring that cannot be read alone."""
+
+OLD_WORDS = {
+    "march", "marches", "course", "moment", "moments", "instant", "instants", "lead", "settle",
+    "settled", "unsettled", "lost", "hopeless", "senseless", "firmer", "firmest", "firmed", "softened",
+    "softened_again", "left_out", "leftout", "headed", "aim", "remembered_rise",
+}  # fmt: skip
+"""Names of the program's own language; the field says time integration, time grid, time record, time level,
+iterate, converge, converged, diverged, unusable start, stress factor, neglected effects, qualified, accuracy
+target, residual rise."""
+
+FIELD_WORDS = {("formulas", "lead"): "lead of a thread"}
+"""Room and old word that is the field's own there -> its meaning."""
+
+BARE_WORDS = {
+    "MOST", "ANYHOW", "HEAVIER", "LEFT", "FAR", "NEAR", "PART", "PARTS", "LONGEST", "SHORTEST",
+    "LARGEST", "SMALLEST", "LEAST", "MARGIN", "FIRMEST", "HOPELESS", "SENSELESS", "LOST", "SETTLED",
+    "UNSETTLED", "LATE", "LIGHT", "WIDE", "WIDER", "WIDEST", "FULL", "DEEPEST", "HIGHEST", "LOWEST",
+    "SLOWEST", "FASTEST", "FINEST", "COARSER", "COARSEST", "CLOSE", "CLOSED", "CLOSER", "BLEND",
+    "BLENDED", "KEPT", "SAME", "STILL", "TINY", "REACH", "RATIO", "REGULAR", "MOVED", "WARM", "WARMING",
+    "TURNED", "TELLING", "UNREACHED", "UNJUDGED", "FORGOTTEN", "SCARCE", "FARTHEST", "NARROWEST",
+    "SHALLOWEST", "STEEPER", "STEEPEST", "FLATTEST", "WHOLE", "ABOUT", "BEFORE", "BESIDE", "BESIDES",
+    "BEYOND", "FALL", "DEGREE", "FEWEST", "ENDS", "MORE", "COMMON", "DRAWN", "TRACE", "FLOOR", "SIDE",
+    "SURE", "EXTREME", "FACTOR", "SHARE", "SPREAD", "STRIDE", "WORTHLESS", "SEEN", "SHOWN", "GROWTH",
+    "APART", "NUMBER", "CARRYING", "BEARABLE", "ON", "WANTED", "NEEDED",
+}  # fmt: skip
+"""Names of constants that name no quantity."""
+
+NAMED = (
+    "solver",
+    "planning",
+    "scene",
+    "kernel",
+    "precision",
+    "surfaces",
+    "formulas",
+    "materials",
+    "result",
+)
+"""Rooms without `GRAMMAR` as names."""
+
+STANDING_ALONE = NAMED
+"""Rooms whose docstrings can be read alone."""
+
+TRANSLATED = ()
+"""Rooms without `OLD_WORDS` as names, of modules too."""
+
+QUANTIFIED = ()
+"""Rooms whose constants name a quantity."""
+
 
 def _imports(file: Path) -> Iterator[str]:
     """Modules, and names of modules, that a file imports from the package."""
@@ -153,6 +210,73 @@ def test_no_function_is_longer_than_a_page():
         if isinstance(node, ast.FunctionDef) and node.end_lineno - node.lineno >= LONGEST
     ]
     assert not long
+
+
+def _files(rooms: tuple[str, ...]) -> Iterator[tuple[str, ast.Module]]:
+    """Path and content of each file of some rooms."""
+    for room in rooms:
+        for file in sorted((PACKAGE / room).rglob("*.py")):
+            yield file.relative_to(PACKAGE).as_posix(), ast.parse(file.read_text())
+
+
+def _defined(tree: ast.Module) -> Iterator[tuple[int, str]]:
+    """Line and name of all that a file defines: variables, arguments, fields, functions and classes."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.lineno, node.id
+        elif isinstance(node, ast.arg):
+            yield node.lineno, node.arg
+        elif isinstance(node, ast.FunctionDef | ast.ClassDef):
+            yield node.lineno, node.name
+
+
+def test_variables_arguments_and_fields_are_nouns():
+    methods = (ast.FunctionDef, ast.ClassDef)
+    wrong = []
+    for file, tree in _files(NAMED):
+        called = {(node.lineno, node.name) for node in ast.walk(tree) if isinstance(node, methods)}
+        wrong += [
+            f"{file}:{line}: {name}"
+            for line, name in _defined(tree)
+            if name.strip("_") in GRAMMAR
+            and (line, name) not in called
+            and (file, name) not in CALLED_AT
+        ]
+    assert not wrong
+
+
+def test_a_docstring_stands_alone():
+    wrong = [
+        f"{file}:{node.lineno}"
+        for file, tree in _files(STANDING_ALONE)
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+        if str(node.value.value).lstrip().startswith(BACKWARD)
+    ]
+    assert not wrong
+
+
+def test_names_are_words_of_the_field():
+    wrong = []
+    for file, tree in _files(TRANSLATED):
+        room = file.partition("/")[0]
+        names = [*_defined(tree), (0, Path(file).stem)]
+        wrong += [
+            f"{file}:{line}: {name}"
+            for line, name in names
+            if (word := name.strip("_").lower()) in OLD_WORDS and (room, word) not in FIELD_WORDS
+        ]
+    assert not wrong
+
+
+def test_a_constant_names_its_quantity():
+    wrong = [
+        f"{file}:{line}: {name}"
+        for file, tree in _files(QUANTIFIED)
+        for line, name in _defined(tree)
+        if name.isupper() and name.strip("_") in BARE_WORDS
+    ]
+    assert not wrong
 
 
 def test_one_file_casts_computed_numbers_to_indices():

@@ -159,7 +159,7 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
         return replace(self._scene, velocities=velocities)
 
     def _newly_supplied(self, level: LineLevel) -> LineLevel:
-        """The same grid and pressure without shear or heat, with the far field of this film."""
+        """A level of this grid and pressure without shear or heat, with the far field of this film."""
         guess = level.state()
         return next_level(self._scene, self._size, level, level.grid, guess, self._transient_term)
 

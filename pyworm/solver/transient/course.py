@@ -153,7 +153,7 @@ class Course:
         return self.grid_of_contact(seconds, refinement)
 
     def grid_of_contact(self, seconds: float, refinement: int) -> Grid | LineGrid:
-        """The same, where surfaces come together as well."""
+        """The grid of surfaces in contact at a time, also where they still come together."""
         return self._grid(seconds, refinement, self.sides, 1.0)
 
     def _grid(

@@ -72,8 +72,9 @@ LOST = 1e-2
 """Residual above which the film of an instant is lost."""
 
 UNSETTLED = 0.1
-"""The same of temperatures. Where films are thick, as surfaces come together and part, one node's may swing
-by some per cent of the largest rise from step to step, while flow and load balance to the last digit."""
+"""Largest residual of the temperatures of a film that is found. Where films are thick, as surfaces come
+together and part, one node's may swing by some per cent of the largest rise from step to step, while flow and
+load balance to the last digit."""
 
 FORGOTTEN = 2.0
 """Transits after which films no longer depend on how the life began."""
@@ -152,7 +153,7 @@ class March:
     rates: dict[float, RateOfChange]
     """Time [s] -> `RateOfChange` there; without times to which no films lead."""
     rigid_films: dict[float, float]
-    """The same times -> rigid film there [m]."""
+    """Time [s] -> rigid film there [m], at the times of `rates`."""
     moments: tuple[Moment, ...]
     """Figures of the film on the moving grid at each instant, and fields at those of the coarsest solve."""
     newton_steps: int

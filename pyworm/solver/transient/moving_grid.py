@@ -140,7 +140,7 @@ def _means_along(places: Array, field: Array, nodes: Array, width: float, axis: 
 
 
 def each_at_places(grid: Grid | LineGrid, fields: Array, other: Grid | LineGrid) -> Array:
-    """The same of several fields along the last axis."""
+    """Several fields, along the last axis, at the nodes of another grid (`at_places`)."""
     return np.stack(
         [at_places(grid, field, other) for field in np.moveaxis(fields, -1, 0)], axis=-1
     )

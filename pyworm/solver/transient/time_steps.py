@@ -36,7 +36,7 @@ def steps_of(course: Course, refinement: int, begin: float, last: float) -> list
 def places_of(
     course: Course, refinement: int, begin: float, last: float
 ) -> list[tuple[int, float]]:
-    """The same as refinements and places, up to a place [transits].
+    """Refinement and place [transits] of each step, up to a place.
 
     What a film is off at the beginning is forgotten on the grid before, at an eighth of the cost.
     """
@@ -58,7 +58,7 @@ def _begun_coarse(course: Course, refinement: int, begin: float) -> float:
 def _on_one_grid(
     course: Course, refinement: int, begin: float, last: float, first: int = 0
 ) -> list[tuple[int, float]]:
-    """The same from the first step on, on one grid; solves share instants to the last bit."""
+    """Refinement and place [transits] of steps on one grid, which solves share to the last bit."""
     step = course.step(refinement)
     whole = course.transits(course.end)
     count = int((last - begin) / step) + 1

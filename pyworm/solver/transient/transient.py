@@ -55,15 +55,16 @@ order is lower, and where the load of a gear pair jumps, or the entrainment has 
 one or less: what is left of the film of that time is a dip as narrow as the grid."""
 
 TURNED: dict[Kind, float] = {"point": 1.5, "line": 1.0}
-"""The same where the entrainment has turned round (`_turned_round`): of 14 random balls after two solves two
+"""Error of the figures over their last change, as `LEFT`, where the entrainment has turned round
+(`_turned_round`): of 14 random balls after two solves two
 minimum or central films of 28 differ by 1.2 and 1.5 times the last change from those of three."""
 
 REGULAR = 0.5
 """Largest ratio of successive changes at which the films settle; else the error is the sum of both."""
 
 MOST_SOLVES, ANYHOW = 4, 3
-"""Most transient solves, each of which takes eight times as long as the one before, and how many are made
-whatever that is."""
+"""Maximum number of transient solves (each costs eight times the previous one); the first three are always
+made."""
 
 MOST_WORK = 1.2e8
 """Nodes times time steps of a further one: two and a half minutes of a point contact without heat. Balls and
