@@ -90,7 +90,11 @@ def test_a_kept_contact_is_what_the_solver_finds(row):
     (kept,) = contacts_of(row, (0.5,))
     scene, changes = row.case().scene(phase=0.5), {}
     assert scene.oil.boundary_friction_spread == FITTED_SPREADS["tin bronze"]
-    with patch("pyworm.solver.contact.roughness_uncertainty", partial(watched, changes)):
+    # its first grid had the usual cells
+    with (
+        patch("pyworm.planning.expected_work.COARSEST", 1.0),
+        patch("pyworm.solver.contact.roughness_uncertainty", partial(watched, changes)),
+    ):
         solution = pyworm.solve(scene, pyworm.plan(scene, 0.2, "auto,-squeeze"))
     (contact,) = contact_losses([solution])
     ratio = scene.boundary_friction / kept["mu_b"]
