@@ -178,7 +178,7 @@ def mean_network(members: list[dict]) -> dict:
     return mean | side | {"outer": side["outer"] / len(members)}
 
 
-def left_out(of: AtlasGroups, known: Known) -> np.ndarray:
+def neglected_effects(of: AtlasGroups, known: Known) -> np.ndarray:
     """Errors of contacts by fits that have not seen them, of ln of central and least film, (2, contacts)."""
     fold = np.random.default_rng(1).permutation(len(known.central)) % FOLDS
     missed = np.empty((2, len(fold)))
@@ -219,7 +219,7 @@ def main() -> None:
     exact = found.bars.max(axis=1) <= LARGEST_BAR
     seen, of_seen = found.part(~held), part(of, ~held)
     constants = fitted(of_seen, seen, 0)
-    missed, sure = left_out(of_seen, seen), exact[~held]
+    missed, sure = neglected_effects(of_seen, seen), exact[~held]
     constants["errors"] = bars(part(of_seen, sure), constants, missed[:, sure])
     even = evenly_drawn(data["number"], columns(given.table)["number"])
     alone = read_by_network(of, constants)[0] - np.log(found.central)

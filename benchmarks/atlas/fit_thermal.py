@@ -119,7 +119,7 @@ def heat_part(heat: HeatGroups, which: np.ndarray) -> HeatGroups:
     return HeatGroups(*(of[which] for of in vars(heat).values()))
 
 
-def left_out(read, heat, aims, bars) -> np.ndarray:
+def neglected_effects(read, heat, aims, bars) -> np.ndarray:
     """Errors of contacts in folds by fits that have not seen them, (contacts, 2)."""
     fold = np.random.default_rng(1).permutation(len(read)) % FOLDS
     missed = np.empty_like(aims)
@@ -156,7 +156,7 @@ def main() -> None:
     exact = (bars[:, 0] <= LARGEST_BAR) & (bars[:, 1] <= FITTED_BAR)
     seen = ~held
     constants = fitted(read[seen], heat_part(heat, seen), aims[seen], bars[seen], 0)
-    missed = left_out(read[seen], heat_part(heat, seen), aims[seen], bars[seen])
+    missed = neglected_effects(read[seen], heat_part(heat, seen), aims[seen], bars[seen])
     sure = exact[seen]
     constants |= bars_of(read[seen][sure], constants, missed[sure])
     print(f"factors: central {np.exp(-np.percentile(aims[:, 0], [95, 50, 5]))} (5, 50, 95 of 100)")

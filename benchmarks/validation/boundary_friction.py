@@ -35,7 +35,12 @@ from pyworm.materials.rough_surfaces import RoughPair
 from pyworm.materials.roughness_assumptions import Variation, other_laws, pressed, variations
 from pyworm.result.contact_loss import contact_losses
 from pyworm.solver.level import Level
-from pyworm.solver.roughness_uncertainty import PART, LeftOut, changes_by, roughness_uncertainty
+from pyworm.solver.roughness_uncertainty import (
+    PART,
+    NeglectedWaves,
+    changes_by,
+    roughness_uncertainty,
+)
 
 ACCURACY = 0.2
 """Numerical accuracy asked for; friction has less than a tenth of it."""
@@ -52,7 +57,7 @@ def watched(
     level: Level,
     pair: RoughPair,
     mu_b: float,
-    waves: LeftOut,
+    waves: NeglectedWaves,
     fitted_spread: float,
 ) -> dict[str, float]:
     """Uncertainty of figures; notes that of the power lost by mu_b, by laws of contact and by all else."""

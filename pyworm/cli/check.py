@@ -32,12 +32,12 @@ def _check(options: argparse.Namespace) -> int:
     from pyworm.io.quantity_text import duration
     from pyworm.report.console.scenes import effects_table, plan_table
     from pyworm.scene.summary import scene_summary
-    from pyworm.solver import left_out
+    from pyworm.solver import neglected_effects
 
     with stage("estimating times and the influence of neglected effects"):
         of_run = expected_run(case, tasks)
         expected = of_run.each
-        without = [left_out.expected(task.scene, task.plan) for task in tasks]
+        without = [neglected_effects.expected(task.scene, task.plan) for task in tasks]
     if options.json:
         scenes = [
             scene_summary(task.scene)
@@ -64,7 +64,7 @@ def _check(options: argparse.Namespace) -> int:
         console.print(f"{case.title}\n{case.source}\n")
         for sentence in case.beyond_limits:
             console.print(f"{sentence}\n")
-        if sentence := left_out.worst(without).sentence:
+        if sentence := neglected_effects.worst(without).sentence:
             console.print(f"{sentence} (Films by closed forms.)\n")
         _print_drive(console, case)
         for task, of in zip(tasks, expected, strict=True):

@@ -120,8 +120,8 @@ def _summary(scene: "Scene | LineScene") -> dict[str, Any]:
     films = None if isinstance(scene, LineScene) else film_of(scene, reduced=True)
     holds = () if films is None else films.holds
     found = formula_summary(scene, plan, films)
-    left_out = {name: of for name, of in found["left_out"].items() if name not in holds}
-    return {**found, "holds": list(holds), "left_out": left_out}
+    neglected_effects = {name: of for name, of in found["left_out"].items() if name not in holds}
+    return {**found, "holds": list(holds), "left_out": neglected_effects}
 
 
 def _show(rows: list[dict[str, Any]]) -> None:

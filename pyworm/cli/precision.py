@@ -86,7 +86,7 @@ def _precision(options: argparse.Namespace) -> int:
     else:
         console = Console()
         console.print(cheapest_table(made))
-        for line in made.left_out:
+        for line in made.omitted:
             console.print(f"left out: {line}")
         console.print(f"Results  {directory}/precision.*", soft_wrap=True)
     return CONVERGED

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from pyworm.ratings.rated_case import Asked
     from pyworm.ratings.rating import Rating
     from pyworm.result.result import Result
-    from pyworm.solver.left_out import LeftOut
+    from pyworm.solver.neglected_effects import NeglectedEffects
 
 
 def add_rate(commands: argparse._SubParsersAction) -> None:
@@ -39,8 +39,8 @@ def add_rate(commands: argparse._SubParsersAction) -> None:
 def _rate(options: argparse.Namespace) -> int:
     from pyworm.ratings.rated_case import (
         asked_of,
-        left_out,
         load_asked,
+        neglected_effects,
         not_rated,
         ratings,
         unconverged,
@@ -57,7 +57,7 @@ def _rate(options: argparse.Namespace) -> int:
     with nullcontext() if result is None else readable(options.result):
         with stage(f"rating {asked.name}"):
             made = ratings(asked, result)
-            lacking = left_out(asked, result)
+            lacking = neglected_effects(asked, result)
     if not made:
         why = next(iter(not_rated(asked, tuple(made)) if asked.rating_is_asked else ()), None)
         raise CaseError(
@@ -86,7 +86,7 @@ def _rate(options: argparse.Namespace) -> int:
 
 
 def _show(
-    asked: "Asked", result: "Result | None", made: Sequence["Rating"], lacking: "LeftOut"
+    asked: "Asked", result: "Result | None", made: Sequence["Rating"], lacking: "NeglectedEffects"
 ) -> None:
     """The ratings of a case as tables, with what is not rated and what was assumed."""
     from pyworm.case.workshop_units import assumptions

@@ -99,8 +99,10 @@ class Plan(Shown):
     @property
     def may_grow(self) -> bool:
         """Whether it leaves out effects that the solution may call for."""
-        left_out = {effect.name for effect in self.effects if not effect.on and effect.influence}
-        return self.asked is None and not left_out.isdisjoint(
+        neglected_effects = {
+            effect.name for effect in self.effects if not effect.on and effect.influence
+        }
+        return self.asked is None and not neglected_effects.isdisjoint(
             SIMULATED.keys() - self.excluded.keys()
         )
 

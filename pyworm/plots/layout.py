@@ -269,7 +269,7 @@ def heading(case_name: str, solution: Solution) -> str:
         parts.append(f"NOT CONVERGED ({solution.stop_reason.partition(';')[0]})")
     elif not solution.accurate:
         parts.append(solution.stop_reason.partition(":")[0])
-    return joined(*parts, solution.left_out.words)
+    return joined(*parts, solution.neglected_effects.words)
 
 
 def result_heading(result: Result, what: str) -> str:

@@ -50,8 +50,8 @@ def draw_precision(study: Study, heading: str) -> Figure:
     shown = list(study.references)
     rows, columns = (len(shown) + 1) // 2, min(len(shown), 2)
     width = PANEL_WIDTH * columns
-    left_out = [fill(line, int(FOOTER_LETTERS_PER_INCH * width)) for line in study.left_out]
-    footer = "\n".join(["Left out: " + "; ".join(left_out)] if left_out else [])
+    omitted = [fill(line, int(FOOTER_LETTERS_PER_INCH * width)) for line in study.omitted]
+    footer = "\n".join(["Left out: " + "; ".join(omitted)] if omitted else [])
     footer = fill(footer, int(FOOTER_LETTERS_PER_INCH * width))
     bottom = 1.15 + 0.17 * footer.count("\n")
     height = PANEL_HEIGHT * rows + 0.5 + bottom

@@ -129,7 +129,7 @@ def _shown(result: SweepResult) -> list[_Shown]:
             errors = table[quantity.error_key].values * (abs(values) if relative else 1.0)
             label = quantity.axis()
             if quantity.name == "friction_coefficient":
-                label = result.left_out.headed(label)
+                label = result.neglected_effects.qualified(label)
             shown.append(_Shown(label, values, errors, relative))
     return shown
 
@@ -309,4 +309,4 @@ def _name(axis: _Axis, value: float) -> str:
 
 
 def _heading(result: SweepResult) -> str:
-    return joined(result.name, result.title, result.left_out.note)
+    return joined(result.name, result.title, result.neglected_effects.note)

@@ -58,4 +58,4 @@ def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
     mark_gaps(axes, ratios, swept)
     if not all(one.converged for one in swept):
         axes.legend(frameon=False)
-    axes.set_ylabel(of_all(swept).headed(QUANTITIES["friction_coefficient"].axis()))
+    axes.set_ylabel(of_all(swept).qualified(QUANTITIES["friction_coefficient"].axis()))

@@ -47,7 +47,7 @@ class Study:
     """Figure -> reference."""
     curves: tuple[Curve, ...]
     """Curves of formulas, models from the simplest to the most complete, numerical parameters."""
-    left_out: tuple[str, ...]
+    omitted: tuple[str, ...]
     """Models and grids that are not shown, each with the reason."""
     seconds: float
     """Time of the study [s]."""

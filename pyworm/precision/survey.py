@@ -126,7 +126,7 @@ class _Study:
         self._figures = self._complete.plan.aim.figures
         self._budget = budget
         self._progress = progress
-        self._left_out = [f"{name}: {reason}" for name, reason in lacking.items()]
+        self._omitted = [f"{name}: {reason}" for name, reason in lacking.items()]
         self._clock = clock
         self._started = clock()
 
@@ -165,7 +165,7 @@ class _Study:
                     *(curve for curve in parameters if curve.points),
                 ]
             ),
-            tuple(self._left_out),
+            tuple(self._omitted),
             self._spent,
         )
 
@@ -199,9 +199,7 @@ class _Study:
                 if _fine_enough(taken, model.plan.aim.figures):
                     break
                 if len(taken) > LEAST_GRIDS and not (taken[-2].settled or point.settled):
-                    self._left_out.append(
-                        f"{name}: grids beyond {point.label} (it does not settle)"
-                    )
+                    self._omitted.append(f"{name}: grids beyond {point.label} (it does not settle)")
                     break
                 last = taken[-2].seconds if len(taken) > 1 else 0.0
                 growth = step_of(model.plan)
@@ -209,17 +207,17 @@ class _Study:
                 further *= max(1.0, (self._spent - started) / point.seconds)  # of a busy machine
                 nodes = model.plan.largest_grid
                 if 0.9 * growth * point.nodes > nodes:
-                    self._left_out.append(f"{name}: grids beyond {point.label} (too many nodes)")
+                    self._omitted.append(f"{name}: grids beyond {point.label} (too many nodes)")
                     break
                 if self._spent + further > until:
-                    self._left_out.append(
+                    self._omitted.append(
                         f"{name}: grids beyond {point.label} (the next takes some {further:.0f} s)"
                     )
                     break
         except KernelError as error:
             if not taken:
                 raise
-            self._left_out.append(f"{name}: grids beyond {taken[-1].label} ({error})")
+            self._omitted.append(f"{name}: grids beyond {taken[-1].label} ({error})")
         return tuple(taken)
 
     def _report(self, message: str) -> None:
@@ -246,7 +244,7 @@ class _Study:
             if here.settled and wider.settled
         ]
         if not pairs:
-            self._left_out.append("the error by the window, from the band too")
+            self._omitted.append("the error by the window, from the band too")
         beta = predicted(self._scene).inlet_beta
         references = {}
         for figure in self._figures_shown(complete):
@@ -273,12 +271,12 @@ class _Study:
         for number, model in enumerate(others):
             until = start + room * (number + 1) / len(others)
             if self._spent > until:
-                self._left_out.append(f"{model.name}: no time")
+                self._omitted.append(f"{model.name}: no time")
                 continue
             try:
                 curves.append(self._refined(model, until))
             except KernelError as error:
-                self._left_out.append(f"{model.name}: {error}")
+                self._omitted.append(f"{model.name}: {error}")
         return curves
 
     def _parameters(self, complete: Curve) -> list[Curve]:
@@ -314,7 +312,7 @@ class _Study:
                 return Curve(name, "parameter", tuple(taken), {})
             taken.append(point)
             self._report(f"{name}: {point.label}")
-        self._left_out.append(f"{name}: beyond {taken[-1].label}" if taken else f"{name}: no time")
+        self._omitted.append(f"{name}: beyond {taken[-1].label}" if taken else f"{name}: no time")
         return Curve(name, "parameter", tuple(taken), {})
 
 

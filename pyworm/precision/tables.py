@@ -65,7 +65,7 @@ def as_object(study: Study) -> dict[str, Any]:
         },
         "cheapest": [_cheapest(study, accuracy) for accuracy in TARGETS],
         "points": list(rows(study)),
-        "left_out": list(study.left_out),
+        "left_out": list(study.omitted),
         "seconds": study.seconds,
     }
 

@@ -13,7 +13,7 @@ from pyworm.ratings.rating import FILM_COLUMNS, RatedFigure, Rating
 from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.left_out import LeftOut
+from pyworm.solver.neglected_effects import NeglectedEffects
 from pyworm.solver.solution import Solution
 
 _POINT = {
@@ -94,7 +94,7 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         columns=tuple(FILM_COLUMNS),
         figures=tuple(figures),
         words=tuple(words),
-        left_out=LeftOut() if solution is None else solution.left_out,
+        neglected_effects=NeglectedEffects() if solution is None else solution.neglected_effects,
     )
 
 

@@ -10,7 +10,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.quantities import QUANTITIES
 from pyworm.ratings.flank_damage import LEAST_SHARE, Limit, Spot
 from pyworm.ratings.rating import RatedFigure, Rating
-from pyworm.solver.left_out import LeftOut
+from pyworm.solver.neglected_effects import NeglectedEffects
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ def flank_table(
     limits: tuple[Limit, Limit],
     oil_temperature: float | None,
     roughness: float | None,
-    left_out: LeftOut,
+    neglected_effects: NeglectedEffects,
     closed: ClosedForms | None = None,
     words: tuple[str, ...] = (),
     title: str = "Scuffing and micropitting at each solved contact",
@@ -57,7 +57,7 @@ def flank_table(
         Scuffing temperature [K] and permissible specific film [-].
     oil_temperature, roughness : float or None
         Of the oil before the mesh [K], and Ra, mean of both flanks [m].
-    left_out : LeftOut
+    neglected_effects : NeglectedEffects
         What the simulated figures do not hold.
     closed : ClosedForms, optional
         Those of a gear pair.
@@ -84,7 +84,7 @@ def flank_table(
             "specific films are over Ra, mean of both flanks.",
             *words,
         ),
-        left_out=left_out,
+        neglected_effects=neglected_effects,
     )
 
 

@@ -22,7 +22,7 @@ from pyworm.ratings.mesh_loss import mesh_loss, with_missing
 from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut
+from pyworm.solver.neglected_effects import NeglectedEffects
 from pyworm.solver.solution import Solution
 
 LITRES_PER_MINUTE = 6e4
@@ -116,7 +116,7 @@ def _teeth(
         not_rated=tuple(
             f"{of.symbol}, {of.label}: {of.why}" for of in safeties if of.value is None
         ),
-        left_out=LeftOut() if result is None else of_all(result.solutions),
+        neglected_effects=NeglectedEffects() if result is None else of_all(result.solutions),
     )
 
 

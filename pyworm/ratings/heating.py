@@ -33,13 +33,15 @@ def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> Heat
         What a standard has for its teeth.
     """
     smooth = present(cycle.loss, "loss").power
-    simulated = f"{smooth:.4g} W simulated{' as if smooth' if cycle.left_out.as_if_smooth else ''}"
+    simulated = (
+        f"{smooth:.4g} W simulated{' as if smooth' if cycle.neglected_effects.as_if_smooth else ''}"
+    )
     if isinstance(standard, NoStandard):
         return HeatingLoss(
             smooth, "simulation", f"{simulated}, by a standard none: {standard.reason}"
         )
     rough = f"{standard.power:.4g} W of rough teeth by the {standard.source}"
-    if cycle.left_out.as_if_smooth and standard.power > smooth:
+    if cycle.neglected_effects.as_if_smooth and standard.power > smooth:
         return HeatingLoss(standard.power, "standard", f"{rough}, more than the {simulated}")
     return HeatingLoss(smooth, "simulation", f"{simulated}, taken and not the {rough}")
 

@@ -40,7 +40,7 @@ from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.plausibility import beyond_limits
 from pyworm.scene.point import Scene
-from pyworm.solver.left_out import LeftOut, judged
+from pyworm.solver.neglected_effects import NeglectedEffects, judged
 from pyworm.solver.solution import Solution
 
 
@@ -144,7 +144,7 @@ def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, S
     return min(scenes, key=lambda scene: predicted(scene).film_central), None
 
 
-def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
+def neglected_effects(asked: Asked, result: Result | None = None) -> NeglectedEffects:
     """Effects left out of the solved contacts of a case; without any, the lubrication by closed forms."""
     result = _sound(result)
     if result is not None:
@@ -157,15 +157,15 @@ def left_out(asked: Asked, result: Result | None = None) -> LeftOut:
         return replace(at_worst, contacts=len(asked.places), by_formula=True)
     table = asked.worm_rating
     if table is None:
-        return LeftOut()
+        return NeglectedEffects()
 
-    def lubricated() -> LeftOut:
+    def lubricated() -> NeglectedEffects:
         duty = asked.worm_duty
         film = standard_rating(table, duty, asked.directory).film  # a mean over the contact lines
         found = judged((), 0.0, (film, film), duty.composite_roughness)
         return replace(found, by_formula=True)
 
-    return or_none(attempt(lubricated)) or LeftOut()
+    return or_none(attempt(lubricated)) or NeglectedEffects()
 
 
 def load_asked(path: str | Path) -> Asked:

@@ -7,7 +7,7 @@ from typing import Any
 from pyworm.formulas.ranges import apart
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.quantity_text import bars, short
-from pyworm.solver.left_out import LeftOut
+from pyworm.solver.neglected_effects import NeglectedEffects
 
 Value = float | int | str | None
 
@@ -179,7 +179,7 @@ class Rating:
     """Why it fails, a sentence each; none where nothing of what is rated does."""
     not_rated: tuple[str, ...] = ()
     """What is not rated, each with the reason."""
-    left_out: LeftOut = field(default_factory=LeftOut)
+    neglected_effects: NeglectedEffects = field(default_factory=NeglectedEffects)
     """What its simulated figures do not hold; nothing without any."""
     basis: tuple[str, ...] = ()
     """Standard and edition of its safeties, what of it was not read, and what lies outside its scope; a
@@ -190,7 +190,7 @@ class Rating:
     @property
     def titled(self) -> str:
         """The title, with the effects left out of the simulated figures, and what these do not share."""
-        return "\n".join((self.left_out.titled(self.title), *self.differs))
+        return "\n".join((self.neglected_effects.titled(self.title), *self.differs))
 
     @property
     def headings(self) -> tuple[str, ...]:
@@ -202,7 +202,7 @@ class Rating:
             for column in self.columns
         ]
         return tuple(
-            self.left_out.headed(title) if column == SIMULATION else title
+            self.neglected_effects.qualified(title) if column == SIMULATION else title
             for column, title in zip(self.columns, titles, strict=True)
         )
 

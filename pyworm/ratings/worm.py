@@ -30,7 +30,7 @@ from pyworm.ratings.worm_safeties import safeties, total_wear
 from pyworm.ratings.worm_verdict import CANNOT_DRIVE, NEVER_RATED, failures, locking
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut
+from pyworm.solver.neglected_effects import NeglectedEffects
 
 
 def worm_duty_of_table(table: WormGearTable) -> WormDuty:
@@ -97,7 +97,9 @@ def rate_worm_table(
             *(f"{of.symbol}, {of.label}: {of.why}" for of in made if of.value is None),
             *NEVER_RATED,
         ),
-        left_out=of_all(result.solutions) if simulated and result is not None else LeftOut(),
+        neglected_effects=of_all(result.solutions)
+        if simulated and result is not None
+        else NeglectedEffects(),
         basis=(*BASIS, *outside_scope(duty, loads)),
         differs=differences(table, duty, loads, directory),
     )

@@ -14,7 +14,7 @@ from pyworm.ratings.rating import Rating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss, standard_loss
 from pyworm.result.headline import of_all, opening
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut
+from pyworm.solver.neglected_effects import NeglectedEffects
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class Findings:
     """Loss between the teeth by a standard."""
     mesh_loss: MeshLoss | None
     """Simulated loss of a whole mesh cycle; None where it is not known."""
-    left_out: LeftOut
+    neglected_effects: NeglectedEffects
     """Effects left out of the figures, at the worst of the contacts."""
 
     @cached_property
@@ -75,7 +75,7 @@ def findings(result: Result, case: Case | None = None) -> Findings:
         not_rated=lacking,
         standard=standard_loss(case),
         mesh_loss=mesh_loss(case.drive, result),
-        left_out=of_all(result.solutions),
+        neglected_effects=of_all(result.solutions),
     )
 
 

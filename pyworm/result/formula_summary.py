@@ -12,7 +12,7 @@ from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales
-from pyworm.solver import left_out
+from pyworm.solver import neglected_effects
 
 LINE_FORMULA, POINT_FORMULA = "Moes (line)", "atlas"
 
@@ -58,7 +58,7 @@ def formula_summary(
         **asdict(Place.of(scene)),
         **found,
         **known,
-        "left_out": left_out.expected(scene, plan).influence,
+        "left_out": neglected_effects.expected(scene, plan).influence,
     }
 
 

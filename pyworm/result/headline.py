@@ -4,15 +4,15 @@ from collections.abc import Iterable, Sequence
 
 from pyworm.io.quantities import QUANTITIES
 from pyworm.planning.no_friction import no_friction
-from pyworm.solver.left_out import LeftOut, worst
+from pyworm.solver.neglected_effects import NeglectedEffects, worst
 from pyworm.solver.solution import Solution
 
 
-def of_all(solutions: Iterable[Solution]) -> LeftOut:
+def of_all(solutions: Iterable[Solution]) -> NeglectedEffects:
     """The worst of solved contacts; of those that converged if there are any."""
     solutions = list(solutions)
     good = [solution for solution in solutions if solution.converged] or solutions
-    return worst([solution.left_out for solution in good])
+    return worst([solution.neglected_effects for solution in good])
 
 
 def headline(solutions: Sequence[Solution]) -> str:

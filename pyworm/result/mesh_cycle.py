@@ -13,7 +13,7 @@ from pyworm.io.present import present
 from pyworm.result.contact_loss import contact_losses
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut
+from pyworm.solver.neglected_effects import NeglectedEffects
 from pyworm.solver.solution import Estimate, Solution
 
 
@@ -64,7 +64,7 @@ class DriveCycle:
     the load sharing is without lift."""
     lambda_central: Extreme | None = None
     """Least central film over composite roughness [-]; None where a roughness is not known."""
-    left_out: LeftOut = field(default_factory=LeftOut)
+    neglected_effects: NeglectedEffects = field(default_factory=NeglectedEffects)
     """Effects left out of these figures, at the worst of the phases."""
     missing: str = ""
     """Contacts without a converged solution, in words; empty where every one has one."""
@@ -73,8 +73,8 @@ class DriveCycle:
         """The figures as one object, units in the keys."""
         loss = self.loss
         return {
-            "left_out": self.left_out.influence,
-            "lubrication": self.left_out.lubrication,
+            "left_out": self.neglected_effects.influence,
+            "lubrication": self.neglected_effects.lubrication,
             "phases": list(self.phases),
             "phases_left_out": list(self.unconverged),
             "film_min": _told(self.film_min, "m"),
@@ -172,7 +172,7 @@ def drive_cycle(result: Result) -> DriveCycle | None:
         lifts=(tuple(lifts) if len(lifts) == len(good) else ()),
         lifted=_lifted(cycle, good) if "dry_tooth_load" in cycle else None,
         lambda_central=_lambda(_extreme(good, "film_central", min), good[0].composite_roughness),
-        left_out=of_all(good),
+        neglected_effects=of_all(good),
         missing=result.missing,
     )
 

@@ -26,7 +26,7 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.io.shown import Shown
 from pyworm.result.result import LARGEST, plain_attributes
 from pyworm.result.sound_result import typed
-from pyworm.solver.left_out import LAMBDAS, MIXED_ABOVE, SHARE, LeftOut, worst
+from pyworm.solver.neglected_effects import LAMBDAS, MIXED_ABOVE, SHARE, NeglectedEffects, worst
 
 FORMAT = "pyworm sweep"
 FORMAT_VERSION = 1
@@ -71,7 +71,7 @@ class SweepResult(Shown):
         return accurate
 
     @cached_property
-    def left_out(self) -> LeftOut:
+    def neglected_effects(self) -> NeglectedEffects:
         """Effects left out of the figures, at the worst of the converged scenes."""
         influences = {
             str(name): column.values[self.converged].tolist()
@@ -83,7 +83,7 @@ class SweepResult(Shown):
             dict(zip(influences, row, strict=True))
             for row in zip(*influences.values(), strict=True)
         )
-        return worst([_left_out(row) for row in rows])
+        return worst([_neglected_effects(row) for row in rows])
 
     def save(self, path: str | os.PathLike) -> Path:
         """Write one NetCDF file, atomically."""
@@ -219,7 +219,7 @@ def sweep_table(
     return table
 
 
-def _left_out(row: Mapping[str, float | str]) -> LeftOut:
+def _neglected_effects(row: Mapping[str, float | str]) -> NeglectedEffects:
     """Effects left out of the figures of a scene, from its row; invalid entries are ignored."""
     numbers = {
         name: number
@@ -233,7 +233,7 @@ def _left_out(row: Mapping[str, float | str]) -> LeftOut:
     }
     regime = row.get("lubrication")
     lubrication = regime if regime in BY_SEVERITY else "unknown"
-    return LeftOut.read({**numbers, "left_out": influence, "lubrication": lubrication})
+    return NeglectedEffects.read({**numbers, "left_out": influence, "lubrication": lubrication})
 
 
 def _varied(key: str, values: list[Value]) -> list[tuple[str, np.ndarray, str]]:

@@ -35,7 +35,7 @@ from pyworm.solver.newton import NewtonStep, lead
 from pyworm.solver.oil_supply import supply_figures
 from pyworm.solver.oil_uncertainty import oil_uncertainty
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
-from pyworm.solver.roughness_uncertainty import left_out, roughness_uncertainty
+from pyworm.solver.roughness_uncertainty import neglected_waves, roughness_uncertainty
 
 COARSE_TOLERANCE = 1e-4
 """Residual at which a grid outside the figures is refined, and at which a Newtonian film is sheared."""
@@ -456,7 +456,9 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
 
     def _roughness_uncertainty(self, level: LevelT) -> dict[str, float]:
         scene, half_width = self._scene, predicted(self._scene).half_width
-        waves = left_out(moving_waves(scene), self._size.groups, half_width, scene.reduced_modulus)
+        waves = neglected_waves(
+            moving_waves(scene), self._size.groups, half_width, scene.reduced_modulus
+        )
         return roughness_uncertainty(
             level,
             present(self._rough, "roughness"),

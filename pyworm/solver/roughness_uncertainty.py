@@ -39,7 +39,7 @@ SHEARED = ("friction_coefficient", "power_loss")
 
 
 @dataclass(frozen=True)
-class LeftOut:
+class NeglectedWaves:
     """Long waves of the surfaces that roll through a contact whose gap has them not."""
 
     film: float = 0.0
@@ -56,9 +56,9 @@ class LeftOut:
         }
 
 
-def left_out(
+def neglected_waves(
     waves: MovingWaves | None, groups: Groups, half_width: float, modulus: float
-) -> LeftOut:
+) -> NeglectedWaves:
     """What moving waves do to film and pressure.
 
     A wave flattened by A takes a pressure of pi E' A/(2 length) (Johnson 1985, 13.2).
@@ -75,17 +75,17 @@ def left_out(
         Reduced modulus E' [Pa].
     """
     if waves is None:
-        return LeftOut()
+        return NeglectedWaves()
     left = left_of_waves(waves.length / half_width, groups)
     flattened = (1 - left) * waves.height
-    return LeftOut(left * waves.height, pi * modulus * flattened / (2 * waves.length))
+    return NeglectedWaves(left * waves.height, pi * modulus * flattened / (2 * waves.length))
 
 
 def roughness_uncertainty(
     level: Level,
     pair: RoughSurfaces,
     boundary_friction: float,
-    waves: LeftOut = LeftOut(),
+    waves: NeglectedWaves = NeglectedWaves(),
     fitted_spread: float | None = None,
 ) -> dict[str, float]:
     """Relative uncertainty of each figure [-], of temperatures over their rise above the inlet's.
@@ -100,7 +100,7 @@ def roughness_uncertainty(
         The surfaces.
     boundary_friction : float
         Friction coefficient of asperities in contact [-].
-    waves : LeftOut
+    waves : NeglectedWaves
         Long waves of the surfaces that are not in the gap.
     fitted_spread : float or None
         Relative uncertainty of a friction coefficient that was fitted [-] (`variations`).

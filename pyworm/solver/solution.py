@@ -17,7 +17,7 @@ from pyworm.planning.no_friction import no_friction
 from pyworm.scene.index import Place
 from pyworm.solver.ending import Ending
 from pyworm.solver.estimate import ORIGINS, Estimate, in_words
-from pyworm.solver.left_out import LeftOut, judged
+from pyworm.solver.neglected_effects import NeglectedEffects, judged
 from pyworm.solver.oil_supply import SupplyFigures
 
 
@@ -249,7 +249,7 @@ class Solution(Shown):
         return self.ending.accurate
 
     @property
-    def left_out(self) -> LeftOut:
+    def neglected_effects(self) -> NeglectedEffects:
         """Effects left out of the figures; the lubrication of a film that did not converge is unknown."""
         figures = self.figures
         films = (figures.film_central.value, figures.film_min.value) if self.converged else ()
@@ -288,7 +288,7 @@ class Solution(Shown):
             "name": self.name,
             "kind": self.kind,
             **asdict(Place.of(self)),
-            **self.left_out.summary(),
+            **self.neglected_effects.summary(),
             "converged": self.converged,
             "accurate": self.accurate,
             "stop_reason": self.stop_reason,

@@ -324,7 +324,7 @@ def _damaged(base: str, content: bytes) -> st.SearchStrategy[Mutant]:
             content[: drawn[0]] + drawn[1] + content[drawn[0] :],
         )
     )
-    left_out = st.tuples(where, st.integers(1, 40)).map(
+    neglected_effects = st.tuples(where, st.integers(1, 40)).map(
         lambda drawn: Mutant(
             base,
             f"without {drawn[1]} bytes at {drawn[0]}",
@@ -332,7 +332,7 @@ def _damaged(base: str, content: bytes) -> st.SearchStrategy[Mutant]:
             content[: drawn[0]] + content[drawn[0] + drawn[1] :],
         )
     )
-    return st.one_of(cut, inserted, left_out)
+    return st.one_of(cut, inserted, neglected_effects)
 
 
 def _places(tables: dict[str, Any], above: tuple[str, ...] = ()) -> Iterator[tuple[str, ...]]:

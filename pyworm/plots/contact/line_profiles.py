@@ -93,7 +93,7 @@ def draw_line_friction(case_name: str, solution: Solution) -> Figure:
     axes.set_ylabel(stress.axis(), color=STRESS_COLOUR)
     axes.set_xlabel("x / mm")
     axes.set_xlim(*shown(fields))
-    title = solution.left_out.headed(QUANTITIES["friction_coefficient"].words())
+    title = solution.neglected_effects.qualified(QUANTITIES["friction_coefficient"].words())
     friction = present(solution.figures.friction_coefficient, "friction_coefficient").value
     title = f"{title}: {friction:.3g}"
     axes.set_title(title, fontsize="medium", y=1)

@@ -24,7 +24,7 @@ from pyworm.plots.layout import (
     whole_window,
 )
 from pyworm.plots.overlays import draw_arrows, draw_dry_outline, draw_tooth, signed_square
-from pyworm.solver.left_out import AS_IF_SMOOTH
+from pyworm.solver.neglected_effects import AS_IF_SMOOTH
 from pyworm.solver.solution import Solution
 
 BANDS = 12
@@ -117,7 +117,7 @@ def draw_friction(case_name: str, solution: Solution, bodies: tuple[str, str] = 
     )
     components = [fields[f"shear_stress_{axis}"].transpose("y", "x").values for axis in "xy"]
     maps = stress.number(np.hypot(*components)), _values(fields, power.name)
-    smooth = f" {AS_IF_SMOOTH}" if solution.left_out.as_if_smooth else ""
+    smooth = f" {AS_IF_SMOOTH}" if solution.neglected_effects.as_if_smooth else ""
     most, highest = (
         of.with_unit(f"{values.max():.3g}")
         for of, values in zip((stress, power), maps, strict=True)

@@ -155,7 +155,7 @@ def _draw_temperature(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution
             rise = np.interp([phase_of(one) for one in heated], cycle["phase"], flash)
             axes.plot(
                 rolls, bulk + ratios * rise, "s", color="tab:red", fillstyle="none", markersize=9,
-                label=of_all(heated).headed("Blok, simulated friction"),
+                label=of_all(heated).qualified("Blok, simulated friction"),
             )  # fmt: skip
     if heated:
         hottest = [present(hotter_flank(one), "temperature").value for one in heated]

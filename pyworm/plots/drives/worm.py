@@ -31,7 +31,7 @@ from pyworm.ratings.standard_loss import StandardLoss, standard_of_result
 from pyworm.result.headline import of_all
 from pyworm.result.mesh_cycle import phase_of
 from pyworm.result.result import Result
-from pyworm.solver.left_out import AS_IF_SMOOTH
+from pyworm.solver.neglected_effects import AS_IF_SMOOTH
 from pyworm.solver.solution import Solution
 
 DIRECTIONS = {"x": "to the wheel", "y": "along the wheel's axis", "z": "along the worm's axis"}

@@ -14,7 +14,7 @@ from pyworm.ratings.heating import Heating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.report.table import Table
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
-from pyworm.solver.left_out import AS_IF_SMOOTH
+from pyworm.solver.neglected_effects import AS_IF_SMOOTH
 
 
 def closed_form_table(cycle: "xr.Dataset") -> Table | None:
@@ -62,7 +62,7 @@ def cycle_table(cycle: DriveCycle, bodies: tuple[str, str] = BODIES) -> Table:
         rows.append(("Load moved by films' lift", f"{fraction * 100:+.2g} %", f"{phase:g}"))
         note = "Lift: how much farther a film holds worm and wheel apart under the same load."
     head = ("Figure", "Value", "Phase", "Along the\nface / mm", "Radius\n/ mm")
-    return Table(head, tuple(rows), cycle.left_out.titled(title), note)
+    return Table(head, tuple(rows), cycle.neglected_effects.titled(title), note)
 
 
 def _extreme(
@@ -93,13 +93,13 @@ def loss_table(
     heating : Heating or None
         The loss that warms it; None where temperatures are given.
     """
-    loss, left_out = present(cycle.loss, "loss"), cycle.left_out
+    loss, neglected_effects = present(cycle.loss, "loss"), cycle.neglected_effects
     power, friction, efficiency, wheel, worm = (
         QUANTITIES[name]
         for name in ("mesh_loss", "mesh_friction", "mesh_efficiency", "wheel_torque", "worm_torque")
     )
     beside: dict[str, str] = {}
-    if left_out.as_if_smooth and isinstance(standard, StandardLoss):
+    if neglected_effects.as_if_smooth and isinstance(standard, StandardLoss):
         beside = {
             power.name: power.text(standard.power),
             friction.name: f"{standard.friction:.3g}",
@@ -126,14 +126,14 @@ def loss_table(
         (efficiency, f"{loss.efficiency * 100:.2f} % {bar}{missing}"),
         ("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}{missing}"),
     )
-    heading = AS_IF_SMOOTH.capitalize() if left_out.as_if_smooth else "Value"
+    heading = AS_IF_SMOOTH.capitalize() if neglected_effects.as_if_smooth else "Value"
     return Table(
         head=("Figure", heading, *(["Rough, by\nthe standard"] if beside else [])),
         rows=tuple(
             (of, value) if isinstance(of, str) else (of.title(), value, *_beside(of, beside))
             for of, value in rows
         ),
-        title=left_out.titled("Loss of all teeth"),
+        title=neglected_effects.titled("Loss of all teeth"),
         note="" if heating is None else heating.words,
     )
 

@@ -18,8 +18,8 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.summary import scene_summary
 from pyworm.solver.cost.expected_time import Expectation
-from pyworm.solver.left_out import LeftOut, worst
-from pyworm.solver.left_out import expected as expected_to_leave_out
+from pyworm.solver.neglected_effects import NeglectedEffects, worst
+from pyworm.solver.neglected_effects import expected as expected_to_leave_out
 
 _RUBBING = {"friction_coefficient", "power_loss"}
 """Figures that roughness adds to where it carries load."""
@@ -52,14 +52,14 @@ def figures_table(
         What the bodies are called.
     """
     figures = plain_attributes({**scene_summary(scene), **summary})
-    left_out = LeftOut.read(summary)
+    neglected_effects = NeglectedEffects.read(summary)
     mixed = "film_min_model_error" in summary
     head = ("Figure", "Value", *(["Model\nuncertainty"] if mixed else []))
 
     def cells(quantity: Quantity) -> Iterator[tuple[str, ...]]:
         label = f"  {quantity.words(bodies)}" if quantity.part else quantity.title(bodies)
         if quantity.figure in _RUBBING:
-            label = left_out.headed(label)
+            label = neglected_effects.qualified(label)
         label += _directions(figures[quantity.key])
         beside = published.get(quantity.published)
         error, model = _errors(quantity, figures)
@@ -78,7 +78,7 @@ def figures_table(
     return Table(
         head=(*head, "Published") if published else head,
         rows=tuple(rows),
-        title=left_out.titled(_title(scene)),
+        title=neglected_effects.titled(_title(scene)),
         note=_terms(words),
     )
 
@@ -166,7 +166,7 @@ def heat_table(
     """
     heated = any("temperature_max_C" in values for values in summaries)
     heading, labels = _places(scenes)
-    left_out = _at_worst(summaries)
+    neglected_effects = _at_worst(summaries)
     friction = QUANTITIES["friction_coefficient"]
     mixed = any(friction.model_key in values for values in summaries)
     rows: list[tuple[str, ...]] = []
@@ -192,7 +192,9 @@ def heat_table(
     return Table(
         head=(heading, *head),
         rows=tuple(rows),
-        title=left_out.titled(left_out.headed("Friction and heat of all scenes")),
+        title=neglected_effects.titled(
+            neglected_effects.qualified("Friction and heat of all scenes")
+        ),
         narrow=True,
     )
 
@@ -225,10 +227,10 @@ def _percent(summary: Mapping[str, Any], key: str) -> str:
     return UNKNOWN if error == inf else f"{error * 100:.2g}"
 
 
-def _at_worst(summaries: Sequence[Mapping[str, Any]]) -> LeftOut:
+def _at_worst(summaries: Sequence[Mapping[str, Any]]) -> NeglectedEffects:
     """Effects left out of the figures of scenes, at the worst of the converged ones."""
     good = [values for values in summaries if values["converged"]] or summaries
-    return worst([LeftOut.read(values) for values in good])
+    return worst([NeglectedEffects.read(values) for values in good])
 
 
 _LOSSES = "power_loss", "power_loss_per_length"

@@ -23,7 +23,7 @@ def show(result: SweepResult, directory: Path) -> None:
     """Print the table of a sweep and the paths of its files."""
     console = Console()
     data = result.table
-    if sentence := result.left_out.sentence:
+    if sentence := result.neglected_effects.sentence:
         console.print(f"{sentence}\n")
     if data.sizes["scene"] <= MOST_ROWS:
         console.print(rows_table(result))
@@ -58,10 +58,10 @@ def rows_table(result: SweepResult) -> Table:
     varied = [name for axis in result.axes for name in distinguishing(result, axis)]
     varied += [name for name in PLACE_NAMES if name in data and len(np.unique(data[name])) > 1]
     shown = [quantity for quantity in listed("sweep") if quantity.key in data]
-    left_out = result.left_out
+    neglected_effects = result.neglected_effects
     head = [_heading(key, data[key].attrs.get("units", "")) for key in varied]
     for quantity in shown:
-        rubbing = quantity.name == "friction_coefficient" and left_out.as_if_smooth
+        rubbing = quantity.name == "friction_coefficient" and neglected_effects.as_if_smooth
         head.append(f"{quantity.column}\nas if\nsmooth" if rubbing else quantity.column)
         head += ["±\n%"] if quantity.name in FILMS else []
     rows = []
@@ -75,7 +75,7 @@ def rows_table(result: SweepResult) -> Table:
     return Table(
         head=(*head, "Con-\nverged"),
         rows=tuple(rows),
-        title=left_out.titled(result.title),
+        title=neglected_effects.titled(result.title),
         texts=(len(head),),
         narrow=True,
     )

@@ -105,7 +105,7 @@ def _warnings(found: Findings, differ: str | None) -> tuple[str, ...]:
 
 def _noted(found: Findings, section: Section | None) -> Section | None:
     """The section, preceded by the effects left out of its figures."""
-    note = found.left_out.note
+    note = found.neglected_effects.note
     if section is None or not note:
         return section
     return replace(section, blocks=(Words(f"{note.capitalize()}."), *section.blocks))

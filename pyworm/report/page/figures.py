@@ -87,7 +87,7 @@ def _worst(quantity: Quantity, found: Findings) -> Row:
     solution = worst(found.sound.solutions, key=lambda one: quantity.value_in(one).value)
     label = quantity.worst_title()
     if quantity.name == "friction_coefficient":
-        label = found.left_out.headed(label)
+        label = found.neglected_effects.qualified(label)
     if quantity.name == "specific_film" and found.composite_roughness:
         roughness = QUANTITIES["composite_roughness"]
         label += f" ({roughness.words()} {roughness.text(found.composite_roughness)})"
@@ -132,22 +132,26 @@ def _decisive(made: tuple[Rating, ...]) -> tuple[Row, ...]:
 
 
 def _loss_rows(loss: MeshLoss, found: Findings) -> list[Row]:
-    bar, headed, standard = bars(loss.error, loss.model), found.left_out.headed, found.standard
+    bar, qualified, standard = (
+        bars(loss.error, loss.model),
+        found.neglected_effects.qualified,
+        found.standard,
+    )
     power, friction, efficiency = (
         QUANTITIES[name] for name in ("mesh_loss", "mesh_friction", "mesh_efficiency")
     )
     lost = loss.loss / loss.power
     rows = [
-        (headed(friction.title()), f"{friction.text(loss.friction)} {bar}", "mesh cycle"),
-        (headed(power.title()), f"{power.text(loss.loss)} {bar}", "mesh cycle"),
+        (qualified(friction.title()), f"{friction.text(loss.friction)} {bar}", "mesh cycle"),
+        (qualified(power.title()), f"{power.text(loss.loss)} {bar}", "mesh cycle"),
         (
-            headed(f"{efficiency.title()}, forward"),
+            qualified(f"{efficiency.title()}, forward"),
             f"{efficiency.text(loss.efficiency)} {bars(loss.error, loss.model, 100 * lost)}",
             f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning"
             + (f"; {loss.missing}" if loss.missing else ""),
         ),
     ]
-    if not found.left_out.as_if_smooth or isinstance(standard, NoStandard):
+    if not found.neglected_effects.as_if_smooth or isinstance(standard, NoStandard):
         return rows
     beside = (
         f"{standard.friction:.3g}",
@@ -228,7 +232,7 @@ def heat_section(found: Findings) -> Section | None:
     solutions = found.result.solutions
     if any(one.figures.friction_coefficient is None for one in solutions):
         return None
-    bodies, headed = found.case.body_names, found.left_out.headed
+    bodies, qualified = found.case.body_names, found.neglected_effects.qualified
     shown = [
         quantity
         for quantity in listed("heat")
@@ -240,7 +244,7 @@ def heat_section(found: Findings) -> Section | None:
         else (place_of(one), "not converged")
         for one in solutions
     ]
-    titles = [headed(of.title()) if of.unit != "K" else of.title(bodies) for of in shown]
+    titles = [qualified(of.title()) if of.unit != "K" else of.title(bodies) for of in shown]
     return Section("Friction, loss and temperature", (Table(("", *titles), tuple(rows)),))
 
 

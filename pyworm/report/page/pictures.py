@@ -16,7 +16,7 @@ from pyworm.report.findings import Findings
 from pyworm.report.page.content import Picture, Section, Words
 from pyworm.report.page.figures import place_of
 from pyworm.result.result import Result
-from pyworm.solver.left_out import LeftOut
+from pyworm.solver.neglected_effects import NeglectedEffects
 from pyworm.solver.solution import Solution
 
 DOTS_PER_INCH = 100
@@ -44,7 +44,10 @@ def signed_pictures(found: Findings) -> tuple[Picture | Words, ...]:
 
 def _of_cycle(found: Findings, signed: bool) -> list[Picture | Words]:
     return _those_drawn(
-        _drawn(_captioned(picture.caption, found.left_out), partial(picture.draw, found.result))
+        _drawn(
+            _captioned(picture.caption, found.neglected_effects),
+            partial(picture.draw, found.result),
+        )
         for picture in cycle_pictures(found.result).values()
         if picture.signed is signed
     )
@@ -69,7 +72,7 @@ def cycle_section(found: Findings, signed: bool) -> Section | None:
     if not signed:
         pictures += _of_cycle(found, signed=True)
     if traction_curve(found.result):
-        caption = _captioned("Traction curve", found.left_out)
+        caption = _captioned("Traction curve", found.neglected_effects)
         pictures += _those_drawn([_drawn(caption, partial(draw_traction, found.result))])
     return Section("The whole cycle", tuple(pictures)) if pictures else None
 
@@ -90,7 +93,9 @@ def contact_section(result: Result) -> Section:
 
 def _picture(result: Result, solution: Solution, name: str) -> Picture | Words | None:
     caption = f"{_CAPTIONS.get(name) or QUANTITIES[name].title()}, {place_of(solution)}"
-    return _drawn(_captioned(caption, solution.left_out), scene_picture(result, solution, name))
+    return _drawn(
+        _captioned(caption, solution.neglected_effects), scene_picture(result, solution, name)
+    )
 
 
 def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | Words | None:
@@ -102,9 +107,9 @@ def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | Words |
         return Words(f"{caption}: could not be drawn ({reason_of(error)}).")
 
 
-def _captioned(caption: str, left_out: LeftOut) -> str:
+def _captioned(caption: str, neglected_effects: NeglectedEffects) -> str:
     """A caption with the effects left out."""
-    return f"{caption}; {left_out.words}" if left_out.words else caption
+    return f"{caption}; {neglected_effects.words}" if neglected_effects.words else caption
 
 
 def png(figure: Figure) -> bytes:

@@ -317,10 +317,10 @@ def test_roughness_is_an_effect_like_any_other():
 )
 def test_automatic_plans_keep_the_accuracy(name, accuracy):
     """The cheap ones of the suite that `benchmarks/accuracy/plans.py` runs in full."""
-    row, left_out = trial(name, TRIALS[name], accuracy)
+    row, neglected_effects = trial(name, TRIALS[name], accuracy)
     assert row["converged"]
     assert row["worst"] <= accuracy
-    assert all(one["true"] <= accuracy for one in left_out)
+    assert all(one["true"] <= accuracy for one in neglected_effects)
 
 
 @pytest.mark.parametrize(

@@ -120,7 +120,7 @@ def test_results_have_both_bars():
     assert summary["temperature_max_model_error_K"]["film"] > 0
     share = solution.figures.asperity_load_fraction
     said = f"asperities carry {share.value * 100:.2g} % ± {share.value * share.model * 100:.2g} % (model)"
-    assert said in solution.left_out.sentence
+    assert said in solution.neglected_effects.sentence
 
 
 def test_smooth_films_have_one_bar():

@@ -222,7 +222,7 @@ def test_where_no_transient_solution_is_found_a_steady_one_stands_for_it(kind, m
     squeeze = next(effect for effect in substitute.effects if effect.name == "squeeze")
     assert not squeeze.on and "not found: the transient solve found no" in squeeze.reason
     assert squeeze.influence["film"] > 0.05
-    assert substitute.left_out.influence["squeeze"] == squeeze.influence["film"]
+    assert substitute.neglected_effects.influence["squeeze"] == squeeze.influence["film"]
     simulated = ",".join(effect.name for effect in substitute.effects if effect.on)
     steady = solved(replace(accelerated, past=None), simulated)
     assert films(substitute) == pytest.approx(films(steady), rel=1e-3)

@@ -30,7 +30,7 @@ from pyworm.result.headline import headline, of_all, opening
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result, open_result
 from pyworm.result.sweep_result import SweepResult, sweep_table
-from pyworm.solver.left_out import LeftOut, beyond, expected, judged, worst
+from pyworm.solver.neglected_effects import NeglectedEffects, beyond, expected, judged, worst
 
 CASES = Path(__file__).parents[3] / "cases"
 
@@ -71,8 +71,11 @@ def test_effects_that_are_off_count_beyond_the_accuracy_the_largest_first():
     assert beyond(EFFECTS, 0.6) == {}
     boundless = replace(EFFECTS[1], influence={"film": 0.1, "friction": np.inf})
     assert beyond([boundless], 0.02) == {"squeeze": 1.0}
-    assert LeftOut(beyond([boundless], 0.02)).words == "not simulated: squeeze by more than 99 %"
-    assert LeftOut(beyond(EFFECTS, 0.02)).words == WORDS
+    assert (
+        NeglectedEffects(beyond([boundless], 0.02)).words
+        == "not simulated: squeeze by more than 99 %"
+    )
+    assert NeglectedEffects(beyond(EFFECTS, 0.02)).words == WORDS
 
 
 @pytest.mark.parametrize(
@@ -101,21 +104,24 @@ def test_a_simulated_share_tells_boundary_from_mixed_lubrication(central, share,
 
 
 def test_the_worst_of_several_contacts_counts():
-    full = LeftOut({"squeeze": 0.9}, "full", 5.0, 3.0)
-    mixed = LeftOut({"roughness": 0.3, "squeeze": 0.1}, "mixed", 2.0, 1.5)
-    thinner = LeftOut({"roughness": 0.5}, "mixed", 1.5, 1.2)
+    full = NeglectedEffects({"squeeze": 0.9}, "full", 5.0, 3.0)
+    mixed = NeglectedEffects({"roughness": 0.3, "squeeze": 0.1}, "mixed", 2.0, 1.5)
+    thinner = NeglectedEffects({"roughness": 0.5}, "mixed", 1.5, 1.2)
     of_them = worst([full, mixed, thinner])
     assert of_them.influence == {"squeeze": 0.9, "roughness": 0.5}
     assert (of_them.lubrication, of_them.lambda_central, of_them.contacts) == ("mixed", 1.5, 3)
-    assert worst([full, LeftOut()]).lubrication == "unknown"
-    assert not worst([full, LeftOut()]).as_if_smooth
+    assert worst([full, NeglectedEffects()]).lubrication == "unknown"
+    assert not worst([full, NeglectedEffects()]).as_if_smooth
 
 
 def test_a_film_that_did_not_converge_has_no_lubrication():
     lost = rough_worm(converged=False)
-    assert lost.left_out.lubrication == "unknown" and lost.left_out.lambda_min is None
+    assert (
+        lost.neglected_effects.lubrication == "unknown"
+        and lost.neglected_effects.lambda_min is None
+    )
     good = rough_worm()
-    assert of_all([lost, good]) == good.left_out
+    assert of_all([lost, good]) == good.neglected_effects
     assert headline([lost]) == WORDS
 
 
@@ -130,9 +136,11 @@ def test_a_scene_s_json_begins_with_what_was_left_out_and_a_saved_result_keeps_i
     assert summary["lubrication"] == "mixed"
     assert summary["lambda_central"] == pytest.approx(1.4 / 0.6)
     assert summary["lambda_min"] == summary["specific_film"]
-    assert LeftOut.read(summary) == rough.solutions[0].left_out
+    assert NeglectedEffects.read(summary) == rough.solutions[0].neglected_effects
     again = open_result(rough.save(tmp_path / "result.nc"))
-    assert [of.left_out for of in again.solutions] == [of.left_out for of in rough.solutions]
+    assert [of.neglected_effects for of in again.solutions] == [
+        of.neglected_effects for of in rough.solutions
+    ]
 
 
 def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
@@ -159,22 +167,22 @@ def test_without_a_roughness_the_opening_says_which_one_would_matter():
         "a composite roughness of 0.5 µm (Rq) it would be mixed; two ground surfaces of Ra 0.4 µm have "
         "0.71 µm."
     )
-    both = worst([of_thin, LeftOut(), of_thick])
+    both = worst([of_thin, NeglectedEffects(), of_thick])
     assert both.mixed_above_roughness_m == 0.3e-6
     assert "0.3 µm (Rq) it would be mixed in the worst of 3 contacts;" in both.sentence
-    assert LeftOut.read(of_thin.summary()) == of_thin
+    assert NeglectedEffects.read(of_thin.summary()) == of_thin
     assert judged((), 0.01, (), None).sentence == ""
     assert judged((), 0.01, (2e-6, 1e-6), 0.5e-6).mixed_above_roughness_m is None
 
 
 def test_simulated_roughness_is_told_with_its_share_and_its_bar():
     share = {"asperity_load_fraction": 0.031, "asperity_load_fraction_model_error": 0.5}
-    mixed = LeftOut({}, "mixed", 2.0, 1.5, rough=True, **share)
+    mixed = NeglectedEffects({}, "mixed", 2.0, 1.5, rough=True, **share)
     assert not mixed.as_if_smooth
-    assert mixed.headed("Friction") == "Friction"
+    assert mixed.qualified("Friction") == "Friction"
     assert mixed.sentence.endswith("; asperities carry 3.1 % ± 1.6 % (model) of the load.")
-    assert LeftOut.read(mixed.summary() | share) == mixed
-    planned = LeftOut({}, "mixed", 2.0, 1.5, rough=True)
+    assert NeglectedEffects.read(mixed.summary() | share) == mixed
+    planned = NeglectedEffects({}, "mixed", 2.0, 1.5, rough=True)
     assert planned.sentence.endswith("times the composite roughness).")
 
 
@@ -278,12 +286,12 @@ def test_a_sweep_s_table_shows_the_worst_of_its_scenes():
     assert table["left_out_roughness"].values == pytest.approx([0.53] * 3)
     assert table["lubrication"].values.tolist() == ["mixed", "mixed", "unknown"]
     swept = SweepResult("s", "loads", [["contact.load"]], table, {})
-    assert swept.left_out.lambda_central == pytest.approx(1.4 / 0.9)
+    assert swept.neglected_effects.lambda_central == pytest.approx(1.4 / 0.9)
     shown = rows_table(swept)
     assert WORDS in shown.title
     assert "µ\nas if\nsmooth" in shown.head
     odd = replace(swept, table=table.assign(lubrication=("scene", ["of no kind"] * 3)))
-    assert odd.left_out.lubrication == "unknown"
+    assert odd.neglected_effects.lubrication == "unknown"
 
 
 def test_a_sweep_s_table_has_every_effect_in_one_column():
@@ -356,7 +364,7 @@ def test_rough_teeth_are_warmed_by_the_larger_loss(more, by):
 
 def test_separated_teeth_are_warmed_by_the_simulated_loss():
     cycle = drive_cycle(cycle_result(PHASES, roughness=0.05e-6))
-    assert cycle.left_out.lubrication == "full"
+    assert cycle.neglected_effects.lubrication == "full"
     found = heating_loss(cycle, StandardLoss(0.03, 0.9, 2 * cycle.loss.power, "book"))
     assert (found.by, found.power) == ("simulation", cycle.loss.power)
 

@@ -48,7 +48,7 @@ AS_IF_SMOOTH = "as if smooth"
 
 
 @dataclass(frozen=True)
-class LeftOut:
+class NeglectedEffects:
     """Effects left out of the figures of a contact, or of the worst of several, and its lubrication."""
 
     influence: dict[str, float] = field(default_factory=dict)
@@ -135,7 +135,7 @@ class LeftOut:
         bar = "" if error is None else f" ± {share * error * 100:.2g} % (model)"
         return f"; asperities carry {share * 100:.2g} %{bar} of the load"
 
-    def headed(self, name: str) -> str:
+    def qualified(self, name: str) -> str:
         """The name of a friction, loss or efficiency, with what it leaves out."""
         return f"{name}, {AS_IF_SMOOTH}" if self.as_if_smooth else name
 
@@ -164,7 +164,7 @@ class LeftOut:
 
 
 def beyond(effects: Iterable[Judgement], accuracy: float) -> dict[str, float]:
-    """Effects that are off, with an influence larger than an accuracy, as `LeftOut.influence`."""
+    """Effects that are off, with an influence larger than an accuracy, as `NeglectedEffects.influence`."""
     largest = {
         effect.name: min(max(effect.influence.values(), default=0.0), WHOLE)
         for effect in effects
@@ -181,7 +181,7 @@ def judged(
     films: Sequence[float],
     roughness: float | None,
     asperity_load: tuple[float | None, float | None] = (None, None),
-) -> LeftOut:
+) -> NeglectedEffects:
     """Judge the effects left out of a contact and its lubrication.
 
     Parameters
@@ -201,7 +201,7 @@ def judged(
     if roughness and films:
         central, least = (film / roughness for film in films)
     share, uncertainty = asperity_load
-    return LeftOut(
+    return NeglectedEffects(
         beyond(effects, accuracy),
         lubrication(central, least, share),
         central,
@@ -215,7 +215,7 @@ def judged(
     )
 
 
-def expected(scene: AnyContact, plan: Plan) -> LeftOut:
+def expected(scene: AnyContact, plan: Plan) -> NeglectedEffects:
     """Effects that a plan leaves out of a contact, estimated by closed forms."""
     shown = scene if plan.model.rough else replace(scene, smooth=True)
     prediction = predicted(shown)
@@ -223,10 +223,10 @@ def expected(scene: AnyContact, plan: Plan) -> LeftOut:
     return judged(plan.effects, plan.accuracy, films, scene.composite_roughness)
 
 
-def worst(several: Sequence[LeftOut]) -> LeftOut:
+def worst(several: Sequence[NeglectedEffects]) -> NeglectedEffects:
     """The largest influences of several contacts, with the lubrication of the one where it is worst."""
     if not several:
-        return LeftOut()
+        return NeglectedEffects()
     influence: dict[str, float] = {}
     for contact in several:
         for name, fraction in contact.influence.items():
@@ -235,7 +235,7 @@ def worst(several: Sequence[LeftOut]) -> LeftOut:
     return replace(severest, influence=_largest_first(influence), contacts=len(several))
 
 
-def _severity(contact: LeftOut) -> tuple[float, float, float]:
+def _severity(contact: NeglectedEffects) -> tuple[float, float, float]:
     """Numbers that rise with the severity of lubrication."""
     bearable = contact.mixed_above_roughness_m
     return (
