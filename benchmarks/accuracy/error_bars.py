@@ -40,7 +40,7 @@ from pyworm.precision.extrapolation import limit
 from pyworm.scene.index import Place
 from pyworm.solver.error_estimate import Reading
 from pyworm.solver.grid_sequence import SOLVERS
-from pyworm.solver.newton import settle
+from pyworm.solver.newton import converge
 
 sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
 from draws import JUDGED_DRAWS, Drawn
@@ -98,11 +98,13 @@ def refined(
     level, _ = solver.begin(grids)
     readings: dict[int, Reading] = {}
     for number in count():
-        settled = settle(level, plan.tolerance, plan.aim, error_budget.ALGEBRA * plan.accuracy)
-        if level.film.balance.worst > 10 * plan.tolerance or settled.reading.film_min <= 0:
+        iteration = converge(
+            level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy
+        )
+        if level.film.balance.worst > 10 * plan.tolerance or iteration.reading.film_min <= 0:
             readings = {}
         else:
-            readings[number] = settled.reading
+            readings[number] = iteration.reading
         if level.grid.dx <= spacing or level.grid.finer().nodes > most:
             return readings
         level, _ = solver.refined(level)
@@ -199,7 +201,7 @@ def truth_of(task: Task, solution: pyworm.Solution, kind: str) -> Truth:
     """The truth of a scene in a window and on grids that do for one of its solutions."""
     exact = pyworm.plan(task.scene, EXACT * task.accuracy, EFFECTS[kind])
     # temperatures of films that hardly warm are settled too
-    exact = replace(exact, aim=replace(exact.aim, warmth=0.0))
+    exact = replace(exact, target=replace(exact.target, warmth=0.0))
     if exact.model.heated:
         exact = with_levels(exact, LEVELS[kind])
     x = solution.fields.x.values

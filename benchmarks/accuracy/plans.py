@@ -30,7 +30,7 @@ from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.solver.grid_sequence import SOLVERS
-from pyworm.solver.newton import settle
+from pyworm.solver.newton import converge
 from pyworm.solver.solution import Solution
 
 FINER = 1
@@ -57,9 +57,9 @@ def on_one_grid(scene, plan: Plan) -> Numbers:
     solver = SOLVERS[type(simple)](simple, plan)
     level, _ = solver.begin(plan.grids)
     for _ in range(FINER):
-        settle(level, plan.tolerance, plan.aim, 0.1 * plan.accuracy)
+        converge(level, plan.tolerance, plan.target, 0.1 * plan.accuracy)
         level, _ = solver.refined(level)
-    settle(level, plan.tolerance / 10, plan.aim, 0.01 * plan.accuracy)
+    converge(level, plan.tolerance / 10, plan.target, 0.01 * plan.accuracy)
     figures = level.read().figures
     return Numbers(
         (figures["film_min"], figures["film_central"]),

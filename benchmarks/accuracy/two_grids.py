@@ -70,7 +70,7 @@ def read(kind: str, number: int, seed: int) -> list[Reading]:
     grids = pyworm.plan(scene, ACCURACY, effects).grids
     exact = pyworm.plan(scene, EXACT * ACCURACY, effects)
     # temperatures of films that hardly warm are settled too
-    exact = replace(exact, aim=replace(exact.aim, warmth=0.0))
+    exact = replace(exact, target=replace(exact.target, warmth=0.0))
     try:
         return list(refined(exact.simplified(scene), exact, grids, 0.0, MOST_NODES[kind]).values())
     except KernelError:

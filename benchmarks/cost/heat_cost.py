@@ -26,7 +26,7 @@ from film import PARTS, refined
 
 import pyworm
 from pyworm.scene.point import Scene
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.solution import Solution
 
@@ -122,9 +122,9 @@ def refine(name: str) -> dict[str, float | str]:
     started = perf_counter()
     level, _ = solver.begin(plan.grids)
     for _ in range(HALVINGS):
-        lead(level, TOLERANCES[0])
+        iterate(level, TOLERANCES[0])
         level, _ = solver.refined(level)
-    lead(level, TOLERANCES[0])
+    iterate(level, TOLERANCES[0])
     whole = perf_counter() - started
     film = level.film
     held = np.concatenate([film.pressure.ravel(), film.rise().ravel()])

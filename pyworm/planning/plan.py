@@ -28,7 +28,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.model import Model, model_for
 from pyworm.planning.prediction import Prediction, predicted
-from pyworm.planning.target import FILMS, HEAT_FIGURES, Aim
+from pyworm.planning.target import FILMS, HEAT_FIGURES, AccuracyTarget
 from pyworm.scene.line import LineScene
 from pyworm.scene.own_functions import require_functions
 from pyworm.scene.plausibility import UnusualWarning, doubts, require_conceivable
@@ -49,7 +49,7 @@ class Plan(Shown):
     """Every effect with its judgement."""
     regime: Regime
     """The regime of lubrication."""
-    aim: Aim
+    target: AccuracyTarget
     """The figures whose error bars the accuracy is asked of."""
     model: Model
     """Levels across the film and heat, as the kernel simulates them."""
@@ -239,14 +239,14 @@ def planned(
     told = simple.oil.flow is not None or simple.oil.heat is not None
     _require_any(quantities, asked, {FILM: True, FRICTION: told and law, TEMPERATURE: model.heated})
     rubs = told and law and prediction.sliding > 0
-    aim = _aim(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
+    target = _aim(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
     return Plan(
         accuracy,
         quantities,
         asked,
         judgements,
         prediction.regime,
-        aim,
+        target,
         model,
         **vars(numerics),
         excluded=dict(excluded or {}),
@@ -283,7 +283,7 @@ def effects_for(scene: Scene | LineScene, plan: Plan, prediction: Prediction) ->
     return frozenset(judgement.name for judgement in judged if judgement.on)
 
 
-def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> Aim:
+def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> AccuracyTarget:
     """The figures of the quantities asked for that the model has."""
     figures = {
         FILM: FILMS,
@@ -291,7 +291,7 @@ def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> 
         TEMPERATURE: HEAT_FIGURES * model.heated,
     }
     names = tuple(name for quantity in quantities for name in figures[quantity])
-    return Aim(names, 1 / beta if beta > 0 else 0.0)
+    return AccuracyTarget(names, 1 / beta if beta > 0 else 0.0)
 
 
 def steady(plan: Plan, reason: str) -> Plan:

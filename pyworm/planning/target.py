@@ -15,7 +15,7 @@ HEAT_FIGURES = ("temperature_max_body_1", "temperature_max_body_2", "temperature
 
 
 @dataclass(frozen=True)
-class Aim:
+class AccuracyTarget:
     """The figures to which an accuracy applies.
 
     The largest pressure is never among them: under light loads it is the tip of a spike at the exit, which no
@@ -28,8 +28,8 @@ class Aim:
     warmth: float = 0.0
     """Temperature difference to which errors of temperatures are relative where the rise is smaller [K]."""
 
-    def without(self, *names: str) -> "Aim":
-        """The aim without some figures."""
+    def without(self, *names: str) -> "AccuracyTarget":
+        """The target without some figures."""
         return replace(self, figures=tuple(other for other in self.figures if other not in names))
 
     def worst(self, errors: Mapping[str, float], figures: Mapping[str, float]) -> float:

@@ -86,7 +86,7 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
         drawn = [
             (point.seconds, max(error, FLOOR))
             for point in curve.points
-            if point.settled and (error := study.error(point, name)) is not None
+            if point.converged and (error := study.error(point, name)) is not None
         ]
         if not drawn:
             continue
@@ -123,7 +123,7 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
     limits = [
         (point.seconds, max(error, FLOOR))
         for point in curve.points
-        if point.settled and (error := study.limit_error(point, name)) is not None
+        if point.converged and (error := study.limit_error(point, name)) is not None
     ]
     if limits:
         panel.plot(*zip(*limits, strict=True), "o-.", color=colour, **HOLLOW)
@@ -133,7 +133,7 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
         grid = [
             (point.seconds, max(error, FLOOR))
             for point in curve.points
-            if point.settled and (error := study.grid_error(curve, point, name)) is not None
+            if point.converged and (error := study.grid_error(curve, point, name)) is not None
         ]
         panel.plot(*zip(*grid, strict=True), ":", color=colour, linewidth=1.2, zorder=2)
         last = drawn[-1][0]

@@ -11,7 +11,7 @@ from pyworm.precision.models import Fidelity
 from pyworm.solver.grid_limit import second_order_limit
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import lead, settle
+from pyworm.solver.newton import converge, iterate
 from pyworm.solver.timing import convolution_seconds
 
 FIGURES = ("film_min", "film_central", "friction_coefficient", "temperature_max_film")
@@ -40,7 +40,7 @@ class Point:
     """Processor time of one convolution on the grid [s]; 0 of a formula."""
     figures: dict[str, float] = field(default_factory=dict)
     """The simulated `FIGURES` [m, m, -, K]."""
-    settled: bool = True
+    converged: bool = True
     """Whether the equations are met."""
     setting: str = ""
     """Value of the numerical parameter, where it is not the grid."""
@@ -111,7 +111,7 @@ def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
     for number in count():
         error = _wanted(number)
         tolerance = plan.tolerance / plan.accuracy * error
-        settle(level, tolerance, plan.aim, error_budget.ALGEBRA * error)
+        converge(level, tolerance, plan.target, error_budget.ALGEBRA * error)
         figures = read(level)
         seconds = watch.stop()
         yield Point(
@@ -149,17 +149,17 @@ def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) 
     level, _ = solver.begin(plan.grids)
     for number in range(halvings):
         error = _wanted(number)
-        settle(
-            level, plan.tolerance / plan.accuracy * error, plan.aim, error_budget.ALGEBRA * error
+        converge(
+            level, plan.tolerance / plan.accuracy * error, plan.target, error_budget.ALGEBRA * error
         )
         level, _ = solver.refined(level)
     for tolerance in tolerances:
-        lead(level, tolerance)
+        iterate(level, tolerance)
         figures = read(level)
         seconds = watch.stop()
-        settled = level.film.balance.worst <= tolerance
+        converged = level.film.balance.worst <= tolerance
         unit = convolution_seconds(level.film)
-        yield Point(tuple(level.grid.shape), seconds, unit, figures, settled, f"{tolerance:.0e}")
+        yield Point(tuple(level.grid.shape), seconds, unit, figures, converged, f"{tolerance:.0e}")
         watch.go()
 
 
@@ -169,13 +169,13 @@ def on_grid(fidelity: Fidelity, halvings: int, setting: str) -> Point:
     return replace(point, setting=setting)
 
 
-def settled_row(points: Sequence[Point]) -> list[Point]:
+def converged_row(points: Sequence[Point]) -> list[Point]:
     """The finest consecutive grids whose equations converged."""
-    settled = [point.settled for point in points]
-    if not any(settled):
+    converged = [point.converged for point in points]
+    if not any(converged):
         return []
-    last = len(points) - settled[::-1].index(True)
-    row = takewhile(lambda point: point.settled, reversed(points[:last]))
+    last = len(points) - converged[::-1].index(True)
+    row = takewhile(lambda point: point.converged, reversed(points[:last]))
     return list(row)[::-1]
 
 

@@ -90,7 +90,7 @@ class Study:
             if curve.kind == "parameter":
                 continue
             good: Point | None = None
-            for point in reversed([point for point in curve.points if point.settled]):
+            for point in reversed([point for point in curve.points if point.converged]):
                 if not all(self._within(point, figure, accuracy) for figure in figures):
                     break
                 good = point

@@ -15,9 +15,9 @@ from pyworm.precision.closed_forms import closed_forms
 from pyworm.precision.extrapolation import Limit, limit
 from pyworm.precision.grid_series import (
     Point,
+    converged_row,
     grid_sequence,
     on_grid,
-    settled_row,
     step_of,
     tightened,
 )
@@ -123,7 +123,7 @@ class _Study:
         self._scene = scene
         self._models, lacking = fidelities(scene, quantities)
         self._complete = self._models[-1]
-        self._figures = self._complete.plan.aim.figures
+        self._figures = self._complete.plan.target.figures
         self._budget = budget
         self._progress = progress
         self._omitted = [f"{name}: {reason}" for name, reason in lacking.items()]
@@ -142,7 +142,7 @@ class _Study:
                 f"{LEAST_GRIDS} grids of the most complete model are needed, "
                 f"that is some {duration(self._wanted(complete))}"
             )
-        if len(settled_row(complete.points)) < 2:
+        if len(converged_row(complete.points)) < 2:
             raise NoReferenceError(f"{complete.name}: the film settles on too few grids")
         window = self._window(complete)
         references = self._references(complete, window)
@@ -196,9 +196,9 @@ class _Study:
             for point in series:
                 taken.append(point)
                 self._report(f"{name}: {point.label}")
-                if _fine_enough(taken, model.plan.aim.figures):
+                if _fine_enough(taken, model.plan.target.figures):
                     break
-                if len(taken) > LEAST_GRIDS and not (taken[-2].settled or point.settled):
+                if len(taken) > LEAST_GRIDS and not (taken[-2].converged or point.converged):
                     self._omitted.append(f"{name}: grids beyond {point.label} (it does not settle)")
                     break
                 last = taken[-2].seconds if len(taken) > 1 else 0.0
@@ -241,7 +241,7 @@ class _Study:
         pairs = [
             (here, wider)
             for here, wider in zip(complete.points[:common], window.points[:common], strict=True)
-            if here.settled and wider.settled
+            if here.converged and wider.converged
         ]
         if not pairs:
             self._omitted.append("the error by the window, from the band too")
@@ -318,13 +318,13 @@ class _Study:
 
 def _limits(points: Sequence[Point]) -> dict[str, Limit]:
     """Limits of all figures, extrapolated from points."""
-    row = settled_row(points)
+    row = converged_row(points)
     names = row[-1].figures if row else ()
     return {name: limit([point.figures[name] for point in row]) for name in names}
 
 
 def _fine_enough(points: list[Point], figures: tuple[str, ...]) -> bool:
-    if len(points) < LEAST_GRIDS + 1 or not points[-1].settled:
+    if len(points) < LEAST_GRIDS + 1 or not points[-1].converged:
         return False
     limits = _limits(points)
     last = points[-1].figures

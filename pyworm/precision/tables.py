@@ -28,7 +28,7 @@ def rows(study: Study) -> Iterator[dict[str, Any]]:
                 "setting": point.setting,
                 "seconds": point.seconds,
                 "convolutions": point.convolutions or None,
-                "settled": point.settled,
+                "settled": point.converged,
             }
             for figure in study.references:
                 row[UNITS[figure]] = point.figures.get(figure)

@@ -13,7 +13,7 @@ import numpy as np
 from pyworm.materials.body import Body
 from pyworm.scene.oil_arrival import bulk_temperature, nearer_to_supply
 from pyworm.solver.level import InitialGuess, Level
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 
 ENOUGH, WARMED, MOST_STEPS = 1e-4, 1e-3, 20
 """Residual and last change of temperature, over its largest rise, of a film that has followed the change,
@@ -62,11 +62,11 @@ def arrival_uncertainty(
     """
     converged, figures = level.state(), level.read().figures
     warm(other_bodies(level), converged)
-    lead(level, ENOUGH, WARMED, most=MOST_STEPS)
+    iterate(level, ENOUGH, WARMED, most=MOST_STEPS)
     followed, after = level.film.balance.within(ENOUGH, WARMED), level.read().figures
     warm(level.scene.bodies, converged)
     # the fields of its heat are those of the last sweep
-    lead(level, 0.0, most=1)
+    iterate(level, 0.0, most=1)
     if not followed:
         return dict.fromkeys(figures, inf)
     return {name: abs(after[name] / value - 1) if value else 0.0 for name, value in figures.items()}

@@ -31,7 +31,7 @@ from pyworm.solver.arrival_uncertainty import arrival_uncertainty
 from pyworm.solver.ending import Ending
 from pyworm.solver.error_estimate import Convergence
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
-from pyworm.solver.newton import NewtonStep, lead
+from pyworm.solver.newton import NewtonStep, iterate
 from pyworm.solver.oil_supply import supply_figures
 from pyworm.solver.oil_uncertainty import oil_uncertainty
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
@@ -131,7 +131,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """Solve wider windows to the spacing of a level."""
         level, steps = self.begin(grids)
         for _ in range(self._refinements_between(level, narrow)):
-            steps += lead(level, self._plan.tolerance)
+            steps += iterate(level, self._plan.tolerance)
             level, further = self.refined(level)
             steps += further
         return level, steps
@@ -218,9 +218,9 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         stresses = 1.0
         if self._model.levels:
             if self._rough is None:
-                steps += lead(level, COARSE_TOLERANCE)
+                steps += iterate(level, COARSE_TOLERANCE)
             else:
-                steps += lead(level, ROUGHENED_TOLERANCE) + self._roughened(level)
+                steps += iterate(level, ROUGHENED_TOLERANCE) + self._roughened(level)
             # that film's pressure could make heat without bound by a law that limits the stress
             sheared, stresses = self._sheared(level)
             steps += sheared
@@ -243,7 +243,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """
         newtonian = level.state()
         self._flow_by_law(level, 1.0, newtonian)
-        steps: list[NewtonStep] = lead(level, self.shear_tolerance)
+        steps: list[NewtonStep] = iterate(level, self.shear_tolerance)
         if level.film.balance.worst <= self.shear_tolerance:
             return steps, 1.0
         level.film.start(newtonian.pressure, newtonian.rigid_film, newtonian.oil)
@@ -268,7 +268,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
 
         guesses = [self._lifted(smooth, film), *self._dry_guesses(level)]
         imbalance(min(guesses, key=imbalance))
-        return lead(level, ROUGHENED_TOLERANCE)
+        return iterate(level, ROUGHENED_TOLERANCE)
 
     def _lifted(self, guess: InitialGuess, film: float) -> InitialGuess:
         """A guess with this film under its largest pressure, lifted until asperities bear no more."""
@@ -291,13 +291,13 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             self._heat(level, None)
             level.film.restart()
             steps += self._to_own_entrainment(level)
-            steps += lead(level, HEATED_TOLERANCE)
+            steps += iterate(level, HEATED_TOLERANCE)
             if not level.lost() or stresses >= FIRMEST:
                 return steps, stresses
             stresses *= SOFTENING
             self._shear(level, stresses)
             level.film.start(cold.pressure, cold.rigid_film, cold.oil)
-            steps += lead(level, self.shear_tolerance)
+            steps += iterate(level, self.shear_tolerance)
 
     def _softened(
         self, level: LevelT, stresses: float, least: float
@@ -314,7 +314,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             self._flow_by_law(level, softer, found)
             if level.film.balance.residual <= SENSELESS:
                 tolerance = HEATED_TOLERANCE if level.film.heated else self.shear_tolerance
-                steps += lead(level, tolerance, most=CONTINUATION_STEPS)
+                steps += iterate(level, tolerance, most=CONTINUATION_STEPS)
             if level.lost():
                 ratio = sqrt(ratio)
             else:
@@ -345,7 +345,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         guess = level.state()
         for firmed in FIRMED_AGAIN:
             self._flow_by_law(level, firmed, guess)
-            steps += lead(level, HEATED_TOLERANCE, HEATED_TOLERANCE)
+            steps += iterate(level, HEATED_TOLERANCE, HEATED_TOLERANCE)
             if level.film.balance.within(HEATED_TOLERANCE, HEATED_TOLERANCE):
                 softened, stresses = self._softened(level, firmed, LEAST_SOFTENING_OF_HEATED)
                 steps += softened
@@ -431,10 +431,10 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         grids = PLANS[type(scene)](scene, self._plan.accuracy, self._model).grids
         solver = type(self)(scene, replace(self._plan, grids=grids), self._transient_term)
         level, _ = solver.begin(grids)
-        lead(level, COARSE_TOLERANCE)
+        iterate(level, COARSE_TOLERANCE)
         coarse = level.read().film_central
         level, _ = solver.refined(level)
-        lead(level, COARSE_TOLERANCE)
+        iterate(level, COARSE_TOLERANCE)
         fine = level.read().film_central
         film = fine + (fine - coarse) / 3
         density = figures_of_grid.value_at_origin(level.grid, level.film.fields()[1])

@@ -17,7 +17,7 @@ from pyworm.solver.error_estimate import (
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.grid_limit import grid_limits
 from pyworm.solver.level import Level
-from pyworm.solver.newton import Settled
+from pyworm.solver.newton import Iteration
 from pyworm.solver.stop_reason import film_is_sound
 from pyworm.solver.window_limit import WindowLimit
 
@@ -27,7 +27,7 @@ def estimates(
     level: Level,
     readings: Sequence[Reading],
     window: Mapping[str, WindowLimit],
-    settled: Settled,
+    iteration: Iteration,
     plan: Plan,
     approximations: Mapping[str, float],
     uncertainties: Mapping[str, float],
@@ -54,11 +54,11 @@ def estimates(
     uncertainties : mapping
         Relative uncertainty of each figure by the assumptions of its model; empty where there are none.
     """
-    limits = grid_limits(readings or [settled.reading], solver.convergence)
+    limits = grid_limits(readings or [iteration.reading], solver.convergence)
     grid = {name: limit.error for name, limit in limits.items()}
-    grid |= {name: max(grid[name], error) for name, error in peak_errors(settled.reading).items()}
-    reasons = {"pressure_max": unresolved(settled.reading)}
-    if not film_is_sound(level, settled, plan):
+    grid |= {name: max(grid[name], error) for name, error in peak_errors(iteration.reading).items()}
+    reasons = {"pressure_max": unresolved(iteration.reading)}
+    if not film_is_sound(level, iteration, plan):
         grid = dict.fromkeys(grid, np.inf)
     unknown = WindowLimit(0.0, np.inf if plan.wider_grids else 0.0)
     window = {name: window.get(name, unknown) for name in limits}
@@ -68,17 +68,17 @@ def estimates(
             solver.origins.get(name, 0.0) + limits[name].value + window[name].rest * abs(value),
             grid[name],
             window[name].error,
-            settled.algebra[name],
+            iteration.algebra[name],
             conduction.get(name, 0.0) + approximations.get(name, 0.0),
             reasons.get(name),
             on_grid=solver.origins.get(name, 0.0) + value,
             model=uncertainties.get(name),
             datum=solver.origins.get(name, 0.0),
         )
-        for name, value in settled.reading.figures.items()
+        for name, value in iteration.reading.figures.items()
     }
-    spike, name = hot_spike(settled.reading), "temperature_max_film"
+    spike, name = hot_spike(iteration.reading), "temperature_max_film"
     if spike is not None and found[name].error > plan.accuracy:
-        bar = np.inf if settled.reading.peaks[name].nodes < LEAST_PEAK else grid[name]
+        bar = np.inf if iteration.reading.peaks[name].nodes < LEAST_PEAK else grid[name]
         found[name] = replace(found[name], grid=bar, reason=spike)
     return found

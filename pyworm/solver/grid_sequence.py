@@ -26,12 +26,12 @@ from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.levels_across import MOVED, UNJUDGED, EnoughLevels, enough_levels, is_hot
 from pyworm.solver.memory import NoMemoryError, shortage
-from pyworm.solver.newton import NewtonStep, Settled, convergence_history, settle
+from pyworm.solver.newton import Iteration, NewtonStep, converge, convergence_history
 from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import (
     CURE,
+    MAX_UNCONVERGED_GRIDS,
     MOST_LOST_ON_EDGE,
-    MOST_UNSETTLED,
     TELLING,
     bound_by_conduction,
     film_is_sound,
@@ -97,7 +97,7 @@ class GridSequence:
         self._judged: Reading | None = None
         self._unjudged = False
         self._steps: list[NewtonStep] = []
-        self._unsettled = self._refinements = self._widenings = 0
+        self._unconverged = self._refinements = self._widenings = 0
 
     def begin(self, warm_start: Level | None) -> Level:
         """Settle the film on the first grid of the figures and return it there.
@@ -130,7 +130,7 @@ class GridSequence:
 
     def figures(self) -> dict[str, float] | None:
         """The figures so far; None where there is no film yet."""
-        if not film_is_sound(self._level, self._settled, self._plan):
+        if not film_is_sound(self._level, self._iteration, self._plan):
             return None
         return {name: estimate.value for name, estimate in self._estimates().items()}
 
@@ -148,15 +148,15 @@ class GridSequence:
 
     def _settle_on_grid(self) -> None:
         """Settle the film on its grid and read its figures."""
-        self._settled = self._settled_on(self._level)
-        self._steps += self._settled.steps
+        self._iteration = self._converge_on(self._level)
+        self._steps += self._iteration.steps
 
     def _keep_reading(self) -> None:
         """Keep the figures of a grid whose film tells something of the limit."""
         plan, balance = self._plan, self._level.film.balance
         if balance.worst <= max(plan.tolerance, TELLING):
-            self._readings.append(self._settled.reading)
-        self._unsettled += balance.worst > plan.tolerance
+            self._readings.append(self._iteration.reading)
+        self._unconverged += balance.worst > plan.tolerance
 
     def _stop(self) -> Stop | None:
         """Estimate the errors; returns how the sequence ends here, or None."""
@@ -164,7 +164,7 @@ class GridSequence:
         stop = self._rate_not_known() or refusal(
             plan, self._readings, self._solver.convergence.orders, self._level.grid.finer()
         )
-        if film_is_sound(self._level, self._settled, plan):
+        if film_is_sound(self._level, self._iteration, plan):
             if not self._levels_are_judged():
                 self._add_levels()
                 plan = self._plan
@@ -174,10 +174,10 @@ class GridSequence:
                 stop = self._compare_windows()
         return stop or stop_reason(
             self._level,
-            self._settled,
+            self._iteration,
             self._estimates(),
-            self._unsettled,
-            self._most_unsettled,
+            self._unconverged,
+            self._max_unconverged,
             plan,
         )
 
@@ -191,25 +191,25 @@ class GridSequence:
         """Whether the error by the levels across the film is known, on a grid whose film is like this one."""
         if self._levels_errors is None or self._judged is None:
             return self._levels_errors is not None
-        return largest_of_films(change(self._judged, self._settled.reading)) <= MOVED
+        return largest_of_films(change(self._judged, self._iteration.reading)) <= MOVED
 
     @property
-    def _most_unsettled(self) -> int:
+    def _max_unconverged(self) -> int:
         """Number of grids that may miss the tolerance."""
-        lost = self._unsettled >= MOST_LOST_ON_EDGE and self._readings
+        lost = self._unconverged >= MOST_LOST_ON_EDGE and self._readings
         on_edge = lost and rests_on_edge(self._solver.outcome(self._level).fields)
-        return MOST_LOST_ON_EDGE if on_edge else MOST_UNSETTLED
+        return MOST_LOST_ON_EDGE if on_edge else MAX_UNCONVERGED_GRIDS
 
     def _add_levels(self) -> None:
         """Give the film more levels across it if it is so hot that the planned ones may not do.
 
         Where no film with more levels is found the next grids are tried, before which no error is known.
         """
-        here = self._settled.reading
+        here = self._iteration.reading
         if not (self._plan.model.heated and is_hot(self._scene, here.figures)):
             self._levels_errors = {}
             return
-        film = EnoughLevels(self._plan, self._solver, self._level, self._settled, {})
+        film = EnoughLevels(self._plan, self._solver, self._level, self._iteration, {})
         found = enough_levels(film, self._transient, again=self._judged is not None)
         if found is None:
             if self._judged is None:
@@ -221,9 +221,9 @@ class GridSequence:
         self._unjudged = False
         if found.level is not self._level:
             self._plan, self._solver, self._level = found.plan, found.solver, found.level
-            self._steps += found.settled.steps
-            self._settled, self._readings = found.settled, [found.settled.reading]
-        self._levels_errors, self._judged = found.errors, self._settled.reading
+            self._steps += found.iteration.steps
+            self._iteration, self._readings = found.iteration, [found.iteration.reading]
+        self._levels_errors, self._judged = found.errors, self._iteration.reading
 
     def _refine(self) -> Stop | None:
         """Halve the spacing and settle the film; returns how it ends if that is not possible, or None."""
@@ -261,8 +261,8 @@ class GridSequence:
         figures = self._estimates()
         if outcome.flaw is not None:
             stop = outcome.flaw.stop()
-        elif film_is_sound(level, self._settled, plan):
-            stop = with_wider_bars(stop, figures, self._settled.reading.figures, plan)
+        elif film_is_sound(level, self._iteration, plan):
+            stop = with_wider_bars(stop, figures, self._iteration.reading.figures, plan)
         converged = stop.ending.converged
         if not converged and rests_on_edge(outcome.fields):
             stop = replace(stop, reason=stop.reason + CURE)
@@ -282,7 +282,7 @@ class GridSequence:
             stop_reason=stop.reason,
             figures=Figures(
                 **cast("dict[str, Any]", figures),
-                film_min_at=self._settled.reading.film_min_at,
+                film_min_at=self._iteration.reading.film_min_at,
                 load_error=level.film.balance.load_error,
                 residual=level.film.balance.residual,
                 **_extrapolated(outcome.figures, figures["film_min"]),
@@ -298,9 +298,9 @@ class GridSequence:
 
     def _accurate_in(self, figures: Mapping[str, Estimate]) -> tuple[str, ...]:
         """Figures that the accuracy applies to: those asked for that grids may bring to it."""
-        read = self._settled.reading.figures
+        read = self._iteration.reading.figures
         bound = bound_by_conduction(self._level, figures, read, self._plan)
-        return self._plan.aim.without(*bound).figures
+        return self._plan.target.without(*bound).figures
 
     def _compare_windows(self) -> Stop | None:
         """Estimate the window errors from a wider window; returns how it ends if that fails, or None.
@@ -310,33 +310,33 @@ class GridSequence:
         plan, solver = self._plan, self._solver
         if self._level.holds_all_pressure() and not plan.model.heated:
             exact = WindowLimit(0.0, 0.0)
-            self._window = dict.fromkeys(self._settled.reading.figures, exact)
+            self._window = dict.fromkeys(self._iteration.reading.figures, exact)
             return None
         self._tell("wider window", 1 - 0.7 ** (self._refinements + 1))
         try:
-            wider, settled = self._in_wider_window(plan.wider_grids)
-            seen = self._falls_seen(settled.reading)
+            wider, iteration = self._in_wider_window(plan.wider_grids)
+            seen = self._falls_seen(iteration.reading)
         except KernelError as error:
             return _lack_of_memory(error)
-        if not film_is_sound(wider, settled, plan):
+        if not film_is_sound(wider, iteration, plan):
             return None if self._refinements < MOST_RETRIES else Ending.NO_WIDER_FILM.stop()
-        here = self._settled.reading
+        here = self._iteration.reading
         algebra = {
-            name: algebraic + settled.algebra[name]
-            for name, algebraic in self._settled.algebra.items()
+            name: algebraic + iteration.algebra[name]
+            for name, algebraic in self._iteration.algebra.items()
         }
-        pair = here, settled.reading, with_falls(solver.convergence, seen), algebra
+        pair = here, iteration.reading, with_falls(solver.convergence, seen), algebra
         cut_off = solver.cut_off(self._level, wider)
         near, far = in_this_window(*pair), in_wider_window(*pair, cut_off)
         if self._level.holds_all_pressure():
             beta = self._scene.oil.beta
-            near, far = (by_warmth(limits, settled.reading, beta) for limits in (near, far))
+            near, far = (by_warmth(limits, iteration.reading, beta) for limits in (near, far))
         worst_near, worst_far = (
-            plan.aim.worst({name: limit.error for name, limit in limits.items()}, here.figures)
+            plan.target.worst({name: limit.error for name, limit in limits.items()}, here.figures)
             for limits in (near, far)
         )
         if worst_far > plan.accuracy and self._widenings < MOST_WIDENINGS and self._widen():
-            self._level, self._settled, self._readings = wider, settled, [settled.reading]
+            self._level, self._iteration, self._readings = wider, iteration, [iteration.reading]
             return self._compare_windows()
         may_refine = self._level.grid.finer().nodes <= plan.largest_grid
         if worst_far > plan.accuracy and may_refine and self._refinements < MOST_RETRIES:
@@ -344,7 +344,7 @@ class GridSequence:
         self._window = near
         if cut_off or worst_near > error_budget.WINDOW * plan.accuracy:
             self._window = far
-            self._level, self._settled, self._readings = wider, settled, [settled.reading]
+            self._level, self._iteration, self._readings = wider, iteration, [iteration.reading]
         return None
 
     def _widen(self) -> bool:
@@ -373,21 +373,21 @@ class GridSequence:
             return {}
         if not self._plan.model.heated:
             return {}
-        _, settled = self._in_wider_window((twice_as_far(narrow, wide),))
-        first = changes(self._settled.reading, wider)
-        second = changes(wider, settled.reading)
+        _, iteration = self._in_wider_window((twice_as_far(narrow, wide),))
+        first = changes(self._iteration.reading, wider)
+        second = changes(wider, iteration.reading)
         return {name: abs(second[name] / first[name]) for name in HEAT_FIGURES if first[name] != 0}
 
-    def _in_wider_window(self, grids: Sequence[Grid | LineGrid]) -> tuple[Level, Settled]:
+    def _in_wider_window(self, grids: Sequence[Grid | LineGrid]) -> tuple[Level, Iteration]:
         """Solve a wider window on a grid of the same spacing."""
         *_, grid = grids
         for _ in range(self._refinements):
             grid = grid.finer()
         self.check_memory(grid)
         level, steps = self._solver.in_wider_window(grids, self._level)
-        settled = self._settled_on(level, error_budget.WIDER_WINDOW_ALGEBRA)
-        self._steps += [*steps, *settled.steps]
-        return level, settled
+        iteration = self._converge_on(level, error_budget.WIDER_WINDOW_ALGEBRA)
+        self._steps += [*steps, *iteration.steps]
+        return level, iteration
 
     def check_memory(self, grid: Grid | LineGrid) -> None:
         """Raise NoMemoryError for a grid that memory will not hold."""
@@ -395,21 +395,21 @@ class GridSequence:
         if short is not None:
             raise NoMemoryError(short)
 
-    def _settled_on(self, level: Level, fraction: float = 1.0) -> Settled:
+    def _converge_on(self, level: Level, fraction: float = 1.0) -> Iteration:
         """Settle the film of a level, if need be through films of larger stresses.
 
         `fraction` is of the algebraic error that figures may have.
         """
         plan = self._plan
         wanted = fraction * error_budget.ALGEBRA * plan.accuracy
-        settled = settle(level, plan.tolerance, plan.aim, wanted)
+        iteration = converge(level, plan.tolerance, plan.target, wanted)
         if level.film.balance.worst <= plan.tolerance:
-            return settled
+            return iteration
         steps = self._solver.softened_again(level)
         if steps:
-            self._steps += [*settled.steps, *steps]
-            settled = settle(level, plan.tolerance, plan.aim, wanted)
-        return settled
+            self._steps += [*iteration.steps, *steps]
+            iteration = converge(level, plan.tolerance, plan.target, wanted)
+        return iteration
 
     def _estimates(self) -> dict[str, Estimate]:
         return estimates(
@@ -417,7 +417,7 @@ class GridSequence:
             self._level,
             self._readings,
             self._window,
-            self._settled,
+            self._iteration,
             self._plan,
             self._approximations(),
             self._uncertainties,
@@ -430,7 +430,7 @@ class GridSequence:
         planned = inf if self._unjudged else self._plan.model.level_error
         return {
             name: known.get(name, planned) + past.get(name, 0.0)
-            for name in self._settled.reading.figures
+            for name in self._iteration.reading.figures
         }
 
     def _tell(self, what: str, fraction: float) -> None:

@@ -16,7 +16,7 @@ from pyworm.solver.contact import ContactSolver
 from pyworm.solver.error_estimate import change
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import Settled, settle
+from pyworm.solver.newton import Iteration, converge
 from pyworm.solver.stop_reason import TELLING, film_is_sound
 from pyworm.solver.transient.transient import Transient
 
@@ -49,7 +49,7 @@ class EnoughLevels:
     """Its solver."""
     level: Level
     """The film."""
-    settled: Settled
+    iteration: Iteration
     """Its figures."""
     errors: dict[str, float]
     """Relative error of each figure by the levels [-]."""
@@ -82,17 +82,17 @@ def enough_levels(
         was read on the grids before.
     """
     found, last = None, start
-    before = dict.fromkeys(start.settled.reading.figures, 0.0)
+    before = dict.fromkeys(start.iteration.reading.figures, 0.0)
     while last.plan.model.levels < MOST:
         further = _with_more_levels(last, transient)
-        changed = change(last.settled.reading, further.settled.reading)
-        aim, figures = last.plan.aim, further.settled.reading.figures
-        worst = aim.worst(changed, figures)
+        changed = change(last.iteration.reading, further.iteration.reading)
+        target, figures = last.plan.target, further.iteration.reading.figures
+        worst = target.worst(changed, figures)
         errors = {
             name: max(relative, before[name] / 2, LEAST * worst)
             for name, relative in changed.items()
         }
-        if not film_is_sound(further.level, further.settled, further.plan):
+        if not film_is_sound(further.level, further.iteration, further.plan):
             return _as_judged_by(further, replace(last, errors=errors)) or found
         enough = worst <= error_budget.LEVELS * last.plan.accuracy
         found = replace(start if again and enough and last is start else further, errors=errors)
@@ -108,9 +108,11 @@ def _as_judged_by(further: EnoughLevels, last: EnoughLevels) -> EnoughLevels | N
     None where its figures have not settled either. Local slip may keep the residual above the tolerance where
     they have.
     """
-    algebra, figures = further.settled.algebra, further.settled.reading.figures
-    settled = last.plan.aim.worst(algebra, figures) <= last.plan.accuracy
-    if figures["film_min"] <= 0 or not (further.level.film.balance.worst <= TELLING and settled):
+    algebra, figures = further.iteration.algebra, further.iteration.reading.figures
+    figures_converged = last.plan.target.worst(algebra, figures) <= last.plan.accuracy
+    if figures["film_min"] <= 0 or not (
+        further.level.film.balance.worst <= TELLING and figures_converged
+    ):
         return None
     return replace(
         last, errors={name: error + algebra[name] for name, error in last.errors.items()}
@@ -125,5 +127,5 @@ def _with_more_levels(film: EnoughLevels, transient: Transient | None) -> Enough
     solver = SOLVERS[type(scene)](scene, plan, rate)
     level = solver.with_rate(film.level)
     wanted = error_budget.ALGEBRA * plan.accuracy * error_budget.LEVELS
-    settled = settle(level, plan.tolerance, plan.aim, wanted)
-    return EnoughLevels(plan, solver, level, settled, film.errors)
+    iteration = converge(level, plan.tolerance, plan.target, wanted)
+    return EnoughLevels(plan, solver, level, iteration, film.errors)

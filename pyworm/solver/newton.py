@@ -10,7 +10,7 @@ from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.kernel.core import NO_DESCENT, NOT_CONVERGED, NOT_FINITE, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
-from pyworm.planning.target import Aim
+from pyworm.planning.target import AccuracyTarget
 from pyworm.solver.error_estimate import Reading, algebra_errors, change
 from pyworm.solver.level import Level
 
@@ -44,7 +44,7 @@ class NewtonStep:
 
 
 @dataclass(frozen=True)
-class Settled:
+class Iteration:
     """The end of Newton's iteration on one grid."""
 
     steps: tuple[NewtonStep, ...]
@@ -78,7 +78,7 @@ def newton_step(level: Level, forcing: float | None = None) -> NewtonStep | None
     )
 
 
-def lead(
+def iterate(
     level: Level, tolerance: float, warming: float | None = None, most: int = MOST_STEPS
 ) -> list[NewtonStep]:
     """Make Newton steps on a grid outside the figures until its equations are met within a tolerance.
@@ -95,7 +95,9 @@ def lead(
     return steps
 
 
-def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> Settled:
+def converge(
+    level: Level, tolerance: float, target: AccuracyTarget, algebra_wanted: float
+) -> Iteration:
     """Make Newton steps until the film's figures are settled, or no step reduces the residual.
 
     Parameters
@@ -115,7 +117,7 @@ def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> S
     algebra = dict.fromkeys(reading.figures, np.inf)
     while len(steps) < _most_steps(level, tolerance) and (
         level.film.balance.worst > tolerance
-        or not aim.worst(algebra, reading.figures) <= algebra_wanted
+        or not target.worst(algebra, reading.figures) <= algebra_wanted
     ):
         taken = newton_step(level)
         if taken is None:
@@ -125,7 +127,7 @@ def settle(level: Level, tolerance: float, aim: Aim, algebra_wanted: float) -> S
         changes.append(change(last, reading))
         if len(changes) > 1:
             algebra = algebra_errors(*changes[-2:])
-    return Settled(tuple(steps), replace(reading, peaks=level.peaks(reading)), algebra)
+    return Iteration(tuple(steps), replace(reading, peaks=level.peaks(reading)), algebra)
 
 
 def _most_steps(level: Level, tolerance: float) -> int:

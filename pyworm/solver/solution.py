@@ -198,8 +198,8 @@ class Solution(Shown):
     accuracy: float = 0.0
     """Relative error asked for [-]; 0 where it is not known, so that every effect left out counts."""
     accuracy_of: tuple[str, ...] = ()
-    """Names of the figures to which it refers (`pyworm.planning.target.Aim`); empty where that is not
-    known."""
+    """Names of the figures to which it refers (`pyworm.planning.target.AccuracyTarget`); empty where that is
+    not known."""
 
     plot = later(
         "pyworm.plots.of_solution", "Pictures", "Its pictures, such as `solution.plot.film()`."

@@ -126,11 +126,11 @@ def _error(solution: Solution, plan: Plan) -> float:
     """
     if not solution.converged:
         return inf
-    found = {name: getattr(solution.figures, name) for name in plan.aim.figures}
+    found = {name: getattr(solution.figures, name) for name in plan.target.figures}
     errors = {name: estimate.error for name, estimate in found.items()}
     rises = {name: estimate.value - estimate.datum for name, estimate in found.items()}
-    worst = plan.aim.worst(errors, rises)
-    return worst if worst <= WIDEST else plan.aim.without(*HEAT_FIGURES).worst(errors, rises)
+    worst = plan.target.worst(errors, rises)
+    return worst if worst <= WIDEST else plan.target.without(*HEAT_FIGURES).worst(errors, rises)
 
 
 def _required(scene: Scene | LineScene, plan: Plan | None) -> Plan:

@@ -21,7 +21,7 @@ from pyworm.solver.ending import Ending, Stop
 from pyworm.solver.error_estimate import SPIKE, Reading, change, hot_spike
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.level import Level
-from pyworm.solver.newton import HOPELESS, Settled
+from pyworm.solver.newton import HOPELESS, Iteration
 
 WIDEST = 0.5
 """Largest error of the figures asked for with which a film is used: in means and losses over a mesh cycle it
@@ -31,7 +31,7 @@ edge they grow from grid to grid where films and friction have settled."""
 TELLING = 1e-2
 """Residual beyond which the figures of a grid have no error estimate, unless the tolerance is larger."""
 
-MOST_UNSETTLED = 3
+MAX_UNCONVERGED_GRIDS = 3
 """Number of grids of the figures that may miss the tolerance: some are too coarse for the pressure gradients
 of a film with a limiting stress."""
 
@@ -58,7 +58,8 @@ def with_wider_bars(
     """
     errors = {name: estimate.error for name, estimate in estimates.items()}
     worst, cold = (
-        aim.worst(errors, figures) for aim in (plan.aim, plan.aim.without(*HEAT_FIGURES))
+        target.worst(errors, figures)
+        for target in (plan.target, plan.target.without(*HEAT_FIGURES))
     )
     if stop.ending.accurate or not cold <= WIDEST:
         return stop
@@ -69,17 +70,17 @@ def with_wider_bars(
     )
 
 
-def film_is_sound(level: Level, settled: Settled, plan: Plan) -> bool:
+def film_is_sound(level: Level, iteration: Iteration, plan: Plan) -> bool:
     """Whether the equations are met by a film that is positive everywhere."""
-    return level.film.balance.worst <= plan.tolerance and settled.reading.film_min > 0
+    return level.film.balance.worst <= plan.tolerance and iteration.reading.film_min > 0
 
 
 def stop_reason(
     level: Level,
-    settled: Settled,
+    iteration: Iteration,
     estimates: Mapping[str, Estimate],
-    unsettled: int,
-    most_unsettled: int,
+    unconverged: int,
+    max_unconverged: int,
     plan: Plan,
 ) -> Stop | None:
     """How the sequence ends on a level, or None if a finer grid follows.
@@ -97,25 +98,27 @@ def stop_reason(
     plan : Plan
         Accuracy, tolerance and largest grid.
     """
-    figures = settled.reading.figures
-    error = plan.aim.worst({name: estimate.error for name, estimate in estimates.items()}, figures)
+    figures = iteration.reading.figures
+    error = plan.target.worst(
+        {name: estimate.error for name, estimate in estimates.items()}, figures
+    )
     met = level.film.balance.worst <= plan.tolerance
-    resolved = min(settled.reading.film_min, estimates["film_min"].value) > 0
+    resolved = min(iteration.reading.film_min, estimates["film_min"].value) > 0
     if met and resolved and error <= plan.accuracy:
         return Ending.ACCURATE.stop()
     domains = {name: estimate.domain for name, estimate in estimates.items()}
-    domain = plan.aim.worst(domains, figures)
+    domain = plan.target.worst(domains, figures)
     if np.isfinite(domain) and domain > plan.accuracy:
-        if plan.aim.without(*HEAT_FIGURES).worst(domains, figures) > plan.accuracy:
+        if plan.target.without(*HEAT_FIGURES).worst(domains, figures) > plan.accuracy:
             return Ending.WINDOW_OF_FILM.stop(error=percent(domain))
         # temperatures go on to finer grids, without which nothing is known of what the grids leave
         grids = {name: estimate.grid for name, estimate in estimates.items()}
-        if plan.aim.worst(grids, figures) <= domain:
+        if plan.target.worst(grids, figures) <= domain:
             return Ending.WINDOW_OF_HEAT.stop(error=percent(domain))
     last = level.grid.finer().nodes > plan.largest_grid
-    if not met and (last or unsettled >= most_unsettled):
+    if not met and (last or unconverged >= max_unconverged):
         return _not_met(level, plan)
-    but_for = _accurate_but_for(level, settled, estimates, plan) if met and resolved else None
+    but_for = _accurate_but_for(level, iteration, estimates, plan) if met and resolved else None
     if but_for is not None:
         return but_for
     if not last:
@@ -136,9 +139,9 @@ def bound_by_conduction(
     """
 
     def is_bound(name: str, conduction: float) -> bool:
-        aim = replace(plan.aim, figures=(name,))
-        rest = aim.worst({name: estimates[name].error - conduction}, figures)
-        least = aim.worst({name: conduction}, figures)
+        target = replace(plan.target, figures=(name,))
+        rest = target.worst({name: estimates[name].error - conduction}, figures)
+        least = target.worst({name: conduction}, figures)
         return least > error_budget.CONDUCTION * plan.accuracy and rest <= plan.accuracy
 
     return tuple(name for name, error in level.conduction_errors().items() if is_bound(name, error))
@@ -155,18 +158,18 @@ def _not_met(level: Level, plan: Plan) -> Stop:
 
 
 def _accurate_but_for(
-    level: Level, settled: Settled, estimates: Mapping[str, Estimate], plan: Plan
+    level: Level, iteration: Iteration, estimates: Mapping[str, Estimate], plan: Plan
 ) -> Stop | None:
     """The end that names temperatures which no grid allowed brings to the accuracy, if all else has it."""
-    figures = settled.reading.figures
+    figures = iteration.reading.figures
     errors = {name: estimate.error for name, estimate in estimates.items()}
 
     def without(*names: str) -> bool:
-        return plan.aim.without(*names).worst(errors, figures) <= plan.accuracy
+        return plan.target.without(*names).worst(errors, figures) <= plan.accuracy
 
     hottest = "temperature_max_film"
     if (
-        spike_stays(settled.reading, level.grid, plan.largest_grid)
+        spike_stays(iteration.reading, level.grid, plan.largest_grid)
         and hottest in estimates
         and (tip := estimates[hottest].reason) is not None
         and without(hottest)
@@ -239,8 +242,12 @@ def refusal(
         return Ending.REFUSED_BY_PLAN.stop(reason=plan.refusal)
     if not readings or not finer.nodes <= plan.largest_grid < finer.finer().nodes:
         return None
-    aim = plan.aim if hot_spike(readings[-1]) is None else plan.aim.without("temperature_max_film")
-    least = aim.worst(least_errors(readings, orders), readings[-1].figures)
+    target = (
+        plan.target
+        if hot_spike(readings[-1]) is None
+        else plan.target.without("temperature_max_film")
+    )
+    least = target.worst(least_errors(readings, orders), readings[-1].figures)
     if least <= max(plan.accuracy, WORTHLESS):
         return None
     return Ending.OUT_OF_REACH.stop(error=percent(least))

@@ -20,7 +20,7 @@ from pyworm.planning.plan import Plan
 from pyworm.scene.point import Paraboloid, Scene
 from pyworm.scene.scales import scales
 from pyworm.solver.error_estimate import Reading, grid_errors
-from pyworm.solver.newton import settle
+from pyworm.solver.newton import converge
 from pyworm.solver.point.contact import ORDERS, PointContactSolver
 from pyworm.solver.point.level import PointLevel, restart
 from pyworm.solver.solution import Solution
@@ -130,7 +130,7 @@ def grid_sequence(
     if start is not None:
         start(level)
     while True:
-        yield settle(level, plan.tolerance, plan.aim, SETTLED).reading
+        yield converge(level, plan.tolerance, plan.target, SETTLED).reading
         level, _ = solver.refined(level)
 
 
@@ -196,7 +196,7 @@ def guesses(scene: Scene, plan: Plan) -> Iterator[Callable[[PointLevel], None]]:
         for of in (scene, nudges(scene)["speed"](2.0))
     )
     for level in (here, fast):
-        settle(level, plan.tolerance, plan.aim, SETTLED)
+        converge(level, plan.tolerance, plan.target, SETTLED)
 
     def started(pressure: np.ndarray, rigid_film: float) -> Callable[[PointLevel], None]:
         # on the outline it is the grid's boundary value, the same for all

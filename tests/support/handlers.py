@@ -19,7 +19,14 @@ ROOMS = ("batch", "planning", "solver")
 FAILURES = {
     *("lost", "_lost", "taken", "flaw", "SENSELESS", "HOPELESS", "LOST", "UNSETTLED", "unsolved"),
     *("film_is_sound", "converged", "_converged", "status", "COARSE_TOLERANCE", "HEATED_TOLERANCE"),
-    *("MOST_HALVINGS", "MOST_RETRIES", "MOST_UNSETTLED", "MOST_SOLVES", "FIRMEST", "unsettled"),
+    *(
+        "MOST_HALVINGS",
+        "MOST_RETRIES",
+        "MAX_UNCONVERGED_GRIDS",
+        "MOST_SOLVES",
+        "FIRMEST",
+        "unconverged",
+    ),
     *("shear_tolerance", "rests_on_edge", "short", "refusal", "in_vain", "carried_by_heat"),
     *("rates", "solved", "followed", "unread", "held"),
 }
@@ -40,7 +47,7 @@ def _suppressed(node: ast.stmt) -> str | None:
 
 
 def handlers(tree: ast.Module, file: str) -> Iterator[tuple[str, ast.ExceptHandler | ast.With]]:
-    """Name and node of each fall-back of a file: "solver/newton.py lead KernelError"."""
+    """Name and node of each fall-back of a file: "solver/newton.py iterate KernelError"."""
     seen: Counter[str] = Counter()
 
     def within(node: ast.AST, function: str) -> Iterator[tuple[str, Any]]:
@@ -81,7 +88,7 @@ def _another_way(node: ast.AST) -> bool:
 
 
 def branches(tree: ast.Module, file: str) -> Iterator[tuple[str, Any]]:
-    """Name and node of each branch on a failure: "solver/newton.py lead if taken is None".
+    """Name and node of each branch on a failure: "solver/newton.py iterate if taken is None".
 
     Conditions that hold or do not, and values `A or B` of which B is another way to them.
     """

@@ -63,9 +63,9 @@ def judge(
             continue
         influence = effect.influence(prediction)
         worst = influence.on(tuple(quantities))
-        settled = _settled(effect, asked, judgements, excluded)
-        if settled is not None:
-            on, reason = settled
+        decided = _decided(effect, asked, judgements, excluded)
+        if decided is not None:
+            on, reason = decided
         elif effect.name in required:
             on = True
             reason = _needed(allowed) if worst > allowed else f"though within {_percent(allowed)}"
@@ -86,7 +86,7 @@ def judge(
     return tuple(judgements.values())
 
 
-def _settled(
+def _decided(
     effect: Effect,
     asked: frozenset[str] | None,
     judgements: Mapping[str, Judgement],

@@ -282,7 +282,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
     rows += [*_regime_rows(plan.regime.summary()), ()]
     rows.append(("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}"))
     lacking = no_friction(plan.effects)
-    if lacking and "friction_coefficient" not in plan.aim.figures:
+    if lacking and "friction_coefficient" not in plan.target.figures:
         rows.append(("No friction", lacking))
     for grid in plan.grids:
         spacing = " x ".join(f"{step * 1e6:.3g}" for step in grid.spacing)

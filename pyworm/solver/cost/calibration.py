@@ -34,7 +34,7 @@ from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 from pyworm.solver.cost.expected_motion import TimeSteps
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import settle
+from pyworm.solver.newton import converge
 from pyworm.solver.timing import convolution_seconds
 
 FORMAT = 2
@@ -229,21 +229,23 @@ def _timed(
     simple = simplified(scene, planned.on)
     solver = SOLVERS[type(simple)](simple, planned)
     level, _ = solver.begin(planned.grids)
-    settled(level, planned)
+    steps_to_convergence(level, planned)
     times, convolutions = [], []
     for _ in range(CALIBRATION_HALVINGS[kind]):
         started = process_time()
         level, _ = solver.refined(level)
         entered = process_time()
-        taken = settled(level, planned)
+        taken = steps_to_convergence(level, planned)
         times.append((level.grid.nodes, entered - started, (process_time() - entered) / taken))
         convolutions.append((level.grid.nodes, convolution_seconds(level.film)))
     return Pace.by(times[0], times[-1]), (convolutions[0], convolutions[-1])
 
 
-def settled(level: Level, planned: Plan) -> int:
+def steps_to_convergence(level: Level, planned: Plan) -> int:
     """Number of steps until a level settles."""
-    taken = settle(level, planned.tolerance, planned.aim, error_budget.ALGEBRA * planned.accuracy)
+    taken = converge(
+        level, planned.tolerance, planned.target, error_budget.ALGEBRA * planned.accuracy
+    )
     return max(len(taken.steps), 1)
 
 

@@ -18,7 +18,7 @@ from pyworm.solver.contact import COARSE_TOLERANCE, FED_FALLS, ContactSolver
 from pyworm.solver.error_estimate import Convergence, Left
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.line.level import LineLevel, first_level, lone_level, next_level
-from pyworm.solver.newton import NewtonStep, lead
+from pyworm.solver.newton import NewtonStep, iterate
 from pyworm.solver.oil_supply import mostly_full
 
 SUPPLIES = 2
@@ -95,7 +95,7 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
             steps += further
         level = self._supplied(level)
         for _ in finer:
-            steps += lead(level, COARSE_TOLERANCE)
+            steps += iterate(level, COARSE_TOLERANCE)
             level, further = self.refined(level)
             steps += further
         return level, steps
@@ -113,7 +113,7 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
     def warm_started(self, level: LineLevel) -> tuple[LineLevel, list[NewtonStep]]:
         """Start the film from that of a level on the same grid."""
         again = self._newly_supplied(level)
-        steps = self._add_shear_and_heat(again) + lead(again, COARSE_TOLERANCE)
+        steps = self._add_shear_and_heat(again) + iterate(again, COARSE_TOLERANCE)
         return self._supplied(again), steps
 
     def _first(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
@@ -125,14 +125,14 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
         for lift in LIFTS:
             height = lift * self._size.film
             level = first_level(self._scene, self._size, grid, height, self._transient_term)
-            steps = lead(level, COARSE_TOLERANCE)
+            steps = iterate(level, COARSE_TOLERANCE)
             if level.film.balance.worst <= COARSE_TOLERANCE:
                 break
         for _ in range(SUPPLIES - 1):
             level = self._newly_supplied(level)
-            steps += lead(level, COARSE_TOLERANCE)
+            steps += iterate(level, COARSE_TOLERANCE)
         if self._model.levels:
-            steps += self._add_shear_and_heat(level) + lead(level, COARSE_TOLERANCE)
+            steps += self._add_shear_and_heat(level) + iterate(level, COARSE_TOLERANCE)
         return level, steps
 
     def _sped_up(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
@@ -149,7 +149,7 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
             guess = level.state()
             level = solver._newly_supplied(level)
             self._shear_and_warm(level, guess)
-            steps += lead(level, COARSE_TOLERANCE)
+            steps += iterate(level, COARSE_TOLERANCE)
         return level, steps
 
     def _at(self, fraction: float) -> LineScene:

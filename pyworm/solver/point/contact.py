@@ -20,7 +20,7 @@ from pyworm.solver import figures
 from pyworm.solver.contact import COARSE_TOLERANCE, FED_FALLS, ContactSolver
 from pyworm.solver.error_estimate import Convergence, Left
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
-from pyworm.solver.newton import NewtonStep, lead
+from pyworm.solver.newton import NewtonStep, iterate
 from pyworm.solver.oil_supply import mostly_full
 from pyworm.solver.point.level import (
     PointLevel,
@@ -114,15 +114,15 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
             return super().in_wider_window(grids, narrow)
         level, steps = self._begun(grids)
         for _ in range(self._refinements_between(level, narrow)):
-            steps += lead(level, COARSE_TOLERANCE)
+            steps += iterate(level, COARSE_TOLERANCE)
             grid = level.grid.finer()
             level = next_level(self._scene, self._size, level, grid, guess_on(level, grid))
-        steps += lead(level, COARSE_TOLERANCE)
+        steps += iterate(level, COARSE_TOLERANCE)
         guess = guess_around(narrow, level)
         level.film.start(guess.pressure, guess.rigid_film)
         self._shear_and_warm(level, guess)
         # what the windows differ by is of the order of the tolerance
-        steps += lead(level, self._plan.tolerance / 10, most=WIDENING_STEPS)
+        steps += iterate(level, self._plan.tolerance / 10, most=WIDENING_STEPS)
         if not level.lost():
             return level, steps
         level, further = super().in_wider_window(grids, narrow)
@@ -146,7 +146,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         level = first_level(self._assisted, scene, size, grids[0], self._transient_term)
         begun = level.film.pressure.copy(order="F"), level.film.rigid_film
         for grid in grids[1:]:
-            steps += lead(level, COARSE_TOLERANCE)
+            steps += iterate(level, COARSE_TOLERANCE)
             if level.grid is grids[0]:
                 steps += self._lifted_off(level, begun)
             guess = guess_on(level, grid)
@@ -167,7 +167,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         (pressure, rigid_film), lost, steps = begun, level.state(), []
         for lift in LIFTS:
             level.film.start(pressure, rigid_film + lift * self._size.film)
-            steps += lead(level, COARSE_TOLERANCE)
+            steps += iterate(level, COARSE_TOLERANCE)
             if self._found(level):
                 return steps
         level.film.start(lost.pressure, lost.rigid_film)
@@ -234,7 +234,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         if self._assisted is self._scene:
             return steps
         for fraction in FRACTIONS_LEFT:
-            steps += lead(level, AUXILIARY_TOLERANCE)
+            steps += iterate(level, AUXILIARY_TOLERANCE)
             assisted = with_auxiliary_entrainment(self._scene, fraction)
             level.film.entrain(assisted.entrainment(*level.grid.mesh()))
             level.film.restart()

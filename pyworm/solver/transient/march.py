@@ -26,7 +26,7 @@ from pyworm.solver.contact import SENSELESS, ContactSolver
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
-from pyworm.solver.newton import lead, newton_step
+from pyworm.solver.newton import iterate, newton_step
 from pyworm.solver.transient.course import Course
 from pyworm.solver.transient.differences import backward_weights
 from pyworm.solver.transient.heat_memory import (
@@ -363,7 +363,7 @@ def steady_level(course: Course, step: Step) -> tuple[Level, int]:
     grid = course.grid(seconds, step.refinement)
     with _told(seconds):
         level = _beside(contact, course, grid, SOLVERS[type(contact)](contact, course.plan))
-        taken = len(lead(level, *_tolerances(course, step)))
+        taken = len(iterate(level, *_tolerances(course, step)))
     return _sound(level, seconds), taken
 
 
@@ -430,12 +430,12 @@ def _onward(
         level = _begun_from(course, solver, grid, contact, before, seconds)
         # one step at least: a film that is only extrapolated would follow no equation until it is far from it
         newton_step(level)
-        taken = 1 + len(lead(level, *tolerances, most=TRIAL_STEPS - 1))
+        taken = 1 + len(iterate(level, *tolerances, most=TRIAL_STEPS - 1))
         if level.film.balance.residual <= SENSELESS:
-            taken += len(lead(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
+            taken += len(iterate(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
         if contact.separation is None and not level.film.balance.within(LOST, UNSETTLED):
             level = _beside(contact, course, grid, solver)
-            taken += len(lead(level, *tolerances))
+            taken += len(iterate(level, *tolerances))
     return _sound(level, seconds), taken
 
 

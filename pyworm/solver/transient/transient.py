@@ -27,7 +27,7 @@ from pyworm.scene.point import Scene
 from pyworm.solver.error_estimate import Reading, change, largest_of_films
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import settle
+from pyworm.solver.newton import converge
 from pyworm.solver.transient.course import Course, course_of
 from pyworm.solver.transient.march import LostError, RateOfChange, march
 from pyworm.solver.transient.moments import Moment, curves, until
@@ -306,11 +306,13 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         if rate is not None:
             level = solver_type(scene, plan, rate).with_rate(level)
         # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
-        settled = settle(level, plan.tolerance, plan.aim, error_budget.ALGEBRA * plan.accuracy)
-        readings.append(settled.reading)
+        iteration = converge(
+            level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy
+        )
+        readings.append(iteration.reading)
     turned = _turned_round(scene, rates.moments, plan.work.kind)
     errors = _errors(readings, plan.work.kind, turned)
-    left = plan.aim.worst(errors, readings[-1].figures)
+    left = plan.target.worst(errors, readings[-1].figures)
     flaw = None
     # finer grids of the present film would not mend that
     if not left <= error_budget.TIME * plan.accuracy:

@@ -19,7 +19,7 @@ from pyworm.planning.expected_work import Stage, Work, expected_work, first_chan
 from pyworm.planning.model import Model
 from pyworm.plots.precision import COLOURS
 from pyworm.precision.extrapolation import limit, observed_order
-from pyworm.precision.grid_series import Point, settled_row
+from pyworm.precision.grid_series import Point, converged_row
 from pyworm.precision.models import fidelities
 from pyworm.precision.study import Curve, Reference, Study
 from pyworm.precision.survey import BudgetError, study
@@ -102,8 +102,8 @@ def test_models_that_a_contact_does_not_have_are_listed_with_reasons():
 # ----------------------------------------------------------------------------- errors and the cheapest
 
 
-def a_point(seconds, film, settled=True):
-    return Point((int(seconds * 100),), seconds, 1.0, {"film_min": film}, settled)
+def a_point(seconds, film, converged=True):
+    return Point((int(seconds * 100),), seconds, 1.0, {"film_min": film}, converged)
 
 
 def a_study(*curves, band=0.0):
@@ -153,7 +153,7 @@ def test_a_grid_that_is_right_by_chance_is_not_the_cheapest():
 
 
 @pytest.mark.parametrize(
-    ("settled", "row"),
+    ("converged", "row"),
     [
         ((True, True, True), (0, 1, 2)),
         ((True, False, True, True), (2, 3)),
@@ -161,13 +161,13 @@ def test_a_grid_that_is_right_by_chance_is_not_the_cheapest():
         ((False, False), ()),
     ],
 )
-def test_limits_are_of_the_finest_consecutive_converged_grids(settled, row):
-    points = [a_point(1.0 + number, 1.0, one) for number, one in enumerate(settled)]
-    assert settled_row(points) == [points[number] for number in row]
+def test_limits_are_of_the_finest_consecutive_converged_grids(converged, row):
+    points = [a_point(1.0 + number, 1.0, one) for number, one in enumerate(converged)]
+    assert converged_row(points) == [points[number] for number in row]
 
 
 def test_unconverged_points_and_numerical_parameters_are_not_offered():
-    unsettled = Curve("unsettled", "model", (a_point(0.1, 1.0, settled=False),), {})
+    unsettled = Curve("unsettled", "model", (a_point(0.1, 1.0, converged=False),), {})
     parameter = Curve("parameter", "parameter", (a_point(0.1, 1.0),), {})
     curve, _ = a_study(unsettled, parameter, GOOD).cheapest(0.05, ("film_min",))
     assert curve.name == "good"

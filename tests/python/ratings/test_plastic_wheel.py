@@ -15,7 +15,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.ratings.rated_case import asked_of, not_rated, ratings
 from pyworm.result.headline import opening
 from pyworm.scene.scales import scales
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 from pyworm.solver.point import contact
 
 DRIVE = (Path(__file__).parents[2] / "data" / "worm_rated.toml").read_text()
@@ -129,7 +129,7 @@ def begun(lifts, monkeypatch):
     scene = case('material = "PEEK"').drive.scene(0.5)
     plan = pyworm.plan(scene, 0.2, "isothermal,shear-thinning")
     level, steps = contact.PointContactSolver(plan.simplified(scene), plan).begin(plan.grids)
-    return level, len(steps) + len(lead(level, plan.tolerance))
+    return level, len(steps) + len(iterate(level, plan.tolerance))
 
 
 def test_a_film_that_a_flank_ends_under_is_found_from_a_thicker_one(monkeypatch):

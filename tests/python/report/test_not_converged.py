@@ -233,9 +233,9 @@ def test_a_film_lost_on_a_sharp_edge_is_sought_on_fewer_grids(lost, found, edge,
     pressure = np.sqrt(np.maximum(1 - (x / 0.6) ** 2, 0)) * (x < edge)
     fields = xr.Dataset({"covered": ("x", (x < edge).astype(int)), "pressure": ("x", pressure)})
     sequence = object.__new__(GridSequence)
-    sequence._unsettled, sequence._readings, sequence._level = lost, ["found"] * found, None
+    sequence._unconverged, sequence._readings, sequence._level = lost, ["found"] * found, None
     sequence._solver = SimpleNamespace(outcome=lambda level: SimpleNamespace(fields=fields))
-    assert sequence._most_unsettled == most
+    assert sequence._max_unconverged == most
 
 
 def test_the_solver_says_that_a_sharp_edge_is_the_cause():

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from pyworm.planning.grid import Grid
-from pyworm.planning.target import FIGURES, HEAT_FIGURES, Aim
+from pyworm.planning.target import FIGURES, HEAT_FIGURES, AccuracyTarget
 from pyworm.solver.ending import Ending, Stop
 from pyworm.solver.error_estimate import (
     SAFETY,
@@ -20,7 +20,7 @@ from pyworm.solver.error_estimate import (
     unresolved,
 )
 from pyworm.solver.estimate import Estimate
-from pyworm.solver.newton import Settled
+from pyworm.solver.newton import Iteration
 from pyworm.solver.stop_reason import bound_by_conduction, spike_stays, stop_reason, with_wider_bars
 
 SECOND = dict.fromkeys(FIGURES, 2.0)
@@ -184,12 +184,14 @@ def test_temperatures_that_conduction_leaves_inaccurate_ask_for_no_finer_grid():
             grid=Grid(0.0, 0.0, 1.0, 1.0, 17, 17),
             conduction_errors=lambda: dict.fromkeys(HEAT_FIGURES, conduction),
         )
-        plan = SimpleNamespace(aim=Aim(names), accuracy=0.05, tolerance=1e-3, largest_grid=10_000)
+        plan = SimpleNamespace(
+            target=AccuracyTarget(names), accuracy=0.05, tolerance=1e-3, largest_grid=10_000
+        )
         found = {"film_min": Estimate(1.0, film)} | {
             name: Estimate(20.0, rest, approximation=conduction) for name in HEAT_FIGURES
         }
         bound = bound_by_conduction(level, found, hot.figures, plan)
-        return bound, stop_reason(level, Settled((), hot, {}), found, 0, 3, plan)
+        return bound, stop_reason(level, Iteration((), hot, {}), found, 0, 3, plan)
 
     bound, stop = ended(0.1)
     assert bound == HEAT_FIGURES
@@ -202,7 +204,7 @@ def test_temperatures_that_conduction_leaves_inaccurate_ask_for_no_finer_grid():
 
 def test_films_are_used_whose_temperatures_at_an_edge_are_not_known():
     """Films and friction count for losses over a cycle; a film that is itself not known does not."""
-    plan = SimpleNamespace(aim=Aim(("film_min", *HEAT_FIGURES)))
+    plan = SimpleNamespace(target=AccuracyTarget(("film_min", *HEAT_FIGURES)))
 
     def told(film, heat):
         found = {"film_min": Estimate(1.0, film)} | {

@@ -15,7 +15,7 @@ from pyworm.solver.contact import FIRMEST, ContactSolver
 from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.line.contact import LineContactSolver
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
 
 ACCURACY = 0.2
@@ -69,7 +69,7 @@ def agree(one, other):
 def settled(*levels):
     """Central films of levels, each settled first."""
     for level in levels:
-        lead(level, 1e-6, 1e-5)
+        iterate(level, 1e-6, 1e-5)
     return [level.read().film_central for level in levels]
 
 

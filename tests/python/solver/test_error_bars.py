@@ -22,7 +22,7 @@ from pyworm.report.console.scenes import figures_table
 from pyworm.result.result import Result, open_result
 from pyworm.scene.index import Place
 from pyworm.scene.scales import scales
-from pyworm.solver.newton import settle
+from pyworm.solver.newton import converge
 from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.window_limit import in_this_window, in_wider_window
 
@@ -188,11 +188,11 @@ def test_the_window_s_bar_of_a_contact_that_warms_little_holds():
     far = [reach.doubled().doubled().doubled() for reach in (near_reach(size), FAR)]
     farthest = nest(*windows(scene, size, *far), *plan.grids[-1].spacing)
     solver = PointContactSolver(scene, plan)
-    aim = replace(plan.aim, warmth=0.0)
+    target = replace(plan.target, warmth=0.0)
 
     def read(grids):
         level, _ = solver.begin(grids)
-        return settle(level, 1e-3, aim, 1e-3).reading
+        return converge(level, 1e-3, target, 1e-3).reading
 
     near, wide, whole = (read(grids) for grids in (plan.grids, plan.wider_grids, farthest))
     settled = dict.fromkeys(near.figures, 0.0)

@@ -24,7 +24,7 @@ from pyworm.planning.grid import Grid
 from pyworm.scene.scales import scales
 from pyworm.solver.contact import SENSELESS
 from pyworm.solver.ending import Ending
-from pyworm.solver.newton import newton_step, settle
+from pyworm.solver.newton import converge, newton_step
 from pyworm.solver.point import level
 from pyworm.solver.point.contact import PointContactSolver
 
@@ -135,7 +135,7 @@ def test_the_wider_window_starts_from_the_film_of_the_narrower_one(tmp_path):
     """From scratch this one stays at a residual of 5.3e-3, with a film 1.7 % thicker."""
     plan, solver = thermal_solver(0, 12, tmp_path)
     narrow, _ = solver.begin(plan.grids)
-    settle(narrow, plan.tolerance, plan.aim, 0.5)
+    converge(narrow, plan.tolerance, plan.target, 0.5)
     wide, _ = solver.in_wider_window(plan.wider_grids, narrow)
     assert wide.grid == plan.wider_grids[-1] != narrow.grid
     assert wide.film.balance.worst <= plan.tolerance / 10
@@ -156,7 +156,7 @@ def test_an_extrapolated_film_that_no_oil_bears_is_no_initial_guess(tmp_path):
     """Its gradients ask for more stress than the limit: slip without bound."""
     plan, solver = thermal_solver(0, 12, tmp_path)
     film_level, _ = solver.begin(plan.grids)
-    settle(film_level, plan.tolerance, plan.aim, 0.5)
+    converge(film_level, plan.tolerance, plan.target, 0.5)
     (good, *_) = solver._guesses(film_level)
     rough = good.pressure * (1 + 0.9 * np.cos(np.pi * np.arange(good.pressure.shape[0])))[:, None]
     senseless = replace(good, pressure=rough)

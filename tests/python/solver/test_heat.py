@@ -11,7 +11,7 @@ import pyworm
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.planning.model import Model
 from pyworm.scene.point import RigidMotion
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -45,7 +45,7 @@ def settled(scene, levels):
     """The film of one temperature on the first grid of the figures, to a residual far below any wanted."""
     plan = replace(pyworm.plan(scene, COARSE, "isothermal"), model=Model(levels))
     level, _ = PointContactSolver(scene, plan).begin(plan.grids)
-    lead(level, 1e-9)
+    iterate(level, 1e-9)
     return level.film
 
 
@@ -89,7 +89,7 @@ def test_heat_into_the_bodies_is_the_work_of_friction():
     plan = pyworm.plan(scene, COARSE)
     solver = PointContactSolver(scene, plan)
     level, _ = solver.begin(plan.grids)
-    lead(level, 1e-4)
+    iterate(level, 1e-4)
     heat = level.film.heat_fields()
     contact = level.film.pressure > 0.01 * level.film.pressure.max()
     into_bodies = heat.flux.sum(axis=2)[contact].sum()

@@ -10,7 +10,7 @@ from pyworm.kernel.core import KernelError
 from pyworm.planning.effects.geometry import as_line
 from pyworm.scene.scales import line_scales, scales
 from pyworm.solver.line.level import first_level
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 from pyworm.solver.point.level import first_level as first_point_level
 
 THIRD_ORDER = (11 / 6, -3.0, 3 / 2, -1 / 3)
@@ -30,7 +30,7 @@ def led(level, term):
     if term is not None:
         level.film.set_transient_term(*term)
         level.film.restart()
-    lead(level, 1e-8)
+    iterate(level, 1e-8)
     assert level.film.balance.worst <= 1e-8
     return level
 

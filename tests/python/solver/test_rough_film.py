@@ -16,7 +16,7 @@ from pyworm.kernel import PointFilm
 from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.materials.rough_surfaces import RoughPair, RoughSurface
 from pyworm.scene.scales import line_scales
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -49,14 +49,14 @@ def test_vanishing_roughness_is_none():
     scene = pyworm.load(CASES / "point_m200_l10.toml").scene()
     plan = pyworm.plan(scene, 0.05, "isothermal")
     level, _ = PointContactSolver(plan.simplified(scene), plan).begin(plan.grids)
-    lead(level, 1e-9)
+    iterate(level, 1e-9)
     smooth = level.read()
     finest = RoughSurface(1e-6 * smooth.film_central, 0.01)
     pair = RoughPair((finest, finest), scene.reduced_modulus / 2)
     level.film.shear(NEWTONIAN, 3, scene.sliding_at(*level.grid.mesh()))
     level.film.roughen(pair.curves(), 0.1)
     level.film.restart()
-    lead(level, 1e-9)
+    iterate(level, 1e-9)
     assert level.film.balance.worst <= 1e-7
     figures = level.read()
     for name in ("film_min", "film_central", "pressure_max"):

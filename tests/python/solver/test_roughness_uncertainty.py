@@ -20,7 +20,7 @@ from pyworm.materials.roughness_assumptions import (
 )
 from pyworm.solver import roughness_uncertainty as uncertainty
 from pyworm.solver.line.contact import LineContactSolver
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 
 CASES = Path(__file__).parents[3] / "cases"
 
@@ -46,7 +46,7 @@ def film():
     plan = pyworm.plan(scene, 0.05)
     assert plan.model.rough and plan.model.heated
     level, _ = LineContactSolver(plan.simplified(scene), plan).begin(plan.grids)
-    lead(level, 1e-8)
+    iterate(level, 1e-8)
     return level, scene.rough_pair
 
 
@@ -57,7 +57,7 @@ def solved_anew(level, path):
         before = level.state()
         level.film.roughen(varied.curves, varied.boundary_friction)
         level.film.start(before.pressure, before.rigid_film, before.oil)
-        lead(level, 1e-8)
+        iterate(level, 1e-8)
     assert level.film.balance.worst <= 1e-6
     figures = level.read().figures
     level.film.roughen(pair.curves(), level.scene.boundary_friction)

@@ -57,9 +57,9 @@ def test_newton_steps_end_where_none_is_found(monkeypatch):
     )
     monkeypatch.setattr(newton, "newton_step", lambda level: None)
     monkeypatch.setattr(newton, "_most_steps", lambda level, tolerance: 5)
-    settled = newton.settle(level, 1e-6, SimpleNamespace(worst=lambda *of: np.inf), 1e-3)
-    assert settled.steps == () and settled.reading.film_min == 2e-7
-    assert set(settled.algebra.values()) == {np.inf}
+    iteration = newton.converge(level, 1e-6, SimpleNamespace(worst=lambda *of: np.inf), 1e-3)
+    assert iteration.steps == () and iteration.reading.film_min == 2e-7
+    assert set(iteration.algebra.values()) == {np.inf}
 
 
 def _reading():

@@ -17,7 +17,7 @@ from pyworm.planning.grid import Grid
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.solver.kinds import SOLVERS
-from pyworm.solver.newton import settle
+from pyworm.solver.newton import converge
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import RateOfChange, _prompt, march
 
@@ -44,7 +44,7 @@ def test_oil_that_warms_stores_heat_and_oil_that_is_pressed_is_warmed(contact):
     plan = pyworm.plan(scene, 0.05, "all")
     steady, _ = SOLVERS[type(scene)](scene, plan).begin(plan.grids)
     grid, levels = steady.grid, steady.film.levels
-    settle(steady, 1e-6, plan.aim, 1e-5)
+    converge(steady, 1e-6, plan.target, 1e-5)
     origin = tuple(int(np.argmin(np.abs(axis))) for axis in axes(grid))
     capacity = OIL.density.rho0 * HEAT.specific_heat
     cold = capacity * steady.film.thickness()[origin] ** 2 / (8 * HEAT.conductivity)
@@ -57,7 +57,7 @@ def test_oil_that_warms_stores_heat_and_oil_that_is_pressed_is_warmed(contact):
     for pressed in (none, pressing):
         term = RateOfChange(grid, none, warming=warming, pressing=pressed)
         level = SOLVERS[type(scene)](scene, plan, term).with_rate(steady)
-        settle(level, 1e-6, plan.aim, 1e-5)
+        converge(level, 1e-6, plan.target, 1e-5)
         middles.append(above_walls(level.film.rise()[origin]))
     assert drop / 0.2 - middles[0] == pytest.approx(drop, rel=0.03)
     assert middles[1] == pytest.approx(drop / 0.2, abs=0.05 * drop)
@@ -86,7 +86,7 @@ def test_oil_warms_at_the_rate_at_which_its_heat_grows():
     plan = pyworm.plan(present, 0.05, "all", ("temperature",))
     rate = march(course_of(life, plan), 0, 0.0, [duration]).rates[duration]
     steady, _ = SOLVERS[type(present)](present, plan).begin(plan.grids)
-    settle(steady, 1e-6, plan.aim, 1e-5)
+    converge(steady, 1e-6, plan.target, 1e-5)
     (warming,), (rise,) = (
         field[grid.x == 0.0]
         for field, grid in ((rate.warming, rate.grid), (steady.film.rise(), steady.grid))

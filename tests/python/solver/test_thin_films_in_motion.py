@@ -11,7 +11,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import first_grids_of
 from pyworm.solver.kinds import SOLVERS
-from pyworm.solver.newton import lead, settle
+from pyworm.solver.newton import converge, iterate
 from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.march import (
     _beside,
@@ -62,7 +62,7 @@ def test_a_rough_film_moves_to_a_grid_that_fits_it_badly():
     contact, grid = contact_at(course, 0.0), course.grid(0.0, 0)
     solver = SOLVERS[type(contact)](contact, course.plan)
     film = _beside(contact, course, replace(grid, dx=1.08 * grid.dx), solver)
-    lead(film, 1e-5)
+    iterate(film, 1e-5)
     assert film.read().film_central == pytest.approx(17.2e-9, rel=0.03)
 
 
@@ -93,7 +93,7 @@ def test_solves_of_a_struck_contact_agree_in_its_minimum_film_thickness():
     for refinement in (0, 1):
         rate = march(course, refinement, begin, [at]).rates[at]
         level = SOLVERS[type(scene)](simple, plan, rate).with_rate(level)
-        films.append(settle(level, plan.tolerance, plan.aim, 0.001).reading.film_min)
+        films.append(converge(level, plan.tolerance, plan.target, 0.001).reading.film_min)
     assert films[0] == pytest.approx(films[1], rel=0.03)
 
 

@@ -147,7 +147,7 @@ def test_where_more_levels_have_no_film_the_last_that_had_one_stays(monkeypatch)
     monkeypatch.setattr(
         levels_across,
         "film_is_sound",
-        lambda level, settled, plan: plan.model.levels <= 9 and sound(level, settled, plan),
+        lambda level, iteration, plan: plan.model.levels <= 9 and sound(level, iteration, plan),
     )
     found = []
 

@@ -10,7 +10,7 @@ import pytest
 import pyworm
 from pyworm.planning.grid import Grid
 from pyworm.solver.level import InitialGuess
-from pyworm.solver.newton import lead
+from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.point.level import guess_around
 
@@ -49,7 +49,7 @@ def test_friction_that_a_window_cuts_off_is_that_of_the_contact_beyond_it():
     plan = pyworm.plan(scene, 0.3, "isothermal,shear-thinning")
     solver = PointContactSolver(plan.simplified(scene), plan)
     wide, _ = solver.begin(plan.grids)
-    lead(wide, plan.tolerance)
+    iterate(wide, plan.tolerance)
     assert not wide.contact_is_cut()
 
     grid = wide.grid
