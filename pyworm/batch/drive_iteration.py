@@ -127,11 +127,11 @@ class _Search:
             if not then:
                 return case
             found: dict[str, Any] = {
-                "lifts": tuple((phase, of.distance) for phase, of in sorted(then.items()))
+                "lifts": tuple((phase, lift.distance) for phase, lift in sorted(then.items()))
             }
-            slid = sum(of.loss / of.friction for of in then.values() if of.friction > 0)
+            slid = sum(lift.loss / lift.friction for lift in then.values() if lift.friction > 0)
             if "friction" in self.open["operation"] and slid > 0:
-                found["friction"] = float(f"{sum(of.loss for of in then.values()) / slid:.2g}")
+                found["friction"] = float(f"{sum(lift.loss for lift in then.values()) / slid:.2g}")
             before, case = case, case.with_found({"operation": found})
             if self._is_close(before, case, list(then), MARCH_LEAVES):
                 break
@@ -174,7 +174,9 @@ class _Search:
                 phase: then[phase].distance - beside[phase].distance
                 for phase in then.keys() & beside
             }
-            found = tuple((phase, of + by_motion.get(phase, 0.0)) for phase, of in lifts.items())
+            found = tuple(
+                (phase, lift + by_motion.get(phase, 0.0)) for phase, lift in lifts.items()
+            )
             before, case = case, case.with_found({"operation": {"lifts": found}})
             if self._is_close(before, case, list(lifts), MARCH_LEAVES):
                 break
@@ -271,8 +273,8 @@ def _next_loss(losses: list[tuple[float, float]]) -> float:
 def _told(found: dict[str, dict[str, Any]]) -> list[str]:
     """The values found, as written in a case file."""
     said = []
-    for table, of in found.items():
-        for key, value in of.items():
+    for table, values in found.items():
+        for key, value in values.items():
             if key != "lifts":
                 said.append(f"{table}.{key} = {value:g}")
             elif value is not None:
@@ -289,8 +291,8 @@ def _told_lifts(given: Sequence[tuple[float, float]]) -> str:
 def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:
     """Largest relative change of the loads at some phases between two cases."""
     before, after = (
-        np.array([present(of.drive, "drive").normal_load(phase) for phase in phases])
-        for of in (case, new)
+        np.array([present(variant.drive, "drive").normal_load(phase) for phase in phases])
+        for variant in (case, new)
     )
     return float(np.max(np.abs(after / before - 1)))
 
@@ -305,7 +307,7 @@ def _earlier(case: Case, directory: Path) -> dict[str, dict[str, Any]]:
         table: {key: getattr(getattr(tables, table), key) for key in keys}
         for table, keys in case.left_open.items()
     }
-    return found if all(None not in of.values() for of in found.values()) else {}
+    return found if all(None not in values.values() for values in found.values()) else {}
 
 
 def _given(resolved: dict, open_: dict[str, tuple[str, ...]]) -> dict:

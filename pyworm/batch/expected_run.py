@@ -74,7 +74,7 @@ def _lifts(tasks: Sequence[Task], once: float) -> float:
     if not moving:
         return (USUAL_PASSES - 1) * once
     each, seconds = _solved(moving)
-    life = seconds - sum(of.seconds - of.past for of in each)
+    life = seconds - sum(expectation.seconds - expectation.past for expectation in each)
     if accuracy >= GLANCE:
         return life
     return all_of_them * _solved([steady(task) for task in some])[1] + MARCHES * life

@@ -43,7 +43,7 @@ RATES = "rate", "rise", "warming", "pressing"
 class LifePart:
     """One transient solve through a part of a life."""
 
-    of: Task
+    task: Task
     """A task of its life: all parts take its course, which costs as much as a scene's plan."""
     tasks: tuple[Task, ...]
     """The tasks whose films it holds."""
@@ -61,7 +61,7 @@ class LifePart:
     def _solve_into(self, directory: Path) -> None:
         if self.refinement > 0 and self._lost(directory):
             return
-        course = self.of.course
+        course = self.task.course
         wanted = {task.key: present_in_life(task.scene).seconds for task in self.tasks}
         part = part_at(course, present_in_life(self.tasks[0].scene).seconds)
         times, last = sorted(wanted.values()), course.instant(part.last)
@@ -73,17 +73,17 @@ class LifePart:
         # each task keeps the stretch of the life since the one before it, and together they keep all of it
         first = course.instant(part.first) if part.first > 0 else -inf
         since = dict(zip(times, (first, *times[:-1]), strict=True))
-        ends = {at: at for at in times} | {times[-1]: last}
-        for key, at in wanted.items():
+        ends = {time: time for time in times} | {times[-1]: last}
+        for key, seconds in wanted.items():
             file = directory / _file(key, self.refinement)
-            if at not in rates:
+            if seconds not in rates:
                 keep(file, flaw=flaw)
             else:
-                grid = list(vars(rates[at].grid).values())
-                arrays = as_arrays(until(moments, ends[at]))
-                of_all = {name: getattr(rates[at], name) for name in RATES}
-                known = {name: of for name, of in of_all.items() if of is not None}
-                keep(file, grid=grid, since=since[at], **known, **arrays)
+                grid = list(vars(rates[seconds].grid).values())
+                arrays = as_arrays(until(moments, ends[seconds]))
+                figures = {name: getattr(rates[seconds], name) for name in RATES}
+                known = {name: rate for name, rate in figures.items() if rate is not None}
+                keep(file, grid=grid, since=since[seconds], **known, **arrays)
 
     def _lost(self, directory: Path) -> bool:
         """Whether the solve of twice the spacing has ended already and found no film of any task."""
@@ -105,7 +105,7 @@ def solve_lives(
         for refinement in range(solves_of_life(life[0].accuracy))
     ]
     parts.sort(
-        key=lambda one: one.refinement
+        key=lambda part: part.refinement
     )  # where those of few nodes find nothing, finer ones need not begin
     if not parts:
         return
@@ -235,9 +235,9 @@ class PartLifts:
             begin = part_at(course, min(phases)).begin
             found = moving_lifts(course, begin, sorted(phases))
         else:
-            steady = {at: steady_lift(course, at) for at in phases}
-            found = {at: lift for at, lift in steady.items() if lift is not None}
-        return {phases[at]: lift for at, lift in found.items()}
+            steady = {seconds: steady_lift(course, seconds) for seconds in phases}
+            found = {seconds: lift for seconds, lift in steady.items() if lift is not None}
+        return {phases[seconds]: lift for seconds, lift in found.items()}
 
 
 def lifts_of(tasks: Sequence[Task], moving: bool, executor: Executor | None) -> dict[float, Lift]:

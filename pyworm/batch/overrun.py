@@ -81,13 +81,13 @@ def _reasons(tasks: Sequence[Task], result: Result, expected: ExpectedRun) -> li
     """Contacts that took more than twice what was expected of each, the longest first."""
     solved = {solution.name: solution for solution in result.solutions}
     beyond = [
-        (solution.cost.processor_seconds - of.seconds, task, solution, of)
-        for task, of in zip(tasks, expected.each, strict=True)
+        (solution.cost.processor_seconds - expectation.seconds, task, solution, expectation)
+        for task, expectation in zip(tasks, expected.each, strict=True)
         if (solution := solved.get(task.scene.name)) is not None
-        and solution.cost.processor_seconds > FACTOR * of.seconds
+        and solution.cost.processor_seconds > FACTOR * expectation.seconds
     ]
-    beyond.sort(key=lambda one: -one[0])
-    return [_reason(task, solution, of) for _, task, solution, of in beyond]
+    beyond.sort(key=lambda entry: -entry[0])
+    return [_reason(task, solution, expectation) for _, task, solution, expectation in beyond]
 
 
 def _reason(task: Task, solution: Solution, expected: Expectation) -> str:

@@ -92,12 +92,12 @@ class _Content(pickle.Pickler):
             held = tuple(cell.cell_contents for cell in obj.__closure__ or ())
             return str, (repr(_code(obj.__code__)),), (held, obj.__defaults__)
         if isinstance(obj, type) and obj.__module__.split(".")[0] not in _KNOWN:
-            own = {
-                name: _code(of.__code__) if isinstance(of, FunctionType) else repr(of)
-                for name, of in sorted(vars(obj).items())
-                if isinstance(of, FunctionType | int | float | str)
+            attributes = {
+                name: _code(value.__code__) if isinstance(value, FunctionType) else repr(value)
+                for name, value in sorted(vars(obj).items())
+                if isinstance(value, FunctionType | int | float | str)
             }
-            return str, (repr((obj.__qualname__, own)),)
+            return str, (repr((obj.__qualname__, attributes)),)
         if isinstance(obj, ModuleType):
             return str, (obj.__name__,)
         return NotImplemented
@@ -109,7 +109,10 @@ _KNOWN = {"pyworm", "numpy", "scipy", "builtins", "functools", "math", "types", 
 
 def _code(code: CodeType) -> tuple:
     """What a function does: its code, the names and constants in it, functions within it likewise."""
-    constants = tuple(_code(of) if isinstance(of, CodeType) else repr(of) for of in code.co_consts)
+    constants = tuple(
+        _code(constant) if isinstance(constant, CodeType) else repr(constant)
+        for constant in code.co_consts
+    )
     return code.co_code, code.co_names, constants
 
 
@@ -142,6 +145,6 @@ def _parts(scene: Scene | LineScene) -> Iterator[tuple[str, Any]]:
     for part in fields(scene):
         value = getattr(scene, part.name)
         if isinstance(value, tuple):
-            yield from ((f"{part.name}[{place}]", one) for place, one in enumerate(value))
+            yield from ((f"{part.name}[{place}]", entry) for place, entry in enumerate(value))
         else:
             yield part.name, value

@@ -164,7 +164,7 @@ def _study(
         raise ValueError(f"make is a {type(make).__name__}: must be a function that makes a scene")
     if not vary or not all(len(values) for values in vary.values()):
         raise ValueError("nothing varies; name values of the function's arguments, load=(10, 20)")
-    combinations = [dict(zip(vary, one, strict=True)) for one in product(*vary.values())]
+    combinations = [dict(zip(vary, row, strict=True)) for row in product(*vary.values())]
     tasks: list[Any] = []
     for values in combinations:
         scene = make(**values)

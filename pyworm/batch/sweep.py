@@ -104,8 +104,8 @@ def _combinations(tables: SweepTable) -> Iterator[dict[str, Value]]:
         [dict(zip(axis, together, strict=True)) for together in zip(*axis.values(), strict=True)]
         for axis in tables.axes()
     ]
-    for one in product(*axes):
-        yield {key: value for part in one for key, value in part.items()}
+    for parts in product(*axes):
+        yield {key: value for part in parts for key, value in part.items()}
 
 
 def _tasks(

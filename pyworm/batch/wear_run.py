@@ -231,7 +231,9 @@ class WearRun:
         scale = present(self.plan.calibrated_to, "calibrated_to") / found
         self.coefficient *= scale
         self.say(f"k = {self.coefficient:.3g} m2/N, calibrated")
-        rates = {of: scale * getattr(solved, of) for of in ("rate", "volume_rate", "worm_rate")}
+        rates = {
+            name: scale * getattr(solved, name) for name in ("rate", "volume_rate", "worm_rate")
+        }
         return replace(solved, **rates)
 
     def _split(self, depth: Array) -> tuple[Array, Array]:
@@ -276,7 +278,9 @@ class WearRun:
             made = asperity_pass(result, self.grid, speed)
             on_worm = asperity_pass(result, self.thread, speed, "worm")
         except ValueError as error:
-            why = "; ".join(f"{Place.of(one)}: {one.stop_reason}" for one in result.unsound)
+            why = "; ".join(
+                f"{Place.of(solution)}: {solution.stop_reason}" for solution in result.unsound
+            )
             raise UnsolvedError(f"{error} ({why})" if why else str(error)) from None
         self.loads = self._loads(result)
         # a tooth meets a thread once in a turn of the wheel, a thread a tooth once in a turn of the worm
@@ -295,10 +299,10 @@ class WearRun:
         return {key: found[key] for key in open_}
 
     def _figures(self, worn: Worn, error: float) -> WearFigures:
-        of, result = self._last, present(self._last.result, "solved contacts")
+        last, result = self._last, present(self._last.result, "solved contacts")
         solutions = result.sound.solutions
         loss = present(present(drive_cycle(result), "a mesh cycle").loss, "its loss")
-        borne = [one.figures.asperity_load_fraction for one in solutions]
+        borne = [solution.figures.asperity_load_fraction for solution in solutions]
         wheel_depth, worm_depth = self._split(worn.depth)
         densities = [
             body.density or usual
@@ -311,17 +315,17 @@ class WearRun:
         return WearFigures(
             hours=worn.hours,
             depth_max_m=float(wheel_depth.max()),
-            depth_mean_m=_mean(wheel_depth, of.rate),
+            depth_mean_m=_mean(wheel_depth, last.rate),
             step_error_m=error,
             volume_m3=self.volume,
             mass_kg=self.volume * self.duty.gear.teeth * densities[1],
-            backlash_m=(of.turn - self.turn) * self.duty.gear.module * self.duty.gear.teeth / 2,
-            pattern_m2=float((of.rate > PATTERN * of.rate.max()).sum() * self.grid.cell),
-            asperity_share=float(np.mean([of.value for of in borne if of is not None])),
+            backlash_m=(last.turn - self.turn) * self.duty.gear.module * self.duty.gear.teeth / 2,
+            pattern_m2=float((last.rate > PATTERN * last.rate.max()).sum() * self.grid.cell),
+            asperity_share=float(np.mean([share.value for share in borne if share is not None])),
             friction=loss.friction,
-            film_min_m=min(one.figures.film_min.value for one in solutions),
-            worm_roughness_m=of.roughness[0],
-            wheel_roughness_m=of.roughness[1],
+            film_min_m=min(solution.figures.film_min.value for solution in solutions),
+            worm_roughness_m=last.roughness[0],
+            wheel_roughness_m=last.roughness[1],
             worm_depth_max_m=float(worm_depth.max()),
             worm_volume_m3=worm,
             worm_mass_kg=worm * self.duty.gear.starts * densities[0],

@@ -149,13 +149,13 @@ def _room_modulus(by_temperature: Any) -> dict[str, Any]:
 
 def _of_surface(surface: Topography) -> dict[str, Any]:
     """A topography and its figures, as constants of a body."""
-    own = texture_of(surface)
+    texture = texture_of(surface)
     return {
         "topography": surface,
-        "roughness": own.rq,
-        "roughness_slope": own.slope,
-        "roughness_aspect": own.aspect,
-        "lay": own.lay + surface.x_direction,
+        "roughness": texture.rq,
+        "roughness_slope": texture.slope,
+        "roughness_aspect": texture.aspect,
+        "lay": texture.lay + surface.x_direction,
     }
 
 
@@ -168,8 +168,8 @@ def taken_by_name(bodies: Any) -> dict[str, str]:
             body.get(key) if isinstance(body, dict) else None for key in ("material", "finish")
         )
         if isinstance(material, str) and solids.is_named(material):
-            of = solids.source(solids.named_material(material))
-            taken[f"bodies.{name}.material"] = f"for constants that are not given; {of}"
+            source = solids.source(solids.named_material(material))
+            taken[f"bodies.{name}.material"] = f"for constants that are not given; {source}"
         if finish in solids.finishes():
             rough = solids.usual_roughness(finish)
             taken[f"bodies.{name}.finish"] = f"usual roughness of flanks so made, Ra {rough}"

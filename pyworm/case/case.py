@@ -334,8 +334,8 @@ class Case(Shown):
         """
         if phases := wanted.get("phase"):
             wanted["phase"] = _without(self.idle_phases(phases), phases)
-        own = self.mesh_places | {"slide_roll_ratio": self.slide_roll_ratios}
-        return crossed({name: wanted.get(name) or own.get(name, ()) for name in PLACE_NAMES})
+        listed = self.mesh_places | {"slide_roll_ratio": self.slide_roll_ratios}
+        return crossed({name: wanted.get(name) or listed.get(name, ()) for name in PLACE_NAMES})
 
     def scenes(self, **wanted: Sequence[Any] | None) -> Iterator[Scene | LineScene]:
         """The contacts at `places` of these arguments."""

@@ -83,10 +83,10 @@ class CaseTable(FileTable):
         """The file with what its names of materials stand for in `[assumed]`; a stored one has it."""
         if info.context == units.SI or not isinstance(given, dict):
             return given
-        taken, own = taken_by_name(given.get("bodies")), given.get("assumed", {})
-        if not taken or not isinstance(own, dict):
+        taken, assumed = taken_by_name(given.get("bodies")), given.get("assumed", {})
+        if not taken or not isinstance(assumed, dict):
             return given
-        return given | {"assumed": taken | by_dotted_key(own)}
+        return given | {"assumed": taken | by_dotted_key(assumed)}
 
     if TYPE_CHECKING:
         bodies: Bodies  # each kind has its own

@@ -96,11 +96,11 @@ def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
     whole = {"boundary_friction": named.stock.boundary_friction, **table, "name": named.name}
     if not _gives_alpha(table.get("viscosity")):
         whole.setdefault("alpha_spread", named.stock.alpha_spread)
-    for key, own in _tables(named, asked.temperature).items():
+    for key, named_table in _tables(named, asked.temperature).items():
         given = table.get(key, {})
         if isinstance(given, dict) and "law" not in given:
-            replaced = {_INSTEAD[one] for one in given if one in _INSTEAD}
-            kept = {one: value for one, value in own.items() if one not in replaced}
+            replaced = {_INSTEAD[key] for key in given if key in _INSTEAD}
+            kept = {entry: value for entry, value in named_table.items() if entry not in replaced}
             whole[key] = kept | given
     return whole
 

@@ -100,8 +100,8 @@ def new_worm_text(
     if "hob_oversize" in answers:
         oversize = _toml("hob_oversize", answers["hob_oversize"])
         rows["hob"].append(f"oversize = {oversize} # on the reference diameter")
-    for one in taken:
-        key, _, rest = one.partition(" = ")
+    for choice in taken:
+        key, _, rest = choice.partition(" = ")
         value, _, words = rest.partition(", ")
         part, _, name = key.rpartition(".")
         rows[part].append(f"# {name} = {json.dumps(value)} # as usual: {words}")

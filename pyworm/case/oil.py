@@ -323,9 +323,9 @@ def _of_liquid(table: dict[str, Any]) -> dict[str, Any]:
         raise ValueError(f'liquid = "{name}": must be one of {", ".join(known)}')
     if "temperature" not in table:
         raise ValueError(f"temperature is missing, at which {name} enters")
-    own = {key: part for key, part in known[name].items() if key != "source"}
-    own["heat"] = {**own["heat"], "inlet_temperature": table["temperature"]}
-    return {"name": name, **own, **table}
+    tables = {key: part for key, part in known[name].items() if key != "source"}
+    tables["heat"] = {**tables["heat"], "inlet_temperature": table["temperature"]}
+    return {"name": name, **tables, **table}
 
 
 def named_liquid(name: str, temperature: float | str) -> Oil:

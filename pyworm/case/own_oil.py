@@ -111,4 +111,4 @@ class CarreauYasudaTable(Table, ThinningStress, LimitingStress):
     def constants(self) -> dict[str, Any]:
         """Constants of the flow law."""
         given = dict(self)
-        return given | {"branches": tuple(plain(one, Branch) for one in self.branches)}
+        return given | {"branches": tuple(plain(branch, Branch) for branch in self.branches)}

@@ -44,7 +44,9 @@ class PastTable(Table, LoadHistory):
     def _a_course_that_ends_at_present(self) -> Self:
         if self.times[0] != 0 or any(after <= before for before, after in pairwise(self.times)):
             raise ValueError('times begin at "0 s" and rise')
-        given = {key: of for key in ("load", "speed") if (of := getattr(self, key)) is not None}
+        given = {
+            key: course for key in ("load", "speed") if (course := getattr(self, key)) is not None
+        }
         if not given:
             raise ValueError("give the factors of load, of speed, or both")
         for key, factors in given.items():
@@ -74,7 +76,7 @@ class PastTable(Table, LoadHistory):
             raise ValueError(
                 "separation holds where the factor of load is 0; give load such factors"
             )
-        apart = [of for of, load in zip(self.separation, self.load, strict=True) if load == 0]
+        apart = [gap for gap, load in zip(self.separation, self.load, strict=True) if load == 0]
         if not min(apart) > 0:
             raise ValueError(
                 f"separation is {min(apart):g} m where nothing is carried; surfaces that are apart have one "
@@ -114,7 +116,9 @@ class _WrittenLife(LoadHistory):
             speeds = np.interp(knots, self.times, self.speed)
         left = float(np.trapezoid(speeds, knots))
         body_1, body_2 = velocities(self.present)
-        return tuple(-left * of for of in body_1), tuple(-left * of for of in body_2)
+        return tuple(-left * velocity for velocity in body_1), tuple(
+            -left * velocity for velocity in body_2
+        )
 
 
 def _moving(scene: AnyContact, factor: float) -> AnyContact:
@@ -123,5 +127,7 @@ def _moving(scene: AnyContact, factor: float) -> AnyContact:
         first, second = scene.velocities
         return replace(scene, velocities=(factor * first, factor * second))
     rigid = [motion for motion in scene.motions if isinstance(motion, RigidMotion)]
-    body_1, body_2 = (RigidMotion(factor * of.u, factor * of.v, factor * of.spin) for of in rigid)
+    body_1, body_2 = (
+        RigidMotion(factor * motion.u, factor * motion.v, factor * motion.spin) for motion in rigid
+    )
     return replace(scene, motions=(body_1, body_2))

@@ -19,7 +19,7 @@ class Table(BaseModel):
 TableT = TypeVar("TableT")
 
 
-def plain(table: TableT, of: type[TableT]) -> TableT:
+def plain(table: TableT, kind: type[TableT]) -> TableT:
     """The values of a table as the dataclass that it is read for.
 
     Such a table is derived from both, `class CrownTable(Table, Crown)`: it has the dataclass's fields with
@@ -33,8 +33,8 @@ def plain(table: TableT, of: type[TableT]) -> TableT:
     of : type
         The dataclass.
     """
-    parts = (part.name for part in fields(of) if part.init)  # type: ignore[arg-type]  # a dataclass
-    return of(**{name: _plain(getattr(table, name)) for name in parts})
+    parts = (part.name for part in fields(kind) if part.init)  # type: ignore[arg-type]  # a dataclass
+    return kind(**{name: _plain(getattr(table, name)) for name in parts})
 
 
 def _plain(value: Any) -> Any:

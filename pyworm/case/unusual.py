@@ -48,7 +48,7 @@ def _quantities(value: Any, written: Any, kind: Kind | None, key: str) -> Iterat
         for name in value.keys() & written.keys():
             yield from _quantities(value[name], written[name], kind, f"{key}.{name}")
     elif isinstance(written, list):
-        for place, (one, entry) in enumerate(zip(value, written, strict=True)):
-            yield from _quantities(one, entry, kind, f"{key}[{place}]")
+        for place, (part, entry) in enumerate(zip(value, written, strict=True)):
+            yield from _quantities(part, entry, kind, f"{key}[{place}]")
     elif isinstance(written, str) and kind is not None:
         yield key, written, kind

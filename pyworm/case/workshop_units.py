@@ -14,7 +14,7 @@ def shown(value: Any, field: FieldInfo | None = None) -> str:
     """A value, or a list of values, in the unit that its field is measured in."""
     kind = None if field is None else kind_of(field)
     if isinstance(value, tuple | list):
-        return ", ".join(_plain(one, kind) for one in value)
+        return ", ".join(_plain(part, kind) for part in value)
     return _plain(value, kind)
 
 

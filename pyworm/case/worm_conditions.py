@@ -89,7 +89,7 @@ def conditions(
     hours : float or Unknown
         How long the load lasts [h].
     """
-    own = (torque, speed) == (duty.torque, duty.worm_speed)
+    at_duty_point = (torque, speed) == (duty.torque, duty.worm_speed)
     rough = duty.roughness[0]
     cold = WormConditions(
         oil=attempt(lambda: _kind(known(oil))),
@@ -107,7 +107,7 @@ def conditions(
         structure_factor=table.structure_factor,
         pressure_factor=table.pressure_factor,
         starts_per_hour=table.starts_per_hour,
-        wheel_temperature=duty.wheel_temperature if own else None,
+        wheel_temperature=duty.wheel_temperature if at_duty_point else None,
         immersion_factor=table.immersion_factor,
         rim=table.rim_over_module,
         bearings=table.bearings,
@@ -132,9 +132,9 @@ def _sump(
     cold: WormConditions,
 ) -> float | Unknown:
     """Temperature of the oil in the sump [K]: of the drive, given, by its cooling, or the standard's."""
-    own = (torque, cold.worm_speed) == (duty.torque, duty.worm_speed)
+    at_duty_point = (torque, cold.worm_speed) == (duty.torque, duty.worm_speed)
     conductance = duty.conductance
-    if conductance is not None and not own:
+    if conductance is not None and not at_duty_point:
         rated = WormRating(duty.gear, cold)
         return attempt(
             lambda: (
@@ -149,8 +149,8 @@ def _sump(
     found = attempt(lambda: sump_by_standard(table, duty, oil, torque, cold.worm_speed, table.fan))
     if not isinstance(found, Unknown):
         return found
-    at = f"{torque:.4g} N m and {cold.worm_speed * RPM:.4g} rpm"
+    load_text = f"{torque:.4g} N m and {cold.worm_speed * RPM:.4g} rpm"
     return Unknown(
-        f"the standard has no temperature of the sump at {at} ({found.why}); give "
+        f"the standard has no temperature of the sump at {load_text} ({found.why}); give "
         "worm_rating.sump_temperature"
     )

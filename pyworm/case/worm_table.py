@@ -257,9 +257,11 @@ class WormDriveTable(Table):
             worm = given["diameter_factor"] * self._module
             given["hob_oversize"] = self.hob.reference_diameter - worm
         check_given(given)
-        own = {name: of for name, of in given.items() if name not in {*DERIVED, *OF_HOB}}
+        independent = {
+            name: value for name, value in given.items() if name not in {*DERIVED, *OF_HOB}
+        }
         check_profile(self.profile, given)
-        drawing, taken = completed(own, self.profile)
+        drawing, taken = completed(independent, self.profile)
         check_redundant(drawing, given)
         check_drawing(drawing)
         return drawing, taken

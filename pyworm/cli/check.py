@@ -45,10 +45,10 @@ def _check(options: argparse.Namespace) -> int:
             | {
                 "plan": asdict(task.plan),
                 "effects": [asdict(effect) for effect in task.plan.effects],
-                "expected_seconds": of.seconds,
-                "expected_convolutions": of.convolutions,
+                "expected_seconds": expectation.seconds,
+                "expected_convolutions": expectation.convolutions,
             }
-            for task, lacking, of in zip(tasks, without, expected, strict=True)
+            for task, lacking, expectation in zip(tasks, without, expected, strict=True)
         ]
         content: dict[str, Any] = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
         if case.drive is not None:
@@ -67,8 +67,8 @@ def _check(options: argparse.Namespace) -> int:
         if sentence := neglected_effects.worst(without).sentence:
             console.print(f"{sentence} (Films by closed forms.)\n")
         _print_drive(console, case)
-        for task, of in zip(tasks, expected, strict=True):
-            console.print(plan_table(task.scene, task.plan, of))
+        for task, expectation in zip(tasks, expected, strict=True):
+            console.print(plan_table(task.scene, task.plan, expectation))
             console.print(effects_table(task.plan.effects, "Effects"))
         if len(tasks) > 1:
             console.print(f"Expected time of all {len(tasks)}: {duration(of_run.seconds)}")

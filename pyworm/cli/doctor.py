@@ -111,11 +111,13 @@ def _processor() -> str:
 
     if LEVEL is None:
         options = compiled_with()[1].split()
-        return next((of for of in options if of.startswith("-march")), "compiled for any")
+        return next((flag for flag in options if flag.startswith("-march")), "compiled for any")
     there = f"kernel for {LEVEL}, of {', '.join((BASE, *built()))}"
     if LEVEL == BASE:
         return there
-    cold, heated = (base / own for base, own in zip(_steps_of(BASE), _steps_of(LEVEL), strict=True))
+    cold, heated = (
+        base / step_time for base, step_time in zip(_steps_of(BASE), _steps_of(LEVEL), strict=True)
+    )
     return f"{there}: {cold:.2f} times as fast as {BASE} in films, {heated:.2f} times with heat"
 
 
@@ -131,7 +133,7 @@ def _steps_of(level: str) -> list[float]:
     )
     if done.returncode:
         raise _UnsoundError(f"the kernel for {level} fails: {done.stderr.strip().splitlines()[-1]}")
-    return [float(of) for of in done.stdout.split()]
+    return [float(word) for word in done.stdout.split()]
 
 
 def _fftw() -> str:

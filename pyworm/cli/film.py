@@ -90,13 +90,13 @@ def _of_options(options: argparse.Namespace) -> "Scene":
             raise CaseError(f'--{name} "{text}" {error}') from error
 
     try:
-        velocity = [read("velocity", of, units.Velocity) for of in options.velocity]
+        velocity = [read("velocity", text, units.Velocity) for text in options.velocity]
         motion = RigidMotion(*[*velocity, 0.0][:2])
         temperature = read("temperature", options.temperature, units.Temperature)
-        first, second = (named_body(of, None, temperature) for of in options.bodies)
+        first, second = (named_body(body, None, temperature) for body in options.bodies)
         return Scene(
             name="contact",
-            gap=Paraboloid(*(read("radii", of, units.Radius) for of in options.radii)),
+            gap=Paraboloid(*(read("radii", text, units.Radius) for text in options.radii)),
             motions=(motion, motion),
             load=read("load", options.load, units.Force),
             bodies=(first, second),
@@ -120,8 +120,8 @@ def _summary(scene: "Scene | LineScene") -> dict[str, Any]:
     films = None if isinstance(scene, LineScene) else film_of(scene, reduced=True)
     holds = () if films is None else films.holds
     found = formula_summary(scene, plan, films)
-    neglected_effects = {name: of for name, of in found["left_out"].items() if name not in holds}
-    return {**found, "holds": list(holds), "left_out": neglected_effects}
+    neglected = {name: value for name, value in found["left_out"].items() if name not in holds}
+    return {**found, "holds": list(holds), "left_out": neglected}
 
 
 def _show(rows: list[dict[str, Any]]) -> None:

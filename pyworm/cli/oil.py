@@ -123,10 +123,12 @@ def _properties(oil: "NamedOil") -> dict:
         "source": oil.source,
         "viscosity_index": oil.viscosity_index,
         "temperature_C": list(SHOWN_TEMPERATURES),
-        "kinematic_viscosity_m2_s": [float(oil.kinematic_viscosity(at)) for at in kelvin],
-        "viscosity_Pa_s": [float(oil.viscosity(at)) for at in kelvin],
-        "density_kg_m3": [float(oil.density(at)) for at in kelvin],
-        "pressure_viscosity_1_Pa": [_alpha(oil, at) for at in kelvin],
+        "kinematic_viscosity_m2_s": [
+            float(oil.kinematic_viscosity(temperature)) for temperature in kelvin
+        ],
+        "viscosity_Pa_s": [float(oil.viscosity(temperature)) for temperature in kelvin],
+        "density_kg_m3": [float(oil.density(temperature)) for temperature in kelvin],
+        "pressure_viscosity_1_Pa": [_alpha(oil, temperature) for temperature in kelvin],
         "specific_heat_J_kgK": oil.stock.specific_heat,
         "sources": oil.stock.sources,
     }
@@ -178,7 +180,8 @@ def _list(options: argparse.Namespace) -> int:
     rows = []
     for oil in oils:
         nu_40, nu_100 = (
-            oil.kinematic_viscosity(at) * SQUARE_METRE for at in (DEGREES_40, DEGREES_100)
+            oil.kinematic_viscosity(temperature) * SQUARE_METRE
+            for temperature in (DEGREES_40, DEGREES_100)
         )
         index = f"{oil.viscosity_index:.0f}"
         rows.append((oil.name, f"{nu_40:.0f}", f"{nu_100:.1f}", index, oil.source))

@@ -122,9 +122,9 @@ def _print(console: "Console", rating: "Rating") -> None:
         console.print(sentence)
     if rating.safeties:
         console.print(safeties_table(rating, inputs=False))
-        for of in rating.safeties:
-            by = f"{of.symbol} ({of.clause})" if of.clause else of.symbol
-            console.print(f"{by}: {of.made_of}")
+        for safety in rating.safeties:
+            by = f"{safety.symbol} ({safety.clause})" if safety.clause else safety.symbol
+            console.print(f"{by}: {safety.made_of}")
     for reason in rating.failed:
         console.print(f"FAILED: {reason}", style="bold")
     for words in rating.words:

@@ -116,10 +116,10 @@ def _variants(paths: list[Path]) -> str:
 
 def _names(paths: list[Path], results: "list[Result]") -> list[str]:
     """Names of variants: of their cases where each has its own, else of their folders, else their numbers."""
-    for names in ([of.case_name for of in results], [path.parent.name for path in paths]):
+    for names in ([result.case_name for result in results], [path.parent.name for path in paths]):
         if len(set(names)) == len(names):
             return names
-    return [f"{n}: {of.case_name}" for n, of in enumerate(results, 1)]
+    return [f"{n}: {result.case_name}" for n, result in enumerate(results, 1)]
 
 
 def _identity(options: argparse.Namespace) -> tuple[tuple[str, str], ...]:

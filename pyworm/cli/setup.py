@@ -166,7 +166,7 @@ def _print(rows: dict[str, Row], life: list[Row]) -> None:
         for key, (words, factor, form) in COLUMNS.items():
             if any(key in row for row in columns.values()):
                 values = (row[key] * factor for row in columns.values())
-                cells = (f"{of:{form}}" if isfinite(of) else "at edge" for of in values)
+                cells = (f"{value:{form}}" if isfinite(value) else "at edge" for value in values)
                 lines.append((words, *cells))
         Console().print(Table(("", *columns), tuple(lines), title))
 

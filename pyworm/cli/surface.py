@@ -72,17 +72,17 @@ def _surface(options: argparse.Namespace) -> int:
     if options.out is not None:
         check_writable(options.out)
     shown = _with_bodies(_surfaces(options), options)
-    found = [{"name": one.name, **figures(one.waves, one.texture)} for one in shown]
+    found = [{"name": surface.name, **figures(surface.waves, surface.texture)} for surface in shown]
     pictures: list[str] = []
     complete = True
     if options.out is not None:
-        cells = [periodic_cell(one.waves.roughness) for one in shown]
+        cells = [periodic_cell(surface.waves.roughness) for surface in shown]
         tables = [
-            cell_table(cell, one.modulus, one.hardness)
-            for one, cell in zip(shown, cells, strict=True)
+            cell_table(cell, surface.modulus, surface.hardness)
+            for surface, cell in zip(shown, cells, strict=True)
         ]
-        for one, cell, table in zip(found, cells, tables, strict=True):
-            one["curves"] = curves(cell, table)
+        for entry, cell, table in zip(found, cells, tables, strict=True):
+            entry["curves"] = curves(cell, table)
         pictures, complete = drawn_pictures(options.out, lambda aside: _draw(shown, tables, aside))
     if options.json:
         print_json({"surfaces": found, "pictures": pictures})
@@ -160,7 +160,7 @@ def _with_bodies(shown: list[_Shown], options: argparse.Namespace) -> list[_Show
                 )
             except ValueError as error:
                 raise CaseError(f"--{name} {text}: {error}") from None
-    return [replace(one, **instead) for one in shown]
+    return [replace(surface, **instead) for surface in shown]
 
 
 def _draw(shown: list[_Shown], tables: list["CellTable"], directory: Path) -> list[Path]:
@@ -170,11 +170,13 @@ def _draw(shown: list[_Shown], tables: list["CellTable"], directory: Path) -> li
     from pyworm.plots.surface import draw_curves, draw_heights
 
     made = Attempts()
-    for one, table in zip(shown, tables, strict=True):
-        heights = partial(draw_heights, one.name, one.waves.roughness, one.texture)
-        made.draw(directory / f"{one.name}_heights.png", heights)
-        known = partial(draw_curves, one.name, table, one.texture, one.modulus, one.hardness)
-        made.draw(directory / f"{one.name}_curves.png", known)
+    for surface, table in zip(shown, tables, strict=True):
+        heights = partial(draw_heights, surface.name, surface.waves.roughness, surface.texture)
+        made.draw(directory / f"{surface.name}_heights.png", heights)
+        known = partial(
+            draw_curves, surface.name, table, surface.texture, surface.modulus, surface.hardness
+        )
+        made.draw(directory / f"{surface.name}_curves.png", known)
     return made.result()
 
 
@@ -207,10 +209,10 @@ def _print(shown: list[_Shown], found: list[dict[str, Any]]) -> None:
     from pyworm.report.table import Table
 
     head = ["Surface"]
-    for one, known in zip(shown, found, strict=True):
+    for surface, known in zip(shown, found, strict=True):
         nx, ny = known["points"]
-        sides = " x ".join(f"{side * 1e3:.4g}" for side in one.waves.roughness.extent)
-        head.append(f"{one.name}\n{nx} x {ny}, {sides} mm")
+        sides = " x ".join(f"{side * 1e3:.4g}" for side in surface.waves.roughness.extent)
+        head.append(f"{surface.name}\n{nx} x {ny}, {sides} mm")
     rows = (
         (name, *(_cell(known, keys, factors, units) for known in found))
         for name, keys, factors, units in ROWS

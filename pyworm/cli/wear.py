@@ -191,7 +191,7 @@ def _worm_ratio(options: argparse.Namespace, case: Case) -> tuple[float, str]:
         )
     usual = WORM_HARDNESS, WHEEL_HARDNESS
     bodies = present(case.drive, "drive").bodies
-    worm, wheel = (own.hardness or of for own, of in zip(bodies, usual, strict=True))
+    worm, wheel = (body.hardness or hardness for body, hardness in zip(bodies, usual, strict=True))
     ratio, linear = (harder_ratio(max(worm, wheel), wheel, power) for power in (2.0, 1.0))
     return ratio, (
         f"the worm's k is {ratio:.2g} of the wheel's, the square of their hardnesses {wheel * 1e-9:.3g} and "
@@ -206,18 +206,18 @@ def _show(steps: "Sequence[WearFigures]") -> None:
     friction, film = QUANTITIES["friction_coefficient"], QUANTITIES["film_min"]
     rows = (
         (
-            f"{of.hours:.4g}",
-            f"{of.depth_max_m * 1e6:.3g}",
-            f"{of.depth_mean_m * 1e6:.3g}",
-            f"{of.mass_kg * 1e6:.3g}",
-            f"{of.backlash_m * 1e6:.2f}",
-            f"{of.pattern_m2 * 1e6:.1f}",
-            f"{of.asperity_share:.1%}",
-            f"{of.friction:.4f}",
-            f"{film.number(of.film_min_m):.3g}",
-            f"{of.wheel_roughness_m * 1e6:.3g}",
+            f"{step.hours:.4g}",
+            f"{step.depth_max_m * 1e6:.3g}",
+            f"{step.depth_mean_m * 1e6:.3g}",
+            f"{step.mass_kg * 1e6:.3g}",
+            f"{step.backlash_m * 1e6:.2f}",
+            f"{step.pattern_m2 * 1e6:.1f}",
+            f"{step.asperity_share:.1%}",
+            f"{step.friction:.4f}",
+            f"{film.number(step.film_min_m):.3g}",
+            f"{step.wheel_roughness_m * 1e6:.3g}",
         )
-        for of in steps
+        for step in steps
     )
     carried = QUANTITIES["asperity_load_fraction"].symbol
     depths = "deepest\nµm", "mean\nµm", "mg", "play\nµm", "pattern\nmm²"

@@ -27,11 +27,11 @@ class BesidesTeeth:
         """What they are and where they come from, in a sentence."""
         if self.standard is None:
             return f"Bearings, seals and churning lose {self.given:.4g} W as given."
-        of = self.standard
+        losses = self.standard
         return (
-            f"Besides the teeth {of.power:.4g} W are assumed by the worm standard's regressions: churning "
-            f"{of.churning:.4g} W, bearings of a worm that is {self.bearings} {of.bearings:.4g} W, seals "
-            f"{of.seals:.4g} W."
+            f"Besides the teeth {losses.power:.4g} W are assumed by the worm standard's regressions: "
+            f"churning {losses.churning:.4g} W, bearings of a worm that is {self.bearings} "
+            f"{losses.bearings:.4g} W, seals {losses.seals:.4g} W."
         )
 
     def summary(self) -> dict[str, Any]:

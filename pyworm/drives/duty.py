@@ -60,8 +60,10 @@ class WormDuty:
     def composite_roughness(self) -> float:
         """Composite root mean square roughness of both flanks [m]; ValueError where one is not known."""
         worm, wheel = (
-            known(Unknown(f"bodies.{name}.roughness is missing") if of is None else of)
-            for name, of in zip(("worm", "wheel"), self.roughness, strict=True)
+            known(
+                Unknown(f"bodies.{name}.roughness is missing") if roughness is None else roughness
+            )
+            for name, roughness in zip(("worm", "wheel"), self.roughness, strict=True)
         )
         return composite_roughness(worm, wheel)
 

@@ -69,4 +69,4 @@ class MeshLoss:
 
 def largest_model(contacts: Sequence[ContactLoss]) -> float | None:
     """Largest relative uncertainty by the model of roughness; None where none was simulated."""
-    return max((one.model for one in contacts if one.model is not None), default=None)
+    return max((contact.model for contact in contacts if contact.model is not None), default=None)

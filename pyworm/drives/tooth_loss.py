@@ -99,7 +99,7 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     worm_speed, wheel_speed = cycle.attrs["worm_speed"], cycle.attrs["wheel_speed"]
     worm = (wheel * wheel_speed + turn * power) / worm_speed
     scale = _to_torque(cycle, wheel, worm)
-    power, wheel, worm, reversed_ = (scale * of for of in (power, wheel, worm, reversed_))
+    power, wheel, worm, reversed_ = (scale * value for value in (power, wheel, worm, reversed_))
     lost, load = scale * lost, scale * load
     forward = wheel if turn > 0 else reversed_
     back = reversed_ if turn > 0 else wheel
@@ -119,7 +119,7 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
         reverse_efficiency=efficiencies[1 if turn > 0 else 0],
         model_error=(
             None
-            if all(one.model is None for one in contacts)
+            if all(contact.model is None for contact in contacts)
             else over_pitch(_uncertain(lost, _interpolated(phases, contacts, "model")))
         ),
     )
@@ -137,8 +137,8 @@ def _friction(
     phases: Array, sliding: Array, contacts: Sequence[ContactLoss]
 ) -> tuple[Array, Array, Array]:
     """Friction at all phases; the same by every other contact; its relative range where it is constant."""
-    solved = np.array([one.phase for one in contacts])
-    friction = np.array([one.power / one.load for one in contacts])
+    solved = np.array([contact.phase for contact in contacts])
+    friction = np.array([contact.power / contact.load for contact in contacts])
     friction /= np.interp(solved, phases, sliding)
     reference, known = _course(contacts, phases, sliding)
     ratio = friction / reference(solved)
@@ -160,12 +160,14 @@ def _course(
     contacts: Sequence[ContactLoss], phases: Array, sliding: Array
 ) -> tuple[Callable[[Array], Array], Array]:
     """Friction over phase by transient solves, 1 where there are none, and at which phases it is known."""
-    course = np.array(sorted(pair for one in contacts for pair in one.course))
+    course = np.array(sorted(pair for contact in contacts for pair in contact.course))
     if not len(course):
         return np.ones_like, np.zeros(len(phases), bool)
-    at, over_load = course.T
-    friction = over_load / np.interp(at, phases, sliding)
-    return lambda here: np.interp(here, at, friction), (phases >= at[0]) & (phases <= at[-1])
+    phase, over_load = course.T
+    friction = over_load / np.interp(phase, phases, sliding)
+    return lambda here: np.interp(here, phase, friction), (phases >= phase[0]) & (
+        phases <= phase[-1]
+    )
 
 
 def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> Array:
@@ -173,10 +175,10 @@ def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> 
 
     Where a contact's error has no bound (is infinite) it has none as far as the neighbouring contacts.
     """
-    at = [one.phase for one in contacts]
-    errors = np.array([getattr(one, part) or 0.0 for one in contacts])
-    unknown = np.interp(phases, at, np.isinf(errors).astype(float)) > 0
-    known = np.interp(phases, at, np.where(np.isinf(errors), 0.0, errors))
+    solved_phases = [contact.phase for contact in contacts]
+    errors = np.array([getattr(contact, part) or 0.0 for contact in contacts])
+    unknown = np.interp(phases, solved_phases, np.isinf(errors).astype(float)) > 0
+    known = np.interp(phases, solved_phases, np.where(np.isinf(errors), 0.0, errors))
     interpolated: Array = np.where(unknown, np.inf, known)
     return interpolated
 

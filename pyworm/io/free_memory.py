@@ -17,7 +17,7 @@ _LIMITS = (
 def available() -> float:
     """Memory that this process may still allocate [bytes]; infinite where it is unknown."""
     known = [_machine(), *(_group(*files) for files in _LIMITS), _process()]
-    return min((of for of in known if of is not None), default=float("inf"))
+    return min((amount for amount in known if amount is not None), default=float("inf"))
 
 
 def _machine() -> float | None:

@@ -60,7 +60,7 @@ def quantities(owner: type) -> dict[str, tuple[Kind, bool]]:
     for part in fields(owner):
         hint = hints[part.name]
         several = get_origin(hint) is tuple
-        kinds = [kind for one in (hint, *get_args(hint)) if (kind := _own_kind(one)) is not None]
+        kinds = [kind for part in (hint, *get_args(hint)) if (kind := _own_kind(part)) is not None]
         if kinds:
             found[part.name] = kinds[0], several
     return found
@@ -68,19 +68,26 @@ def quantities(owner: type) -> dict[str, tuple[Kind, bool]]:
 
 def _own_kind(hint: Any) -> Kind | None:
     """The kind of quantity of a type of `pyworm.io.units`; None of any other."""
-    return next((one for one in getattr(hint, "__metadata__", ()) if isinstance(one, Kind)), None)
+    return next(
+        (
+            annotation
+            for annotation in getattr(hint, "__metadata__", ())
+            if isinstance(annotation, Kind)
+        ),
+        None,
+    )
 
 
 def kind_of(annotated: Any) -> Kind:
     """The kind of quantity of a type of `pyworm.io.units`."""
-    return next(one for one in annotated.__metadata__ if isinstance(one, Kind))
+    return next(annotation for annotation in annotated.__metadata__ if isinstance(annotation, Kind))
 
 
 def _several(name: str, value: object, kind: Kind, *, sizes: bool = True) -> tuple[float, ...]:
     """Numbers in SI from numbers or texts with units in a row; ValueError as of `take`."""
     return tuple(
-        number(f"{name}[{place}]", one, kind, sizes=sizes)
-        for place, one in enumerate(row(name, value))
+        number(f"{name}[{place}]", entry, kind, sizes=sizes)
+        for place, entry in enumerate(row(name, value))
     )
 
 
@@ -137,7 +144,7 @@ def in_si(name: str, value: Given, annotated: Any) -> Any:
         return number(name, value, kind_of(annotated))
     if isinstance(value, Sequence | np.ndarray):
         return np.array(
-            [in_si(f"{name}[{place}]", one, annotated) for place, one in enumerate(value)]
+            [in_si(f"{name}[{place}]", entry, annotated) for place, entry in enumerate(value)]
         )
     if isinstance(value, bool) or not isinstance(value, Real):
         number(name, value, kind_of(annotated))
@@ -182,21 +189,21 @@ def _text(value: float, kind: Kind) -> str:
     return f"{value!r} {kind.unit}".rstrip()
 
 
-def unusual(of: Any, above: str = "") -> Iterator[str]:
+def unusual(record: Any, above: str = "") -> Iterator[str]:
     """A sentence for each unusual value in a dataclass and those within it, as of `quantity.doubt`."""
-    its_class: type = type(of)
+    its_class: type = type(record)
     kinds = quantities(its_class)
-    for part in fields(of):
-        value = getattr(of, part.name)
+    for part in fields(record):
+        value = getattr(record, part.name)
         name = f"{above}{part.name}"
         if part.name in kinds and not _holds(value):
             several = value if isinstance(value, tuple) else (value,)
-            worst = (_doubted(name, one, kinds[part.name][0]) for one in several)
+            worst = (_doubted(name, entry, kinds[part.name][0]) for entry in several)
             yield from (sentence for sentence in worst if sentence is not None)
         elif isinstance(value, tuple):
-            for place, one in enumerate(value):
-                if _holds(one):
-                    yield from unusual(one, f"{name}[{place}].")
+            for place, entry in enumerate(value):
+                if _holds(entry):
+                    yield from unusual(entry, f"{name}[{place}].")
         elif _holds(value):
             yield from unusual(value, f"{name}.")
 

@@ -32,10 +32,10 @@ def measure(text: str, unit: str | None = None) -> tuple[float, Unit] | None:
     parts = number_and_unit(text)
     if parts is None:
         return None
-    number, own = parts
-    own = MEANT.get(unit or "", {}).get(plain(own), own)
+    number, written = parts
+    written = MEANT.get(unit or "", {}).get(plain(written), written)
     try:
-        meant = unit_of(own)
+        meant = unit_of(written)
     except ValueError:
         return None
     return float(number) * meant.factor + meant.zero, meant
@@ -85,12 +85,12 @@ def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
     parts = number_and_unit(text) if isinstance(text, str) else None
     if parts is None or measure(text) is None:
         raise ValueError(f'must be a number with its unit, such as "540 MPa"{number_hint(text)}')
-    number, own = parts
-    if unit is None or unit == own:
-        return float(number), own
-    if unit_of(own).powers != unit_of(unit).powers:
+    number, written = parts
+    if unit is None or unit == written:
+        return float(number), written
+    if unit_of(written).powers != unit_of(unit).powers:
         raise ValueError(f'must be in a unit of the same kind as "{unit}"')
-    return converted(float(number), own, unit), unit
+    return converted(float(number), written, unit), unit
 
 
 def number_hint(text: object) -> str:

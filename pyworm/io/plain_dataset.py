@@ -68,9 +68,10 @@ class PlainDataset:
         """Parts of some dimensions, by place."""
         variables = {
             name: replace(
-                of, values=of.values[tuple(parts.get(dim, slice(None)) for dim in of.dims)]
+                variable,
+                values=variable.values[tuple(parts.get(dim, slice(None)) for dim in variable.dims)],
             )
-            for name, of in self.variables.items()
+            for name, variable in self.variables.items()
         }
         return replace(self, variables=variables)
 
@@ -81,7 +82,10 @@ class PlainDataset:
 
     def to_xarray(self) -> "xr.Dataset":
         """The same as xarray's."""
-        variables = {name: (of.dims, of.values, of.attrs) for name, of in self.variables.items()}
+        variables = {
+            name: (variable.dims, variable.values, variable.attrs)
+            for name, variable in self.variables.items()
+        }
         coords = {name: variables.pop(name) for name in self.coords}
         return xr.Dataset(variables, coords=coords, attrs=dict(self.attrs))
 
@@ -153,6 +157,6 @@ def held(instance: Any, name: str) -> "PlainDataset | xr.Dataset | None":
     return attribute.held(instance)
 
 
-def same_data(one: "xr.Dataset | None", other: "xr.Dataset | None") -> bool:
+def same_data(first: "xr.Dataset | None", other: "xr.Dataset | None") -> bool:
     """Whether two datasets, or none, hold the same, missing numbers included."""
-    return one is other if one is None or other is None else one.identical(other)
+    return first is other if first is None or other is None else first.identical(other)

@@ -131,9 +131,9 @@ def _case_hint(text: object, kind: Kind) -> str:
     parts = number_and_unit(text) if isinstance(text, str) else None
     if parts is None:
         return ""
-    number, own = parts
-    for unit in (own.replace("K", "k"), own.lower(), own[:1] + own[1:].lower()):
-        if unit != own and _in_kind(f"{number} {unit}", kind) is not None:
+    number, written = parts
+    for unit in (written.replace("K", "k"), written.lower(), written[:1] + written[1:].lower()):
+        if unit != written and _in_kind(f"{number} {unit}", kind) is not None:
             return f'; did you mean "{number} {unit}"?'
     return ""
 
@@ -143,9 +143,9 @@ def _in_kind(text: object, kind: Kind) -> float | None:
     measured = measure(text, kind.unit) if isinstance(text, str) else None
     if measured is None:
         return None
-    value, own = measured
+    value, written = measured
     unit = unit_of(kind.unit)
-    return value / unit.factor if own.powers == unit.powers else None
+    return value / unit.factor if written.powers == unit.powers else None
 
 
 def _lies(value: float, kind: Kind, between: Range) -> bool:

@@ -86,7 +86,7 @@ def shown(value: float, kind: Kind) -> str:
 
 def shown_like(value: float, unit: str, text: str) -> str:
     """A value in an SI unit as another quantity, given as text, is written."""
-    _, own = parse_in(text)
-    if not own:
+    _, written = parse_in(text)
+    if not written:
         return f"{value:.4g}"
-    return f"{converted(value, unit, own):.4g} {own}"
+    return f"{converted(value, unit, written):.4g} {written}"

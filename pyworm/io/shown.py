@@ -53,7 +53,7 @@ class ShownFields(Shown):
 def _text(value: object, kind: Kind | None) -> str:
     """A field in words: of several numbers how many there are, and the first and the last."""
     if isinstance(value, tuple):
-        ends = [_text(of, kind) for of in (value[0], value[-1])] if kind else []
+        ends = [_text(end, kind) for end in (value[0], value[-1])] if kind else []
         return " to ".join(ends) + f" ({len(value)} values)" if ends else f"{len(value)} entries"
     if isinstance(value, bool | str) or not isinstance(value, int | float):
         return value if isinstance(value, str) else repr(value)

@@ -57,7 +57,7 @@ def _watch(ended: Event, patience: float) -> None:
     said: list[Stage] = []
     while not ended.wait(patience / 6):
         innermost = _current[-1:]  # a copy: the stage may end meanwhile
-        for one in innermost:
-            if one not in said and monotonic() - one.begun > patience:
-                said.append(one)
-                say(f"{STILL} {one.work}")
+        for running in innermost:
+            if running not in said and monotonic() - running.begun > patience:
+                said.append(running)
+                say(f"{STILL} {running.work}")

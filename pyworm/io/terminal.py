@@ -57,19 +57,22 @@ def plain(text: str, stream: IO[str], lines: bool = True) -> str:
         Whether ends of lines are left as they are.
     """
     encoding = encoding_of(stream)
-    return "".join(_plain(one, encoding) if one != "\n" or not lines else one for one in text)
+    return "".join(
+        _plain(character, encoding) if character != "\n" or not lines else character
+        for character in text
+    )
 
 
-def _plain(one: str, encoding: str) -> str:
-    if " " <= one <= "~":
-        return one
-    if unicodedata.category(one) in _SHOWN_BY_CODE:
-        return one.encode("unicode_escape").decode()
+def _plain(character: str, encoding: str) -> str:
+    if " " <= character <= "~":
+        return character
+    if unicodedata.category(character) in _SHOWN_BY_CODE:
+        return character.encode("unicode_escape").decode()
     with suppress(UnicodeEncodeError):
-        one.encode(encoding)
-        return one
-    bare = unicodedata.normalize("NFKD", one).encode("ascii", "ignore").decode()
-    return _LETTERS.get(one) or bare or "?"
+        character.encode(encoding)
+        return character
+    bare = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
+    return _LETTERS.get(character) or bare or "?"
 
 
 def put(text: str) -> None:

@@ -26,9 +26,13 @@ class Unit:
     @property
     def base(self) -> str:
         """The base units it comes down to, such as "kg/m/s**2"."""
-        above = [_power(name, of) for name, of in zip(BASE, self.powers, strict=True) if of > 0]
+        above = [
+            _power(name, power) for name, power in zip(BASE, self.powers, strict=True) if power > 0
+        ]
         below = [
-            f"/{_power(name, -of)}" for name, of in zip(BASE, self.powers, strict=True) if of < 0
+            f"/{_power(name, -power)}"
+            for name, power in zip(BASE, self.powers, strict=True)
+            if power < 0
         ]
         return "".join(["*".join(above) or "1" * bool(below), *below])
 
@@ -48,7 +52,9 @@ def product(factors: tuple[tuple[str, int], ...]) -> Unit:
     for name, power in factors:
         unit = named(name)
         size *= unit.factor**power
-        powers = tuple(of + power * own for of, own in zip(powers, unit.powers, strict=True))
+        powers = tuple(
+            exponent + power * added for exponent, added in zip(powers, unit.powers, strict=True)
+        )
     return Unit(size, powers)
 
 

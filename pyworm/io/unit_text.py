@@ -90,13 +90,13 @@ def factors(text: str) -> tuple[tuple[str, int], ...]:
         return ((_RENAMED.get(text, text), 1),)
     found: list[tuple[str, int]] = []
     below = [False]  # of each open bracket, whether it stands below a fraction bar
-    at, whole, bar = (
+    position, whole, bar = (
         0,
         False,
         False,
     )  # whole: whether the last part ends a factor; bar: whether it is one
-    while at < len(text):
-        match = _TOKEN.match(text, at)
+    while position < len(text):
+        match = _TOKEN.match(text, position)
         if match is None:
             raise ValueError(f'"{text}" is no unit')
         if match["divide"] or match["times"] or match["close"]:
@@ -105,17 +105,17 @@ def factors(text: str) -> tuple[tuple[str, int], ...]:
             if match["close"]:
                 below.pop()
             whole, bar = bool(match["close"]), bool(match["divide"])
-            at = match.end()
+            position = match.end()
             continue
-        if match["one"] and (at or not text[match.end() :].lstrip().startswith("/")):
+        if match["one"] and (position or not text[match.end() :].lstrip().startswith("/")):
             raise ValueError(f'"{text}" has a number within')
         divisor = below[-1] != bar
         if match["open"]:
             below.append(divisor)
         elif match["name"]:
             found += _powers(match, divisor)
-        at, whole, bar = match.end(), not match["open"], False
-    if (at and not whole) or len(below) > 1:
+        position, whole, bar = match.end(), not match["open"], False
+    if (position and not whole) or len(below) > 1:
         raise ValueError(f'"{text}" is no unit')
     return tuple(found)
 
@@ -128,4 +128,4 @@ def _powers(match: re.Match[str], divisor: bool) -> list[tuple[str, int]]:
     together = _RUN_TOGETHER.fullmatch(name)
     names = filter(None, together.groups()) if together else (name,)
     power = int((match["power"] or "1").strip("*^ \t"))
-    return [(of, -power if divisor else power) for of in names]
+    return [(name, -power if divisor else power) for name in names]

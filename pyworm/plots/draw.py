@@ -151,7 +151,11 @@ def _scene_pictures(
         (
             number,
             solution,
-            tuple(of for of in SCENE_PICTURES[solution.kind] if of in names or not names),
+            tuple(
+                picture
+                for picture in SCENE_PICTURES[solution.kind]
+                if picture in names or not names
+            ),
         )
         for number, solution in enumerate(result.solutions)
     ]

@@ -39,8 +39,8 @@ def draw_estimates(
     sizes = np.abs(sizes)
     numerical = sizes * [estimate.error for estimate in estimates]
     (line, *_) = axes.errorbar(places, values, numerical, **style)
-    model = sizes * [np.nan if of.model is None else of.model for of in estimates]
+    model = sizes * [np.nan if estimate.model is None else estimate.model for estimate in estimates]
     known = np.isfinite(model)
-    at, middle, half = (np.asarray(of)[known] for of in (places, values, model))
+    known_places, middle, half = (np.asarray(numbers)[known] for numbers in (places, values, model))
     low = np.maximum(middle - half, np.minimum(middle, 0.0))
-    axes.vlines(at, low, middle + half, color=line.get_color(), alpha=0.25, linewidth=6)
+    axes.vlines(known_places, low, middle + half, color=line.get_color(), alpha=0.25, linewidth=6)

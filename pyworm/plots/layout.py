@@ -292,14 +292,16 @@ def broken(label: str) -> str:
 
 def with_gaps(solutions: Sequence[Solution], values: Sequence[float]) -> np.ndarray:
     """Values of a curve over solutions: NaN, and so a gap, where one did not converge."""
-    return np.where([one.converged for one in solutions], values, np.nan)
+    return np.where([solution.converged for solution in solutions], values, np.nan)
 
 
 def mark_gaps(
     axes: Axes, places: Sequence[float] | np.ndarray, solutions: Sequence[Solution]
 ) -> None:
     """Dotted lines where solutions did not converge, named in the legend."""
-    gaps = [place for place, one in zip(places, solutions, strict=True) if not one.converged]
+    gaps = [
+        place for place, solution in zip(places, solutions, strict=True) if not solution.converged
+    ]
     label: str | None = f"not converged: {', '.join(f'{place:g}' for place in gaps)}"
     for place in gaps:
         axes.axvline(place, color="black", ls=":", lw=1.2, label=label)

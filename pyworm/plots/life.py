@@ -49,9 +49,9 @@ def draw_life(result: Result, life: ContactLife) -> Figure:
         "gridspec_kw": {"hspace": 0.08},
     }
     figure, panels = placed_panels(size, what, (0.95, 0.25, 0.5, 0.12), **spaced)
-    at = life.seconds / MILLI_SECOND if life.phases is None else life.phases
+    abscissa = life.seconds / MILLI_SECOND if life.phases is None else life.phases
     for panel, draw in zip(panels[:, 0], drawn, strict=True):
-        draw(panel, result, life, at)
+        draw(panel, result, life, abscissa)
         panel.grid(True, color="0.9")
     panels[-1, 0].set_xlabel(
         "time / ms"
@@ -61,24 +61,24 @@ def draw_life(result: Result, life: ContactLife) -> Figure:
     return figure
 
 
-def _draw_load(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
+def _draw_load(axes: Axes, result: Result, life: ContactLife, abscissa: Array) -> None:
     large = life.load.max() >= 1 / KILO
-    axes.plot(at, _broken(life, life.load * (KILO if large else 1)), color="tab:brown")
+    axes.plot(abscissa, _broken(life, life.load * (KILO if large else 1)), color="tab:brown")
     axes.set_ylim(0, 1.1 * axes.get_ylim()[1])
     unit = LOAD_UNITS[life.kind]
     axes.set_ylabel(f"load / {'k' if large else ''}{unit}")
 
 
-def _draw_speed(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
-    axes.plot(at, _broken(life, life.entrainment), color="0.3")
+def _draw_speed(axes: Axes, result: Result, life: ContactLife, abscissa: Array) -> None:
+    axes.plot(abscissa, _broken(life, life.entrainment), color="0.3")
     low, high = min(0.0, life.entrainment.min()), max(0.0, life.entrainment.max())
     axes.set_ylim(low * 1.1, high * 1.1)
     axes.set_ylabel("entrainment\n/ (m/s)")
 
 
-def _draw_films(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
-    _draw(axes, life, at, "film_central", "tab:blue")
-    _draw(axes, life, at, "film_min", "tab:green")
+def _draw_films(axes: Axes, result: Result, life: ContactLife, abscissa: Array) -> None:
+    _draw(axes, life, abscissa, "film_central", "tab:blue")
+    _draw(axes, life, abscissa, "film_min", "tab:green")
     film = QUANTITIES["film"]
     thick = THICKEST * film.number(float(np.median(life.figures["film_central"])))
     axes.set_ylim(0, min(ROOM * axes.get_ylim()[1], thick))
@@ -87,29 +87,29 @@ def _draw_films(axes: Axes, result: Result, life: ContactLife, at: Array) -> Non
     axes.legend(frameon=False, ncols=2, loc="upper center")
 
 
-def _draw_pressure(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
-    _draw(axes, life, at, "pressure_max", "tab:red")
+def _draw_pressure(axes: Axes, result: Result, life: ContactLife, abscissa: Array) -> None:
+    _draw(axes, life, abscissa, "pressure_max", "tab:red")
     axes.set_ylim(0)
     axes.set_ylabel(broken(QUANTITIES["pressure_max"].axis()))
 
 
-def _draw_friction(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
-    _draw(axes, life, at, "friction_coefficient", "tab:purple", "of oil and asperities")
+def _draw_friction(axes: Axes, result: Result, life: ContactLife, abscissa: Array) -> None:
+    _draw(axes, life, abscissa, "friction_coefficient", "tab:purple", "of oil and asperities")
     axes.set_ylim(0, ROOM * axes.get_ylim()[1])
     axes.set_ylabel(broken(QUANTITIES["friction_coefficient"].axis()))
     if "friction_boundary" in life.figures:
-        _draw(axes, life, at, "friction_boundary", "tab:olive", "of asperities")
+        _draw(axes, life, abscissa, "friction_boundary", "tab:olive", "of asperities")
         axes.legend(frameon=False, ncols=2, loc="upper left")
 
 
-def _draw_temperatures(axes: Axes, result: Result, life: ContactLife, at: Array) -> None:
+def _draw_temperatures(axes: Axes, result: Result, life: ContactLife, abscissa: Array) -> None:
     first, second = result.body_names
     for name, label, colour in (
         ("temperature_max_body_1", first, "tab:blue"),
         ("temperature_max_body_2", second, "tab:orange"),
         ("temperature_max_film", "film", "tab:red"),
     ):
-        _draw(axes, life, at, name, colour, label)
+        _draw(axes, life, abscissa, name, colour, label)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.3 * (high - low))
     axes.set_ylabel(broken(QUANTITIES["temperature_max"].axis()))
@@ -130,7 +130,7 @@ PANELS: dict[str, Callable[[Axes, Result, ContactLife, Array], None]] = {
 def _draw(
     axes: Axes,
     life: ContactLife,
-    at: Array,
+    abscissa: Array,
     name: str,
     colour: str,
     label: str = "",
@@ -139,18 +139,31 @@ def _draw(
     quantity = QUANTITIES[name]
     values, errors = quantity.number(life.figures[name]), life.errors[name] * quantity.scale
     words = label or quantity.words()
-    axes.plot(at, _broken(life, values), color=colour, label=words, linewidth=1.4)
+    axes.plot(abscissa, _broken(life, values), color=colour, label=words, linewidth=1.4)
     axes.fill_between(
-        at, _broken(life, values - errors), _broken(life, values + errors), color=colour, alpha=0.25
+        abscissa,
+        _broken(life, values - errors),
+        _broken(life, values + errors),
+        color=colour,
+        alpha=0.25,
     )
-    good = [one for one in life.solutions if one.converged]
-    estimates = [getattr(one.figures, name) for one in good]
+    good = [solution for solution in life.solutions if solution.converged]
+    estimates = [getattr(solution.figures, name) for solution in good]
     heat = name.startswith("temperature")
-    sizes = [one.rise(of) if heat else of.value for of, one in zip(estimates, good, strict=True)]
+    sizes = [
+        solution.rise(estimate) if heat else estimate.value
+        for estimate, solution in zip(estimates, good, strict=True)
+    ]
     axes.errorbar(
-        [life.seconds[-1] / MILLI_SECOND if one.phase is None else one.phase for one in good],
-        [quantity.number(of.value) for of in estimates],
-        [of.error * abs(size) * quantity.scale for of, size in zip(estimates, sizes, strict=True)],
+        [
+            life.seconds[-1] / MILLI_SECOND if solution.phase is None else solution.phase
+            for solution in good
+        ],
+        [quantity.number(estimate.value) for estimate in estimates],
+        [
+            estimate.error * abs(size) * quantity.scale
+            for estimate, size in zip(estimates, sizes, strict=True)
+        ],
         fmt="o",
         color=colour,
         markersize=4,

@@ -156,13 +156,13 @@ def _heading(result: Result, life: ContactLife) -> str:
 
 def _told(life: ContactLife, frame: Fields) -> str:
     """Time, phase, load and minimum film thickness of a frame."""
-    at = int(np.argmin(np.abs(life.seconds - frame.seconds)))
+    index = int(np.argmin(np.abs(life.seconds - frame.seconds)))
     parts = [f"{frame.seconds / 1e-3:.3f} ms"]
     if life.phases is not None:
-        parts.append(f"phase {life.phases[at]:.3f}")
-    load = f"{life.load[at]:.4g} {'N' if life.kind == 'point' else 'N/m'}"
+        parts.append(f"phase {life.phases[index]:.3f}")
+    load = f"{life.load[index]:.4g} {'N' if life.kind == 'point' else 'N/m'}"
     thin = QUANTITIES["film_min"]
-    film = thin.with_unit(f"{thin.number(life.figures['film_min'][at]):.3f}")
+    film = thin.with_unit(f"{thin.number(life.figures['film_min'][index]):.3f}")
     return "   ".join([*parts, load, f"{thin.words()} {film}"])
 
 
@@ -175,7 +175,10 @@ def _window(life: ContactLife) -> tuple[float, float, float, float]:
         nodes = np.nonzero(frame.pressure > least)
         if len(nodes[0]):
             ends.append(
-                [(axis[of.min()], axis[of.max()]) for axis, of in zip(axes, nodes, strict=True)]
+                [
+                    (axis[node.min()], axis[node.max()])
+                    for axis, node in zip(axes, nodes, strict=True)
+                ]
             )
     spans = []
     for direction in range(len(ends[0])):

@@ -80,14 +80,14 @@ def _name_sides(axes: Axes, fields: AnyDataset) -> None:
     side = (outline[0].size - 1) / len(TOOTH_SIDES)
     middles: dict[str, tuple[float, float]] = {}
     for number, name in enumerate(TOOTH_SIDES):
-        at = round((number + 0.5) * side)
-        x, y = (float(along[at] + INWARDS * (along.mean() - along[at])) for along in outline)
+        index = round((number + 0.5) * side)
+        x, y = (float(along[index] + INWARDS * (along.mean() - along[index])) for along in outline)
         middles[name] = x, y
     limits = axes.get_xlim(), axes.get_ylim()
     if all(
-        low < at < high
+        low < coordinate < high
         for middle in middles.values()
-        for at, (low, high) in zip(middle, limits, strict=True)
+        for coordinate, (low, high) in zip(middle, limits, strict=True)
     ):
         for name, middle in middles.items():
             axes.annotate(name, middle, ha="center", va="center", fontsize="small", bbox=_BEHIND)
@@ -155,9 +155,9 @@ def draw_arrows(axes: Axes, fields: AnyDataset, u: np.ndarray, v: np.ndarray) ->
     moving = size > STANDSTILL * np.nanmax(size, initial=0)
     # As long as this looks where the panel is stretched along y.
     stretched = np.stack([u, v * axes.get_aspect()])[:, moving]
-    at = [part.ravel()[moving] for part in np.meshgrid(x, y)]
+    origins = [part.ravel()[moving] for part in np.meshgrid(x, y)]
     axes.quiver(
-        *at,
+        *origins,
         *(stretched / np.hypot(*stretched)),
         pivot="middle",
         units="inches",
@@ -207,7 +207,12 @@ def draw_largest_temperatures(
         estimates = [getattr(solution.figures, name) for solution in solutions]
         hottest = with_gaps(solutions, [estimate.value for estimate in estimates])
         style = {"fmt": "o-", "color": colour, "capsize": 3, "label": label}
-        rises = np.array([one.rise(of) for one, of in zip(solutions, estimates, strict=True)])
+        rises = np.array(
+            [
+                solution.rise(estimate)
+                for solution, estimate in zip(solutions, estimates, strict=True)
+            ]
+        )
         draw_estimates(axes, places, hottest - ZERO_CELSIUS, rises, estimates, **style)
     inlet = np.array([solution.inlet_temperature for solution in solutions])
     axes.plot(places, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
@@ -222,9 +227,9 @@ def between_nodes(
     nodes: np.ndarray, field: np.ndarray, places: np.ndarray, axis: int
 ) -> np.ndarray:
     """A field along one of its axes at places between nodes, linearly; the outermost values beyond them."""
-    at = np.interp(places, nodes, np.arange(nodes.size))
-    first = np.minimum(whole(at), nodes.size - 2)
-    weight = (at - first).reshape(-1, *[1] * (1 - axis))
+    position = np.interp(places, nodes, np.arange(nodes.size))
+    first = np.minimum(whole(position), nodes.size - 2)
+    weight = (position - first).reshape(-1, *[1] * (1 - axis))
     before, behind = (np.take(field, first + step, axis) for step in (0, 1))
     between_nodes: np.ndarray = before + weight * (behind - before)
     return between_nodes

@@ -145,12 +145,12 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
 
 
 def _formula_marker(study: Study, curve: Curve) -> str:
-    formulas = [one.name for one in study.curves if one.kind == "formula"]
+    formulas = [curve.name for curve in study.curves if curve.kind == "formula"]
     return FORMULA_MARKERS[formulas.index(curve.name)]
 
 
 def _parameter_colour(study: Study, curve: Curve) -> str:
-    parameters = [one.name for one in study.curves if one.kind == "parameter"]
+    parameters = [curve.name for curve in study.curves if curve.kind == "parameter"]
     return PARAMETER_COLOURS[parameters.index(curve.name)]
 
 

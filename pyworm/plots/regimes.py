@@ -83,7 +83,9 @@ NODES = 181
 def draw_regimes(result: Result) -> Figure:
     """Every contact of a result on the chart of its kind, one for lines and one for points."""
     regimes = [solution.regime for solution in result.solutions]
-    kinds = [kind for kind in (False, True) if any((one.ratio is None) == kind for one in regimes)]
+    kinds = [
+        kind for kind in (False, True) if any((regime.ratio is None) == kind for regime in regimes)
+    ]
     size, room = (6.4 * len(kinds), 5.4), (0.8, 0.1, 0.6, 0.5)
     spaced = {"ncols": len(kinds), "squeeze": False, "gridspec_kw": {"wspace": 0.17}}
     words = result_heading(result, "regimes of lubrication")

@@ -154,7 +154,7 @@ def _draw_lines(
     panels = picture.subplots(len(figures), sharex=True, squeeze=False)[:, 0]
     members = [(None, "")]
     if family is not None:
-        members = [(family.values == of, _name(family, of)) for of in family.distinct]
+        members = [(family.values == value, _name(family, value)) for value in family.distinct]
     # as an ordered family; the palest yellow end would not show on white
     colours = COLOURS(np.linspace(0, 0.85, len(members)))
     for panel, figure in zip(panels, figures, strict=True):

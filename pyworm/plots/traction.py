@@ -17,7 +17,7 @@ from pyworm.solver.solution import Solution
 def draw_traction(result: Result) -> Figure:
     """Friction coefficient, and largest temperatures where heat was simulated, with their error bars."""
     swept = sorted(traction_curve(result), key=lambda solution: solution.slide_roll_ratio or 0.0)
-    heated = [one for one in swept if one.figures.temperature_max_film is not None]
+    heated = [solution for solution in swept if solution.figures.temperature_max_film is not None]
     rows = 2 if heated else 1
     size, room = (8, 3.2 * rows + 0.6), (0.9, 0.1, 0.5, 0.1)
     spaced = {"nrows": rows, "sharex": True, "squeeze": False, "gridspec_kw": {"hspace": 0.06}}
@@ -50,12 +50,12 @@ def traction_curve(result: Result) -> list[Solution]:
 def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
     """The friction coefficient takes the sign of the sliding."""
     ratios = [_slide_roll_ratio(solution) for solution in swept]
-    estimates = [present(of.figures.friction_coefficient, "friction") for of in swept]
+    estimates = [present(solution.figures.friction_coefficient, "friction") for solution in swept]
     friction = with_gaps(swept, [estimate.value for estimate in estimates])
     signed = np.sign(ratios) * friction
     style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}
     draw_estimates(axes, ratios, signed, friction, estimates, **style)
     mark_gaps(axes, ratios, swept)
-    if not all(one.converged for one in swept):
+    if not all(solution.converged for solution in swept):
         axes.legend(frameon=False)
     axes.set_ylabel(of_all(swept).qualified(QUANTITIES["friction_coefficient"].axis()))

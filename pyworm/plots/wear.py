@@ -34,12 +34,12 @@ def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
     _draw_pattern(panels[0, 2], steps)
     chosen = sorted({min(1, len(steps) - 1), len(steps) // 2, len(steps) - 1})
     deepest = max(float(run.depths[-1].max()) * MICRO, 1e-3)
-    for axes, at in zip(panels[1][: len(chosen)], chosen, strict=True):
+    for axes, index in zip(panels[1][: len(chosen)], chosen, strict=True):
         drawn = axes.pcolormesh(
-            run.grid.face * MILLI, run.grid.radius * MILLI, run.depths[at] * MICRO,
+            run.grid.face * MILLI, run.grid.radius * MILLI, run.depths[index] * MICRO,
             cmap="inferno", vmin=0, vmax=deepest, rasterized=True,
         )  # fmt: skip
-        axes.set_title(f"after {steps[at].hours:.4g} h", fontsize="small")
+        axes.set_title(f"after {steps[index].hours:.4g} h", fontsize="small")
         axes.set_xlabel("along the face / mm")
         axes.set_ylabel("from the wheel's axis / mm")
         figure.colorbar(drawn, ax=axes, label="worn off / µm", pad=0.03)
@@ -49,10 +49,14 @@ def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
 
 
 def _draw_depth(axes: Axes, steps: Sequence["WearFigures"], limit: float) -> None:
-    hours = [of.hours for of in steps]
-    axes.plot(hours, [of.depth_max_m * MICRO for of in steps], "o-", label="deepest")
-    axes.plot(hours, [of.depth_mean_m * MICRO for of in steps], "s-", label="mean in the pattern")
-    axes.plot(hours, [of.backlash_m * MICRO for of in steps], "^--", color="0.4", label="backlash")
+    hours = [step.hours for step in steps]
+    axes.plot(hours, [step.depth_max_m * MICRO for step in steps], "o-", label="deepest")
+    axes.plot(
+        hours, [step.depth_mean_m * MICRO for step in steps], "s-", label="mean in the pattern"
+    )
+    axes.plot(
+        hours, [step.backlash_m * MICRO for step in steps], "^--", color="0.4", label="backlash"
+    )
     if steps[-1].depth_max_m > 0.3 * limit:
         axes.axhline(limit * MICRO, color="tab:red", linestyle=":", label="allowed")
     axes.set_xlabel("h")
@@ -62,24 +66,24 @@ def _draw_depth(axes: Axes, steps: Sequence["WearFigures"], limit: float) -> Non
 
 
 def _draw_running_in(axes: Axes, steps: Sequence["WearFigures"]) -> None:
-    hours = [of.hours for of in steps]
-    axes.plot(hours, [of.friction for of in steps], "o-", color="tab:purple")
-    axes.set_ylim(0, 1.15 * max(of.friction for of in steps))
+    hours = [step.hours for step in steps]
+    axes.plot(hours, [step.friction for step in steps], "o-", color="tab:purple")
+    axes.set_ylim(0, 1.15 * max(step.friction for step in steps))
     axes.set_xlabel("h")
     axes.set_ylabel(QUANTITIES["friction_coefficient"].axis(), color="tab:purple")
     shared = axes.twinx()
-    shared.plot(hours, [100 * of.asperity_share for of in steps], "s--", color="tab:brown")
-    shared.set_ylim(0, 115 * max(of.asperity_share for of in steps))
+    shared.plot(hours, [100 * step.asperity_share for step in steps], "s--", color="tab:brown")
+    shared.set_ylim(0, 115 * max(step.asperity_share for step in steps))
     shared.set_ylabel(QUANTITIES["asperity_load_fraction"].axis(), color="tab:brown")
 
 
 def _draw_pattern(axes: Axes, steps: Sequence["WearFigures"]) -> None:
-    hours = [of.hours for of in steps]
-    axes.plot(hours, [of.pattern_m2 * 1e6 for of in steps], "o-", color="tab:blue")
-    axes.set_ylim(0, 1.15 * max(of.pattern_m2 for of in steps) * 1e6)
+    hours = [step.hours for step in steps]
+    axes.plot(hours, [step.pattern_m2 * 1e6 for step in steps], "o-", color="tab:blue")
+    axes.set_ylim(0, 1.15 * max(step.pattern_m2 for step in steps) * 1e6)
     axes.set_xlabel("h")
     axes.set_ylabel("contact pattern / mm²", color="tab:blue")
-    films = np.array([of.film_min_m for of in steps]) * MICRO
+    films = np.array([step.film_min_m for step in steps]) * MICRO
     axes_film = axes.twinx()
     axes_film.plot(hours, films, "s--", color="tab:green")
     axes_film.set_ylim(0, 1.15 * films.max())

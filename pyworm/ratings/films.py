@@ -39,8 +39,8 @@ MOST_SLIDING = 2.0
 def _formulas(groups: PointGroups | LineGroups) -> dict[str, tuple[str, Callable[[], Film]]]:
     """Formulas for a contact by name, each with its label and what computes the film."""
     if isinstance(groups, LineGroups):
-        return {key: (label, partial(of, groups)) for key, (label, of) in _LINE.items()}
-    return {key: (label, partial(of, groups)) for key, (label, of) in _POINT.items()}
+        return {key: (label, partial(formula, groups)) for key, (label, formula) in _LINE.items()}
+    return {key: (label, partial(formula, groups)) for key, (label, formula) in _POINT.items()}
 
 
 def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Rating:
@@ -66,21 +66,21 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
     }
     shown = QUANTITIES["film"].scale, QUANTITIES["film"].shown
     figures = [
-        RatedFigure(f"{key}_m", label, _both(of), *shown) for key, (label, of) in films.items()
+        RatedFigure(f"{key}_m", label, _both(film), *shown) for key, (label, film) in films.items()
     ]
     if solution is not None:
         found = solution.figures
         simulated = found.film_central.value, found.film_min.value
         figures.append(RatedFigure("simulated_m", "Simulated", simulated, *shown))
-    least = [float(of.minimum) for _, of in films.values() if of.minimum is not None]
+    least = [float(film.minimum) for _, film in films.values() if film.minimum is not None]
     words = [_groups(prediction), "Formulas: isothermal, smooth, fully supplied."]
     outside = [f"{label} ({reason})" for label, reason in objections.items() if reason]
     if outside:
         words.append(f"Not shown, outside their range: {'; '.join(outside)}.")
     roughness = scene.composite_roughness
     if roughness is not None and least:
-        ratios = sorted(one / roughness for one in least)
-        span = " to ".join(dict.fromkeys(f"{one:.3g}" for one in (ratios[0], ratios[-1])))
+        ratios = sorted(film / roughness for film in least)
+        span = " to ".join(dict.fromkeys(f"{film:.3g}" for film in (ratios[0], ratios[-1])))
         words.append(
             f"lambda by the minimum films of the formulas: {span} "
             f"(composite roughness {roughness * 1e6:.3g} µm)."

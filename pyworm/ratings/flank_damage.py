@@ -132,7 +132,7 @@ def hotter_flank(solution: Solution) -> Estimate | None:
     second = solution.figures.temperature_max_body_2
     if first is None or second is None:
         return None
-    return max(first, second, key=lambda of: of.value)
+    return max(first, second, key=lambda flank: flank.value)
 
 
 def _spot(solution: Solution) -> Spot:
@@ -295,8 +295,8 @@ def simulated_safeties(
     oil_temperature, roughness : float or None
         Of the oil before the mesh [K], and Ra, mean of both flanks [m].
     """
-    hot = max(places, key=lambda of: of.temperature or 0.0)
-    thin, rough = min(places, key=lambda of: of.film), max(of.asperities for of in places)
+    hot = max(places, key=lambda spot: spot.temperature or 0.0)
+    thin, rough = min(places, key=lambda spot: spot.film), max(spot.asperities for spot in places)
     permissible = limits[1]
     if rough > LEAST_SHARE and not permissible.why:
         permissible = replace(

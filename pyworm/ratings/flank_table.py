@@ -68,8 +68,8 @@ def flank_table(
     """
     rows = _rows(limits, oil_temperature, roughness, closed)
     figures = []
-    for key, label, unit, scale, of in rows:
-        found = [of(spot) for spot in spots]
+    for key, label, unit, scale, value_of in rows:
+        found = [value_of(spot) for spot in spots]
         if any(value is not None for value, _ in found):
             values, error_bars = zip(*found, strict=True)
             figures.append(RatedFigure(key, label, values, scale, unit, error_bars))

@@ -88,12 +88,12 @@ def _teeth(
         RatedFigure(
             key,
             with_missing(key, label, result) if key in simulated else label,
-            tuple(of.get(key) for of in columns.values()),
+            tuple(column.get(key) for column in columns.values()),
             scale,
             unit,
         )
         for key, label, _, scale, unit in _TEETH
-        if any(of.get(key) is not None for of in columns.values())
+        if any(column.get(key) is not None for column in columns.values())
     )
     words = ["Phase 0 is the start of the pinion's active profile, 1 its end, at the tip."]
     if simulated:
@@ -102,7 +102,9 @@ def _teeth(
             "The probability of scuffing is not judged by its temperatures, since the scuffing temperature "
             "belongs to Blok's formula with the friction of the closed form."
         )
-    words += list(dict.fromkeys(f"{of.symbol}: {doubt}" for of in safeties for doubt in of.doubts))
+    words += list(
+        dict.fromkeys(f"{safety.symbol}: {doubt}" for safety in safeties for doubt in safety.doubts)
+    )
     return Rating(
         key="gear teeth",
         title="Gear teeth: film, wear and scuffing",
@@ -112,9 +114,11 @@ def _teeth(
         safeties=safeties,
         basis=BASIS,
         words=tuple(words),
-        failed=tuple(of.failure for of in safeties if of.failure),
+        failed=tuple(safety.failure for safety in safeties if safety.failure),
         not_rated=tuple(
-            f"{of.symbol}, {of.label}: {of.why}" for of in safeties if of.value is None
+            f"{safety.symbol}, {safety.label}: {safety.why}"
+            for safety in safeties
+            if safety.value is None
         ),
         neglected_effects=NeglectedEffects() if result is None else of_all(result.solutions),
     )
@@ -222,7 +226,7 @@ def _simulated(drive: Drive, duty: GearPairDuty, result: Result) -> dict[str, fl
         "film_min_m": film,
         "film_min_phase": thin.phase,
         **_wear(duty, film, simulated_spots(solutions)),
-        "hertz_pressure_Pa": max(of.figures.pressure_max.value for of in solutions),
+        "hertz_pressure_Pa": max(solution.figures.pressure_max.value for solution in solutions),
     }
     lost = mesh_loss(drive, result)
     if lost is not None:
@@ -231,8 +235,8 @@ def _simulated(drive: Drive, duty: GearPairDuty, result: Result) -> dict[str, fl
             "loss_W": lost.loss,
             "efficiency": lost.efficiency,
         }
-    if all(of.figures.temperature_max_body_1 is not None for of in solutions):
-        hottest, phase = max((_surface(of), of.phase) for of in solutions)
+    if all(solution.figures.temperature_max_body_1 is not None for solution in solutions):
+        hottest, phase = max((_surface(solution), solution.phase) for solution in solutions)
         values |= {
             "contact_temperature_C": hottest - ZERO_CELSIUS,
             "contact_temperature_phase": phase,
@@ -277,7 +281,8 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
         source=gear_oil.SOURCE,
         columns=("computed",),
         figures=tuple(
-            RatedFigure(key, label, (of,), scale, unit) for key, label, of, scale, unit in figures
+            RatedFigure(key, label, (value,), scale, unit)
+            for key, label, value, scale, unit in figures
         ),
         words=tuple(words),
     )

@@ -21,7 +21,11 @@ def mesh_loss(drive: Drive | None, result: Result) -> MeshLoss | None:
     None where there is no drive, friction was not simulated, or the contacts are not enough.
     """
     good = result.sound.solutions
-    if drive is None or not good or any(of.figures.friction_coefficient is None for of in good):
+    if (
+        drive is None
+        or not good
+        or any(solution.figures.friction_coefficient is None for solution in good)
+    ):
         return None
     loss = drive.mesh_loss(contact_losses(good))
     return loss and replace(loss, missing=result.missing)

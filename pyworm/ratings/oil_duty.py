@@ -80,8 +80,8 @@ def _bearing(bearings: dict[str, BearingTable]) -> dict[str, float]:
     if not bearings:
         return {}
     runs = [
-        (of.speed, present(of.mean_diameter, f"bearings.{name}.mean_diameter"))
-        for name, of in bearings.items()
+        (bearing.speed, present(bearing.mean_diameter, f"bearings.{name}.mean_diameter"))
+        for name, bearing in bearings.items()
     ]
     speed, diameter = max(runs, key=lambda run: reference_viscosity(*run))
     return {"bearing_speed": speed, "bearing_diameter": diameter}

@@ -138,7 +138,7 @@ def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, S
     """The contact with the thinnest film: of those solved, else of those listed, by closed form."""
     drive = present(asked.drive, "drive")
     if result is not None:
-        solution = min(result.solutions, key=lambda of: of.figures.film_min.value)
+        solution = min(result.solutions, key=lambda solution: solution.figures.film_min.value)
         return drive.scene(**Place.of(solution).given), solution
     scenes = [drive.scene(**place.given) for place in asked.places]
     return min(scenes, key=lambda scene: predicted(scene).film_central), None
@@ -213,10 +213,10 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
         A file or a name in the case that there is not.
     """
     return tuple(
-        of
+        rating
         for _, made in _attempts(asked, _sound(result))
         if not isinstance(made, Unknown)
-        for of in made
+        for rating in made
     )
 
 
@@ -272,8 +272,8 @@ def unconverged(result: Result | None) -> tuple[str, ...]:
     if result is None:
         return ()
     return tuple(
-        f"{Place.of(one)} did not converge and is left out: {one.stop_reason}."
-        for one in result.unsound
+        f"{Place.of(solution)} did not converge and is left out: {solution.stop_reason}."
+        for solution in result.unsound
     )
 
 
@@ -288,8 +288,10 @@ def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
         Its ratings.
     """
     left = [sentence for rating in made for sentence in rating.not_rated]
-    failed = [(name, of) for name, of in _attempts(asked, None) if isinstance(of, Unknown)]
-    left += [f"{name}: {of.why.rstrip('.')}." for name, of in failed]
+    failed = [
+        (name, outcome) for name, outcome in _attempts(asked, None) if isinstance(outcome, Unknown)
+    ]
+    left += [f"{name}: {outcome.why.rstrip('.')}." for name, outcome in failed]
     if asked.rated_as is WormDuty and asked.worm_rating is None:
         left += ["Worm gear: the case has no [worm_rating].", *NEVER_RATED]
     if asked.rated_as is GearPairDuty:

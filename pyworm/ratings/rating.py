@@ -71,7 +71,7 @@ def without_value(figures: Iterable[RatedFigure]) -> dict[str, str]:
     for figure in figures:
         if figure.why:
             labels.setdefault(figure.why.rstrip("."), []).append(figure.label)
-    return {why: ", ".join(of) for why, of in labels.items()}
+    return {why: ", ".join(names) for why, names in labels.items()}
 
 
 @dataclass(frozen=True)
@@ -136,8 +136,8 @@ class Safety:
         if self.value is None:
             return self.why
         return ", ".join(
-            f"{key} {of if of is None or isinstance(of, str) else short(of)}"
-            for key, of in self.inputs.items()
+            f"{key} {value if value is None or isinstance(value, str) else short(value)}"
+            for key, value in self.inputs.items()
         )
 
     def summary(self) -> dict[str, Any]:
@@ -221,7 +221,7 @@ class Rating:
                 for number, column in enumerate(self.columns)
             },
             **(
-                {"safeties": {of.symbol: of.summary() for of in self.safeties}}
+                {"safeties": {safety.symbol: safety.summary() for safety in self.safeties}}
                 if self.safeties
                 else {}
             ),

@@ -94,7 +94,11 @@ def rate_worm_table(
         failed=failures(duty, made, loads),
         not_rated=(
             *(f"{labels}: {why}." for why, labels in without_value(figures).items()),
-            *(f"{of.symbol}, {of.label}: {of.why}" for of in made if of.value is None),
+            *(
+                f"{safety.symbol}, {safety.label}: {safety.why}"
+                for safety in made
+                if safety.value is None
+            ),
             *NEVER_RATED,
         ),
         neglected_effects=of_all(result.solutions)
@@ -115,7 +119,7 @@ def _words(
     """What the figures mean, and what was assumed."""
     words = [*duty.words]
     if len(loads) > 1:
-        hours = sum(known(of.hours) for of in loads)
+        hours = sum(known(load.hours) for load in loads)
         words.append(
             f"Spectrum of {len(loads)} loads, {hours:.5g} h together: figures are "
             "those of its largest torque, pitting adds up by Miner's rule, wear adds up, roots and shaft are "
@@ -133,9 +137,9 @@ def _words(
         found = attempt(partial(say, table, duty, loads, directory))
         words += [] if isinstance(found, Unknown) else [found]
     words += [
-        f"{of.symbol}: {doubt}"
-        for of in safeties(table, duty, loads, directory)
-        for doubt in of.doubts
+        f"{safety.symbol}: {doubt}"
+        for safety in safeties(table, duty, loads, directory)
+        for doubt in safety.doubts
     ]
     return words
 
@@ -308,7 +312,13 @@ def _gearbox_rows(rated: WormRating) -> list[tuple]:
         ("seals", "Loss of seals"),
     )
     parts: list[tuple] = [
-        (f"loss_{name}_W", label, lambda of=name: getattr(rated.standard_losses, of), 1e-3, "kW")
+        (
+            f"loss_{name}_W",
+            label,
+            lambda part=name: getattr(rated.standard_losses, part),
+            1e-3,
+            "kW",
+        )
         for name, label in by_standard
     ]
     if given:
@@ -345,12 +355,12 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
     """The same figures of the solved phases, means over these."""
     solutions = result.solutions
     figures = [solution.figures for solution in solutions]
-    film = float(np.mean([of.film_min.value for of in figures]))
+    film = float(np.mean([figure.film_min.value for figure in figures]))
     values: dict[str, float | str] = {
         "wheel_torque_Nm": duty.torque,
         "film_m": film,
-        "film_central_m": float(np.mean([of.film_central.value for of in figures])),
-        "pressure_max_Pa": float(max(of.pressure_max.value for of in figures)),
+        "film_central_m": float(np.mean([figure.film_central.value for figure in figures])),
+        "pressure_max_Pa": float(max(figure.pressure_max.value for figure in figures)),
         "sliding_speed_m_s": _sliding(solutions),
     }
     if None not in duty.roughness:
@@ -365,7 +375,11 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
             "locking": lost.friction / duty.gear.tan_lead,
             "loss_W": lost.loss,
         }
-    hot = [of.value for one in solutions if (of := hotter_flank(one)) is not None]
+    hot = [
+        temperature.value
+        for solution in solutions
+        if (temperature := hotter_flank(solution)) is not None
+    ]
     if len(hot) == len(solutions):
         values["surface_temperature_max_C"] = max(hot) - ZERO_CELSIUS
     return values

@@ -56,4 +56,4 @@ def outside_scope(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> tuple[str, ..
         )
     if ratio is not None and ratio <= LEAST_RATIO:
         found.append(f"a contact ratio of {ratio:.3g}, not above {LEAST_RATIO:g}")
-    return tuple(f"Outside the scope of {STANDARD}: {of}." for of in found)
+    return tuple(f"Outside the scope of {STANDARD}: {reason}." for reason in found)

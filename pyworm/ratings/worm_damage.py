@@ -33,7 +33,7 @@ def worm_flanks(duty: WormDuty, oil: Oil, result: Result) -> Rating:
     result : Result
         Solved contacts that converged.
     """
-    heights = [of for of in duty.roughness if of is not None]
+    heights = [height for height in duty.roughness if height is not None]
     return flank_table(
         simulated_spots(result.solutions),
         (Limit(None), Limit(None)),

@@ -23,8 +23,12 @@ def differences(
 
     Arguments as of `pyworm.ratings.worm_safeties.safeties`.
     """
-    own = [load for load in loads if load.worm_speed == duty.worm_speed] or list(loads)
-    return (*_material(table, duty), *_bulk(duty, own[0]), *_sump(table, duty, own[0], directory))
+    at_duty_speed = [load for load in loads if load.worm_speed == duty.worm_speed] or list(loads)
+    return (
+        *_material(table, duty),
+        *_bulk(duty, at_duty_speed[0]),
+        *_sump(table, duty, at_duty_speed[0], directory),
+    )
 
 
 def _material(table: CompletedRating, duty: WormDuty) -> tuple[str, ...]:

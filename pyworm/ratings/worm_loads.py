@@ -54,7 +54,9 @@ def rated_loads(table: CompletedRating, duty: WormDuty, directory: Path) -> tupl
     oil = standard_oil(table, directory)
     steps: list[tuple[float, float, float | Unknown]]
     if table.spectrum:
-        steps = [(of.wheel_torque, of.worm_speed, of.duration / HOUR) for of in table.spectrum]
+        steps = [
+            (step.wheel_torque, step.worm_speed, step.duration / HOUR) for step in table.spectrum
+        ]
     else:
         life = Unknown("worm_rating.life is missing") if table.life is None else table.life / HOUR
         steps = [(duty.torque, duty.worm_speed, life)]
@@ -67,4 +69,4 @@ def rated_loads(table: CompletedRating, duty: WormDuty, directory: Path) -> tupl
 
 def hardest(loads: tuple[RatedLoad, ...]) -> RatedLoad:
     """The load with the largest torque."""
-    return max(loads, key=lambda of: of.torque)
+    return max(loads, key=lambda load: load.torque)

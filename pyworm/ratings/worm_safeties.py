@@ -73,21 +73,21 @@ def safeties(
     directory : Path
         Where the case lies.
     """
-    of = _Rated(table, duty, loads, directory)
+    gear_set = _Rated(table, duty, loads, directory)
     made = []
     for symbol, rate in _RATES.items():
         lacking = _missing(table, *_NEEDED.get(symbol, ()))
-        found = Unknown(lacking) if lacking else attempt(partial(rate, of))
+        found = Unknown(lacking) if lacking else attempt(partial(rate, gear_set))
         made.append(_unrated(symbol, found.why) if isinstance(found, Unknown) else found)
     if duty.wheel_limit is not None:
-        found = attempt(partial(_material, of))
+        found = attempt(partial(_material, gear_set))
         made.append(_unrated("S_M", found.why) if isinstance(found, Unknown) else found)
     return tuple(made)
 
 
 def total_wear(loads: tuple[RatedLoad, ...]) -> float:
     """Depth worn off the flanks under all loads together [m]; ValueError where it is not rated."""
-    return sum(of.rated.wear.depth for of in loads)
+    return sum(load.rated.wear.depth for load in loads)
 
 
 def _safety(symbol: str, **given: Any) -> Safety:
@@ -109,9 +109,9 @@ def _missing(table: CompletedRating, *keys: str) -> str:
     return ", ".join(f"worm_rating.{key} is missing" for key in gone)
 
 
-def _wear(of: _Rated) -> Safety:
-    depth = total_wear(of.loads)
-    limit, worst = of.duty.gear.wear_limit, hardest(of.loads)
+def _wear(gear_set: _Rated) -> Safety:
+    depth = total_wear(gear_set.loads)
+    limit, worst = gear_set.duty.gear.wear_limit, hardest(gear_set.loads)
     wear = worst.rated.wear
     inputs = {
         "delta_Wlim_um": limit * 1e6,
@@ -123,33 +123,33 @@ def _wear(of: _Rated) -> Safety:
         "J_0T": wear.base,
         "J_W": wear.intensity,
         "s*": worst.rated.gear.sliding_parameter,
-        "lubrication": of.table.lubrication,
+        "lubrication": gear_set.table.lubrication,
     }
     doubts = []
     if wear.base >= 400e-9:
         doubts.append("J_0T is at or beyond 400e-9, where the curve ends: boundary lubrication.")
-    if of.table.lubrication == "bath":
+    if gear_set.table.lubrication == "bath":
         doubts.append("Bath lubrication's curve of wear is of one transcription alone.")
     doubts += [
         f"The teeth slide at {load.rated.sliding_speed:.3g} m/s, and their friction is known from "
         f"{SLIDING_RANGE[0]:g} to {SLIDING_RANGE[1]:g} m/s: the wheel is warmed by that of the nearest speed."
-        for load in of.loads
+        for load in gear_set.loads
         if not load.rated.within_friction
     ]
     return _safety("S_W", value=limit / depth, inputs=inputs, doubts=tuple(doubts))
 
 
-def _pitting(of: _Rated) -> Safety:
+def _pitting(gear_set: _Rated) -> Safety:
     """Miner's sum of hours over those endured at the stress divided by the safety is 1."""
-    rated = [load.rated.pitting_safety for load in of.loads]
-    value = rated[0] if len(rated) == 1 else _miner(of.loads)
-    worst = hardest(of.loads)
+    rated = [load.rated.pitting_safety for load in gear_set.loads]
+    value = rated[0] if len(rated) == 1 else _miner(gear_set.loads)
+    worst = hardest(gear_set.loads)
     inputs = {
-        "sigma_HlimT_MPa": known(known(material_of(of.table)).pitting_strength) * 1e-6,
+        "sigma_HlimT_MPa": known(known(material_of(gear_set.table)).pitting_strength) * 1e-6,
         "sigma_Hm_MPa": worst.rated.mean_pressure * 1e-6,
-        "L_h": sum(known(load.hours) for load in of.loads),
+        "L_h": sum(known(load.hours) for load in gear_set.loads),
         "v_gm_m_s": worst.rated.sliding_speed,
-        "p_m*": of.duty.gear.pressure_parameter,
+        "p_m*": gear_set.duty.gear.pressure_parameter,
         "oil": worst.rated.oil,
     }
     return _safety("S_H", value=value, inputs=inputs)
@@ -168,10 +168,10 @@ def _miner(loads: tuple[RatedLoad, ...]) -> float:
     return miner
 
 
-def _deflection(of: _Rated) -> Safety:
-    worst, limit = hardest(of.loads), deflection_limit(of.duty.gear.module)
-    if of.duty.deflection is not None:
-        bent = of.duty.deflection * worst.torque / of.duty.torque
+def _deflection(gear_set: _Rated) -> Safety:
+    worst, limit = hardest(gear_set.loads), deflection_limit(gear_set.duty.gear.module)
+    if gear_set.duty.deflection is not None:
+        bent = gear_set.duty.deflection * worst.torque / gear_set.duty.torque
         doubts: tuple[str, ...] = ()
         where = "[drive.shaft]"
     else:
@@ -186,19 +186,19 @@ def _deflection(of: _Rated) -> Safety:
     return _safety("S_delta", value=limit / bent, inputs=inputs, doubts=doubts)
 
 
-def _root(of: _Rated) -> Safety:
+def _root(gear_set: _Rated) -> Safety:
     """Teeth are worn as far as they wear in the life, by what is allowed where that is not rated."""
-    strength = known(known(material_of(of.table)).root_strength)
-    worst, gear = hardest(of.loads), of.duty.gear
-    depth = attempt(lambda: total_wear(of.loads))
+    strength = known(known(material_of(gear_set.table)).root_strength)
+    worst, gear = hardest(gear_set.loads), gear_set.duty.gear
+    depth = attempt(lambda: total_wear(gear_set.loads))
     worn = gear.wear_limit if isinstance(depth, Unknown) else min(gear.wear_limit, depth)
-    shear = root_shear(gear, worst.torque, worn, of.table.rim_over_module)
+    shear = root_shear(gear, worst.torque, worn, gear_set.table.rim_over_module)
     inputs = {
         "tau_FlimT_MPa": strength * 1e-6,
         "tau_F_MPa": shear * 1e-6,
         "F_tm2_kN": gear.tangential_force(worst.torque) * 1e-3,
         "worn_um": worn * 1e6,
-        "rim_over_module": of.table.rim_over_module,
+        "rim_over_module": gear_set.table.rim_over_module,
     }
     doubts = [
         "Life factor Y_NL of 1, that of endurance; dedendum 1.25 modules; rim as given or 2 modules."
@@ -208,9 +208,9 @@ def _root(of: _Rated) -> Safety:
     return _safety("S_F", value=strength / shear, inputs=inputs, doubts=tuple(doubts))
 
 
-def _temperature(of: _Rated) -> Safety:
-    hot = max(of.loads, key=lambda load: known(load.sump))
-    sump, given = known(hot.sump), of.table.temperature_limit
+def _temperature(gear_set: _Rated) -> Safety:
+    hot = max(gear_set.loads, key=lambda load: known(load.sump))
+    sump, given = known(hot.sump), gear_set.table.temperature_limit
     limit = OIL_LIMITS[hot.rated.oil] if given is None else given
     inputs: dict[str, float | str] = {
         "theta_Slim_C": limit - ZERO_CELSIUS,
@@ -223,21 +223,23 @@ def _temperature(of: _Rated) -> Safety:
         )
     else:
         inputs["limit"] = "given"
-    inputs |= _sumps(of, hot, doubts)
+    inputs |= _sumps(gear_set, hot, doubts)
     value = temperature_safety(sump, limit)
     return _safety("S_T", value=value, inputs=inputs, doubts=tuple(doubts))
 
 
-def _material(of: _Rated) -> Safety:
+def _material(gear_set: _Rated) -> Safety:
     """The limit of the wheel's material over its bulk temperature under the hottest load, both in degC."""
     limit = known(
-        Unknown("it has no limit") if of.duty.wheel_limit is None else of.duty.wheel_limit
+        Unknown("it has no limit")
+        if gear_set.duty.wheel_limit is None
+        else gear_set.duty.wheel_limit
     )
-    hot = max(of.loads, key=lambda load: load.rated.bulk_temperature)
+    hot = max(gear_set.loads, key=lambda load: load.rated.bulk_temperature)
     bulk = hot.rated.bulk_temperature
     inputs = {"theta_lim_C": limit - ZERO_CELSIUS, "theta_M_C": bulk - ZERO_CELSIUS}
-    if of.duty.wheel_modulus is not None:
-        inputs["E_wheel_MPa"] = of.duty.wheel_modulus * 1e-6
+    if gear_set.duty.wheel_modulus is not None:
+        inputs["E_wheel_MPa"] = gear_set.duty.wheel_modulus * 1e-6
     doubts = ["Limit by ageing in air: stiffness and strength fall long before."]
     if not hot.conditions.friction_is_known:
         doubts.append(
@@ -257,17 +259,18 @@ def standard_sump(
     return sump_by_standard(table, duty, oil, torque, load.worm_speed, fan)
 
 
-def _sumps(of: _Rated, hot: RatedLoad, doubts: list[str]) -> Mapping[str, float | str]:
+def _sumps(gear_set: _Rated, hot: RatedLoad, doubts: list[str]) -> Mapping[str, float | str]:
     """The sump's temperature by the standard with and without fan, for S_T's inputs."""
-    given = of.table.sump_temperature is not None or of.duty.oil_temperature is not None
-    balanced = of.duty.conductance is not None
+    given = gear_set.table.sump_temperature is not None or gear_set.duty.oil_temperature is not None
+    balanced = gear_set.duty.conductance is not None
     taken = "by [cooling]" if balanced else "as given" if given else "of the standard"
     try:
         with_fan, without = (
-            standard_sump(of.table, of.duty, hot, of.directory, fan) - ZERO_CELSIUS
+            standard_sump(gear_set.table, gear_set.duty, hot, gear_set.directory, fan)
+            - ZERO_CELSIUS
             for fan in (True, False)
         )
-        factor = oil_factor(hot.rated.oil, of.duty.gear.ratio, hot.worm_speed)
+        factor = oil_factor(hot.rated.oil, gear_set.duty.gear.ratio, hot.worm_speed)
     except ValueError as error:
         doubts.append(f"Sump temperature {taken}; the standard's has no value here ({error}).")
         return {"taken": taken}
@@ -276,7 +279,7 @@ def _sumps(of: _Rated, hot: RatedLoad, doubts: list[str]) -> Mapping[str, float 
             f"c2 = {factor:.3f} of the standard's sump temperature: the transcription has {2 - factor:.3f}, "
             "its sign is doubtful; the hotter one is taken."
         )
-    if of.duty.driver == "wheel":
+    if gear_set.duty.driver == "wheel":
         doubts.append("The standard's sump temperatures are those of a worm that drives.")
     return {"theta_S_with_fan_C": with_fan, "theta_S_without_fan_C": without, "taken": taken}
 

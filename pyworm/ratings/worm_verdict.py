@@ -35,16 +35,16 @@ def locking(
     By all losses of the gearbox under the load that locks least. Arguments as of
     `pyworm.ratings.worm_safeties.safeties`.
     """
-    at_rest = max(loads, key=lambda of: of.rated.static_gearbox_efficiency_back)
+    at_rest = max(loads, key=lambda load: load.rated.static_gearbox_efficiency_back)
     locks_at_rest = at_rest.rated.static_gearbox_efficiency_back <= 0
-    back = [_efficiency_back(of) for of in loads]
-    sure = [of for of in back if not isinstance(of, Unknown)]
+    back = [_efficiency_back(load) for load in loads]
+    sure = [efficiency for efficiency in back if not isinstance(efficiency, Unknown)]
     running = max(sure) <= 0 if len(sure) == len(back) else None
     return f"{_verdict(running, locks_at_rest)}. {_why(loads, back)} {NO_BRAKE}"
 
 
-def _efficiency_back(of: RatedLoad) -> float | Unknown:
-    return attempt(lambda: of.rated.gearbox_efficiency_back)
+def _efficiency_back(load: RatedLoad) -> float | Unknown:
+    return attempt(lambda: load.rated.gearbox_efficiency_back)
 
 
 def _verdict(running: bool | None, at_rest: bool) -> str:
@@ -74,7 +74,11 @@ def _verdict(running: bool | None, at_rest: bool) -> str:
 
 def _why(loads: tuple[RatedLoad, ...], back: list[float | Unknown]) -> str:
     """Teeth alone and the whole gearbox, under the load that locks least, in sentences."""
-    sure = [(of, load) for of, load in zip(back, loads, strict=True) if not isinstance(of, Unknown)]
+    sure = [
+        (efficiency, load)
+        for efficiency, load in zip(back, loads, strict=True)
+        if not isinstance(efficiency, Unknown)
+    ]
     efficiency, load = max(sure, key=lambda pair: pair[0]) if sure else (None, loads[0])
     rated = load.rated
     rest = rated.static_backward_efficiency
@@ -118,8 +122,10 @@ def failures(
             f"{gear.wear_limit * 1e3:.3g} mm, what the standard allows (0.3 m_x cos gamma)."
         )
     # bearings that are assumed decide nothing
-    decides = [of for of in made if of.symbol != "S_delta" or duty.deflection is not None]
-    failed += [of.failure for of in decides if of.failure]
+    decides = [
+        safety for safety in made if safety.symbol != "S_delta" or duty.deflection is not None
+    ]
+    failed += [safety.failure for safety in decides if safety.failure]
     return (*failed, *_cannot_run(duty, loads))
 
 

@@ -28,8 +28,13 @@ def safeties_table(rating: Rating, inputs: bool) -> Table:
     """
     head = ("Safety", "Value", "Required", "Verdict", *(["Made of"] if inputs else []))
     rows = (
-        (f"{named(of.symbol)}, {of.label}", of.shown, f"{of.minimum:g}", of.verdict)
-        + ((made_of(of),) if inputs else ())
-        for of in rating.safeties
+        (
+            f"{named(safety.symbol)}, {safety.label}",
+            safety.shown,
+            f"{safety.minimum:g}",
+            safety.verdict,
+        )
+        + ((made_of(safety),) if inputs else ())
+        for safety in rating.safeties
     )
     return Table(head, tuple(rows), f"{rating.title}: safeties", texts=(3, 4))

@@ -25,7 +25,7 @@ def envelope(
     crown=None,
 ):
     """The flank that rollers envelop; throat diameter over centre distance, angles in rad."""
-    profile = RollerProfile(shape, radius, 14e-3, half_angle, crown)
+    profile = RollerProfile(radius, 14e-3, shape, half_angle, crown)
     pitch_radius = CENTRE_DISTANCE * (1 - throat / 2)
     seat = CENTRE_DISTANCE, pitch_radius, tilt, height
     return RollerEnvelope(profile, float(ROLLERS), *seat, flank, hand)

@@ -60,7 +60,7 @@ class GearPairDrive(GearPairMesh, Drive):
         """Some teeth of both gears."""
         return in_space(
             self.teeth,
-            [float(self.contacts(present(of.phase, "phase")).pinion_length) for of in places],
+            [float(self.contacts(present(place.phase, "phase")).pinion_length) for place in places],
         )
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:

@@ -163,7 +163,7 @@ class InvolutePair:
     def backlash(self) -> float:
         """Transverse backlash on the pitch circles [m]."""
         pitch = 2 * pi * self.cylinders[0].pitch / self.pinion.teeth
-        return pitch - sum(one.pitch_thickness for one in self.cylinders)
+        return pitch - sum(cylinder.pitch_thickness for cylinder in self.cylinders)
 
     @cached_property
     def cylinders(self) -> tuple[Cylinders, Cylinders]:

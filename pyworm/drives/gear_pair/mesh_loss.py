@@ -17,7 +17,7 @@ def gear_mesh_loss(mesh: GearPairMesh, contacts: Sequence[ContactLoss]) -> MeshL
         power=mesh.power,
         loss=mesh.power * mesh.loss_factor * friction,
         friction=friction,
-        error=max(one.error for one in contacts),
+        error=max(contact.error for contact in contacts),
         words=f"loss factor H_V = {mesh.loss_factor:.4f}, friction interpolated between the solved phases",
         model=largest_model(contacts),
     )
@@ -28,10 +28,10 @@ def _mean_friction(mesh: GearPairMesh, contacts: Sequence[ContactLoss]) -> float
 
     Friction between the contacts is interpolated, beyond the last ones constant.
     """
-    known = sorted((one.phase, one.friction) for one in contacts)
+    known = sorted((contact.phase, contact.friction) for contact in contacts)
     phases = mesh.cycle_phases()
     all_of_them = mesh.contacts(phases)
     weight = all_of_them.unit_load * np.abs(all_of_them.sliding)
-    at, frictions = zip(*known, strict=True)
-    friction = np.interp(phases, at, frictions)
+    solved_phases, frictions = zip(*known, strict=True)
+    friction = np.interp(phases, solved_phases, frictions)
     return float(np.trapezoid(weight * friction, phases) / np.trapezoid(weight, phases))

@@ -50,7 +50,7 @@ def in_space(teeth: InvolutePair, lengths: Sequence[float]) -> Space:
         Radii of curvature of the pinion in the middle of the face for the turns [m].
     """
     along = np.asarray(lengths)
-    base = [one.base for one in teeth.cylinders]
+    base = [cylinder.base for cylinder in teeth.cylinders]
     return Space(
         shapes=(
             _gear(teeth, 0, -along / base[0]),
@@ -59,16 +59,16 @@ def in_space(teeth: InvolutePair, lengths: Sequence[float]) -> Space:
         view=np.eye(3),
         size=SHOWN * teeth.system.module,
         drawn=DRAWN,
-        lines=tuple(contact_line(teeth, of) for of in lengths),
+        lines=tuple(contact_line(teeth, length) for length in lengths),
     )
 
 
 def contact_line(teeth: InvolutePair, length: float) -> Array:
     """Points of a line of contact (n, 3) [m], by the radius of curvature of the pinion in mid-face."""
     z = np.linspace(-0.5, 0.5, 41) * teeth.face_width
-    at = length - z * tan(teeth.system.base_helix_angle)
-    there = (at >= teeth.start) & (at <= teeth.end)
-    return np.column_stack([_met(teeth, at[there]), z[there]])
+    lengths = length - z * tan(teeth.system.base_helix_angle)
+    there = (lengths >= teeth.start) & (lengths <= teeth.end)
+    return np.column_stack([_met(teeth, lengths[there]), z[there]])
 
 
 def _met(teeth: InvolutePair, length: Array) -> Array:
@@ -87,13 +87,13 @@ def _gear(teeth: InvolutePair, number: int, turns: Array) -> Shape:
     twist = (1 - 2 * number) * z * tan(teeth.system.base_helix_angle) / size.base
     polar = np.hypot(*outline.T)[:, None]
     rim = size.root - RIM * teeth.system.module
-    inner = [outline / polar * np.minimum(polar, of) for of in (rim, size.root)]
+    inner = [outline / polar * np.minimum(polar, radius) for radius in (rim, size.root)]
     # the faces of the gear lie between its outline and the inside of the rim
-    rows = [(of, 0) for of in inner] + [(outline, one) for one in range(SLICES)]
-    rows += [(of, -1) for of in reversed(inner)]
-    section = np.stack([_turned(points, twist[one]) for points, one in rows]) + centre
-    heights = np.broadcast_to(z[[one for _, one in rows], None, None], (*section.shape[:2], 1))
-    others = [one for one in range(-TEETH, TEETH + 1) if one]
+    rows = [(points, 0) for points in inner] + [(outline, layer) for layer in range(SLICES)]
+    rows += [(points, -1) for points in reversed(inner)]
+    section = np.stack([_turned(points, twist[layer]) for points, layer in rows]) + centre
+    heights = np.broadcast_to(z[[layer for _, layer in rows], None, None], (*section.shape[:2], 1))
+    others = [tooth for tooth in range(-TEETH, TEETH + 1) if tooth]
     around = 2 * pi / count * np.array(others[: count - 1])
     return Shape(
         body=number + 1,
@@ -109,11 +109,11 @@ def _outline(teeth: InvolutePair, number: int, pitch: float) -> Array:
     """One tooth from root to root, its loaded flank first, as at the turn zero, (n, 2) [m]."""
     size = teeth.cylinders[number]
     centre = np.array([number * teeth.centre_distance, 0.0])
-    own = np.linspace(max(size.form_length, 0.0), size.tip_length, HEIGHTS)
-    length = own if number == 0 else teeth.base_tangent - own
+    lengths = np.linspace(max(size.form_length, 0.0), size.tip_length, HEIGHTS)
+    length = lengths if number == 0 else teeth.base_tangent - lengths
     back = (1 - 2 * number) * length / size.base
     met = _met(teeth, length) - centre
-    flank = np.stack([_turned(of[None], by)[0] for of, by in zip(met, back, strict=True)])
+    flank = np.stack([_turned(point[None], by)[0] for point, by in zip(met, back, strict=True)])
     foot = flank[0] * size.root / np.hypot(*flank[0])
     side = np.vstack([foot, flank])
     middle = _pitch_angle(teeth, number, centre) + size.pitch_thickness / (2 * size.pitch)

@@ -57,8 +57,8 @@ class RollerWormDrive(RollerMesh, Drive):
             If the roller carries no load there.
         """
         part = self.sections[section]
-        at = partial(self.scene_at, section, station=station)
-        return ToothLife(at, self.wheel_speed / (part.last - part.first)).at(phase)
+        scene_at = partial(self.scene_at, section, station=station)
+        return ToothLife(scene_at, self.wheel_speed / (part.last - part.first)).at(phase)
 
     def in_space(self, places: Sequence[Place]) -> Space:
         """Both flanks of the worm and the rollers about it."""

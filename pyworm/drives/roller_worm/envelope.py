@@ -133,9 +133,9 @@ class RollerEnvelope:
     def axes(self, wheel_angle: Array) -> tuple[Array, Array, Array, Array]:
         """e_t, f and d of a roller, and its middle [m], each (3, ...)."""
         phi = np.asarray(wheel_angle, float)
-        sin, cos, zero, one = np.sin(phi), np.cos(phi), np.zeros_like(phi), np.ones_like(phi)
+        sin, cos, zero, ones = np.sin(phi), np.cos(phi), np.zeros_like(phi), np.ones_like(phi)
         radial, going, up = (
-            np.array(parts) for parts in ((sin, cos, zero), (cos, -sin, zero), (zero, zero, one))
+            np.array(parts) for parts in ((sin, cos, zero), (cos, -sin, zero), (zero, zero, ones))
         )
         axis = np.cos(self.tilt) * radial + np.sin(self.tilt) * up
         middle = self.pitch_radius * radial + self.height * up

@@ -26,12 +26,13 @@ def roller_mesh_loss(mesh: RollerMesh, contacts: Sequence[ContactLoss]) -> MeshL
     for name, section in mesh.sections.items():
         if mesh.wheel_torque(name) == 0:
             continue
-        here = [one for one in contacts if one.section == name]
-        phases = sorted({one.phase for one in here})
+        here = [contact for contact in contacts if contact.section == name]
+        phases = sorted({contact.phase for contact in here})
         if len(phases) < FEWEST_PHASES:
             return None
         of_a_roller = [
-            _of_a_roller(mesh, [one for one in here if one.phase == phase]) for phase in phases
+            _of_a_roller(mesh, [contact for contact in here if contact.phase == phase])
+            for phase in phases
         ]
         in_mesh = abs(section.last - section.first) * mesh.rollers.count / (2 * np.pi)
         loss += in_mesh * _mean(phases, of_a_roller)
@@ -40,9 +41,12 @@ def roller_mesh_loss(mesh: RollerMesh, contacts: Sequence[ContactLoss]) -> MeshL
         power=mesh.torque * mesh.speed,
         loss=loss,
         friction=float(
-            np.average([one.friction for one in contacts], weights=[one.load for one in contacts])
+            np.average(
+                [contact.friction for contact in contacts],
+                weights=[contact.load for contact in contacts],
+            )
         ),
-        error=max(one.error for one in contacts),
+        error=max(contact.error for contact in contacts),
         words=f"of all rollers in mesh with the thread{braced}; their pins, the bearings and what the oil "
         "drags are not in it",
         model=largest_model(contacts),
@@ -54,7 +58,7 @@ def _of_a_roller(mesh: RollerMesh, contacts: Sequence[ContactLoss]) -> float:
     if contacts[0].station is None:
         return contacts[0].power
     line = mesh.state(present(contacts[0].section, "section"), contacts[0].phase, [0.5])
-    along = sorted((one.station, one.power) for one in contacts)
+    along = sorted((contact.station, contact.power) for contact in contacts)
     return line.length * _mean(*zip(*along, strict=True))
 
 

@@ -271,8 +271,8 @@ def roller_speed(
     push = moment(0.0)
     if abs(push) <= drag:
         return 0.0
-    way = np.sign(push)
+    sign = np.sign(push)
     # beyond the fastest slice's rolling the film brakes all along
-    fastest = float(np.max(way * rolling))
-    speed = scipy.optimize.brentq(lambda u: way * moment(way * u) - drag, 0.0, fastest, rtol=1e-10)
-    return float(way * speed)
+    limit = float(np.max(sign * rolling))
+    speed = scipy.optimize.brentq(lambda u: sign * moment(sign * u) - drag, 0.0, limit, rtol=1e-10)
+    return float(sign * speed)

@@ -116,13 +116,13 @@ class WormSection:
 
     def _cut(self, face: float, wheel_angle: Array, low: Array, high: Array) -> Array:
         """Intersection of a face with contact lines, which are nearly straight, by secants from both ends."""
-        one, other = low, high
+        first, other = low, high
         off_one, off_other = (self.along(end, wheel_angle) - face for end in (low, high))
         with np.errstate(divide="ignore", invalid="ignore"):
             for _ in range(SECANTS):
-                new = other - off_other * (other - one) / (off_other - off_one)
+                new = other - off_other * (other - first) / (off_other - off_one)
                 settled = ~np.isfinite(new)
-                one, off_one = other, off_other
+                first, off_one = other, off_other
                 other = np.clip(np.where(settled, other, new), low, high)
                 off_other = self.along(other, wheel_angle) - face
                 if np.all(np.abs(off_other) <= ROUNDING):

@@ -38,10 +38,12 @@ def in_space(mesh: RollerMesh, places: Sequence[Place]) -> Space:
     places : sequence of Place
         Sections and phases for the turns.
     """
-    sections = [mesh.sections[present(of.section, "section")] for of in places]
-    phases = [present(of.phase, "phase") for of in places]
-    angles = [float(of.wheel_angle(phase)) for of, phase in zip(sections, phases, strict=True)]
-    flanks = (_flank(mesh, of, np.array(angles)) for of in mesh.sections.values())
+    sections = [mesh.sections[present(place.section, "section")] for place in places]
+    phases = [present(place.phase, "phase") for place in places]
+    angles = [
+        float(section.wheel_angle(phase)) for section, phase in zip(sections, phases, strict=True)
+    ]
+    flanks = (_flank(mesh, section, np.array(angles)) for section in mesh.sections.values())
     return Space(
         shapes=(*flanks, _rollers(mesh, np.array(angles))),
         view=np.eye(3),
@@ -77,7 +79,7 @@ def _rollers(mesh: RollerMesh, angles: Array) -> Shape:
     radii = profile(ends)[0]
     # the flat ends are rings of no radius
     rings = zip(ends[[0, 0, 1, 2, 2]], (0.0, *radii, 0.0), strict=True)
-    surface = np.stack([_ring(middle + s * axis, of, going, side) for s, of in rings])
+    surface = np.stack([_ring(middle + s * axis, radius, going, side) for s, radius in rings])
     about = round(pi / 2 / section.pitch)
     return Shape(
         body=2,
@@ -85,12 +87,12 @@ def _rollers(mesh: RollerMesh, angles: Array) -> Shape:
         axis=np.array([0.0, 0.0, 1.0]),
         surface=surface,
         turns=-angles,
-        copies=tuple(section.pitch * np.array([of for of in range(-about, about + 1) if of])),
+        copies=tuple(section.pitch * np.array([step for step in range(-about, about + 1) if step])),
     )
 
 
-def _ring(centre: Array, radius: float, one: Array, other: Array) -> Array:
+def _ring(centre: Array, radius: float, first: Array, other: Array) -> Array:
     """Points of a circle, the first once more at the end, (ANGLES + 1, 3)."""
     around = np.linspace(0, 2 * pi, ANGLES + 1)[:, None]
-    ring: Array = centre + radius * (np.cos(around) * one + np.sin(around) * other)
+    ring: Array = centre + radius * (np.cos(around) * first + np.sin(around) * other)
     return ring

@@ -62,14 +62,14 @@ def pattern_data(
     """The contact patterns of both `FLANKS`, without load and under it."""
     dims = "marked_flank", "marking_height", "marking_face"
     columns = {
-        "marking_place": np.stack([one.face for one in patterns]),
-        "marking_radius": np.stack([one.radius for one in patterns]),
-        "marking_separation": np.stack([one.separation for one in patterns]),
-        "loaded_separation": np.stack([one.separation for one in loaded]),
+        "marking_place": np.stack([pattern.face for pattern in patterns]),
+        "marking_radius": np.stack([pattern.radius for pattern in patterns]),
+        "marking_separation": np.stack([pattern.separation for pattern in patterns]),
+        "loaded_separation": np.stack([pattern.separation for pattern in loaded]),
     }
     parts = {
-        "marking_fraction": np.array([one.fraction() for one in patterns]),
-        "loaded_marking_fraction": np.array([one.fraction() for one in loaded]),
+        "marking_fraction": np.array([pattern.fraction() for pattern in patterns]),
+        "loaded_marking_fraction": np.array([pattern.fraction() for pattern in loaded]),
     }
     return describe(
         xr.Dataset(
@@ -122,7 +122,7 @@ def loaded_cycle_data(mesh: WormMesh, beyond: float) -> "xr.Dataset":
             {
                 "tooth_load": ("load_phase", _loads(shared, phases)),
                 **dry,
-                "wheel_turn": ("load_phase", np.array([one.turn for one in shared])),
+                "wheel_turn": ("load_phase", np.array([share.turn for share in shared])),
                 "sliding_speed": ("load_phase", np.linalg.norm(mesh.sliding(phases), axis=0)),
                 "lever": ("load_phase", arms.wheel_normal),
                 "sliding_lever": ("load_phase", arms.wheel_sliding),
@@ -146,7 +146,9 @@ def loaded_cycle_data(mesh: WormMesh, beyond: float) -> "xr.Dataset":
 
 def _loads(shared: Sequence[SharedLoad], phases: np.ndarray) -> np.ndarray:
     """Normal load [N] of the pair at each phase."""
-    return np.array([of.force(float(phase)) for of, phase in zip(shared, phases, strict=True)])
+    return np.array(
+        [share.force(float(phase)) for share, phase in zip(shared, phases, strict=True)]
+    )
 
 
 FlankPlace = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]

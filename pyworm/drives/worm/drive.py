@@ -91,7 +91,7 @@ class WormDrive(WormMesh, Drive):
     @property
     def usual_values(self) -> tuple[str, ...]:
         """Dimensions that the drawing does not give."""
-        return tuple(f"Taken as usual: drive.{one}." for one in self.taken)
+        return tuple(f"Taken as usual: drive.{entry}." for entry in self.taken)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
@@ -178,7 +178,7 @@ class WormDrive(WormMesh, Drive):
 
     def allowed_errors(self) -> AllowedErrors:
         """Errors of the assembly that it allows, each alone."""
-        return {one.entry: one.row for one in self.tolerances}
+        return {tolerance.entry: tolerance.row for tolerance in self.tolerances}
 
     @cached_property
     def tolerances(self) -> tuple[Tolerance, ...]:
@@ -235,7 +235,9 @@ class WormDrive(WormMesh, Drive):
 
     def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
         """The same phases with each error of the assembly, one at a time."""
-        return worm_misalignment(self, [of for of in contacts if isinstance(of, Scene)])
+        return worm_misalignment(
+            self, [contact for contact in contacts if isinstance(contact, Scene)]
+        )
 
     def duty(self) -> WormDuty:
         """The drive as input of ratings by standards of worm gears."""
@@ -243,7 +245,7 @@ class WormDrive(WormMesh, Drive):
 
     def in_space(self, places: Sequence[Place]) -> Space:
         """The thread that drives and the flank of the wheel that it drives."""
-        return in_space(self, [present(of.phase, "phase") for of in places])
+        return in_space(self, [present(place.phase, "phase") for place in places])
 
     def scene_data(self, scene: Scene | LineScene) -> PlainDataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""

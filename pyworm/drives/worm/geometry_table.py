@@ -65,10 +65,10 @@ def _worm(mesh: WormMesh) -> Described:
     worm, radius, flank = mesh.worm, mesh.reference_radius, mesh.worm_flank
     lead_angle = _lead_angle(worm.lead, radius)
     normal = flank.pressure_angle(radius)
-    own = own_pressure_angle(worm.profile, worm.generator, lead_angle, normal)
+    pressure_angle = own_pressure_angle(worm.profile, worm.generator, lead_angle, normal)
     about: Described = {
         "normal_module_m": mesh.module * cos(lead_angle),
-        "pressure_angle_deg": degrees(own),
+        "pressure_angle_deg": degrees(pressure_angle),
         "pressure_angle_of": PRESSURE_ANGLE_PLACES[worm.profile],
         "normal_pressure_angle_deg": degrees(normal),
         "lead_m": worm.lead,
@@ -144,7 +144,9 @@ def _hob(mesh: WormMesh) -> Described:
 
 def _mesh(mesh: WormMesh) -> Described:
     path = [mesh.cycle.contact(phase) for phase in (0.0, 0.5, 1.0)]
-    faces, radii = np.transpose([mesh.flank_place(of, np.zeros(()), np.zeros(())) for of in path])
+    faces, radii = np.transpose(
+        [mesh.flank_place(contact, np.zeros(()), np.zeros(())) for contact in path]
+    )
     lead_angle = _lead_angle(mesh.worm.lead, mesh.reference_radius)
     return {
         "mesh_begins_at": mesh.cycle.begin_boundary,
@@ -191,6 +193,6 @@ def described_patterns(unloaded: ContactPattern, loaded: ContactPattern) -> Desc
 def described_tolerances(play: float | None, tolerances: Sequence[Tolerance]) -> Described:
     """Play as assembled [m], where it is known, and the errors of the assembly that are allowed."""
     about: Described = {} if play is None else {"play_as_assembled_m": play}
-    for one in tolerances:
-        about |= {f"allowed_{one.entry}_{key}": value for key, value in one.row.items()}
+    for tolerance in tolerances:
+        about |= {f"allowed_{tolerance.entry}_{key}": value for key, value in tolerance.row.items()}
     return about

@@ -37,7 +37,7 @@ def _of_shared_torque(
 ) -> MeshLoss | None:
     if len(contacts) < FEWEST_PHASES:
         return None
-    loss = cycle_loss(loaded_cycle(), sorted(contacts, key=lambda one: one.phase))
+    loss = cycle_loss(loaded_cycle(), sorted(contacts, key=lambda contact: contact.phase))
     driven = loss.worm_torque * mesh.speed
     return MeshLoss(
         power=driven if mesh.driver == "worm" else driven + loss.power,
@@ -52,13 +52,13 @@ def _of_shared_torque(
 def _of_given_load(mesh: WormMesh, load: float, contacts: Sequence[ContactLoss]) -> MeshLoss:
     """Loss where the load of a tooth is given [N], times the mean number of teeth in contact."""
     teeth = mesh.mean_teeth_in_contact
-    loss = float(np.mean([one.power for one in contacts])) * teeth
+    loss = float(np.mean([contact.power for contact in contacts])) * teeth
     output = load * mesh.load_arm * teeth * mesh.speed * mesh.ratio
     return MeshLoss(
         power=output + loss,
         loss=loss,
-        friction=float(np.mean([one.friction for one in contacts])),
-        error=max(one.error for one in contacts),
+        friction=float(np.mean([contact.friction for contact in contacts])),
+        error=max(contact.error for contact in contacts),
         words=f"means over the solved mesh phases; {teeth:.2f} teeth in contact on average, each "
         "under the load given",
         model=largest_model(contacts),

@@ -43,7 +43,9 @@ def worm_misalignment(mesh: WormMesh, contacts: Sequence[Scene]) -> Misalignment
 
 
 def _dry(mesh: WormMesh, contacts: Sequence[Scene]) -> tuple[DryContact, ...]:
-    return tuple(dry_contact_of(mesh, of.load, present(of.phase, "phase")) for of in contacts)
+    return tuple(
+        dry_contact_of(mesh, contact.load, present(contact.phase, "phase")) for contact in contacts
+    )
 
 
 def _mounted(
@@ -53,11 +55,15 @@ def _mounted(
         other = mesh.varied(entry, by)
         check_play(other)
         dry = _dry(other, contacts)
-        moved = tuple(other.scene_under(of.load, present(of.phase, "phase")) for of in contacts)
+        moved = tuple(
+            other.scene_under(contact.load, present(contact.phase, "phase")) for contact in contacts
+        )
     except ValueError:
         return MountingError(label, (), "the teeth jam, or no longer reach each other")
     note = _movement(mesh, other, moved[0].load)
-    edges = [f"{of.phase:g}" for of, one in zip(contacts, dry, strict=True) if one.at_edge]
+    edges = [
+        f"{contact.phase:g}" for contact, touch in zip(contacts, dry, strict=True) if touch.at_edge
+    ]
     if edges:
         note += f"; on an edge at phase {', '.join(edges)}"
     return MountingError(label, moved, note, dry)
@@ -65,10 +71,10 @@ def _mounted(
 
 def _movement(mesh: WormMesh, other: WormMesh, load: float) -> str:
     """Movement of the contact at mid-mesh under a load [N], in words."""
-    before, after = (dry_contact_of(of, load) for of in (mesh, other))
+    before, after = (dry_contact_of(assembled, load) for assembled in (mesh, other))
     faces = [
-        float(of.flank_place(dry.contact, np.array([dry.x]), np.array([dry.y]))[0][0])
-        for of, dry in ((mesh, before), (other, after))
+        float(assembled.flank_place(dry.contact, np.array([dry.x]), np.array([dry.y]))[0][0])
+        for assembled, dry in ((mesh, before), (other, after))
     ]
     moved = f"at mid-mesh the contact moves {(faces[1] - faces[0]) * 1e3:+.1f} mm along the wheel's axis"
     if after.at_edge:

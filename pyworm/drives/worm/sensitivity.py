@@ -30,13 +30,13 @@ def sensitivity_data(mesh: WormMesh) -> "xr.Dataset":
         The mesh; the middle of each row is the drive itself.
     """
     load = mesh.mid_mesh_load
-    own = mid_mesh_contact(mesh, load)
+    aligned = mid_mesh_contact(mesh, load)
     rows = []
     for name, error in ERRORS.items():
         row = []
         for side in SIDES:
             if side == 0:
-                row.append(own)
+                row.append(aligned)
                 continue
             try:
                 varied = mesh.varied(name, side * error)

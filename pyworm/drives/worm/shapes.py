@@ -47,10 +47,10 @@ def in_space(gears: WormGears, phases: Sequence[float]) -> Space:
         gears.worm_flank.axis_point,
         gears.worm_flank.axes[:, 2],
         thread(gears),
-        np.array([one.worm_angle for one in contacts]),
+        np.array([contact.worm_angle for contact in contacts]),
         tuple(2 * pi * np.arange(1, gears.worm.threads) / gears.worm.threads),
     )
-    wheel = _wheel(gears, np.array([one.wheel_angle for one in contacts]))
+    wheel = _wheel(gears, np.array([contact.wheel_angle for contact in contacts]))
     # the worm, which lies at negative x, comes above the wheel
     view = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     return Space((worm, wheel), view, 0.5 * gears.centre_distance, DRAWN)
@@ -60,30 +60,39 @@ def thread(gears: WormGears) -> Array:
     """Points of the driving flank at worm angle zero, (heights, angles, 3) [m]."""
     flank, tooth = gears.worm_flank, gears.worm_tooth
     radius = np.linspace(tooth.start_radius, tooth.tip_radius, HEIGHTS)
-    section = np.array([flank.axial_profile(of) for of in radius])
+    section = np.array([flank.axial_profile(r) for r in radius])
     middle = gears.cycle.contact(0.5)
-    own = flank.axes.T @ (middle.point - flank.axis_point)
-    met = float(np.hypot(own[0], own[1]))
+    local = flank.axes.T @ (middle.point - flank.axis_point)
+    met = float(np.hypot(local[0], local[1]))
     # turning the screw takes its advance off the height, so this is the height at angle zero, in the section
-    turn = float(np.arctan2(own[1], own[0]))
-    height = section - flank.axial_profile(met) + own[2] - flank.screw * (turn - middle.worm_angle)
+    turn = float(np.arctan2(local[1], local[0]))
+    height = (
+        section - flank.axial_profile(met) + local[2] - flank.screw * (turn - middle.worm_angle)
+    )
     centre = -height[HEIGHTS // 2] / flank.screw  # whole turns off are the same thread
     reach = pi * THREAD_TURNS
     angle = centre + np.linspace(-reach, reach, round(ANGLES * THREAD_TURNS) + 1)
-    at = np.stack(
+    section_points = np.stack(
         [
             radius[:, None] * np.cos(angle),
             radius[:, None] * np.sin(angle),
             height[:, None] + flank.screw * angle,
         ]
     )
-    return np.moveaxis(flank.axis_point[:, None, None] + np.tensordot(flank.axes, at, 1), 0, -1)
+    return np.moveaxis(
+        flank.axis_point[:, None, None] + np.tensordot(flank.axes, section_points, 1), 0, -1
+    )
 
 
 def _wheel(gears: WormGears, angles: Array) -> Shape:
     grid, flank = gears.flank_grid, gears.wheel_flank
     points = np.where(grid.found, flank.point(*grid.q), np.nan)
-    around = 2 * pi * np.array([one for one in range(-TEETH, TEETH + 1) if one]) / gears.wheel.teeth
+    around = (
+        2
+        * pi
+        * np.array([tooth for tooth in range(-TEETH, TEETH + 1) if tooth])
+        / gears.wheel.teeth
+    )
     return Shape(
         2,
         np.zeros(3),

@@ -19,7 +19,7 @@ def draw_across_film(
     place = {axis: float(profile[f"profile_{axis}"].values) for axis in axes_here}
     film = float(solution.fields["film"].interp(place, assume_sorted=True))
     height = (profile["level_position"].values + 0.5) * film * MICRO
-    at = ", ".join(f"{axis} = {along * MILLI:.3g} mm" for axis, along in place.items())
+    point_text = ", ".join(f"{axis} = {along * MILLI:.3g} mm" for axis, along in place.items())
     spaced = {"ncols": 2, "sharey": True, "gridspec_kw": {"wspace": 0.04}}
     room = (0.75, 0.95, 0.55, 0.3)
     figure, panels = placed_panels((9, 4.6), heading(case_name, solution), room, **spaced)
@@ -33,7 +33,7 @@ def draw_across_film(
         clip_on=False,
     )
     warm_axes.set_title(
-        f"across the film where it is hottest, {at}", fontsize="medium", loc="left", y=1
+        f"across the film where it is hottest, {point_text}", fontsize="medium", loc="left", y=1
     )
     warm_axes.set_xlabel("temperature / °C")
     warm_axes.set_ylabel(f"height above {bodies[0]} / µm")

@@ -94,8 +94,8 @@ def draw_temperature(
         _draw_map(panel, fields, values, bounds, scale, bounds)
         colour_bar(panel, scale, maximum.axis("temperature"), bounds)
     mean, sliding = (
-        [fields[f"{of}_{axis}"].transpose("y", "x").values for axis in "xy"]
-        for of in ("entrainment", "sliding")
+        [fields[f"{motion}_{axis}"].transpose("y", "x").values for axis in "xy"]
+        for motion in ("entrainment", "sliding")
     )
     for panel, sign in zip(axes[:2], (1, -1), strict=True):
         motion = (u + sign / 2 * du for u, du in zip(mean, sliding, strict=True))
@@ -119,8 +119,8 @@ def draw_friction(case_name: str, solution: Solution, bodies: tuple[str, str] = 
     maps = stress.number(np.hypot(*components)), _values(fields, power.name)
     smooth = f" {AS_IF_SMOOTH}" if solution.neglected_effects.as_if_smooth else ""
     most, highest = (
-        of.with_unit(f"{values.max():.3g}")
-        for of, values in zip((stress, power), maps, strict=True)
+        quantity.with_unit(f"{values.max():.3g}")
+        for quantity, values in zip((stress, power), maps, strict=True)
     )
     titles = [
         f"{stress.words()} (arrows: on {bodies[0]}): at most {most}, "

@@ -150,15 +150,18 @@ def _draw_temperature(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution
         if heated:
             flash = cycle["closed_form_flash_temperature"]
             bulk = float((cycle["closed_form_contact_temperature"] - flash)[0]) - ZERO_CELSIUS
-            found = [present(of.figures.friction_coefficient, "friction").value for of in heated]
+            found = [
+                present(solution.figures.friction_coefficient, "friction").value
+                for solution in heated
+            ]
             ratios = np.array(found) / friction
-            rise = np.interp([phase_of(one) for one in heated], cycle["phase"], flash)
+            rise = np.interp([phase_of(solution) for solution in heated], cycle["phase"], flash)
             axes.plot(
                 rolls, bulk + ratios * rise, "s", color="tab:red", fillstyle="none", markersize=9,
                 label=of_all(heated).qualified("Blok, simulated friction"),
             )  # fmt: skip
     if heated:
-        hottest = [present(hotter_flank(one), "temperature").value for one in heated]
+        hottest = [present(hotter_flank(solution), "temperature").value for solution in heated]
         axes.plot(
             rolls, np.array(hottest) - ZERO_CELSIUS, "o", color="black", label="simulated surface"
         )
@@ -222,8 +225,8 @@ def _roll(cycle: "xr.Dataset") -> np.ndarray:
 def _at(cycle: "xr.Dataset", phase: float | Sequence[float]) -> np.ndarray:
     """Roll angle [degrees] at phases: it is linear in them."""
     first, last = _roll(cycle)[[0, -1]]
-    at: np.ndarray = first + np.asarray(phase, float) * (last - first)
-    return at
+    roll_angle: np.ndarray = first + np.asarray(phase, float) * (last - first)
+    return roll_angle
 
 
 def _rolls(cycle: "xr.Dataset", solved: Sequence[Solution]) -> np.ndarray:

@@ -52,22 +52,27 @@ def throat(cycle: "xr.Dataset") -> tuple[float, float]:
 def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...]) -> None:
     """Closed forms as lines, solved films with their error bars, and every roller of one instant."""
     for section, colour in SECTION_COLOURS.items():
-        way = cycle.sel(section=section)
-        angle = np.degrees(way["wheel_angle"])
-        least = way["formula_film_min"].min("station") * MICRO
-        most = way["formula_film_min"].max("station") * MICRO
+        cycle_part = cycle.sel(section=section)
+        angle = np.degrees(cycle_part["wheel_angle"])
+        least = cycle_part["formula_film_min"].min("station") * MICRO
+        most = cycle_part["formula_film_min"].max("station") * MICRO
         axes.fill_between(angle, least, most, color=colour, alpha=0.25, lw=0)
-        middle = way.isel(station=way.sizes["station"] // 2)
+        middle = cycle_part.isel(station=cycle_part.sizes["station"] // 2)
         axes.plot(angle, middle["formula_film_min"] * MICRO, color=colour, lw=1.5)
         axes.plot(angle, middle["printed_film_min"] * MICRO, color=colour, lw=1.2, ls=":")
-        solved = [one for one in solutions if one.section == section]
+        solved = [solution for solution in solutions if solution.section == section]
         if solved:
-            at = [float(np.interp(phase_of(one), way["phase"], angle)) for one in solved]
-            film = with_gaps(solved, [one.figures.film_min.value for one in solved]) * MICRO
+            angles = [
+                float(np.interp(phase_of(solution), cycle_part["phase"], angle))
+                for solution in solved
+            ]
+            film = (
+                with_gaps(solved, [solution.figures.film_min.value for solution in solved]) * MICRO
+            )
             errors = {"fmt": "k.", "ms": 5, "capsize": 2, "lw": 0.8}
-            estimates = [one.figures.film_min for one in solved]
-            draw_estimates(axes, at, film, film, estimates, **errors)
-            mark_gaps(axes, at, solved)
+            estimates = [solution.figures.film_min for solution in solved]
+            draw_estimates(axes, angles, film, film, estimates, **errors)
+            mark_gaps(axes, angles, solved)
         pitch = np.degrees(cycle.attrs["roller_pitch"])
         mesh = np.arange(np.ceil(angle[0] / pitch), np.floor(angle[-1] / pitch) + 1) * pitch
         film = np.interp(mesh, angle, middle["formula_film_min"] * MICRO)
@@ -98,10 +103,10 @@ def _draw_load(axes: Axes, cycle: "xr.Dataset") -> None:
     """Load of the roller, and for each length in the middle of its line."""
     other = axes.twinx()
     for section, colour in SECTION_COLOURS.items():
-        way = cycle.sel(section=section)
-        angle = np.degrees(way["wheel_angle"])
-        axes.plot(angle, way["roller_force"], color=colour)
-        middle = way["load_per_length"].isel(station=way.sizes["station"] // 2)
+        cycle_part = cycle.sel(section=section)
+        angle = np.degrees(cycle_part["wheel_angle"])
+        axes.plot(angle, cycle_part["roller_force"], color=colour)
+        middle = cycle_part["load_per_length"].isel(station=cycle_part.sizes["station"] // 2)
         other.plot(angle, middle / 1e3, color=colour, ls="--")
     axes.set_ylim(bottom=0)
     other.set_ylim(bottom=0)
@@ -113,14 +118,14 @@ def _draw_motion(axes: Axes, cycle: "xr.Dataset") -> None:
     """Velocities across the line at its ends and in its middle, and the roller's own speed."""
     other = axes.twinx()
     for section, colour in SECTION_COLOURS.items():
-        way = cycle.sel(section=section)
-        angle = np.degrees(way["wheel_angle"])
-        worm, roller = way["worm_velocity"], way["roller_velocity"]
+        cycle_part = cycle.sel(section=section)
+        angle = np.degrees(cycle_part["wheel_angle"])
+        worm, roller = cycle_part["worm_velocity"], cycle_part["roller_velocity"]
         axes.fill_between(
             angle, worm.min("station"), worm.max("station"), color=colour, alpha=0.3, lw=0
         )
         axes.plot(angle, roller.mean("station"), color=colour)
-        other.plot(angle, abs(way["roller_speed"]) * RPM / 1e3, color=colour, ls="--")
+        other.plot(angle, abs(cycle_part["roller_speed"]) * RPM / 1e3, color=colour, ls="--")
     axes.fill_between([], [], [], color="0.3", alpha=0.3, lw=0, label="worm, all along the line")
     axes.plot([], [], color="0.3", label="roller")
     axes.set_ylim(bottom=0)
@@ -134,13 +139,13 @@ def _draw_lambda(axes: Axes, cycle: "xr.Dataset") -> None:
     """Specific film of the closed form along the whole line, and what heat takes from the film."""
     other = axes.twinx()
     for section, colour in SECTION_COLOURS.items():
-        way = cycle.sel(section=section)
-        angle = np.degrees(way["wheel_angle"])
-        ratio = way["specific_film"]
+        cycle_part = cycle.sel(section=section)
+        angle = np.degrees(cycle_part["wheel_angle"])
+        ratio = cycle_part["specific_film"]
         axes.fill_between(
             angle, ratio.min("station"), ratio.max("station"), color=colour, alpha=0.4, lw=0
         )
-        other.plot(angle, way["heated_share"].mean("station"), color=colour, ls="--")
+        other.plot(angle, cycle_part["heated_share"].mean("station"), color=colour, ls="--")
     if np.isnan(cycle["specific_film"]).all():
         axes.set_yticks([])
         axes.text(0.01, 0.05, "roughness not given", color="0.4", transform=axes.transAxes)

@@ -31,8 +31,8 @@ def _draw_chart(axes: Axes, middle: "xr.Dataset") -> None:
     shape = Regime(1.0, 1.0, LINE_ERROR, THICKENING_ERROR, 1.0, 1.0, alpha_ratio=oil)
     entries = draw_chart(axes, shape, moes_m.values, moes_l.values)
     for section, colour in SECTION_COLOURS.items():
-        way = middle.sel(section=section)
-        x, y = _moes(way)
+        cycle_part = middle.sel(section=section)
+        x, y = _moes(cycle_part)
         axes.plot(x, y, color=colour, lw=2, label=f"{section} section")
         axes.plot(x[0], y[0], "o", color=colour, mec="black", ms=7)
         axes.plot(x[-1], y[-1], "s", color=colour, mec="black", ms=7)
@@ -52,13 +52,13 @@ def _moes(cycle: "xr.Dataset") -> tuple["xr.DataArray", "xr.DataArray"]:
 def _draw_films(axes: Axes, middle: "xr.Dataset") -> None:
     """Film by the formula of each regime, and the regime that holds."""
     for section in SECTION_COLOURS:
-        way = middle.sel(section=section)
-        angle = way["wheel_angle"] * (180 / np.pi)
+        cycle_part = middle.sel(section=section)
+        angle = cycle_part["wheel_angle"] * (180 / np.pi)
         for number, (name, style) in enumerate(zip(SHORT, (":", "-.", "--", "-"), strict=True)):
-            film = way["film_by_regime"].sel(regime=name) * MICRO
+            film = cycle_part["film_by_regime"].sel(regime=name) * MICRO
             label = SHORT[name].replace("\n", " ") if section == "left" else None
             axes.plot(angle, film, style, color="0.25", lw=1.2, label=label)
-            holds = way["regime_number"] == number
+            holds = cycle_part["regime_number"] == number
             axes.plot(angle.where(holds), film.where(holds), lw=4, alpha=0.6, color="tab:green")
     axes.plot([], [], lw=4, alpha=0.6, color="tab:green", label="the regime that holds")
     axes.axvspan(

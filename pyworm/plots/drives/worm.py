@@ -45,8 +45,8 @@ def draw_cycle(result: Result) -> Figure:
         (solution for solution in result.solutions if solution.phase is not None),
         key=phase_of,
     )
-    sheared = [one for one in solved if one.figures.friction_coefficient is not None]
-    heated = [one for one in solved if one.figures.temperature_max_film is not None]
+    sheared = [solution for solution in solved if solution.figures.friction_coefficient is not None]
+    heated = [solution for solution in solved if solution.figures.temperature_max_film is not None]
     drawn: list[Callable[[Axes], None]] = [
         partial(_draw_transmission_error, cycle=cycle),
         partial(_draw_radii, cycle=cycle),
@@ -119,7 +119,9 @@ def _draw_tooth_load(axes: Axes, cycle: "xr.Dataset") -> None:
 
 
 def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
-    draw_largest_temperatures(axes, [phase_of(one) for one in heated], heated, ("worm", "wheel"))
+    draw_largest_temperatures(
+        axes, [phase_of(solution) for solution in heated], heated, ("worm", "wheel")
+    )
 
 
 def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
@@ -136,7 +138,9 @@ def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     axes.set_ylabel(broken(QUANTITIES["film"].axis()))
     pressure_axes = axes.twinx()
     maximum = QUANTITIES["pressure_max"]
-    pressure = with_gaps(solved, [maximum.number(one.figures.pressure_max.value) for one in solved])
+    pressure = with_gaps(
+        solved, [maximum.number(solution.figures.pressure_max.value) for solution in solved]
+    )
     pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
     scale_from_zero(pressure_axes, pressure, 1.3)
     pressure_axes.set_ylabel(broken(maximum.axis()), color="tab:red")
@@ -152,7 +156,7 @@ def _beside(result: Result, sheared: list[Solution]) -> StandardLoss | None:
 def _draw_friction(axes: Axes, sheared: list[Solution], standard: StandardLoss | None) -> None:
     """Friction coefficient with its error bars, and power loss on its own scale; a standard's friction."""
     phase = np.array([phase_of(solution) for solution in sheared])
-    estimates = [present(of.figures.friction_coefficient, "friction") for of in sheared]
+    estimates = [present(solution.figures.friction_coefficient, "friction") for solution in sheared]
     friction = with_gaps(sheared, [estimate.value for estimate in estimates])
     style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}
     draw_estimates(axes, phase, friction, friction, estimates, **style)
@@ -171,7 +175,7 @@ def _draw_friction(axes: Axes, sheared: list[Solution], standard: StandardLoss |
         color="tab:purple",
     )
     power_axes = axes.twinx()
-    losses = [present(of.figures.power_loss, "power_loss").value for of in sheared]
+    losses = [present(solution.figures.power_loss, "power_loss").value for solution in sheared]
     power = with_gaps(sheared, losses)
     power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
     scale_from_zero(power_axes, power, 1.3)

@@ -41,7 +41,7 @@ def draw_flank(result: Result) -> Figure | None:
     cycle = result.cycle_data
     shown = [QUANTITIES[name] for name in _PANELS if name in field]
     rows = (len(shown) + 1) // 2
-    gaps = ", ".join(f"{one.phase:g}" for one in result.unsound)
+    gaps = ", ".join(f"{solution.phase:g}" for solution in result.unsound)
     what = f"wheel flank, phase {gaps} not converged and left out" if gaps else "wheel flank"
     figure = new_figure(13, 2.4 * rows + 0.5, result_heading(result, what))
     axes = figure.subplots(rows, 2, squeeze=False).ravel()
@@ -86,7 +86,9 @@ def _draw_tooth(axes: Axes, cycle: "xr.Dataset") -> None:
     radius = np.hypot(point.sel(axis="x").values, point.sel(axis="z").values) * MILLI
     axes.plot(face, radius, color="0.5", lw=1.0)
     for mark in MARKS:
-        along, across = (float(np.interp(mark, cycle["phase"], of)) for of in (face, radius))
+        along, across = (
+            float(np.interp(mark, cycle["phase"], coordinate)) for coordinate in (face, radius)
+        )
         axes.plot(along, across, "o", color="white", mec="black", ms=4)
         axes.annotate(
             f"{mark:g}" if mark else "phase 0",
@@ -118,8 +120,8 @@ def name_sides(axes: Axes, leaving_right: bool, root: float) -> None:
         Height of the word for the root, a fraction of the panel.
     """
     right, left = ("leaving side", "entering side")[:: 1 if leaving_right else -1]
-    at = axes.transAxes
-    axes.text(0.5, 0.985, "tip", ha="center", va="top", transform=at)
-    axes.text(0.5, root, "root", ha="center", va="bottom", transform=at)
-    axes.text(0.985, 0.5, right, rotation=90, ha="right", va="center", transform=at)
-    axes.text(0.015, 0.5, left, rotation=90, ha="left", va="center", transform=at)
+    in_axes = axes.transAxes
+    axes.text(0.5, 0.985, "tip", ha="center", va="top", transform=in_axes)
+    axes.text(0.5, root, "root", ha="center", va="bottom", transform=in_axes)
+    axes.text(0.985, 0.5, right, rotation=90, ha="right", va="center", transform=in_axes)
+    axes.text(0.015, 0.5, left, rotation=90, ha="left", va="center", transform=in_axes)

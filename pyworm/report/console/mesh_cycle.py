@@ -41,8 +41,12 @@ def cycle_table(cycle: DriveCycle, bodies: tuple[str, str] = BODIES) -> Table:
         phases = ", ".join(f"{phase:g}" for phase in cycle.unconverged)
         title += f" ({phases} not converged, left out)"
     found = {"film_min": cycle.film_min, "pressure_max": cycle.pressure_max}
-    found |= {f"temperature_max_{name}": one for name, one in cycle.temperatures.items()}
-    rows = [row for name, one in found.items() for row in _extreme(QUANTITIES[name], one, bodies)]
+    found |= {f"temperature_max_{name}": extreme for name, extreme in cycle.temperatures.items()}
+    rows = [
+        row
+        for name, extreme in found.items()
+        for row in _extreme(QUANTITIES[name], extreme, bodies)
+    ]
     for name, label in (
         ("sump", "Oil in the sump"),
         ("worm", "Bulk of the worm"),
@@ -66,17 +70,21 @@ def cycle_table(cycle: DriveCycle, bodies: tuple[str, str] = BODIES) -> Table:
 
 
 def _extreme(
-    quantity: Quantity, one: Extreme, bodies: tuple[str, str]
+    quantity: Quantity, extreme: Extreme, bodies: tuple[str, str]
 ) -> Iterator[tuple[str, ...]]:
     """Rows of the extreme of a figure: its value, phase and place, and the reason of its error bar."""
-    value = quantity.text(one.value)
-    value = f"{value} ± {_two(one.error * quantity.scale)}" if isfinite(one.error) else f"≥ {value}"
-    value += "" if one.model is None else f" ± {_two(one.model * quantity.scale)} (model)"
-    place = () if one.place is None else tuple(f"{part * 1e3:.1f}" for part in one.place)
+    value = quantity.text(extreme.value)
+    value = (
+        f"{value} ± {_two(extreme.error * quantity.scale)}"
+        if isfinite(extreme.error)
+        else f"≥ {value}"
+    )
+    value += "" if extreme.model is None else f" ± {_two(extreme.model * quantity.scale)} (model)"
+    place = () if extreme.place is None else tuple(f"{part * 1e3:.1f}" for part in extreme.place)
     label = f"  {quantity.words(bodies)}" if quantity.part else quantity.worst_title(bodies)
-    yield (label, value, f"{one.phase:g}", *place)
-    if one.reason is not None:
-        yield "  error bar" if isfinite(one.error) else "  no upper bound", one.reason
+    yield (label, value, f"{extreme.phase:g}", *place)
+    if extreme.reason is not None:
+        yield "  error bar" if isfinite(extreme.error) else "  no upper bound", extreme.reason
 
 
 def loss_table(
@@ -130,8 +138,8 @@ def loss_table(
     return Table(
         head=("Figure", heading, *(["Rough, by\nthe standard"] if beside else [])),
         rows=tuple(
-            (of, value) if isinstance(of, str) else (of.title(), value, *_beside(of, beside))
-            for of, value in rows
+            (row, value) if isinstance(row, str) else (row.title(), value, *_beside(row, beside))
+            for row, value in rows
         ),
         title=neglected_effects.titled("Loss of all teeth"),
         note="" if heating is None else heating.words,

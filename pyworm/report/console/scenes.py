@@ -71,7 +71,7 @@ def figures_table(
         if error is not None and reason is not None and not unknown:
             yield _reason_label(error), reason
 
-    known = [one for one in listed("figures") if figures.get(one.key) is not None]
+    known = [quantity for quantity in listed("figures") if figures.get(quantity.key) is not None]
     rows = [row for quantity in known for row in cells(quantity)]
     rows += [*_regime_rows(summary), *_solution_rows(summary)]
     words = [*([] if scene.phase is None else ["phase"]), summary["film_min_kind"]]
@@ -172,7 +172,9 @@ def heat_table(
     rows: list[tuple[str, ...]] = []
     head = [friction.column, "± %", *(["model\n± %"] if mixed else []), "Loss"]
     if heated:
-        head += [f"{body.capitalize()}\n{of.shown}" for body, of in _warmest(bodies)] + ["± K"]
+        head += [
+            f"{body.capitalize()}\n{quantity.shown}" for body, quantity in _warmest(bodies)
+        ] + ["± K"]
     for label, values in zip(labels, summaries, strict=True):
         if not values["converged"]:
             rows.append((label, "not converged"))
@@ -186,7 +188,7 @@ def heat_table(
         ]
         if "temperature_max_C" in values:
             flat = plain_attributes(values)
-            cells += [_number(of, flat) for _, of in _warmest(bodies)]
+            cells += [_number(quantity, flat) for _, quantity in _warmest(bodies)]
             cells.append(f"{max(values['temperature_max_error_K'].values()):.2g}")
         rows.append((label, *cells))
     return Table(
@@ -247,13 +249,16 @@ def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float
 
 def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
     """Kind of place that distinguishes the scenes of a case, and the place of each."""
-    names = [name for name in PLACE_NAMES if all(getattr(one, name) is not None for one in scenes)]
+    names = [
+        name for name in PLACE_NAMES if all(getattr(scene, name) is not None for scene in scenes)
+    ]
     if not names:
         return "Scene", [scene.name for scene in scenes]
     heading = "\n".join(name.replace("_roll_", "-\nroll\n") for name in names)
-    parts = [[getattr(one, name) for name in names] for one in scenes]
+    parts = [[getattr(scene, name) for name in names] for scene in scenes]
     return heading.capitalize(), [
-        " ".join(of if isinstance(of, str) else f"{of:g}" for of in row) for row in parts
+        " ".join(value if isinstance(value, str) else f"{value:g}" for value in row)
+        for row in parts
     ]
 
 
@@ -332,7 +337,9 @@ def _value(quantity: Quantity, value: Any, error: float | None = None) -> str:
     if isinstance(value, str):
         return value
     values = value if isinstance(value, Sequence) else [value]
-    text = quantity.with_unit(", ".join(quantity.digits(quantity.by_key(of)) for of in values))
+    text = quantity.with_unit(
+        ", ".join(quantity.digits(quantity.by_key(value)) for value in values)
+    )
     if error is None:
         return text
     return f"{text} {_bar(quantity, error)}" if isfinite(error) else f"≥ {text}"

@@ -51,11 +51,13 @@ def colours(name: str) -> list[str]:
     import matplotlib
     from matplotlib.colors import to_hex
 
-    return [to_hex(of) for of in matplotlib.colormaps[name](np.linspace(0, 1, 64))]
+    return [to_hex(colour) for colour in matplotlib.colormaps[name](np.linspace(0, 1, 64))]
 
 
 def used(*shown_quantities: dict[str, Any]) -> dict[str, list[str]]:
     """The colour maps that they name."""
     return {
-        of["colours"]: colours(of["colours"]) for one in shown_quantities for of in one.values()
+        quantity["colours"]: colours(quantity["colours"])
+        for quantities in shown_quantities
+        for quantity in quantities.values()
     }

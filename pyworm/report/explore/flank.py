@@ -53,7 +53,7 @@ def _ends(places: np.ndarray) -> list[float]:
 
 
 def _shown(values: np.ndarray) -> list[float]:
-    return [round(float(of) * MILLI, 4) for of in values]
+    return [round(float(value) * MILLI, 4) for value in values]
 
 
 def _places(grid: "xr.Dataset") -> dict[str, Any] | None:
@@ -75,6 +75,8 @@ def pressure_on(grid: "xr.Dataset", face: np.ndarray, radius: np.ndarray) -> np.
     known = np.stack([grid["face"].values.ravel(), grid["radius"].values.ravel()], axis=1)
     values = grid["pressure"].values.ravel()
     sound = np.isfinite(known).all(axis=1) & np.isfinite(values)
-    at = scipy.interpolate.LinearNDInterpolator(known[sound], values[sound], fill_value=0.0)
-    pressure_on: np.ndarray = at(face, radius)
+    interpolated = scipy.interpolate.LinearNDInterpolator(
+        known[sound], values[sound], fill_value=0.0
+    )
+    pressure_on: np.ndarray = interpolated(face, radius)
     return pressure_on

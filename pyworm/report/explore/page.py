@@ -30,7 +30,7 @@ def content(result: Result) -> dict[str, Any]:
     """
     grids = [reduced(solution) for solution in result.solutions]
     found, on_flank = scenes(result, grids), flank(result, grids)
-    fields = shown(FIELDS, {name for one in found for name in one["fields"]}, result.body_names)
+    fields = shown(FIELDS, {name for scene in found for name in scene["fields"]}, result.body_names)
     maps = (
         {} if on_flank is None else shown(FLANK, set(on_flank["fields"]), result.body_names, True)
     )

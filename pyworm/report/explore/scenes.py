@@ -56,7 +56,7 @@ def _scene(solution: Solution, grid: "xr.Dataset", bodies: tuple[str, str]) -> d
         "y": _axis(grid["y"].values) if "y" in grid else None,
         "fields": fields,
         "rows": [["Load", load_of(solution)], *scene_rows(solution, bodies)],
-        "least": [MILLI * at for at in figures.film_min_at],
+        "least": [MILLI * coordinate for coordinate in figures.film_min_at],
         "stopped": "" if solution.converged else solution.stop_reason,
     }
 
@@ -98,7 +98,7 @@ def _values(grid: "xr.Dataset", kind: str) -> dict[str, np.ndarray]:
         parts = [part for part in VECTORS.get(name, (name,)) if part in grid]
         if parts and (kind == "line" or len(parts) == len(VECTORS.get(name, (name,)))):
             found[name] = (
-                np.sqrt(sum(grid[of].values ** 2 for of in parts))
+                np.sqrt(sum(grid[part].values ** 2 for part in parts))
                 if name in VECTORS
                 else grid[name].values
             )

@@ -29,7 +29,7 @@ def space(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | Non
         As of `scenes`.
     """
     places = [Place.of(solution) for solution in result.solutions]
-    if not result.case or any(of.phase is None for of in places):
+    if not result.case or any(place.phase is None for place in places):
         return None
     try:
         drive = case_again(result.case).drive
@@ -42,15 +42,15 @@ def space(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | Non
         "drawn": found.drawn,
         "view": found.view.tolist(),
         "size": found.size * MILLI,
-        "shapes": [_shape(of, grids) for of in found.shapes],
-        "lines": [(of * MILLI).round(4).tolist() for of in found.lines],
+        "shapes": [_shape(shape, grids) for shape in found.shapes],
+        "lines": [(line * MILLI).round(4).tolist() for line in found.lines],
     }
 
 
 def _shape(shape: Shape, grids: "Sequence[xr.Dataset]") -> dict[str, Any]:
     surface, pressures, stride = shape.surface, [], 1
     if shape.face is not None and shape.radius is not None:
-        surface, face, radius = (_finer(of) for of in (surface, shape.face, shape.radius))
+        surface, face, radius = (_finer(nodes) for nodes in (surface, shape.face, shape.radius))
         stride = FINER  # where there is no pressure to be seen
         pressures = [packed(pressure_on(grid, face, radius) * MEGA) for grid in grids]
     return {

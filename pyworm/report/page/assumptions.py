@@ -24,12 +24,16 @@ ONE_CONTACT = "One contact, with the curvature, velocities and load given."
 
 def plan_section(result: Result) -> Section | None:
     """Effects simulated and reasons, once for all contacts that agree; None where none is recorded."""
-    solutions = [of for of in result.solutions if of.effects]
+    solutions = [solution for solution in result.solutions if solution.effects]
     if not solutions:
         return None
     rows = []
-    for effects in zip(*(of.effects for of in solutions), strict=True):
-        on = [place_of(of) for of, effect in zip(solutions, effects, strict=True) if effect.on]
+    for effects in zip(*(solution.effects for solution in solutions), strict=True):
+        on = [
+            place_of(solution)
+            for solution, effect in zip(solutions, effects, strict=True)
+            if effect.on
+        ]
         where = "on" if len(on) == len(solutions) else f"on at {', '.join(on)}" if on else "off"
         rows.append((effects[0].name, where, _reason(solutions, effects), _influence(effects)))
     words = (
@@ -72,7 +76,7 @@ def assumptions_of(found: Findings) -> Items:
     """Assumptions: values that the source does not give, and those of the models."""
     case, result = found.case, found.result
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
-    on = {effect.name for of in result.solutions for effect in of.effects if effect.on}
+    on = {effect.name for solution in result.solutions for effect in solution.effects if effect.on}
     if "roughness" not in on:
         items.append("Smooth surfaces.")
     elif any(table.nesting_index is not None for table in case.tables.bodies.surfaces.values()):
@@ -87,7 +91,11 @@ def assumptions_of(found: Findings) -> Items:
             "A film in motion begins its life steady; its heat is that of a steady contact at each time."
         )
     items += _of_contacts(case)
-    inlet = {of.inlet_temperature for of in result.solutions if of.inlet_temperature is not None}
+    inlet = {
+        solution.inlet_temperature
+        for solution in result.solutions
+        if solution.inlet_temperature is not None
+    }
     if inlet:
         balanced = getattr(case.tables, "cooling", None) is not None
         drive = case.drive if balanced else None
@@ -96,7 +104,9 @@ def assumptions_of(found: Findings) -> Items:
             name: body.bulk_temperature or min(inlet)
             for (name, _), body in zip(case.tables.bodies, solids, strict=True)
         }
-        warm = ", ".join(f"{name} {of - ZERO_CELSIUS:.4g} °C" for name, of in bodies.items())
+        warm = ", ".join(
+            f"{name} {temperature - ZERO_CELSIUS:.4g} °C" for name, temperature in bodies.items()
+        )
         how = "found from losses and [cooling]" if balanced else "given, not found"
         items.append(
             f"Oil enters at {min(inlet) - ZERO_CELSIUS:.4g} °C; bulk temperatures {how}: {warm}."
@@ -125,11 +135,11 @@ def provenance_section(result: Result) -> Section:
     rows.append(("case", result.case_name))
     rows += [
         (
-            place_of(of),
-            f"{' x '.join(str(count) for count in of.summary()['grid'])} nodes, "
-            f"{duration(of.cost.seconds)}; {of.stop_reason}",
+            place_of(solution),
+            f"{' x '.join(str(count) for count in solution.summary()['grid'])} nodes, "
+            f"{duration(solution.cost.seconds)}; {solution.stop_reason}",
         )
-        for of in result.solutions
+        for solution in result.solutions
     ]
     rows += [
         (name, f"not solved: {reason}") for name, reason in provenance.get("failed", {}).items()
@@ -159,18 +169,18 @@ def inputs_section(case: Case) -> Section:
 def _tables(name: str, part: Any, field: Any = None) -> list[Table]:
     """A table of the values at hand, and one for each table inside."""
     if isinstance(part, dict):
-        return [table for key, one in part.items() for table in _tables(f"{name}.{key}", one)]
+        return [table for key, value in part.items() for table in _tables(f"{name}.{key}", value)]
     if not isinstance(part, BaseModel):
         return [Table(("", ""), ((_label(name), shown(part, field)),))]
     rows, inner = [], []
-    for key, one in type(part).model_fields.items():
+    for key, entry in type(part).model_fields.items():
         value = getattr(part, key)
         if isinstance(value, BaseModel | dict):
             inner += _tables(f"{name}.{key}", value)
         elif value is not None:
-            rows.append((_label(key), shown(value, one)))
-    own = [Table(("", ""), tuple(rows), title=_label(name.replace(".", ": ")))] if rows else []
-    return own + inner
+            rows.append((_label(key), shown(value, entry)))
+    tables = [Table(("", ""), tuple(rows), title=_label(name.replace(".", ": ")))] if rows else []
+    return tables + inner
 
 
 def _label(key: str) -> str:

@@ -90,16 +90,16 @@ def _warnings(found: Findings, differ: str | None) -> tuple[str, ...]:
     if heating is not None:
         warnings += (heating.words,)
     warnings += tuple(
-        f"{place_of(of)} did not converge: {of.stop_reason}"
-        for of in result.solutions
-        if not of.converged
+        f"{place_of(solution)} did not converge: {solution.stop_reason}"
+        for solution in result.solutions
+        if not solution.converged
     ) + tuple(
         f"{name} could not be solved: {reason}"
         for name, reason in result.provenance.get("failed", {}).items()
     )
     warnings += tuple(dict.fromkeys((*result.provenance.get("warnings", ()), *found.case.warnings)))
     return warnings + tuple(
-        f"{of.title} fails: {reason}" for of in found.ratings for reason in of.failed
+        f"{rating.title} fails: {reason}" for rating in found.ratings for reason in rating.failed
     )
 
 

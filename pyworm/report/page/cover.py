@@ -44,16 +44,16 @@ def cover_of(found: Findings, identity: Identity) -> Cover | None:
         What it names besides the case: drawing, customer.
     """
     made = found.ratings
-    verdicts = tuple(verdict_of(of) for rating in made for of in rating.safeties)
+    verdicts = tuple(verdict_of(safety) for rating in made for safety in rating.safeties)
     if not verdicts:
         return None
     head = (("Case", found.result.case_name), *identity, *_operation(found.case))
     head += _computed(found.result)
     doubts = (
-        f"{named(of.symbol)}, {of.label}: {doubt}"
+        f"{named(safety.symbol)}, {safety.label}: {doubt}"
         for rating in made
-        for of in rating.safeties
-        for doubt in of.doubts
+        for safety in rating.safeties
+        for doubt in safety.doubts
     )
     basis = (sentence for rating in made for sentence in (*rating.differs, *rating.basis))
     return Cover(

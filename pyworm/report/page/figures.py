@@ -84,7 +84,7 @@ def glance_rows(found: Findings) -> tuple[Row, ...]:
 def _worst(quantity: Quantity, found: Findings) -> Row:
     """A figure at the contact where it is worst."""
     worst = min if quantity.extreme == "minimum" else max
-    solution = worst(found.sound.solutions, key=lambda one: quantity.value_in(one).value)
+    solution = worst(found.sound.solutions, key=lambda solution: quantity.value_in(solution).value)
     label = quantity.worst_title()
     if quantity.name == "friction_coefficient":
         label = found.neglected_effects.qualified(label)
@@ -100,10 +100,10 @@ def life_rows(case: Case, made: tuple[Rating, ...]) -> tuple[Row, ...]:
     rows = []
     if table is not None and table.life is not None:
         rows.append(("Life asked for", f"{table.life / HOUR:.6g} h", "of the case"))
-    for number, of in enumerate(() if table is None else table.spectrum, 1):
-        torque = QUANTITIES["wheel_torque"].text(of.wheel_torque)
-        load = f"{torque}, {of.worm_speed * PER_MINUTE:.4g} 1/min"
-        rows.append((f"Load {number}", f"{of.duration / HOUR:.6g} h", load))
+    for number, step in enumerate(() if table is None else table.spectrum, 1):
+        torque = QUANTITIES["wheel_torque"].text(step.wheel_torque)
+        load = f"{torque}, {step.worm_speed * PER_MINUTE:.4g} 1/min"
+        rows.append((f"Load {number}", f"{step.duration / HOUR:.6g} h", load))
     return tuple(rows) + tuple(
         (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
         for rating in made
@@ -116,12 +116,12 @@ def _decisive(made: tuple[Rating, ...]) -> tuple[Row, ...]:
     """Decisive figures of ratings, and the safeties with their verdicts."""
     safeties = tuple(
         (
-            f"{of.symbol}, {of.label}",
-            f"{of.shown}, required {of.minimum:g}: {of.verdict}".removeprefix(", "),
+            f"{safety.symbol}, {safety.label}",
+            f"{safety.shown}, required {safety.minimum:g}: {safety.verdict}".removeprefix(", "),
             f"{rating.title}, {rating.columns[0]}",
         )
         for rating in made
-        for of in rating.safeties
+        for safety in rating.safeties
     )
     return safeties + tuple(
         (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
@@ -230,21 +230,24 @@ def heat_section(found: Findings) -> Section | None:
     A contact that did not converge has no figures.
     """
     solutions = found.result.solutions
-    if any(one.figures.friction_coefficient is None for one in solutions):
+    if any(solution.figures.friction_coefficient is None for solution in solutions):
         return None
     bodies, qualified = found.case.body_names, found.neglected_effects.qualified
     shown = [
         quantity
         for quantity in listed("heat")
-        if all(quantity.value_in(one) is not None for one in solutions)
+        if all(quantity.value_in(solution) is not None for solution in solutions)
     ]
     rows = [
-        (place_of(one), *map(one.figure_text, shown))
-        if one.converged
-        else (place_of(one), "not converged")
-        for one in solutions
+        (place_of(solution), *map(solution.figure_text, shown))
+        if solution.converged
+        else (place_of(solution), "not converged")
+        for solution in solutions
     ]
-    titles = [qualified(of.title()) if of.unit != "K" else of.title(bodies) for of in shown]
+    titles = [
+        qualified(quantity.title()) if quantity.unit != "K" else quantity.title(bodies)
+        for quantity in shown
+    ]
     return Section("Friction, loss and temperature", (Table(("", *titles), tuple(rows)),))
 
 
@@ -282,8 +285,8 @@ def _printed(text: str) -> str:
 
 
 def _is_meant(published: dict[str, PublishedValue], solution: Solution) -> bool:
-    place = {name: of for name, of in Place.of(solution).given.items() if name in published}
-    return all(published[name].value == of for name, of in place.items())
+    place = {name: value for name, value in Place.of(solution).given.items() if name in published}
+    return all(published[name].value == value for name, value in place.items())
 
 
 def _known(case: Case, solution: Solution) -> dict[str, tuple[Quantity, float]]:

@@ -33,11 +33,15 @@ def render(report: Report) -> str:
         f'<li><a href="#part-{number}">{escape(section.title)}</a></li>'
         for number, section in enumerate(report.sections, 1)
     )
-    warnings = "\n".join(f'<p class="warning">{typeset(of)}</p>' for of in report.warnings)
+    warnings = "\n".join(
+        f'<p class="warning">{typeset(warning)}</p>' for warning in report.warnings
+    )
     opening = warnings if report.cover is None else _cover(report.cover, warnings)
     if report.overleaf is not None:
         opening += _overleaf(report.overleaf)
-    parts = "\n".join(_section(number, of) for number, of in enumerate(report.sections, 1))
+    parts = "\n".join(
+        _section(number, section) for number, section in enumerate(report.sections, 1)
+    )
     content = f"""<header>
 <h1>{escape(report.title)}</h1>
 <p class="source">{escape(report.source)}</p>
@@ -54,7 +58,9 @@ def render(report: Report) -> str:
 
 def render_variants(variants: Variants) -> str:
     """The page of variants side by side."""
-    warnings = "\n".join(f'<p class="warning">{escape(of)}</p>' for of in variants.warnings)
+    warnings = "\n".join(
+        f'<p class="warning">{escape(warning)}</p>' for warning in variants.warnings
+    )
     parts = (
         ("What differs", variants.differences, html_cell),
         ("Verdicts", variants.verdicts, _judged),
@@ -65,13 +71,13 @@ def render_variants(variants: Variants) -> str:
         for title, matrix, cell in parts
         if matrix.rows
     )
-    count = max(len(of.pictures) for of in variants.beside)
+    count = max(len(variant.pictures) for variant in variants.beside)
     rows = "\n".join(
         '<div class="columns">'
         + "".join(
-            f"<div><h3>{escape(of.name)}</h3>{_block(of.pictures[n])}</div>"
-            for of in variants.beside
-            if n < len(of.pictures)
+            f"<div><h3>{escape(variant.name)}</h3>{_block(variant.pictures[n])}</div>"
+            for variant in variants.beside
+            if n < len(variant.pictures)
         )
         + "</div>"
         for n in range(count)
@@ -129,10 +135,10 @@ def _page(title: str, content: str) -> str:
 def _cover(cover: Cover, warnings: str) -> str:
     """Head, verdicts with colours and words, what a signer must know, and lines to sign."""
     rows = "\n".join(
-        f'<tr><th scope="row">{typeset(of.what)}</th><td>{unbroken(of.value)}</td>'
-        f"<td>{escape(of.required)}</td><td>{badge(of.words)}</td><td>{escape(of.clause)}</td>"
-        f"<td>{typeset(of.why)}</td></tr>"
-        for of in cover.verdicts
+        f'<tr><th scope="row">{typeset(verdict.what)}</th><td>{unbroken(verdict.value)}</td>'
+        f"<td>{escape(verdict.required)}</td><td>{badge(verdict.words)}</td><td>{escape(verdict.clause)}</td>"
+        f"<td>{typeset(verdict.why)}</td></tr>"
+        for verdict in cover.verdicts
     )
     doubts = f"<h3>Assumed or doubtful</h3>\n{_block(cover.doubts)}" if cover.doubts.items else ""
     lines = "".join(
@@ -204,7 +210,7 @@ def _block(block: Block) -> str:
         case Words(text):
             return f"<p>{typeset(text)}</p>"
         case Items(items):
-            return "<ul>\n" + "\n".join(f"<li>{typeset(of)}</li>" for of in items) + "\n</ul>"
+            return "<ul>\n" + "\n".join(f"<li>{typeset(item)}</li>" for item in items) + "\n</ul>"
         case Picture(caption, png):
             data = b64encode(png).decode("ascii")
             return (

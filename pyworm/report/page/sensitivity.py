@@ -67,18 +67,18 @@ def sensitivity_section(found: Findings) -> Section | None:
     changes = sensitivity(case, result)
     roughness = found.composite_roughness
     film = QUANTITIES["film_min"]
-    thinnest = min(of.figures.film_min.value for of in result.solutions)
+    thinnest = min(solution.figures.film_min.value for solution in result.solutions)
     rows = [("as it is", film.text(thinnest), "", *_lambda(thinnest, roughness), "", "")]
     rows += [
         (
-            one.label,
-            "" if isnan(one.film) else film.text(one.film),
-            _change(one.film_ratio),
-            *_lambda(one.film, roughness),
-            _change(one.pressure_ratio),
-            one.note,
+            variation.label,
+            "" if isnan(variation.film) else film.text(variation.film),
+            _change(variation.film_ratio),
+            *_lambda(variation.film, roughness),
+            _change(variation.pressure_ratio),
+            variation.note,
         )
-        for one in changes.variations
+        for variation in changes.variations
     ]
     ratio = (QUANTITIES["specific_film"].symbol,) if roughness else ()
     dry = QUANTITIES["dry_pressure"]
@@ -109,8 +109,10 @@ def _lambda(film: float, roughness: float | None) -> tuple[str, ...]:
 
 def sensitivity(case: Case, result: Result) -> Sensitivity:
     """Film and pressure of every variation for which the case has the data."""
-    films = tuple(of.figures.film_min.value for of in result.solutions)
-    solved = _Solved(tuple(case.scene(**Place.of(of).given) for of in result.solutions), films)
+    films = tuple(solution.figures.film_min.value for solution in result.solutions)
+    solved = _Solved(
+        tuple(case.scene(**Place.of(solution).given) for solution in result.solutions), films
+    )
     if case.drive is None:
         return Sensitivity(tuple(_of_oil(solved)), None)
     misalignment = case.drive.misalignment(solved.contacts)
@@ -130,8 +132,8 @@ class _Solved:
         ratios = [_film_change(old, new) for old, new in zip(self.contacts, contacts, strict=True)]
         films = [film * ratio for film, ratio in zip(self.films, ratios, strict=True)]
         before, after = (
-            max(_sizes(contact).hertz.pressure_max for contact in of)
-            for of in (self.contacts, contacts)
+            max(_sizes(contact).hertz.pressure_max for contact in group)
+            for group in (self.contacts, contacts)
         )
         return Variation(
             label=label,
@@ -152,7 +154,7 @@ class _Solved:
             for old, new, dry in zip(self.contacts, error.contacts, before, strict=True)
         ]
         found = self.changed(error.label, kept, error.note)
-        largest = [max(dry.pressure_max for dry in of) for of in (before, error.dry)]
+        largest = [max(dry.pressure_max for dry in group) for group in (before, error.dry)]
         found = replace(found, pressure_ratio=largest[1] / largest[0])
         if any(new.at_edge and not old.at_edge for old, new in zip(before, error.dry, strict=True)):
             return replace(found, film=nan, film_ratio=nan)
@@ -163,7 +165,9 @@ def _of_oil(solved: _Solved) -> Iterator[Variation]:
     """Other grades, and other temperatures where the oil's viscosity knows them."""
 
     def with_oil(label: str, change: Callable[[Oil], Oil]) -> Variation:
-        return solved.changed(label, [replace(of, oil=change(of.oil)) for of in solved.contacts])
+        return solved.changed(
+            label, [replace(contact, oil=change(contact.oil)) for contact in solved.contacts]
+        )
 
     yield with_oil("one grade thinner", lambda oil: thickened(oil, 1 / GRADE_STEP))
     yield with_oil("one grade thicker", lambda oil: thickened(oil, GRADE_STEP))
@@ -187,7 +191,7 @@ def _film_change(before: AnyContact, after: AnyContact) -> float:
         return new.film / old.film
     if before.oil.supply is not None or (old.inside_atlas and new.inside_atlas):
         return new.least * new.film / (old.least * old.film)
-    changed, known = (nijenbanning_venner_moes(of.groups).central_number for of in (new, old))
+    changed, known = (nijenbanning_venner_moes(sizes.groups).central_number for sizes in (new, old))
     return changed / known
 
 

@@ -60,18 +60,19 @@ def _differences(variants: Sequence[Findings]) -> Matrix:
     """Values of the cases in which they differ, but for those that solving finds."""
     found = {
         f"{table}.{key}"
-        for of in variants
-        for table, keys in of.case.left_open.items()
+        for variant in variants
+        for table, keys in variant.case.left_open.items()
         for key in keys
     }
     tables = [
-        by_dotted_key(of.case.tables.model_dump(mode="json", exclude=NO_PHYSICS)) for of in variants
+        by_dotted_key(variant.case.tables.model_dump(mode="json", exclude=NO_PHYSICS))
+        for variant in variants
     ]
-    keys = dict.fromkeys(key for of in tables for key in of if key not in found)
+    keys = dict.fromkeys(key for table in tables for key in table if key not in found)
     rows = (
-        (key, tuple(value_shown(of.case.tables, key) for of in variants))
+        (key, tuple(value_shown(variant.case.tables, key) for variant in variants))
         for key in keys
-        if any(of.get(key) != tables[0].get(key) for of in tables)
+        if any(table.get(key) != tables[0].get(key) for table in tables)
     )
     return Matrix(tuple((key, cells) for key, cells in rows if len(set(cells)) > 1))
 
@@ -97,7 +98,7 @@ def _verdicts(variants: Sequence[Findings]) -> Matrix:
         }
         for variant in variants
     ]
-    return _matrix(columns, lambda of: f"{of.value}|{of.words}")
+    return _matrix(columns, lambda verdict: f"{verdict.value}|{verdict.words}")
 
 
 def _figures(variants: Sequence[Findings]) -> Matrix:

@@ -42,9 +42,9 @@ class FlankDeviations:
 
     def taken_off(self, along: Array, radius: Array) -> Array:
         """What the flank is below the highest place of the grid [m]; beyond the grid as at its edge."""
-        at = (
+        coordinates = (
             np.clip(place, side[0], side[-1])
             for place, side in ((along, self.along), (radius, self.radius))
         )
-        taken_off: Array = self._spline.ev(*at)
+        taken_off: Array = self._spline.ev(*coordinates)
         return taken_off

@@ -47,18 +47,24 @@ OF_PROFILES: dict[str, tuple[Profile, ...]] = {
 
 DERIVED: dict[str, tuple[Callable[[Drawing], float], str]] = {
     "profile_shift": (
-        lambda of: of.profile_shift,
+        lambda drawing: drawing.profile_shift,
         "centre_distance, module, diameter_factor and teeth, a / m - (q + z2) / 2",
     ),
-    "worm_reference_diameter": (lambda of: of.reference_diameter, "diameter_factor x module"),
-    "worm_axial_pitch": (lambda of: pi * of.module, "pi x module"),
-    "worm_lead": (lambda of: of.lead, "pi x module x threads"),
-    "worm_lead_angle": (lambda of: of.lead_angle, "tan = threads / diameter_factor"),
-    "worm_base_diameter": (lambda of: 2 * of.base_radius, "the base helix"),
-    "worm_base_lead_angle": (lambda of: of.base_lead_angle, "the base helix"),
-    "wheel_reference_diameter": (lambda of: of.wheel_reference_diameter, "teeth x module"),
+    "worm_reference_diameter": (
+        lambda drawing: drawing.reference_diameter,
+        "diameter_factor x module",
+    ),
+    "worm_axial_pitch": (lambda drawing: pi * drawing.module, "pi x module"),
+    "worm_lead": (lambda drawing: drawing.lead, "pi x module x threads"),
+    "worm_lead_angle": (lambda drawing: drawing.lead_angle, "tan = threads / diameter_factor"),
+    "worm_base_diameter": (lambda drawing: 2 * drawing.base_radius, "the base helix"),
+    "worm_base_lead_angle": (lambda drawing: drawing.base_lead_angle, "the base helix"),
+    "wheel_reference_diameter": (
+        lambda drawing: drawing.wheel_reference_diameter,
+        "teeth x module",
+    ),
     "hob_reference_diameter": (
-        lambda of: of.reference_diameter + of.hob_oversize,
+        lambda drawing: drawing.reference_diameter + drawing.hob_oversize,
         "the worm's reference diameter and hob.oversize",
     ),
 }
@@ -109,11 +115,11 @@ def check_profile(profile: Profile, given: Mapping[str, float | None]) -> None:
     """
     for name, profiles in OF_PROFILES.items():
         if given.get(name) is not None and profile not in profiles:
-            words = " and ".join(f'"{one}"' for one in profiles)
+            words = " and ".join(f'"{profile}"' for profile in profiles)
             raise ValueError(f'{key_of(name)} belongs to profile {words}; profile is "{profile}"')
 
 
-def check_drawing(of: Drawing) -> None:
+def check_drawing(drawing: Drawing) -> None:
     """Refuse a drawing of which no worm gear can be made.
 
     Raises
@@ -121,15 +127,15 @@ def check_drawing(of: Drawing) -> None:
     ValueError
         If there is none.
     """
-    _check_distance(of)
-    _check_worm(of)
-    _check_disc(of)
-    _check_wheel(of)
-    _check_engagement(of)
-    _check_hob(of)
+    _check_distance(drawing)
+    _check_worm(drawing)
+    _check_disc(drawing)
+    _check_wheel(drawing)
+    _check_engagement(drawing)
+    _check_hob(drawing)
 
 
-def check_redundant(of: Drawing, given: Mapping[str, float | None]) -> None:
+def check_redundant(drawing: Drawing, given: Mapping[str, float | None]) -> None:
     """Refuse numbers of a drawing that contradict others.
 
     Raises
@@ -141,7 +147,7 @@ def check_redundant(of: Drawing, given: Mapping[str, float | None]) -> None:
         value = given.get(name)
         if value is None:
             continue
-        right = derive(of)
+        right = derive(drawing)
         allowed, shown = ROUNDING * right, "{:.6g} mm".format
         scale = 1e3
         if name == "profile_shift":
@@ -165,16 +171,18 @@ def _as_radius(name: str, value: float, right: float) -> str:
     return "; is it a radius? a diameter is wanted" if halved else ""
 
 
-def _check_distance(of: Drawing) -> None:
+def _check_distance(drawing: Drawing) -> None:
     """Refuse a centre distance that asks for an impossible profile shift."""
-    if abs(of.profile_shift) <= MOST_SHIFT:
+    if abs(drawing.profile_shift) <= MOST_SHIFT:
         return
-    plain = of.module / 2 * (of.diameter_factor + of.teeth)
-    twice = abs(of.centre_distance / plain - 2) < 0.1
-    fitting = f"; a module of {_mm(of.module * of.centre_distance / plain)} would need none"
+    plain = drawing.module / 2 * (drawing.diameter_factor + drawing.teeth)
+    twice = abs(drawing.centre_distance / plain - 2) < 0.1
+    fitting = (
+        f"; a module of {_mm(drawing.module * drawing.centre_distance / plain)} would need none"
+    )
     raise ValueError(
-        f"centre_distance is {_mm(of.centre_distance)}, which asks for a profile shift of "
-        f"{of.profile_shift:.3g}; module, diameter_factor and teeth make {_mm(plain)}, and shifts "
+        f"centre_distance is {_mm(drawing.centre_distance)}, which asks for a profile shift of "
+        f"{drawing.profile_shift:.3g}; module, diameter_factor and teeth make {_mm(plain)}, and shifts "
         f"of up to one module are usual{'; is it twice the distance?' if twice else fitting}"
     )
 
@@ -192,45 +200,45 @@ def _check_between(name: str, value: float, low: float, high: float, why: str) -
     )
 
 
-def _check_worm(of: Drawing) -> None:
+def _check_worm(drawing: Drawing) -> None:
     """Refuse a worm without addendum or dedendum, or without threads."""
-    reference, module = of.reference_diameter, of.module
+    reference, module = drawing.reference_diameter, drawing.module
     _check_between(
         "worm_tip_diameter",
-        of.worm_tip_diameter,
+        drawing.worm_tip_diameter,
         reference,
         reference + 4 * module,
         "above the reference diameter by twice the addendum, as a rule one module",
     )
     _check_between(
         "worm_root_diameter",
-        of.worm_root_diameter,
+        drawing.worm_root_diameter,
         reference - 4 * module,
         reference,
         "below the reference diameter by twice the dedendum, as a rule 1.2 modules",
     )
     pitch = pi * module
-    if not 0.2 * pitch < of.worm_thickness < 0.8 * pitch:
+    if not 0.2 * pitch < drawing.worm_thickness < 0.8 * pitch:
         raise ValueError(
-            f"worm.thickness is {_mm(of.worm_thickness)}; the thread's axial thickness is about half "
+            f"worm.thickness is {_mm(drawing.worm_thickness)}; the thread's axial thickness is about half "
             f"the axial pitch, {_mm(pitch / 2)}"
         )
 
 
-def _check_disc(of: Drawing) -> None:
+def _check_disc(drawing: Drawing) -> None:
     """Refuse a grinding disc that is none, and a disc or an arc that leaves no flank."""
-    diameter, arc = of.worm_disc_diameter, of.worm_arc_radius
-    if diameter is not None and not of.reference_diameter <= diameter <= MOST_DISC:
+    diameter, arc = drawing.worm_disc_diameter, drawing.worm_arc_radius
+    if diameter is not None and not drawing.reference_diameter <= diameter <= MOST_DISC:
         raise ValueError(
             f"worm.disc_diameter is {_mm(diameter)}; grinding discs are larger than the worm, "
-            f"{_mm(of.reference_diameter)}, and up to {_mm(MOST_DISC)}"
+            f"{_mm(drawing.reference_diameter)}, and up to {_mm(MOST_DISC)}"
         )
-    if arc is not None and not 3 * of.module <= arc <= 100 * of.module:
+    if arc is not None and not 3 * drawing.module <= arc <= 100 * drawing.module:
         raise ValueError(
             f"worm.arc_radius is {_mm(arc)}; the arc has 3 to 100 modules, as a rule 5 to "
-            f"7, {_mm(5 * of.module)} to {_mm(7 * of.module)}"
+            f"7, {_mm(5 * drawing.module)} to {_mm(7 * drawing.module)}"
         )
-    for part, make in (("worm", lambda: of.worm), ("hob", lambda: of.hob)):
+    for part, make in (("worm", lambda: drawing.worm), ("hob", lambda: drawing.hob)):
         try:
             make()
         except ValueError as error:
@@ -238,16 +246,16 @@ def _check_disc(of: Drawing) -> None:
             given = [name for name, size in sizes.items() if size is not None]
             raise ValueError(
                 f"{', '.join(given)} and pressure_angle do not fit: for the {part} {error} at its lead angle "
-                f"of {degrees(of.lead_angle):.3g} deg; a larger {', '.join(given)}, pressure_angle or "
+                f"of {degrees(drawing.lead_angle):.3g} deg; a larger {', '.join(given)}, pressure_angle or "
                 "diameter_factor, or fewer threads are needed"
             ) from error
 
 
-def _check_wheel(of: Drawing) -> None:
+def _check_wheel(drawing: Drawing) -> None:
     """Refuse a wheel whose diameters do not follow each other, and a face that no worm spans."""
-    mean = 2 * of.centre_distance - of.reference_diameter
-    module, throat = of.module, of.wheel_throat_diameter
-    groove = of.centre_distance - mean / 2 - module
+    mean = 2 * drawing.centre_distance - drawing.reference_diameter
+    module, throat = drawing.module, drawing.wheel_throat_diameter
+    groove = drawing.centre_distance - mean / 2 - module
     if abs(throat / 2 - groove) < 0.25 * module or abs(throat - groove) < 0.25 * module:
         raise ValueError(
             f"wheel.throat_diameter is {_mm(throat)}; that is the size of the throat's groove "
@@ -262,41 +270,46 @@ def _check_wheel(of: Drawing) -> None:
     )
     _check_between(
         "wheel_root_diameter",
-        of.wheel_root_diameter,
+        drawing.wheel_root_diameter,
         mean - 4 * module,
         mean,
         "below 2 centre_distance - worm.reference_diameter by twice the dedendum, as a rule 1.2 modules",
     )
     _check_between(
         "wheel_outside_diameter",
-        of.wheel_outside_diameter,
+        drawing.wheel_outside_diameter,
         throat * (1 - ROUNDING),
         throat + 4 * module,
         "not below the throat's diameter, as a rule one module above it",
     )
-    widest = of.worm_tip_diameter
-    if not of.module < of.face_width <= widest:
+    widest = drawing.worm_tip_diameter
+    if not drawing.module < drawing.face_width <= widest:
         raise ValueError(
-            f"face_width is {_mm(of.face_width)}; a wheel is narrower than its worm's tip diameter, "
+            f"face_width is {_mm(drawing.face_width)}; a wheel is narrower than its worm's tip diameter, "
             f"{_mm(widest)}, about 2 m (0.5 + sqrt(q + 1)) = "
-            f"{_mm(2 * module * (0.5 + (of.diameter_factor + 1) ** 0.5))}"
+            f"{_mm(2 * module * (0.5 + (drawing.diameter_factor + 1) ** 0.5))}"
         )
-    smallest = of.centre_distance - throat / 2
-    if not 0.5 * smallest <= of.wheel_groove_radius <= 3 * smallest:
+    smallest = drawing.centre_distance - throat / 2
+    if not 0.5 * smallest <= drawing.wheel_groove_radius <= 3 * smallest:
         raise ValueError(
-            f"wheel.groove_radius is {_mm(of.wheel_groove_radius)}; the groove lies about the worm, with "
-            f"centre_distance - throat_diameter / 2 = {_mm(smallest)} as a rule"
+            f"wheel.groove_radius is {_mm(drawing.wheel_groove_radius)}; the groove lies about the worm, "
+            f"with centre_distance - throat_diameter / 2 = {_mm(smallest)} as a rule"
         )
 
 
-def _check_engagement(of: Drawing) -> None:
+def _check_engagement(drawing: Drawing) -> None:
     """Refuse tips that touch roots, and a backlash that is none."""
-    distance = of.centre_distance
+    distance = drawing.centre_distance
     for tip, root, key, other in (
-        (of.worm_tip_diameter, of.wheel_root_diameter, "worm.tip_diameter", "wheel.root_diameter"),
         (
-            of.wheel_throat_diameter,
-            of.worm_root_diameter,
+            drawing.worm_tip_diameter,
+            drawing.wheel_root_diameter,
+            "worm.tip_diameter",
+            "wheel.root_diameter",
+        ),
+        (
+            drawing.wheel_throat_diameter,
+            drawing.worm_root_diameter,
             "wheel.throat_diameter",
             "worm.root_diameter",
         ),
@@ -306,16 +319,16 @@ def _check_engagement(of: Drawing) -> None:
                 f"{key} is {_mm(tip)}; with {other} of {_mm(root)} the tip touches the root, they "
                 f"must make less than twice centre_distance, {_mm(2 * distance)}"
             )
-    if of.backlash >= of.module:
+    if drawing.backlash >= drawing.module:
         raise ValueError(
-            f"backlash is {_mm(of.backlash)}; it must be a small part of module, such as "
-            f"{_mm(0.03 * of.module)}"
+            f"backlash is {_mm(drawing.backlash)}; it must be a small part of module, such as "
+            f"{_mm(0.03 * drawing.module)}"
         )
     for part, height in (
-        ("worm", of.worm_tip_diameter - of.worm_root_diameter),
-        ("wheel", of.wheel_throat_diameter - of.wheel_root_diameter),
+        ("worm", drawing.worm_tip_diameter - drawing.worm_root_diameter),
+        ("wheel", drawing.wheel_throat_diameter - drawing.wheel_root_diameter),
     ):
-        amount, length = (getattr(of, f"{part}_tip_relief{end}") for end in ("", "_length"))
+        amount, length = (getattr(drawing, f"{part}_tip_relief{end}") for end in ("", "_length"))
         if amount > 0 and not 0 < length < height / 2:
             raise ValueError(
                 f"{part}.tip_relief_length is {_mm(length)}; it must lie between 0 and the tooth's "
@@ -323,39 +336,40 @@ def _check_engagement(of: Drawing) -> None:
             )
 
 
-def _check_hob(of: Drawing) -> None:
+def _check_hob(drawing: Drawing) -> None:
     """Refuse a hob smaller than the worm, and one of another kind of number."""
-    largest = LARGEST_OVERSIZE * of.reference_diameter
-    if of.hob_oversize < 0:
+    largest = LARGEST_OVERSIZE * drawing.reference_diameter
+    if drawing.hob_oversize < 0:
         raise ValueError(
-            f"hob.oversize is {_mm(of.hob_oversize)}; a hob smaller than the worm cuts a wheel that "
+            f"hob.oversize is {_mm(drawing.hob_oversize)}; a hob smaller than the worm cuts a wheel that "
             "touches it at both ends of the face, it must be zero or more, as a rule 2 % of "
-            f"worm.reference_diameter, {_mm(0.02 * of.reference_diameter)}"
+            f"worm.reference_diameter, {_mm(0.02 * drawing.reference_diameter)}"
         )
-    least = LEAST_OVERSIZE * of.reference_diameter
-    if of.hob_oversize < least:
+    least = LEAST_OVERSIZE * drawing.reference_diameter
+    if drawing.hob_oversize < least:
         raise ValueError(
-            f"hob.oversize is {_mm(of.hob_oversize)}; a hob as large as the worm leaves a contact along a "
-            f"line, point contacts are computed, for which it must be {_mm(least)} or more, as a rule 2 % of "
-            f"worm.reference_diameter, {_mm(0.02 * of.reference_diameter)}"
+            f"hob.oversize is {_mm(drawing.hob_oversize)}; a hob as large as the worm leaves a contact along "
+            f"a line, point contacts are computed, for which it must be {_mm(least)} or more, as a rule 2 % "
+            f"of worm.reference_diameter, {_mm(0.02 * drawing.reference_diameter)}"
         )
-    if of.hob_oversize > largest:
+    if drawing.hob_oversize > largest:
         raise ValueError(
-            f"hob.oversize is {_mm(of.hob_oversize)}; it is the hob's reference diameter beyond the worm's "
-            f"{_mm(of.reference_diameter)}, at most {_mm(largest)}"
+            f"hob.oversize is {_mm(drawing.hob_oversize)}; it is the hob's reference diameter beyond the "
+            f"worm's {_mm(drawing.reference_diameter)}, at most {_mm(largest)}"
         )
-    usual = of.centre_distance + of.hob_oversize / 2
-    distance = of.hob_centre_distance or usual
-    if abs(distance - usual) > of.module / 2:
+    usual = drawing.centre_distance + drawing.hob_oversize / 2
+    distance = drawing.hob_centre_distance or usual
+    if abs(distance - usual) > drawing.module / 2:
         raise ValueError(
             f"hob.centre_distance is {_mm(distance)}; it is the distance of the hob's "
             f"axis from the wheel's, within half a module of {_mm(usual)}, centre_distance and half of "
             "hob.oversize"
         )
-    tip = of.hob.tip_radius
-    if 2 * tip < of.worm_tip_diameter:
+    tip = drawing.hob.tip_radius
+    if 2 * tip < drawing.worm_tip_diameter:
         raise ValueError(
-            f"hob.centre_distance is {_mm(of.hob.centre_distance)}; with wheel.root_diameter of "
-            f"{_mm(of.wheel_root_diameter)} the hob's tip diameter would be {_mm(2 * tip)}, below that of "
-            f"the worm, {_mm(of.worm_tip_diameter)}, whose tip would touch the root that the hob leaves"
+            f"hob.centre_distance is {_mm(drawing.hob.centre_distance)}; with wheel.root_diameter of "
+            f"{_mm(drawing.wheel_root_diameter)} the hob's tip diameter would be {_mm(2 * tip)}, below that "
+            f"of the worm, {_mm(drawing.worm_tip_diameter)}, whose tip would touch the root that the hob "
+            "leaves"
         )

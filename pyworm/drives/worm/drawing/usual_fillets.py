@@ -21,7 +21,7 @@ ROOM = 0.8
 """Usual radius over that of a full rounding, at most."""
 
 
-def fitting_fillets(of: Drawing) -> tuple[float, float]:
+def fitting_fillets(drawing: Drawing) -> tuple[float, float]:
     """Radii [m] of the worm's fillet and of the rounded edge of the hob's tip.
 
     They are zero where the flanks of a thread meet before its root or its tip, so that nothing fits.
@@ -31,21 +31,23 @@ def fitting_fillets(of: Drawing) -> tuple[float, float]:
     ValueError
         The drawing has no flanks (`Drawing.worm`, `Drawing.hob`).
     """
-    worm, hob, size = of.worm, of.hob, of.reference_diameter / 2
-    thread, cutter = (worm_of(screw, size, (of.centre_distance, 0.0, 0.0)) for screw in (worm, hob))
-    hob_size = size + of.hob_oversize / 2
-    thickness = thread_thickness(thread, hob_size, size, of.worm_thickness) + of.backlash
+    worm, hob, size = drawing.worm, drawing.hob, drawing.reference_diameter / 2
+    thread, cutter = (
+        worm_of(screw, size, (drawing.centre_distance, 0.0, 0.0)) for screw in (worm, hob)
+    )
+    hob_size = size + drawing.hob_oversize / 2
+    thickness = thread_thickness(thread, hob_size, size, drawing.worm_thickness) + drawing.backlash
     thickness *= hob.axial_pitch / worm.axial_pitch
 
     def space(radius: float) -> float:
-        return pi * of.module - thread_thickness(thread, radius, size, of.worm_thickness)
+        return pi * drawing.module - thread_thickness(thread, radius, size, drawing.worm_thickness)
 
     def tip(radius: float) -> float:
         return thread_thickness(cutter, radius, hob_size, thickness)
 
     return (
-        _fitting(of.module, thread, worm.root_radius, worm.tip_radius, space),
-        _fitting(of.module, cutter, hob.tip_radius, hob.root_radius, tip),
+        _fitting(drawing.module, thread, worm.root_radius, worm.tip_radius, space),
+        _fitting(drawing.module, cutter, hob.tip_radius, hob.root_radius, tip),
     )
 
 

@@ -23,57 +23,60 @@ _FILLET = "0.2 modules or what fits, assumed without a source"
 _HOB_FILLET = f"{_FILLET}, from a rounded edge of the hob's tip"
 
 _USUAL: dict[str, tuple[Callable[[Known], float], str]] = {
-    "pressure_angle": (lambda of: pi / 9, "as of most worms"),
+    "pressure_angle": (lambda known: pi / 9, "as of most worms"),
     "worm_tip_diameter": (
-        lambda of: of["module"] * (of["diameter_factor"] + 2),
+        lambda known: known["module"] * (known["diameter_factor"] + 2),
         "an addendum of one module",
     ),
     "worm_root_diameter": (
-        lambda of: of["module"] * (of["diameter_factor"] - 2 - 2 * CLEARANCE),
+        lambda known: known["module"] * (known["diameter_factor"] - 2 - 2 * CLEARANCE),
         "a dedendum of 1.2 modules",
     ),
-    "worm_thickness": (lambda of: pi / 2 * of["module"], "half the axial pitch"),
+    "worm_thickness": (lambda known: pi / 2 * known["module"], "half the axial pitch"),
     "wheel_throat_diameter": (
-        lambda of: _mean_diameter(of) + 2 * of["module"],
+        lambda known: _mean_diameter(known) + 2 * known["module"],
         "one module beyond the worm's reference cylinder",
     ),
     "wheel_outside_diameter": (
-        lambda of: of["wheel_throat_diameter"] + of["module"],
+        lambda known: known["wheel_throat_diameter"] + known["module"],
         "one module more than the throat",
     ),
     "wheel_root_diameter": (
-        lambda of: _mean_diameter(of) - 2 * (1 + CLEARANCE) * of["module"],
+        lambda known: _mean_diameter(known) - 2 * (1 + CLEARANCE) * known["module"],
         "1.2 modules within the worm's reference cylinder",
     ),
     "wheel_groove_radius": (
-        lambda of: of["centre_distance"] - of["wheel_throat_diameter"] / 2,
+        lambda known: known["centre_distance"] - known["wheel_throat_diameter"] / 2,
         "concentric with the worm",
     ),
     "face_width": (
-        lambda of: 2 * of["module"] * (0.5 + sqrt(of["diameter_factor"] + 1)),
+        lambda known: 2 * known["module"] * (0.5 + sqrt(known["diameter_factor"] + 1)),
         "2 m (0.5 + sqrt(q + 1))",
     ),
-    "backlash": (lambda of: 0.03 * of["module"], "0.03 modules, assumed without a source"),
-    "worm_fillet_radius": (lambda of: 0.0, _FILLET),
-    "wheel_fillet_radius": (lambda of: 0.0, _HOB_FILLET),
-    "worm_tip_relief": (lambda of: 0.004 * of["module"], "0.004 modules, assumed without a source"),
-    "worm_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
-    "wheel_tip_relief": (
-        lambda of: 0.004 * of["module"],
+    "backlash": (lambda known: 0.03 * known["module"], "0.03 modules, assumed without a source"),
+    "worm_fillet_radius": (lambda known: 0.0, _FILLET),
+    "wheel_fillet_radius": (lambda known: 0.0, _HOB_FILLET),
+    "worm_tip_relief": (
+        lambda known: 0.004 * known["module"],
         "0.004 modules, assumed without a source",
     ),
-    "wheel_tip_relief_length": (lambda of: 0.25 * of["module"], "a quarter of a module"),
+    "worm_tip_relief_length": (lambda known: 0.25 * known["module"], "a quarter of a module"),
+    "wheel_tip_relief": (
+        lambda known: 0.004 * known["module"],
+        "0.004 modules, assumed without a source",
+    ),
+    "wheel_tip_relief_length": (lambda known: 0.25 * known["module"], "a quarter of a module"),
     "hob_oversize": (
-        lambda of: 0.02 * of["module"] * of["diameter_factor"],
+        lambda known: 0.02 * known["module"] * known["diameter_factor"],
         "2 % of the worm's reference diameter",
     ),
-    "hob_axial_shift": (lambda of: 0.0, "in the middle of the face"),
+    "hob_axial_shift": (lambda known: 0.0, "in the middle of the face"),
 }
 """Number of a drawing -> its usual value from those before it, and that in words; fillets follow from the
 flanks when all else is known."""
 
-_DISC = (lambda of: 0.5, "as of new grinding wheels")
-_ARC = (lambda of: 6 * of["module"], "six modules, of 5 to 7")
+_DISC = (lambda known: 0.5, "as of new grinding wheels")
+_ARC = (lambda known: 6 * known["module"], "six modules, of 5 to 7")
 
 _USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
     "ZK": {"worm_disc_diameter": _DISC},
@@ -83,9 +86,9 @@ _USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
 """Likewise for the profiles with a disc or an arc."""
 
 
-def _mean_diameter(of: Known) -> float:
+def _mean_diameter(known: Known) -> float:
     """Diameter of the wheel at the worm's reference cylinder d_m2 = 2 a - d_m1 [m]."""
-    return 2 * of["centre_distance"] - of["diameter_factor"] * of["module"]
+    return 2 * known["centre_distance"] - known["diameter_factor"] * known["module"]
 
 
 def completed(
@@ -120,12 +123,12 @@ def completed(
     return Drawing(**known, profile=profile), tuple(assumed)
 
 
-def _fitting(of: Drawing) -> tuple[float, float]:
+def _fitting(drawing: Drawing) -> tuple[float, float]:
     """Usual fillets of worm and wheel [m]; of a drawing without flanks, which is refused, by its module."""
     try:
-        return fitting_fillets(of)
+        return fitting_fillets(drawing)
     except ValueError:
-        return USUAL * of.module, USUAL * of.module
+        return USUAL * drawing.module, USUAL * drawing.module
 
 
 def _shown(name: str, value: float) -> str:

@@ -113,13 +113,13 @@ class ContactCurve(ContactPath):
         angle, start = self._begun
         step = STEP * 2 * pi / self.threads
         found = []
-        for way in (-step, step):
+        for angle_step in (-step, step):
             side, here, unknown = [], angle, start
             while abs(here - angle) < FARTHEST * 2 * pi / self.threads:
                 _, slopes, pace = self._residual(unknown[:, None], np.array([here]))
                 rate = -_solved(slopes, pace)[:, 0]
                 side.append((here, unknown, rate))
-                here, guess = here + way, unknown + way * rate
+                here, guess = here + angle_step, unknown + angle_step * rate
                 solved = self._solved_at(guess, here)
                 if solved is None or np.abs(solved - guess).max() > LONGEST:
                     break

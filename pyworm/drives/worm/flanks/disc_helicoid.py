@@ -56,16 +56,19 @@ class Disc:
 
     def profile(self, along: Array) -> tuple[Array, Array, Array, Array]:
         """Radius less the disc's [m], height [m], and normal (s, c), at a way along the profile [m]."""
-        at = sin(self.pressure_angle), cos(self.pressure_angle)
+        direction = sin(self.pressure_angle), cos(self.pressure_angle)
         if self.arc_radius == inf:
-            out, high = along * at[1], -along * at[0]
-            return out, self.width / 2 + high, at[0] + 0 * along, at[1] + 0 * along
+            out, high = along * direction[1], -along * direction[0]
+            return out, self.width / 2 + high, direction[0] + 0 * along, direction[1] + 0 * along
         turn = along / self.arc_radius
         half = np.sin(turn / 2)
         chord, sag = self.arc_radius * np.sin(turn), 2 * self.arc_radius * half * half
-        s = at[0] * np.cos(turn) + at[1] * np.sin(turn)
-        c = at[1] * np.cos(turn) - at[0] * np.sin(turn)
-        out, high = chord * at[1] - sag * at[0], -chord * at[0] - sag * at[1]
+        s = direction[0] * np.cos(turn) + direction[1] * np.sin(turn)
+        c = direction[1] * np.cos(turn) - direction[0] * np.sin(turn)
+        out, high = (
+            chord * direction[1] - sag * direction[0],
+            -chord * direction[0] - sag * direction[1],
+        )
         return out, self.width / 2 + high, s, c
 
 
@@ -154,14 +157,14 @@ class DiscHelicoid(ScrewGenerator):
             It does not reach the end.
         """
         span = self.end_radius - self.inner_radius
-        way = np.arange(0, 8 * SAMPLES) * span / SAMPLES
+        distances = np.arange(0, 8 * SAMPLES) * span / SAMPLES
         lowest = self.inner_radius - EDGE_SEEN * span
         sides = []
-        for along in (-way, way):
+        for along in (-distances, distances):
             with np.errstate(invalid="ignore"):
                 (x, y, _), _ = self.ground(along)
             exists = np.isfinite(x * x + y * y)
-            count = len(way) if exists.all() else int(np.argmin(exists))
+            count = len(distances) if exists.all() else int(np.argmin(exists))
             radius, slope = self._radius(along[:count])
             falls = slope < 0
             sides.append((along, radius, count if falls.all() else int(np.argmin(falls))))
@@ -175,7 +178,7 @@ class DiscHelicoid(ScrewGenerator):
                 raise self._no_flank
             edge = float(
                 scipy.optimize.brentq(
-                    lambda at: float(self._radius(np.array([at]))[1][0]),
+                    lambda distance: float(self._radius(np.array([distance]))[1][0]),
                     inwards[inner - 1],
                     inwards[inner],
                     xtol=1e-15,
@@ -188,8 +191,8 @@ class DiscHelicoid(ScrewGenerator):
     @cached_property
     def edge(self) -> float | None:
         """Radius of the edge of regression [m]; None where it is too far below the inner radius to matter."""
-        way = self._followed[2]
-        return None if way is None else float(self._radius(np.array([way]))[0][0])
+        distance = self._followed[2]
+        return None if distance is None else float(self._radius(np.array([distance]))[0][0])
 
     @property
     def _no_flank(self) -> ValueError:
@@ -233,12 +236,12 @@ class DiscHelicoid(ScrewGenerator):
 
     def curve(self, u: Array | float) -> tuple[Components, Components, Components]:
         """The axial profile over its parameter, and its derivatives."""
-        at = (u - self._middle) / self._half
-        height, slope, bend = 0 * at, 0 * at, 0 * at
+        scaled = (u - self._middle) / self._half
+        height, slope, bend = 0 * scaled, 0 * scaled, 0 * scaled
         for coefficient in self._coefficients:
-            bend = bend * at + slope
-            slope = slope * at + height
-            height = height * at + coefficient
+            bend = bend * scaled + slope
+            slope = slope * scaled + height
+            height = height * scaled + coefficient
         radius, by_u, bent = self._at(u)
         return (
             (radius, 0.0, height),

@@ -102,7 +102,7 @@ class FlankHeight:
 
     @property
     def _start(self) -> list[Array]:
-        return [np.asarray(of) for of in self.start]
+        return [np.asarray(unknown) for unknown in self.start]
 
     @cached_property
     def curvatures(self) -> Array:
@@ -121,7 +121,7 @@ class FlankHeight:
             [self.surface.rates(start, self.origin, self.axes, axis) for axis in self.axes[:2]]
         )
         x, y = SPREAD / np.abs(rates).max() * STENCIL
-        q = [at + a * x + b * y for at, (a, b) in zip(start, rates.T, strict=True)]
+        q = [value + a * x + b * y for value, (a, b) in zip(start, rates.T, strict=True)]
         _, q, _ = self._settled(q, self._line(x, y))
         return np.linalg.solve(_powers(x, y).T, np.array(q).T).T
 

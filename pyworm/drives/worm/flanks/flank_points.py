@@ -34,7 +34,7 @@ class WormPoints(FlankSurface):
         """Height where the step leads, step and the determinant of the ways in the tangent plane."""
         u, turn = q
         on = self.worm.expanded(u, turn, self.angle)
-        ways = [(dot(way, axes[0]), dot(way, axes[1])) for way in (on.by_u, on.by_turn)]
+        ways = [(dot(tangent, axes[0]), dot(tangent, axes[1])) for tangent in (on.by_u, on.by_turn)]
         off = [dot(on.point, axis) - dot(line, axis) for axis in axes]
         step, determinant = _solved_two(ways, off[:2])
         height = off[2] - dot(on.by_u, axes[2]) * step[0] - dot(on.by_turn, axes[2]) * step[1]
@@ -52,7 +52,7 @@ class WormPoints(FlankSurface):
         """Change of q along a direction of the tangent plane."""
         u, turn = q
         on = self.worm.expanded(u, turn, self.angle)
-        ways = [(dot(way, axes[0]), dot(way, axes[1])) for way in (on.by_u, on.by_turn)]
+        ways = [(dot(tangent, axes[0]), dot(tangent, axes[1])) for tangent in (on.by_u, on.by_turn)]
         return _solved_two(ways, [dot(direction, axis) for axis in axes[:2]])[0]
 
     def margin(self, q: list[Array]) -> Array:
@@ -72,13 +72,15 @@ class WheelPoints(FlankSurface):
     def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """Height where the step leads, step and the determinant of the three equations."""
         cut, (ex, ey, ez) = self._cut(q, axes)
-        rows = [[dot(way, axis) for way in cut.ways] for axis in (ex, ey)]
+        rows = [[dot(tangent, axis) for tangent in cut.ways] for axis in (ex, ey)]
         off = [
             dot(cut.point, seen) - dot(line, axis)
             for seen, axis in zip((ex, ey, ez), axes, strict=True)
         ]
         step, determinant = _solved_three([*rows, list(cut.slopes)], [off[0], off[1], cut.miss])
-        height = off[2] - sum(dot(way, ez) * part for way, part in zip(cut.ways, step, strict=True))
+        height = off[2] - sum(
+            dot(tangent, ez) * part for tangent, part in zip(cut.ways, step, strict=True)
+        )
         return height, step, determinant
 
     def normals(self, q: list[Array]) -> tuple[Components, list[Components]]:
@@ -97,7 +99,7 @@ class WheelPoints(FlankSurface):
     ) -> list[Array]:
         """Change of q along a direction of the tangent plane."""
         cut, (ex, ey, _) = self._cut(q, axes)
-        rows = [[dot(way, axis) for way in cut.ways] for axis in (ex, ey)]
+        rows = [[dot(tangent, axis) for tangent in cut.ways] for axis in (ex, ey)]
         ahead = [dot(direction, axis) for axis in axes[:2]]
         return _solved_three([*rows, list(cut.slopes)], [*ahead, np.zeros_like(ahead[0])])[0]
 

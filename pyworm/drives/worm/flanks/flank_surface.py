@@ -8,14 +8,16 @@ from pyworm.drives.worm.flanks.helicoid import Array, Components
 from pyworm.drives.worm.flanks.screw_generator import Vector
 
 
-def dot(one: Vector, other: Vector) -> Array:
+def dot(first: Vector, other: Vector) -> Array:
     """Scalar product of components."""
-    return np.asarray(one[0] * other[0] + one[1] * other[1] + one[2] * other[2])
+    return np.asarray(first[0] * other[0] + first[1] * other[1] + first[2] * other[2])
 
 
-def along(point: Vector, way: Array | float, direction: Vector) -> Components:
+def along(point: Vector, distance: Array | float, direction: Vector) -> Components:
     """Points some way along a direction."""
-    x, y, z = (at + way * part for at, part in zip(point, direction, strict=True))
+    x, y, z = (
+        coordinate + distance * part for coordinate, part in zip(point, direction, strict=True)
+    )
     return x, y, z
 
 

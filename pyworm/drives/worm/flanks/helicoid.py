@@ -64,9 +64,11 @@ class Seated:
     def radius(self, point: Array) -> Array:
         """Distance of points (3, ...) from the screw's axis [m]."""
         point = np.asarray(point)
-        own = np.tensordot(self.axes.T, point, 1)
-        at = self.axes.T @ self.axis_point
-        radius: Array = np.sqrt((own[0] - at[0]) ** 2 + (own[1] - at[1]) ** 2)
+        turned_back = np.tensordot(self.axes.T, point, 1)
+        origin = self.axes.T @ self.axis_point
+        radius: Array = np.sqrt(
+            (turned_back[0] - origin[0]) ** 2 + (turned_back[1] - origin[1]) ** 2
+        )
         return radius
 
     def along_axis(self, point: Array) -> Array:
@@ -179,12 +181,12 @@ class Helicoid(Seated):
         theta, along = np.broadcast_arrays(np.asarray(theta), np.asarray(along))
         x, y = np.cos(theta), np.sin(theta)
         across = along * cos(self.base_lead_angle)
-        own = np.stack(
+        local = np.stack(
             [
                 self.base_radius * x - across * y,
                 self.base_radius * y + across * x,
                 self.screw * (theta - angle) + along * sin(self.base_lead_angle),
             ]
         )
-        at = self.axis_point.reshape((3,) + (1,) * theta.ndim)
-        return at + np.tensordot(self.axes, own, 1)
+        origin = self.axis_point.reshape((3,) + (1,) * theta.ndim)
+        return origin + np.tensordot(self.axes, local, 1)

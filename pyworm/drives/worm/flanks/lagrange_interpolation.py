@@ -53,7 +53,7 @@ def on_mesh(
     smooth = values[-1] == 1
     values = np.where(smooth, values, 0.0)
     coarse = sides[0][chosen[0]], sides[1][chosen[1]]
-    every_second = [np.append(np.arange(0, one.size - 1, 2), one.size - 1) for one in coarse]
+    every_second = [np.append(np.arange(0, nodes.size - 1, 2), nodes.size - 1) for nodes in coarse]
     seen = _interpolated(values[0][np.ix_(*every_second)], coarse, every_second)
     sound = smooth & (np.abs(seen - values[0]) <= FALL * tolerance)
     found = np.ones((len(values), *x.shape))
@@ -74,7 +74,7 @@ def _sides(x: Array, y: Array) -> tuple[Array, Array] | None:
 
 def _interpolated(values: Array, sides: tuple[Array, Array], chosen: list[Array]) -> Array:
     """Values at all nodes from those at the chosen ones of each side."""
-    rows, columns = (_matrix(side, at) for side, at in zip(sides, chosen, strict=True))
+    rows, columns = (_matrix(side, nodes) for side, nodes in zip(sides, chosen, strict=True))
     interpolated: Array = rows @ (values @ columns.T)
     return interpolated
 
@@ -85,8 +85,8 @@ def _matrix(side: Array, chosen: Array) -> Array:
     places = side[chosen][through]
     apart = places[:, :, None] - places[:, None, :]
     away = np.broadcast_to((side[:, None] - places)[:, None, :], apart.shape)
-    own = np.eye(THROUGH, dtype=bool)
-    weights = np.where(own, 1.0, away / np.where(own, 1.0, apart)).prod(axis=-1)
+    same = np.eye(THROUGH, dtype=bool)
+    weights = np.where(same, 1.0, away / np.where(same, 1.0, apart)).prod(axis=-1)
     matrix = np.zeros((side.size, chosen.size))
     np.put_along_axis(matrix, through, weights, axis=1)
     return matrix
@@ -101,6 +101,6 @@ def _through(count: int, chosen: Array) -> Array:
 
 def _reached(marked: Array, shape: tuple[int, ...], chosen: list[Array]) -> Array:
     """Nodes whose polynomial goes through a marked one of the chosen nodes."""
-    for axis, (count, at) in enumerate(zip(shape, chosen, strict=True)):
-        marked = np.asarray(np.take(marked, _through(count, at), axis=axis).any(axis=axis + 1))
+    for axis, (count, nodes) in enumerate(zip(shape, chosen, strict=True)):
+        marked = np.asarray(np.take(marked, _through(count, nodes), axis=axis).any(axis=axis + 1))
     return marked

@@ -95,8 +95,8 @@ def _matched(worm: Helicoid, flank: WheelFlank, theta: Array) -> tuple[Array, Ar
         # the root nearest zero in the form that keeps its digits when hob and worm are nearly alike
         half = (d - c) / (a - np.sqrt(a**2 + c**2 - d**2))
     lag = 2 * np.arctan(half)
-    own = np.tensordot(hob.axes.T, turned(normal, -lag), 1)
-    hob_theta = np.arctan2(own[0], -own[1])
+    hob_normal = np.tensordot(hob.axes.T, turned(normal, -lag), 1)
+    hob_theta = np.arctan2(hob_normal[0], -hob_normal[1])
     planes = (slope, -across_axis(normal), turned(hob.normals(hob_theta)[1], lag))
     reach = (worm.supports(theta)[1], flank.lever + 0 * lag, hob.supports(hob_theta)[1])
     first = planes[1] / np.linalg.norm(planes[1], axis=0)

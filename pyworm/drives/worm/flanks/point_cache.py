@@ -35,7 +35,7 @@ class PointCache:
         there, _ = self._found.get(key, (None, None))
         if there is None or not all(map(np.array_equal, there, points)):
             self._drop(key)
-            self._found[key] = tuple(np.array(of) for of in points), find()
+            self._found[key] = tuple(np.array(unknown) for unknown in points), find()
             self._points += points[0].size
         self._found.move_to_end(key)
         while len(self._found) > 1 and self._points > self._most:
@@ -52,5 +52,5 @@ def _outline(coordinate: Array) -> tuple:
     """What tells most arrays apart: shape, both ends and a value within."""
     ends = coordinate.flat
     return coordinate.shape, *(
-        float(ends[at]) for at in (0, coordinate.size // 3, -1) if coordinate.size
+        float(ends[index]) for index in (0, coordinate.size // 3, -1) if coordinate.size
     )

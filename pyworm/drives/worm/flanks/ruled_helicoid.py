@@ -69,14 +69,14 @@ def straight_normal(
     )
 
 
-def blade_angle(of: RuledHelicoid, lead_angle: float) -> float:
+def blade_angle(flank: RuledHelicoid, lead_angle: float) -> float:
     """Angle of the straight blade of a ZN flank, which `straight_normal` turns into its slope s.
 
     From s = sin(a) cos(g) / sqrt(cos(a)^2 + (sin(a) sin(g))^2) follows
     tan(a) = s / sqrt(cos(g)^2 - (s sin(g))^2).
     """
-    across = cos(lead_angle) ** 2 - (of.slope * sin(lead_angle)) ** 2
-    return atan2(of.slope, sqrt(across))
+    across = cos(lead_angle) ** 2 - (flank.slope * sin(lead_angle)) ** 2
+    return atan2(flank.slope, sqrt(across))
 
 
 def involute(lead: float, lead_angle: float, pressure_angle: float) -> RuledHelicoid:

@@ -76,19 +76,19 @@ class ScrewGenerator(ABC):
         return found
 
 
-def crossed(one: Components, other: Components) -> Components:
+def crossed(first: Components, other: Components) -> Components:
     """Cross product."""
     return (
-        one[1] * other[2] - one[2] * other[1],
-        one[2] * other[0] - one[0] * other[2],
-        one[0] * other[1] - one[1] * other[0],
+        first[1] * other[2] - first[2] * other[1],
+        first[2] * other[0] - first[0] * other[2],
+        first[0] * other[1] - first[1] * other[0],
     )
 
 
 def apart(
-    one: ScrewGenerator, other: ScrewGenerator, reference: float, radii: tuple[float, float]
+    first: ScrewGenerator, other: ScrewGenerator, reference: float, radii: tuple[float, float]
 ) -> float:
     """Largest distance along the axis [m] of two flanks between two radii, laid together at a third [m]."""
     radius = np.append(np.linspace(*radii, 101), reference)
-    height = one.axial_profile(radius) - other.axial_profile(radius)
+    height = first.axial_profile(radius) - other.axial_profile(radius)
     return float(np.abs(height - height[-1]).max())

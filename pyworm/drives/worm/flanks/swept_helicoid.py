@@ -111,9 +111,9 @@ class SweptHelicoid(Seated):
                 tilt * across + upright * z,
             )
 
-        at = seated((x, y, z + self.screw * (turn - angle)))
+        placed = seated((x, y, z + self.screw * (turn - angle)))
         return Expansion(
-            point=(at[0] - self.centre_distance, at[1] + self.axial_shift, at[2]),
+            point=(placed[0] - self.centre_distance, placed[1] + self.axial_shift, placed[2]),
             by_u=seated(along, self.size),
             by_turn=seated(swept),
             normal=seated(normal),

@@ -91,8 +91,8 @@ class SweptWheel:
         x, y, z = cut.point
         radius = np.hypot(x, z)
         # the way by the roll in the wheel's frame turns about its axis, which changes neither
-        radial = [(x * way[0] + z * way[2]) / radius for way in cut.ways]
-        axial = [way[1] for way in cut.ways]
+        radial = [(x * tangent[0] + z * tangent[2]) / radius for tangent in cut.ways]
+        axial = [tangent[1] for tangent in cut.ways]
         size = self.hob.size
         rows = np.broadcast_arrays(radius, y, cut.miss / size)
         slopes = [np.broadcast_arrays(*row, radius)[:-1] for row in (radial, axial)]

@@ -13,7 +13,7 @@ def thread_thickness(flank: WormSurface, radius: float, reference: float, there:
     Below the beginning of the flank it is that at the beginning.
     """
     grown, at_reference = (
-        flank.axial_profile(max(at, flank.start_radius)) for at in (radius, reference)
+        flank.axial_profile(max(r, flank.start_radius)) for r in (radius, reference)
     )
     return there - 2 * (grown - at_reference)
 

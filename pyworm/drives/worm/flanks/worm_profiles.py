@@ -79,7 +79,7 @@ class Thread:
     """Radius of the disc's profile [m]."""
 
 
-def generator_of(profile: Profile, of: Thread) -> ScrewGenerator | None:
+def generator_of(profile: Profile, thread: Thread) -> ScrewGenerator | None:
     """What sweeps the flank of a thread; None of ZI, which has closed forms.
 
     Raises
@@ -87,32 +87,35 @@ def generator_of(profile: Profile, of: Thread) -> ScrewGenerator | None:
     ValueError
         A disc of this size leaves no such flank.
     """
-    thread = of.lead, of.lead_angle, of.pressure_angle
+    screw = thread.lead, thread.lead_angle, thread.pressure_angle
     if profile == "ZI":
         return None
     if profile == "ZA":
-        return straight_axial(*thread)
+        return straight_axial(*screw)
     if profile == "ZN":
-        return _straight_blade(of)
-    low, high = of.root_radius - BELOW_ROOT * of.module, of.tip_radius + ABOVE_TIP * of.module
-    if profile == "ZC2" and of.arc_radius is not None:
-        return axial_arc(*thread, of.reference_radius, of.arc_radius, (low, high))
-    arc = inf if of.arc_radius is None else of.arc_radius
-    if of.disc_diameter is None:
+        return _straight_blade(thread)
+    low, high = (
+        thread.root_radius - BELOW_ROOT * thread.module,
+        thread.tip_radius + ABOVE_TIP * thread.module,
+    )
+    if profile == "ZC2" and thread.arc_radius is not None:
+        return axial_arc(*screw, thread.reference_radius, thread.arc_radius, (low, high))
+    arc = inf if thread.arc_radius is None else thread.arc_radius
+    if thread.disc_diameter is None:
         raise ValueError(f"profile {profile}: the diameter of the grinding disc is missing")
-    disc = Disc(of.disc_diameter / 2, of.space, of.pressure_angle, arc)
-    return DiscHelicoid(disc, of.reference_radius, of.lead / (2 * pi), low, high)
+    disc = Disc(thread.disc_diameter / 2, thread.space, thread.pressure_angle, arc)
+    return DiscHelicoid(disc, thread.reference_radius, thread.lead / (2 * pi), low, high)
 
 
-def _straight_blade(of: Thread) -> ScrewGenerator:
+def _straight_blade(thread: Thread) -> ScrewGenerator:
     """The straight line of a ZN blade."""
-    apex = of.reference_radius - of.space / 2 / tan(of.pressure_angle)
-    return straight_normal(of.lead, of.lead_angle, of.pressure_angle, apex)
+    apex = thread.reference_radius - thread.space / 2 / tan(thread.pressure_angle)
+    return straight_normal(thread.lead, thread.lead_angle, thread.pressure_angle, apex)
 
 
-def _blade_angle(of: Thread) -> float:
+def _blade_angle(thread: Thread) -> float:
     """Normal pressure angle of a ZN flank on the reference cylinder."""
-    return _straight_blade(of).pressure_angle(of.reference_radius)
+    return _straight_blade(thread).pressure_angle(thread.reference_radius)
 
 
 def hob_generator(profile: Profile, hob: Thread, worm: Thread) -> ScrewGenerator | None:

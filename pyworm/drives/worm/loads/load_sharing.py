@@ -139,7 +139,9 @@ def share(
 
     def forces(turn: float) -> Array:
         approaches = levers * (turn + ahead) + lifts
-        return np.array([pair.load(of) for pair, of in zip(pairs, approaches, strict=True)])
+        return np.array(
+            [pair.load(approach) for pair, approach in zip(pairs, approaches, strict=True)]
+        )
 
     touching = np.array([pair.separation for pair in pairs])
     first_touch = -float((ahead + (lifts - touching) / levers).max())

@@ -138,8 +138,10 @@ class WormMesh(WormGears, Lubricated):
         if not isinstance(self.load, Transmission):
             return self.load * self.load_arm * self.mean_teeth_in_contact
         arms = self.arms(np.array([0.5]))
-        own, wheel = (arms.of(shaft, self.friction)[0] for shaft in (self.load.shaft, "wheel"))
-        return self.load.torque * float(wheel / own)
+        shaft_arm, wheel = (
+            arms.of(shaft, self.friction)[0] for shaft in (self.load.shaft, "wheel")
+        )
+        return self.load.torque * float(wheel / shaft_arm)
 
     def mesh_cycle(self, count: int = 21) -> tuple[ToothContact, ...]:
         """Contacts at equal steps of the worm's rotation from where the teeth meet to where they part."""

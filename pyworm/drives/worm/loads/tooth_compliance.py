@@ -252,6 +252,6 @@ def placed_gap(
 def _window(middle: tuple[float, float], sides: list[float], cells: tuple[int, int]) -> list[Array]:
     """Nodes along x and y [m]."""
     return [
-        at + np.linspace(-side, side, count + 1)
-        for at, side, count in zip(middle, sides, cells, strict=True)
+        centre + np.linspace(-side, side, count + 1)
+        for centre, side, count in zip(middle, sides, cells, strict=True)
     ]

@@ -121,14 +121,14 @@ class _Pair:
 
     def _separation(self, phase: float) -> float:
         """Equation 1 [m]."""
-        at = np.array([phase])
-        ahead = self.mesh.cycle.transmission_error(at)[0]
-        lever = self.mesh.arms(at).wheel_normal[0]
+        phases = np.array([phase])
+        ahead = self.mesh.cycle.transmission_error(phases)[0]
+        lever = self.mesh.arms(phases).wheel_normal[0]
         return float(-lever * (self.mesh.shared(phase).turn + ahead))
 
     @staticmethod
-    def _where(of: Callable[[float], float], first: float, last: float) -> float | None:
+    def _where(function: Callable[[float], float], first: float, last: float) -> float | None:
         """Where a function changes its sign; None where it does not."""
-        if of(first) * of(last) >= 0:
+        if function(first) * function(last) >= 0:
             return None
-        return float(scipy.optimize.brentq(of, first, last, xtol=1e-5))
+        return float(scipy.optimize.brentq(function, first, last, xtol=1e-5))

@@ -147,11 +147,11 @@ def bent_shaft(
         ),
     )
     if bent.deflection > LARGEST * gears.module:
-        own = bent.deflection
+        by_shaft = bent.deflection
         if shaft.bearing_stiffness < inf:
             stiff = replace(shaft, bearing_stiffness=inf)
-            own = bent_shaft(stiff, gears, mean, youngs_modulus).deflection
-        raise ValueError(_too_soft(gears, shaft, diameter, (bent.deflection, own)))
+            by_shaft = bent_shaft(stiff, gears, mean, youngs_modulus).deflection
+        raise ValueError(_too_soft(gears, shaft, diameter, (bent.deflection, by_shaft)))
     return bent
 
 
@@ -174,13 +174,13 @@ def _too_soft(
 
     The deflections [m] are that of the mesh and that by the shaft itself.
     """
-    deflection, own = deflections
+    deflection, by_shaft = deflections
     most = f"worms of this module may move {LARGEST * gears.module * 1e3:.2g} mm at most"
     if shaft.bearing_stiffness < inf:
         return (
             f"shaft.bearing_stiffness is {shaft.bearing_stiffness * 1e-6:.3g} N/um, with which the mesh "
-            f"moves {deflection * 1e3:.3g} mm under the load, {own * 1e3:.2g} mm of it by the shaft itself; "
-            f"{most}"
+            f"moves {deflection * 1e3:.3g} mm under the load, {by_shaft * 1e3:.2g} mm of it by the shaft "
+            f"itself; {most}"
         )
     return (
         f"shaft.bearing_span is {shaft.bearing_span * 1e3:.4g} mm and shaft.diameter {diameter * 1e3:.4g} "

@@ -111,8 +111,8 @@ def contact_pattern(gears: WormGears, grid: FlankGrid) -> ContactPattern:
     """The pattern without load of the flank that the worm drives, at places of its wheel."""
     least = np.full(grid.found.shape, np.inf)
     for phase, lag in zip(PHASES, _behind(gears), strict=True):
-        at = met(gears, grid, gears.cycle.contact(float(phase)))
-        least[at.which] = np.minimum(least[at.which], at.gap + lag)
+        points = met(gears, grid, gears.cycle.contact(float(phase)))
+        least[points.which] = np.minimum(least[points.which], points.gap + lag)
     return ContactPattern.of_least(grid, least)
 
 
@@ -141,14 +141,14 @@ def both_flanks(
         Gears with the same wheel, at whose places it is found; None for those of the gears.
     """
     like = gears if like is None else like
-    own = pattern_of(gears, like.flank_grid)
+    driven = pattern_of(gears, like.flank_grid)
     try:
         turned = gears.turned
-        other = own if turned is gears else pattern_of(turned, like.turned.flank_grid)
+        other = driven if turned is gears else pattern_of(turned, like.turned.flank_grid)
     except ValueError:
-        other = replace(own, separation=np.full(own.face.shape, np.nan))
+        other = replace(driven, separation=np.full(driven.face.shape, np.nan))
     parts = (-other.face, other.radius, other.separation)
-    return own, ContactPattern(*(part[:, ::-1] for part in parts))
+    return driven, ContactPattern(*(part[:, ::-1] for part in parts))
 
 
 def _inside(gears: WormGears, point: Array) -> Array:
@@ -166,15 +166,15 @@ def _behind(gears: WormGears) -> Array:
     point, normal = cycle.points(PHASES), cycle.normals(PHASES)
     lever = np.abs(point[0] * normal[2] - point[2] * normal[0])
     late = _first_gaps(gears) / lever
-    own = cycle.transmission_error(PHASES)
-    leading = np.where((PHASES >= 0) & (PHASES <= 1), own - late, -np.inf)
+    error = cycle.transmission_error(PHASES)
+    leading = np.where((PHASES >= 0) & (PHASES <= 1), error - late, -np.inf)
     most = int((PHASES[-1] - PHASES[0]) / pitch) + 1
     for step in range(-most, most + 1):
         phases = PHASES + step * pitch
         on_teeth = (phases >= 0) & (phases <= 1)
         ahead = cycle.transmission_error(np.clip(phases, 0, 1)) - np.interp(phases, PHASES, late)
         leading = np.where(on_teeth, np.maximum(leading, ahead), leading)
-    return np.where(np.isfinite(leading), lever * (leading - own), np.inf)
+    return np.where(np.isfinite(leading), lever * (leading - error), np.inf)
 
 
 def _first_gaps(gears: WormGears) -> Array:
@@ -184,7 +184,9 @@ def _first_gaps(gears: WormGears) -> Array:
     touch at an edge before.
     """
     if gears.edge_contact is not None:
-        touches = [gears.first_touch(gears.cycle.contact(float(of))) for of in PHASES[::STRIDE]]
+        touches = [
+            gears.first_touch(gears.cycle.contact(float(phase))) for phase in PHASES[::STRIDE]
+        ]
         gaps = [FAR if touch is None else touch.gap for touch in touches]
         return np.interp(PHASES, PHASES[::STRIDE], gaps)
     if not gears.deviating:
@@ -196,8 +198,8 @@ def _first_gaps(gears: WormGears) -> Array:
         place = 0.0, 0.0
         for part in (1.0, 2 / FINER):
             x, y = (
-                at + part * side * np.linspace(-1, 1, FINER)
-                for at, side in zip(place, sides, strict=True)
+                coordinate + part * side * np.linspace(-1, 1, FINER)
+                for coordinate, side in zip(place, sides, strict=True)
             )
             opening, covered = gap(*np.meshgrid(x, y, indexing="ij"))
             opening = np.where(covered, opening, np.inf)

@@ -93,9 +93,9 @@ def found_setting(mesh: MeshT, wanted: dict[str, float]) -> Setting[MeshT]:
         `face` [m], `size` [-], or both, as in `Mark`.
     """
 
-    def misses(of: Setting[MeshT]) -> Array:
+    def misses(setting: Setting[MeshT]) -> Array:
         return np.array(
-            [(getattr(of.mark, name) - to) / TOLERANCES[name] for name, to in wanted.items()]
+            [(getattr(setting.mark, name) - to) / TOLERANCES[name] for name, to in wanted.items()]
         )
 
     now = Setting.of(mesh)
@@ -115,7 +115,9 @@ def _newton_step(now: Setting[MeshT], misses: Misses[MeshT]) -> Change:
     columns = []
     for entry in USUAL_CHANGES:
         aside = ((step, _changed(now, {entry: step})) for step in (DIFFERENCE, -DIFFERENCE))
-        step, beside = next(((s, one) for s, one in aside if one is not None), (1.0, now))
+        step, beside = next(
+            ((s, candidate) for s, candidate in aside if candidate is not None), (1.0, now)
+        )
         columns.append((misses(beside) - missed) / step)
     change = -np.linalg.lstsq(np.array(columns).T, missed, rcond=None)[0]
     change /= max(1.0, np.abs(change).max())

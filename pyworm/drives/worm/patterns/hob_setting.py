@@ -22,7 +22,7 @@ LEAST_CONCAVE_SHIFT = 0.4
 
 
 @lru_cache(maxsize=4)
-def with_swivel(of: Drawing) -> tuple[Drawing, str]:
+def with_swivel(drawing: Drawing) -> tuple[Drawing, str]:
     """A drawing with the first swivel by which the worm does not cut into the wheel, and that in words.
 
     Raises
@@ -33,30 +33,34 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
     refusal: ValueError | None = None
     depth: float | None = None
     for fraction in FRACTIONS:
-        swivel = fraction * of.normal_swivel
-        tried = replace(of, hob_swivel=swivel)
+        swivel = fraction * drawing.normal_swivel
+        tried = replace(drawing, hob_swivel=swivel)
         try:
             found = drawn_gears(tried).interference
         except ValueError as error:
             refusal = refusal or error
             continue
         if found is None:
-            at = "the difference of the lead angles of worm and hob"
+            angle = "the difference of the lead angles of worm and hob"
             part = "" if fraction == 1.0 else f"{fraction:g} of "
             why = "" if fraction == 1.0 else ", with all of which the worm would cut into the wheel"
-            return tried, f"hob.swivel = {degrees(swivel):.4g} deg, {part}{at}{why}"
+            return tried, f"hob.swivel = {degrees(swivel):.4g} deg, {part}{angle}{why}"
         depth = found.depth if depth is None else min(depth, found.depth)
     if depth is None:
         # any other refusal is of a size of the drawing
         of_hob = isinstance(refusal, HobError)
-        if of_hob and of.profile in CONCAVE_PROFILES and of.profile_shift < LEAST_CONCAVE_SHIFT:
+        if (
+            of_hob
+            and drawing.profile in CONCAVE_PROFILES
+            and drawing.profile_shift < LEAST_CONCAVE_SHIFT
+        ):
             raise ValueError(
-                f"profile_shift is {of.profile_shift:.3g}, with which a concave worm and its wheel interfere "
-                f'or do not touch; profile "{of.profile}" has 0.5 to 1 as a rule, so that the pitch line is '
-                "near the worm's tip; another centre_distance or number of teeth gives it"
+                f"profile_shift is {drawing.profile_shift:.3g}, with which a concave worm and its wheel "
+                f'interfere or do not touch; profile "{drawing.profile}" has 0.5 to 1 as a rule, so that '
+                "the pitch line is near the worm's tip; another centre_distance or number of teeth gives it"
             )
         raise refusal or ValueError("hob.swivel is not given, and none fits")
-    last, first = (degrees(fraction * of.normal_swivel) for fraction in (FRACTIONS[-1], 1.0))
+    last, first = (degrees(fraction * drawing.normal_swivel) for fraction in (FRACTIONS[-1], 1.0))
     raise ValueError(
         f"hob.swivel is not given, and none from {last:.4g} to {first:.4g} deg fits: the worm would cut "
         f"{depth * 1e6:.1f} um or more into the wheel; a larger hob.oversize or a smaller face_width is "
@@ -64,7 +68,7 @@ def with_swivel(of: Drawing) -> tuple[Drawing, str]:
     )
 
 
-def drawn_gears(of: Drawing, assembly: Assembly = AS_DESIGNED) -> WormGears:
+def drawn_gears(drawing: Drawing, assembly: Assembly = AS_DESIGNED) -> WormGears:
     """Worm and wheel of a drawing, as cut and assembled.
 
     Raises
@@ -73,10 +77,10 @@ def drawn_gears(of: Drawing, assembly: Assembly = AS_DESIGNED) -> WormGears:
         If they do not mesh.
     """
     gears = WormGears(
-        worm=of.worm,
-        wheel=of.wheel,
-        hob=of.hob,
-        centre_distance=of.centre_distance,
+        worm=drawing.worm,
+        wheel=drawing.wheel,
+        hob=drawing.hob,
+        centre_distance=drawing.centre_distance,
         assembly=assembly,
     )
     check_gears(gears)

@@ -35,13 +35,13 @@ def loaded_pattern(mesh: WormMesh, grid: FlankGrid) -> ContactPattern:
     least = np.full(grid.found.shape, np.inf)
     for phase in PHASES:
         contact, shared = mesh.cycle.contact(float(phase)), mesh.shared(float(phase))
-        at = met(mesh, grid, contact)
-        nearer = _nearer(mesh, contact, shared, at)
-        least[at.which] = np.minimum(least[at.which], at.gap - nearer)
+        points = met(mesh, grid, contact)
+        nearer = _nearer(mesh, contact, shared, points)
+        least[points.which] = np.minimum(least[points.which], points.gap - nearer)
     return ContactPattern.of_least(grid, least)
 
 
-def _nearer(mesh: WormMesh, contact: ToothContact, shared: SharedLoad, at: Met) -> Array:
+def _nearer(mesh: WormMesh, contact: ToothContact, shared: SharedLoad, points: Met) -> Array:
     """How much nearer the flanks are at places than without load [m]; -inf where they do not approach."""
     load, modulus = shared.force(contact.phase), reduced_modulus(*mesh.bodies)
     if load > 0:
@@ -50,14 +50,14 @@ def _nearer(mesh: WormMesh, contact: ToothContact, shared: SharedLoad, at: Met) 
         middle = mesh.touching_place(contact)
         placed = placed_gap(mesh.gap(contact), radii, whole, modulus, face, CELLS, middle)
         if placed is None:  # no tooth there to carry it
-            return np.full(at.x.shape, -np.inf)
+            return np.full(points.x.shape, -np.inf)
         dry = placed.pressed(load, modulus, placed.covered.astype(float))
-        return dry.approach - deflection(placed, dry.pressure, modulus, at.x, at.y)
+        return dry.approach - deflection(placed, dry.pressure, modulus, points.x, points.y)
     if shared.turn == 0:
-        return np.full(at.x.shape, -np.inf)
+        return np.full(points.x.shape, -np.inf)
     ahead = mesh.cycle.transmission_error(np.array([contact.phase]))[0]
     lever = mesh.arms(np.array([contact.phase])).wheel_normal[0]
-    return np.full(at.x.shape, lever * (shared.turn + ahead))
+    return np.full(points.x.shape, lever * (shared.turn + ahead))
 
 
 def deflection(placed: PlacedGap, pressure: Array, modulus: float, x: Array, y: Array) -> Array:

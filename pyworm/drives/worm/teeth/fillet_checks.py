@@ -74,8 +74,8 @@ def _closed(name: str, radius: float) -> str:
 
 def _hob_thickness(gears: WormGears, radius: float) -> float:
     """Axial thickness of the hob's thread on a cylinder [m]: the worm's and the backlash that it cuts."""
-    flank, (own, reference) = gears.wheel_flank.hob, gears.reference_radii
-    there = worm_thickness(gears, own) + (gears.wheel.backlash or 0.0)
+    flank, (worm_radius, reference) = gears.wheel_flank.hob, gears.reference_radii
+    there = worm_thickness(gears, worm_radius) + (gears.wheel.backlash or 0.0)
     there *= gears.hob.axial_pitch / gears.worm.axial_pitch
     return thread_thickness(flank, radius, reference, there)
 

@@ -336,8 +336,8 @@ class WormGears:
             raise ValueError(
                 f"assembly: with {self.errors_in_words} worm and wheel do not reach each other"
             )
-        at = np.asarray(touch.x), np.asarray(touch.y)
-        point = surface_points(contact, *at, contact.wheel_height.solve(*at)[0])
+        position = np.asarray(touch.x), np.asarray(touch.y)
+        point = surface_points(contact, *position, contact.wheel_height.solve(*position)[0])
         margins = {**self.worm_tooth.margins(point), **self.wheel_tooth.margins(point)}
         return EdgeContact(
             phase=phase,

@@ -39,5 +39,5 @@ def deepest(touch_at: Callable[[float], FirstTouch | None]) -> Interference | No
         for phase, touch in ((phase, touch_at(phase)) for phase in PHASES)
         if touch is not None
     ]
-    worst = max(found, key=lambda one: one.depth, default=None)
+    worst = max(found, key=lambda overlap: overlap.depth, default=None)
     return worst if worst is not None and worst.depth > TOLERATED else None

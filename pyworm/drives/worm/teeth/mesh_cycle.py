@@ -93,9 +93,9 @@ class MeshCycle:
         Their velocities along the common normal are the same. The ratio of an involute worm is that of its
         base travel to the wheel's lever, at all phases.
         """
-        at = self._touches(phases)
-        on_worm = np.sum(at.normal * at.travel, axis=0)
-        speed_ratios: Array = on_worm / np.sum(-across_axis(at.point) * at.normal, axis=0)
+        touches = self._touches(phases)
+        on_worm = np.sum(touches.normal * touches.travel, axis=0)
+        speed_ratios: Array = on_worm / np.sum(-across_axis(touches.point) * touches.normal, axis=0)
         return speed_ratios
 
     @cached_property
@@ -106,8 +106,8 @@ class MeshCycle:
 
     def angles(self, place: float) -> tuple[float, float]:
         """Worm and wheel angle [rad] when the contact is at a place of the path."""
-        at = self.path.touches(np.array([place]))
-        return float(at.worm_angle[0]), float(at.wheel_angle[0])
+        touches = self.path.touches(np.array([place]))
+        return float(touches.worm_angle[0]), float(touches.wheel_angle[0])
 
     def _touches(self, phases: Array) -> Touches:
         return self.path.touches(self.begin + np.asarray(phases) * (self.end - self.begin))
@@ -124,9 +124,9 @@ class MeshCycle:
         """Wheel angle ahead of the ideal if the pair at a phase leads [rad], zero at phase 0.5; (phases,)."""
         return self._ahead(self._touches(phases)) - self._ahead_in_middle
 
-    def _ahead(self, at: Touches) -> Array:
+    def _ahead(self, touches: Touches) -> Array:
         """Wheel angle ahead of threads / teeth times the worm's [rad], (phases,)."""
-        return at.wheel_angle - self.ratio * at.worm_angle
+        return touches.wheel_angle - self.ratio * touches.worm_angle
 
     @property
     def absolute_error(self) -> float:
@@ -136,8 +136,8 @@ class MeshCycle:
     @property
     def lever(self) -> float:
         """Lever of the common normal about the wheel's axis at phase 0.5 [m]."""
-        at = self._touches(np.array([0.5]))
-        return float(np.sum(across_axis(at.point) * at.normal, axis=0)[0])
+        touches = self._touches(np.array([0.5]))
+        return float(np.sum(across_axis(touches.point) * touches.normal, axis=0)[0])
 
     @cached_property
     def _ahead_in_middle(self) -> float:
@@ -154,11 +154,11 @@ class MeshCycle:
             Worm speed [rad/s].
         """
         seen = isinstance(self.path, SeenPath)
-        at = self._touches(np.array([phase]))
-        point, normal = at.point[:, 0], at.normal[:, 0]
+        touches = self._touches(np.array([phase]))
+        point, normal = touches.point[:, 0], touches.normal[:, 0]
         flanks = (
-            (self.path.worm_surface(float(at.worm_angle[0])), at.worm_start),
-            (self.path.wheel_surface(float(at.wheel_angle[0])), at.wheel_start),
+            (self.path.worm_surface(float(touches.worm_angle[0])), touches.worm_start),
+            (self.path.wheel_surface(float(touches.wheel_angle[0])), touches.wheel_start),
         )
 
         def heights(axes: Array) -> list[FlankHeight]:
@@ -180,15 +180,15 @@ class MeshCycle:
         radii = (np.inf if flat else float(1 / curvatures[0])), float(1 / curvatures[1])
         return ToothContact(
             phase=phase,
-            worm_angle=float(at.worm_angle[0]),
-            wheel_angle=float(at.wheel_angle[0]),
-            transmission_error=float(self._ahead(at)[0]) - self._ahead_in_middle,
+            worm_angle=float(touches.worm_angle[0]),
+            wheel_angle=float(touches.wheel_angle[0]),
+            transmission_error=float(self._ahead(touches)[0]) - self._ahead_in_middle,
             point=point,
             normal=normal,
             x_axis=x_axis,
             y_axis=y_axis,
             radii=radii,
-            velocity=at.travel[:, 0] * speed,
+            velocity=touches.travel[:, 0] * speed,
             worm_height=worm_height,
             wheel_height=wheel_height,
         )

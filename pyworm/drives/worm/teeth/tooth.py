@@ -141,8 +141,8 @@ class WheelTooth:
         along = np.linspace(-half, half, count + 1)
         part = np.linspace(0.0, 1.0, count + 1)
 
-        def end(at: float) -> Array:
-            end: Array = self.root(at) + part * (self.tip(at) - self.root(at))
+        def end(place: float) -> Array:
+            end: Array = self.root(place) + part * (self.tip(place) - self.root(place))
             return end
 
         radius = [self.tip(along)[:-1], end(half)[:0:-1], self.root(along)[:0:-1], end(-half)]

@@ -14,18 +14,18 @@ from pyworm.report.table import Table
 FILM = QUANTITIES["film_min"]
 
 _ROWS: tuple[tuple[str, Callable[["xr.Dataset"], Any], str], ...] = (
-    ("Wheel angle / deg", lambda at: np.degrees(at["wheel_angle"]), ".1f"),
-    ("Load per length / kN/m", lambda at: at["load_per_length"] / 1e3, ".1f"),
-    ("Relative radius / mm", lambda at: at["contact_radius"] * 1e3, ".3f"),
-    ("Worm across the line / m/s", lambda at: at["worm_velocity"], ".3f"),
-    ("Roller across the line / m/s", lambda at: at["roller_velocity"], ".3f"),
-    ("Sliding along the line / m/s", lambda at: at["sliding_along"], ".3f"),
-    ("Spin / rad/s", lambda at: at["relative_spin"], ".1f"),
-    ("Roller about its axis / rpm", lambda at: at["roller_speed"] * RPM, ".0f"),
-    (FILM.axis(FILM.title()), lambda at: FILM.number(at["formula_film_min"]), ".3f"),
-    ("  by the source's formula", lambda at: FILM.number(at["printed_film_min"]), ".3f"),
-    ("  left by heat, share", lambda at: at["heated_share"], ".2f"),
-    (QUANTITIES["specific_film"].title(), lambda at: at["specific_film"], ".2f"),
+    ("Wheel angle / deg", lambda place: np.degrees(place["wheel_angle"]), ".1f"),
+    ("Load per length / kN/m", lambda place: place["load_per_length"] / 1e3, ".1f"),
+    ("Relative radius / mm", lambda place: place["contact_radius"] * 1e3, ".3f"),
+    ("Worm across the line / m/s", lambda place: place["worm_velocity"], ".3f"),
+    ("Roller across the line / m/s", lambda place: place["roller_velocity"], ".3f"),
+    ("Sliding along the line / m/s", lambda place: place["sliding_along"], ".3f"),
+    ("Spin / rad/s", lambda place: place["relative_spin"], ".1f"),
+    ("Roller about its axis / rpm", lambda place: place["roller_speed"] * RPM, ".0f"),
+    (FILM.axis(FILM.title()), lambda place: FILM.number(place["formula_film_min"]), ".3f"),
+    ("  by the source's formula", lambda place: FILM.number(place["printed_film_min"]), ".3f"),
+    ("  left by heat, share", lambda place: place["heated_share"], ".2f"),
+    (QUANTITIES["specific_film"].title(), lambda place: place["specific_film"], ".2f"),
 )
 """Label, number at the middle of a contact line, its format."""
 
@@ -40,22 +40,24 @@ def ends_table(cycle: "xr.Dataset") -> Table:
     ]
     rows: list[tuple[str, ...]] = []
     for label, value, style in _ROWS:
-        numbers = [float(value(at)) for at in places]
+        numbers = [float(value(place)) for place in places]
         if np.isfinite(numbers).any():
             shown = ("" if np.isnan(number) else f"{number:{style}}" for number in numbers)
             rows.append((label, *shown))
-    specific = [float(at["specific_film"]) for at in places]
+    specific = [float(place["specific_film"]) for place in places]
     if np.isfinite(specific).any():
-        rows.append(("Lubrication", *("" if np.isnan(of) else regime(of) for of in specific)))
-    rows.append(("Regime", *(_regime(cycle, at) for at in places)))
+        rows.append(
+            ("Lubrication", *("" if np.isnan(ratio) else regime(ratio) for ratio in specific))
+        )
+    rows.append(("Regime", *(_regime(cycle, place) for place in places)))
     ends = (f"{section}\n{end}" for section in cycle["section"].values for end in ("entry", "exit"))
     head = ("In the middle of\nthe contact line", *ends)
     return Table(head, tuple(rows), "Entry and exit by closed forms")
 
 
-def _regime(cycle: "xr.Dataset", at: "xr.Dataset") -> str:
-    number = float(at["regime_number"])
-    if np.isnan(number) or np.isnan(float(at["formula_film_min"])):
+def _regime(cycle: "xr.Dataset", place: "xr.Dataset") -> str:
+    number = float(place["regime_number"])
+    if np.isnan(number) or np.isnan(float(place["formula_film_min"])):
         return ""
     viscous, elastic = str(cycle["regime"].values[int(number)]).split("-")
     return f"{elastic},\n{viscous.removesuffix('viscous')}-\nviscous"

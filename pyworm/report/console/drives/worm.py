@@ -27,8 +27,8 @@ def sensitivity_table(cycle: "xr.Dataset") -> Table:
             if side == 1 and number > 0:
                 continue
             label = f"{_ERRORS[error]} {sign}{shown}" if sign else "as it is"
-            at = cycle.isel(error=number, side=side)
-            values = [float(at[f"varied_{name}"]) * scale for _, name, scale, _ in columns]
+            varied = cycle.isel(error=number, side=side)
+            values = [float(varied[f"varied_{name}"]) * scale for _, name, scale, _ in columns]
             known = np.isfinite(values[0])
             cells = [
                 f"{value:{style}}" if np.isfinite(value) else NO_FORMULA
