@@ -17,7 +17,7 @@ from pyworm.planning.target import FILMS
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import LostError, march
+from pyworm.solver.transient.march import NoFilmError, march
 from pyworm.solver.transient.moments import until
 from pyworm.solver.transient.transient import WARM_UP, Rates, part_at, transient
 
@@ -41,8 +41,8 @@ def found(scenes: Sequence[Scene | LineScene], plan: Plan, solves: int) -> dict[
         earlier = max(0.0, part.begin - WARM_UP[plan.work.kind])
         begins = [part.begin] * (solves - 1) + [earlier]
         solved = [march(course, number, begin, wanted) for number, begin in enumerate(begins)]
-        for lost in filter(None, (one.lost for one in solved)):
-            raise LostError(lost)
+        for diverged in filter(None, (one.diverged for one in solved)):
+            raise NoFilmError(diverged)
         for scene in some:
             at = scene.past.seconds
             rates[scene.name] = Rates(

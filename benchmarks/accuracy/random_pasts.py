@@ -21,7 +21,7 @@ from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.transient.march import LostError
+from pyworm.solver.transient.march import NoFilmError
 
 COUNT = 20
 """Pasts of a seed."""
@@ -73,8 +73,8 @@ def main(numbers: Sequence[int], seed: int) -> None:
         plan = pyworm.plan(scene, ACCURACY, "isothermal,squeeze", ("film",))
         try:
             rates = found([scene], plan, 3)[scene.name]
-        except (LostError, ValueError) as lost:
-            print(f"{scene.name:>24} {lost}", flush=True)
+        except (NoFilmError, ValueError) as diverged:
+            print(f"{scene.name:>24} {diverged}", flush=True)
             continue
         tally.show(scene, plan, rates)
     tally.end()

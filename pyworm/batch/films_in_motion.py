@@ -27,7 +27,7 @@ from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.lifts import Lift, moving_lifts, steady_lift
-from pyworm.solver.transient.march import LostError, RateOfChange, march
+from pyworm.solver.transient.march import NoFilmError, RateOfChange, march
 from pyworm.solver.transient.moments import Moment, as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, present_in_life, recent
 
@@ -67,9 +67,9 @@ class LifePart:
         times, last = sorted(wanted.values()), course.instant(part.last)
         try:
             found = march(course, self.refinement, part.begin, times, last)
-            rates, flaw, moments = found.rates, found.lost, found.moments
-        except LostError as lost:
-            rates, flaw, moments = {}, str(lost), ()
+            rates, flaw, moments = found.rates, found.failure, found.moments
+        except NoFilmError as error:
+            rates, flaw, moments = {}, str(error), ()
         # each task keeps the stretch of the life since the one before it, and together they keep all of it
         first = course.instant(part.first) if part.first > 0 else -inf
         since = dict(zip(times, (first, *times[:-1]), strict=True))

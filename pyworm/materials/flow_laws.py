@@ -242,13 +242,13 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
             return self.limit > 0 or self.limit_pressure > 0
         return self.law in ("bair-winer", "eyring-limited")
 
-    def firmer(self, times: float) -> "FlowLaw":
+    def with_stress_factor(self, stress_factor: float) -> "FlowLaw":
         """The law with all its stresses multiplied by a factor, for stress continuation."""
         return replace(
             self,
-            stress=times * self.stress,
-            limit=times * self.limit,
-            limit_pressure=times * self.limit_pressure,
+            stress=stress_factor * self.stress,
+            limit=stress_factor * self.limit,
+            limit_pressure=stress_factor * self.limit_pressure,
         )
 
 

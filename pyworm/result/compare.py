@@ -39,8 +39,8 @@ class Comparison(Shown):
         ratios = self.ratios
         rows = {}
         for name, (first, second) in self.figures.items():
-            lost = self.kind == "line" and name == "power_loss"
-            quantity = QUANTITIES["power_loss_per_length" if lost else name]
+            per_length = self.kind == "line" and name == "power_loss"
+            quantity = QUANTITIES["power_loss_per_length" if per_length else name]
             ratio = ratios[name] if name in ratios else "-"
             rows[name] = (
                 f"{in_words(first, quantity)} | {in_words(second, quantity)} | times {ratio}"

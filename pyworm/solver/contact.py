@@ -40,15 +40,15 @@ from pyworm.solver.roughness_uncertainty import neglected_waves, roughness_uncer
 COARSE_TOLERANCE = 1e-4
 """Residual at which a grid outside the figures is refined, and at which a Newtonian film is sheared."""
 
-FIRMEST = 16.0
+MAX_STRESS_FACTOR = 16.0
 """First factor of the stress continuation: stresses of the flow law over those of the oil."""
 
-SOFTENING, LEAST_SOFTENING, LEAST_SOFTENING_OF_HEATED = 2.0, 1.05, 1.0005
+STRESS_RATIO, MIN_STRESS_RATIO, MIN_STRESS_RATIO_HEATED = 2.0, 1.05, 1.0005
 """First and least ratio of successive stresses in the continuation; its root is taken if a film is lost.
 
 A heated film bears smaller stresses than the cold one from which it began."""
 
-SOFTENING_GROWTH = 1.2
+STRESS_RATIO_GROWTH = 1.2
 """Power to which the ratio is raised after a film that was found."""
 
 SLIP_WIDENING = 0.2
@@ -59,7 +59,7 @@ changes the flow e-fold. With the step of the law itself, a thousandth, gradient
 hundreds of films. Under larger stresses the step is wider, and narrows to that of the law as they fall, like
 the barrier of an interior-point method (Nocedal and Wright 2006, chapter 19)."""
 
-FIRMED_AGAIN = (2.0, 8.0)
+LARGER_STRESS_FACTORS = (2.0, 8.0)
 """Factors of the stresses from which a heated film that does not settle is softened once more, in order."""
 
 ROUGHENED_TOLERANCE = 1e-2
@@ -72,7 +72,7 @@ CONTINUATION_STEPS = 12
 HEATED_TOLERANCE = 1e-2
 """Residual of a heated film, and change of its temperature, at which the stress continuation advances."""
 
-SENSELESS = 1.0
+UNUSABLE_START_RESIDUAL = 1.0
 """Residual beyond which a film is no initial guess for a finer grid: its pressure gradients need more stress
 than the limiting stress of the oil, so that its slip is unbounded."""
 
@@ -194,12 +194,12 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """The level of half the spacing in the same window, from the present film or the dry contact."""
         for guess in self._guesses_of_both(level):
             finer = self._continued(level, guess)
-            if finer.film.balance.residual <= SENSELESS:
+            if finer.film.balance.residual <= UNUSABLE_START_RESIDUAL:
                 return finer, []
-        if self._slips_hot(level) and not level.lost():
+        if self._slips_hot(level) and not level.diverged():
             finer = self._continued(level, level.state().finer())
             steps = self._through_larger_stresses(finer)
-            if not finer.lost():
+            if not finer.diverged():
                 return finer, steps
         return self.begun_again(level)
 
@@ -215,23 +215,25 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
     def _add_shear_and_heat(self, level: LevelT) -> list[NewtonStep]:
         """Add shear, then heat, to the film of an isothermal Newtonian oil."""
         steps: list[NewtonStep] = []
-        stresses = 1.0
+        stress_factor = 1.0
         if self._model.levels:
             if self._rough is None:
                 steps += iterate(level, COARSE_TOLERANCE)
             else:
                 steps += iterate(level, ROUGHENED_TOLERANCE) + self._roughened(level)
             # that film's pressure could make heat without bound by a law that limits the stress
-            sheared, stresses = self._sheared(level)
+            sheared, stress_factor = self._sheared(level)
             steps += sheared
         if self._model.heated:
-            heated, stresses = self._heated(level, stresses)
+            heated, stress_factor = self._heated(level, stress_factor)
             steps += heated
             # hot oil is thin: it may bear stresses that no cold film leads to
-            if not level.lost():
-                softened, stresses = self._softened(level, stresses, LEAST_SOFTENING_OF_HEATED)
-                steps += softened
-        if stresses > 1:
+            if not level.diverged():
+                continuation, stress_factor = self._continue_stresses(
+                    level, stress_factor, MIN_STRESS_RATIO_HEATED
+                )
+                steps += continuation
+        if stress_factor > 1:
             self._flow_by_law(level, 1.0, level.state())
         return steps
 
@@ -247,9 +249,11 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         if level.film.balance.worst <= self.shear_tolerance:
             return steps, 1.0
         level.film.start(newtonian.pressure, newtonian.rigid_film, newtonian.oil)
-        softened: list[NewtonStep]
-        softened, stresses = self._softened(level, FIRMEST * SOFTENING, LEAST_SOFTENING)
-        return [*steps, *softened], stresses
+        continuation: list[NewtonStep]
+        continuation, stress_factor = self._continue_stresses(
+            level, MAX_STRESS_FACTOR * STRESS_RATIO, MIN_STRESS_RATIO
+        )
+        return [*steps, *continuation], stress_factor
 
     def _roughened(self, level: LevelT) -> list[NewtonStep]:
         """Newton steps to the film of rough surfaces, isothermal and Newtonian.
@@ -281,7 +285,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """The dry contact's pressure with the expected film, where it is known."""
         return []
 
-    def _heated(self, level: LevelT, stresses: float) -> tuple[list[NewtonStep], float]:
+    def _heated(self, level: LevelT, stress_factor: float) -> tuple[list[NewtonStep], float]:
         """Newton steps from a sheared film to a heated one, and the factor of its stresses.
 
         A film that is lost when it is heated is heated again under larger stresses.
@@ -292,15 +296,15 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             level.film.restart()
             steps += self._to_own_entrainment(level)
             steps += iterate(level, HEATED_TOLERANCE)
-            if not level.lost() or stresses >= FIRMEST:
-                return steps, stresses
-            stresses *= SOFTENING
-            self._shear(level, stresses)
+            if not level.diverged() or stress_factor >= MAX_STRESS_FACTOR:
+                return steps, stress_factor
+            stress_factor *= STRESS_RATIO
+            self._shear(level, stress_factor)
             level.film.start(cold.pressure, cold.rigid_film, cold.oil)
             steps += iterate(level, self.shear_tolerance)
 
-    def _softened(
-        self, level: LevelT, stresses: float, least: float
+    def _continue_stresses(
+        self, level: LevelT, stress_factor: float, least: float
     ) -> tuple[list[NewtonStep], float]:
         """Newton steps of the stress continuation, and the factor of the stresses at its end.
 
@@ -308,26 +312,26 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         last film that converged.
         """
         steps: list[NewtonStep] = []
-        found, ratio = level.state(), SOFTENING
-        while stresses > 1 and ratio >= least:
-            softer = max(stresses / ratio, 1.0)
-            self._flow_by_law(level, softer, found)
-            if level.film.balance.residual <= SENSELESS:
+        found, ratio = level.state(), STRESS_RATIO
+        while stress_factor > 1 and ratio >= least:
+            smaller_factor = max(stress_factor / ratio, 1.0)
+            self._flow_by_law(level, smaller_factor, found)
+            if level.film.balance.residual <= UNUSABLE_START_RESIDUAL:
                 tolerance = HEATED_TOLERANCE if level.film.heated else self.shear_tolerance
                 steps += iterate(level, tolerance, most=CONTINUATION_STEPS)
-            if level.lost():
+            if level.diverged():
                 ratio = sqrt(ratio)
             else:
-                found, stresses, ratio = (
+                found, stress_factor, ratio = (
                     level.state(),
-                    softer,
-                    min(ratio**SOFTENING_GROWTH, SOFTENING),
+                    smaller_factor,
+                    min(ratio**STRESS_RATIO_GROWTH, STRESS_RATIO),
                 )
-        if level.lost():
-            self._flow_by_law(level, stresses, found)
-        return steps, stresses
+        if level.diverged():
+            self._flow_by_law(level, stress_factor, found)
+        return steps, stress_factor
 
-    def softened_again(self, level: LevelT) -> list[NewtonStep]:
+    def continued_from_larger_stresses(self, level: LevelT) -> list[NewtonStep]:
         """Newton steps of a heated film that did not settle, through films of larger stresses.
 
         Where both walls slip, film and temperature may move to and fro without end; the same grid's film of
@@ -343,30 +347,32 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """Newton steps of a heated film from its state, through films of larger stresses to its own."""
         steps: list[NewtonStep] = []
         guess = level.state()
-        for firmed in FIRMED_AGAIN:
-            self._flow_by_law(level, firmed, guess)
+        for first_factor in LARGER_STRESS_FACTORS:
+            self._flow_by_law(level, first_factor, guess)
             steps += iterate(level, HEATED_TOLERANCE, HEATED_TOLERANCE)
             if level.film.balance.within(HEATED_TOLERANCE, HEATED_TOLERANCE):
-                softened, stresses = self._softened(level, firmed, LEAST_SOFTENING_OF_HEATED)
-                steps += softened
-                if stresses <= 1:
+                continuation, stress_factor = self._continue_stresses(
+                    level, first_factor, MIN_STRESS_RATIO_HEATED
+                )
+                steps += continuation
+                if stress_factor <= 1:
                     return steps
                 break  # the films of still larger stresses lead here, too
         self._flow_by_law(level, 1.0, level.state())
         return steps
 
-    def _flow_by_law(self, level: LevelT, stresses: float, guess: InitialGuess) -> None:
+    def _flow_by_law(self, level: LevelT, stress_factor: float, guess: InitialGuess) -> None:
         """Solve a film under the flow law with its stresses multiplied by a factor, from an initial guess."""
         heated = level.film.heated
-        self._shear(level, stresses)
+        self._shear(level, stress_factor)
         if heated:
             self._heat(level, guess.rise)
         level.film.start(guess.pressure, guess.rigid_film, guess.oil)
 
-    def _shear(self, level: LevelT, stresses: float = 1.0) -> None:
+    def _shear(self, level: LevelT, stress_factor: float = 1.0) -> None:
         """Set the flow law, its stresses multiplied by a factor; the film must be restarted."""
-        law = (self._scene.oil.flow or NEWTONIAN).firmer(stresses)
-        self._set_law(level, law, slip_step=SLIP_STEP + SLIP_WIDENING * (stresses - 1))
+        law = (self._scene.oil.flow or NEWTONIAN).with_stress_factor(stress_factor)
+        self._set_law(level, law, slip_step=SLIP_STEP + SLIP_WIDENING * (stress_factor - 1))
 
     def _set_law(self, level: LevelT, law: FlowLaw, slip_step: float = SLIP_STEP) -> None:
         """Set a flow law, and the surfaces' roughness; the film must be restarted."""

@@ -30,8 +30,8 @@ from pyworm.solver.newton import Iteration, NewtonStep, converge, convergence_hi
 from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import (
     CURE,
+    MAX_DIVERGED_ON_EDGE,
     MAX_UNCONVERGED_GRIDS,
-    MOST_LOST_ON_EDGE,
     TELLING,
     bound_by_conduction,
     film_is_sound,
@@ -196,9 +196,9 @@ class GridSequence:
     @property
     def _max_unconverged(self) -> int:
         """Number of grids that may miss the tolerance."""
-        lost = self._unconverged >= MOST_LOST_ON_EDGE and self._readings
-        on_edge = lost and rests_on_edge(self._solver.outcome(self._level).fields)
-        return MOST_LOST_ON_EDGE if on_edge else MAX_UNCONVERGED_GRIDS
+        diverged = self._unconverged >= MAX_DIVERGED_ON_EDGE and self._readings
+        on_edge = diverged and rests_on_edge(self._solver.outcome(self._level).fields)
+        return MAX_DIVERGED_ON_EDGE if on_edge else MAX_UNCONVERGED_GRIDS
 
     def _add_levels(self) -> None:
         """Give the film more levels across it if it is so hot that the planned ones may not do.
@@ -247,7 +247,7 @@ class GridSequence:
         self._steps += steps
         self._settle_on_grid()
         # where there are steps it has begun anew already
-        if self._level.lost() and not (steps or coarser.lost()):
+        if self._level.diverged() and not (steps or coarser.diverged()):
             self._level, steps = self._solver.begun_again(coarser)
             self._steps += steps
             self._settle_on_grid()
@@ -405,7 +405,7 @@ class GridSequence:
         iteration = converge(level, plan.tolerance, plan.target, wanted)
         if level.film.balance.worst <= plan.tolerance:
             return iteration
-        steps = self._solver.softened_again(level)
+        steps = self._solver.continued_from_larger_stresses(level)
         if steps:
             self._steps += [*iteration.steps, *steps]
             iteration = converge(level, plan.tolerance, plan.target, wanted)

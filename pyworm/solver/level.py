@@ -41,7 +41,7 @@ LEAST_LOAD = 1e-30
 STILL = 1e-30
 """Sliding speed [m/s] that has no direction."""
 
-LOST = 1e-2
+MAX_GUESS_RESIDUAL = 1e-2
 """Residual or load error beyond which a film is no initial guess for a finer grid: Newton's iteration
 diverged on it, as happens on a grid far too coarse for the film, and diverges from there on finer grids
 too."""
@@ -216,10 +216,10 @@ class Level(ABC):
         rise = film.rise() if film.heated else None
         return InitialGuess(film.pressure, film.rigid_film, rise, film.oil_pressure())
 
-    def lost(self) -> bool:
-        """Whether its film is no initial guess for a finer grid (`LOST`)."""
+    def diverged(self) -> bool:
+        """Whether its film is no initial guess for a finer grid (`MAX_GUESS_RESIDUAL`)."""
         balance = self.film.balance
-        return not max(balance.residual, abs(balance.load_error)) <= LOST
+        return not max(balance.residual, abs(balance.load_error)) <= MAX_GUESS_RESIDUAL
 
     def _shear(self) -> Shear | None:
         """Shear of the oil, its stress a mean over the area; None where its flow law is not known."""

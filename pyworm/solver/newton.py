@@ -21,7 +21,7 @@ MOST_SLOW_STEPS, NEAR = 60, 6.0
 """Largest number on a grid of the figures whose balance is within `NEAR` times the tolerance: local slip
 slows the last steps."""
 
-HOPELESS = 1e6
+UNRECOVERABLE_RESIDUAL = 1e6
 """Residual from which Newton's iteration does not recover, as where a flow law is evaluated far beyond the
 stress that its oil bears."""
 
@@ -60,7 +60,7 @@ def newton_step(level: Level, forcing: float | None = None) -> NewtonStep | None
 
     The linear system is solved to `forcing` times its right-hand side, by default as far as is economical.
     """
-    if not level.film.balance.residual <= HOPELESS:
+    if not level.film.balance.residual <= UNRECOVERABLE_RESIDUAL:
         return None
     warming = level.film.balance.warming
     krylov = 0

@@ -99,9 +99,9 @@ class Figures(Shown):
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the figures in words."""
-        lost = "power_loss" if self.dry else "power_loss_per_length"  # of a line contact
+        power_loss = "power_loss" if self.dry else "power_loss_per_length"  # of a line contact
         return "Figures", {
-            name: in_words(figure, QUANTITIES[lost if name == "power_loss" else name])
+            name: in_words(figure, QUANTITIES[power_loss if name == "power_loss" else name])
             for name, figure in vars(self).items()
             if isinstance(figure, Estimate)
         }

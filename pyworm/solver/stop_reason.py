@@ -21,7 +21,7 @@ from pyworm.solver.ending import Ending, Stop
 from pyworm.solver.error_estimate import SPIKE, Reading, change, hot_spike
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.level import Level
-from pyworm.solver.newton import HOPELESS, Iteration
+from pyworm.solver.newton import UNRECOVERABLE_RESIDUAL, Iteration
 
 WIDEST = 0.5
 """Largest error of the figures asked for with which a film is used: in means and losses over a mesh cycle it
@@ -35,7 +35,7 @@ MAX_UNCONVERGED_GRIDS = 3
 """Number of grids of the figures that may miss the tolerance: some are too coarse for the pressure gradients
 of a film with a limiting stress."""
 
-MOST_LOST_ON_EDGE = 2
+MAX_DIVERGED_ON_EDGE = 2
 """Number of grids whose film may diverge although coarser ones had one, where the load rests on a sharp edge:
 on finer grids the pressure there is higher, and each costs four times the one before."""
 
@@ -152,7 +152,7 @@ def _not_met(level: Level, plan: Plan) -> Stop:
     if level.film.unsolved():
         return Ending.NO_SHEAR_STRESS.stop(places=level.film.unsolved())
     worst = level.film.balance.worst
-    if not worst <= HOPELESS:
+    if not worst <= UNRECOVERABLE_RESIDUAL:
         return Ending.NO_FILM.stop()
     return Ending.RESIDUAL.stop(residual=worst, tolerance=plan.tolerance)
 

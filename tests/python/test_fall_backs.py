@@ -32,7 +32,7 @@ MADE_BY = {
         "batch/test_cluster.py::test_a_scheduler_lost_on_the_way_is_one_sentence_and_what_was_solved_is_kept",
     "batch/cluster.py cluster ImportError":
         "batch/test_batch_fall_backs.py::test_without_dask_a_scheduler_is_refused_with_what_to_install",
-    "batch/films_in_motion.py LifePart._solve_into LostError":
+    "batch/films_in_motion.py LifePart._solve_into NoFilmError":
         "batch/test_films_in_motion.py::test_finer_solves_are_not_begun_where_the_first_finds_no_film",
     "batch/films_in_motion.py LifePart.solve_into Exception":
         "batch/test_batch_fall_backs.py::test_a_life_that_breaks_costs_its_own_tasks_alone",
@@ -122,27 +122,27 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
     "solver/transient/course.py _predicted ValueError":
         "solver/test_solver_fall_backs.py::test_a_contact_at_rest_is_no_knot_of_a_course",
-    "solver/transient/lifts.py moving_lifts LostError":
+    "solver/transient/lifts.py moving_lifts NoFilmError":
         "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
-    "solver/transient/lifts.py steady_lift LostError":
+    "solver/transient/lifts.py steady_lift NoFilmError":
         "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
-    "solver/transient/march.py _begun LostError":
+    "solver/transient/march.py _begun NoFilmError":
         "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
-    "solver/transient/march.py _reached LostError":
+    "solver/transient/march.py _reached NoFilmError":
         "solver/test_solver_fall_backs.py::test_a_step_that_is_lost_is_halved",
-    "solver/transient/march.py _through LostError":
+    "solver/transient/march.py _through NoFilmError":
         "solver/test_solver_fall_backs.py::test_films_before_one_that_is_lost_are_kept_with_the_reason",
     "solver/transient/march.py _told KernelError":
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
     "solver/transient/march.py _told ValueError":
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
-    "solver/transient/march.py march LostError":
+    "solver/transient/march.py march NoFilmError":
         "solver/test_coming_together.py::test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one",
-    "solver/transient/march.py march LostError 2":
+    "solver/transient/march.py march NoFilmError 2":
         "solver/test_solver_fall_backs.py::test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_kept",
-    "solver/transient/transient.py finer LostError":
+    "solver/transient/transient.py finer NoFilmError":
         "solver/test_solver_fall_backs.py::test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are",
-    "solver/transient/transient.py rates_at_present (LostError, ValueError)":
+    "solver/transient/transient.py rates_at_present (NoFilmError, ValueError)":
         "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
 }  # fmt: skip
 """Each `except` and `suppress` by file, function and exceptions -> a test that reaches it."""

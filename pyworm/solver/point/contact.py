@@ -123,7 +123,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         self._shear_and_warm(level, guess)
         # what the windows differ by is of the order of the tolerance
         steps += iterate(level, self._plan.tolerance / 10, most=WIDENING_STEPS)
-        if not level.lost():
+        if not level.diverged():
             return level, steps
         level, further = super().in_wider_window(grids, narrow)
         return level, steps + further
@@ -153,7 +153,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
             if level.film.fed:
                 guess = mostly_full(guess, level, level.grid.window_of(grid))
             before, level = level, next_level(scene, size, level, grid, guess)
-            if before.lost():
+            if before.diverged():
                 restart(scene, size, level)
         return level, steps
 
@@ -164,13 +164,13 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         """
         if level.film.fed or self._found(level):
             return []
-        (pressure, rigid_film), lost, steps = begun, level.state(), []
+        (pressure, rigid_film), first, steps = begun, level.state(), []
         for lift in LIFTS:
             level.film.start(pressure, rigid_film + lift * self._size.film)
             steps += iterate(level, COARSE_TOLERANCE)
             if self._found(level):
                 return steps
-        level.film.start(lost.pressure, lost.rigid_film)
+        level.film.start(first.pressure, first.rigid_film)
         return steps
 
     @staticmethod
@@ -196,7 +196,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         return again, self._add_shear_and_heat(again)
 
     def _guesses(self, level: PointLevel) -> Iterator[InitialGuess]:
-        if not level.lost():
+        if not level.diverged():
             yield guess_on(level, level.grid.finer())
             yield level.state().finer()
 

@@ -13,7 +13,7 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 from pyworm.solver.point.level import dry_contact
 from pyworm.solver.transient.course import Course
-from pyworm.solver.transient.march import LostError, March, contact_at, march, steady_level
+from pyworm.solver.transient.march import March, NoFilmError, contact_at, march, steady_level
 from pyworm.solver.transient.time_steps import Step
 
 
@@ -48,15 +48,15 @@ def moving_lifts(course: Course, begin: float, wanted: Sequence[float]) -> dict[
     """
     try:
         found = march(course, 0, begin, wanted)
-    except LostError:
+    except NoFilmError:
         return {}
     return {
-        seconds: Lift(rigid + _approach(course, seconds), *_lost_nearest(found, seconds))
+        seconds: Lift(rigid + _approach(course, seconds), *_failure_nearest(found, seconds))
         for seconds, rigid in found.rigid_films.items()
     }
 
 
-def _lost_nearest(found: March, seconds: float) -> tuple[float, float]:
+def _failure_nearest(found: March, seconds: float) -> tuple[float, float]:
     """Friction coefficient and loss [W] at the instant that is nearest to a time."""
     figures = min(found.moments, key=lambda moment: abs(moment.seconds - seconds)).figures
     return figures.get("friction_coefficient", 0.0), figures.get("power_loss", 0.0)
@@ -66,7 +66,7 @@ def steady_lift(course: Course, seconds: float) -> Lift | None:
     """Lift by the steady film of a point contact at a time [s], in the window of its life, if any."""
     try:
         level, _ = steady_level(course, Step(seconds, 0))
-    except LostError:
+    except NoFilmError:
         return None
     return Lift(level.film.rigid_film + _approach(course, seconds))
 

@@ -22,7 +22,7 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import first_grids_of
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.contact import SENSELESS, ContactSolver
+from pyworm.solver.contact import UNUSABLE_START_RESIDUAL, ContactSolver
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
@@ -52,7 +52,7 @@ TOLERANCE = 0.06
 """Residual of the films over the square of the time step in transits: half the step halves what Newton's
 iteration leaves in a rate of change."""
 
-SETTLED = 0.1
+TOLERANCE_RATIO_WITHOUT_APPROACH = 0.1
 """Tolerance of other courses over that where surfaces come together.
 
 A film with a given rate of change sums up along the flow what that is off by, and the residual is a share of
@@ -68,10 +68,10 @@ errors; in a rate of change they are divided by a time step, but the oil follows
 TRACE = 1.0
 """Pressure of oil at rest [Pa], by which the velocities of surfaces are weighted in their conduction."""
 
-LOST = 1e-2
+MAX_TRANSIENT_RESIDUAL = 1e-2
 """Residual above which the film of an instant is lost."""
 
-UNSETTLED = 0.1
+MAX_TEMPERATURE_RESIDUAL = 0.1
 """Largest residual of the temperatures of a film that is found. Where films are thick, as surfaces come
 together and part, one node's may swing by some per cent of the largest rise from step to step, while flow and
 load balance to the last digit."""
@@ -91,7 +91,7 @@ MOST_HALVINGS = 4
 """Largest number of halvings of a time step whose film is not found."""
 
 
-class LostError(Exception):
+class NoFilmError(Exception):
     """No converged film at some time; the message gives the time and the reason."""
 
 
@@ -158,7 +158,7 @@ class March:
     """Figures of the film on the moving grid at each instant, and fields at those of the coarsest solve."""
     newton_steps: int
     """Newton steps of all instants."""
-    lost: str | None = None
+    failure: str | None = None
     """Reason why films end before the last time, if they do."""
 
 
@@ -196,13 +196,13 @@ def march(
         return _through(course, asked, wanted)
     try:
         found = _through(course, asked, wanted)
-    except LostError:
+    except NoFilmError:
         found = None
     if found is not None and (len(found.rates) == len(wanted) or _long_after(course, found)):
         return found
     try:
         again = _through(course, later, wanted)
-    except LostError:
+    except NoFilmError:
         if found is None:
             raise
         return found
@@ -229,7 +229,7 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
     rates: dict[float, RateOfChange] = {}
     rigid_films: dict[float, float] = {}
     heat: list[HeatedInstant] = []
-    moments, lost, held = [], None, True
+    moments, failure, held = [], None, True
     on = steps[0]
     for step in steps:
         before, heat = _led_on(course, on, step, before, heat)
@@ -259,12 +259,12 @@ def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> 
                     known = [instant_of(then, time), *known]
                 taken_of_all += taken
                 rates[time], rigid_films[time] = _rate_of(course, then, known), then.film.rigid_film
-        except LostError as error:
-            lost = str(error)
+        except NoFilmError as error:
+            failure = str(error)
             break
     if not moments:
-        raise LostError(lost)
-    return March(rates, rigid_films, tuple(moments), taken_of_all, lost)
+        raise NoFilmError(failure)
+    return March(rates, rigid_films, tuple(moments), taken_of_all, failure)
 
 
 def _led_on(
@@ -308,7 +308,7 @@ def _require_memory(course: Course, refinement: int) -> None:
     """LostError where memory will not hold the grid."""
     short = shortage(course.grid(course.begin, refinement), course.plan.model)
     if short is not None:
-        raise LostError(short)
+        raise NoFilmError(short)
 
 
 def _begun(
@@ -324,12 +324,12 @@ def _begun(
     for number in _beginnings([step.seconds for step in steps], wanted):
         try:
             level, taken = steady_level(course, steps[number])
-        except LostError:
+        except NoFilmError:
             if steps[number].seconds >= wanted:
                 raise
         else:
             return steps[number:], level, [], taken
-    raise LostError(_failed(wanted))
+    raise NoFilmError(_failed(wanted))
 
 
 def _beginnings(instants: Sequence[float], wanted: float) -> Iterator[int]:
@@ -388,7 +388,7 @@ def _reached(
     """
     try:
         level, taken = _onward(course, step, before, heat, held)
-    except LostError:
+    except NoFilmError:
         if halvings == MOST_HALVINGS:
             raise
     else:
@@ -431,9 +431,11 @@ def _onward(
         # one step at least: a film that is only extrapolated would follow no equation until it is far from it
         newton_step(level)
         taken = 1 + len(iterate(level, *tolerances, most=TRIAL_STEPS - 1))
-        if level.film.balance.residual <= SENSELESS:
+        if level.film.balance.residual <= UNUSABLE_START_RESIDUAL:
             taken += len(iterate(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
-        if contact.separation is None and not level.film.balance.within(LOST, UNSETTLED):
+        if contact.separation is None and not level.film.balance.within(
+            MAX_TRANSIENT_RESIDUAL, MAX_TEMPERATURE_RESIDUAL
+        ):
             level = _beside(contact, course, grid, solver)
             taken += len(iterate(level, *tolerances))
     return _sound(level, seconds), taken
@@ -461,7 +463,7 @@ def _begun_from(
         if contact.separation is not None:
             guess = replace(guess, rigid_film=contact.separation)
         levels.append(solver.on_grid(grid, guess))
-        if levels[-1].film.balance.residual <= SENSELESS:
+        if levels[-1].film.balance.residual <= UNUSABLE_START_RESIDUAL:
             break
     return min(levels, key=lambda level: level.film.balance.residual)
 
@@ -478,7 +480,7 @@ def contact_at(course: Course, seconds: float) -> Scene | LineScene:
 
 def _tolerances(course: Course, step: Step) -> tuple[float, float]:
     """Residual and warming to which films are solved."""
-    share = 1.0 if course.approach is not None else SETTLED
+    share = 1.0 if course.approach is not None else TOLERANCE_RATIO_WITHOUT_APPROACH
     return share * TOLERANCE * course.step(step.refinement) ** 2, WARMING
 
 
@@ -490,7 +492,7 @@ def _beside(
     level, _ = steady.begin(first_grids_of(contact, course.plan))
     guess = _moved(level, grid)
     beside: Level = solver.on_grid(grid, guess)
-    if level.film.rough and not beside.film.balance.residual <= SENSELESS:
+    if level.film.rough and not beside.film.balance.residual <= UNUSABLE_START_RESIDUAL:
         # asperities multiply what the film of an interpolated pressure is off by
         beside = solver.on_grid(grid, replace(guess, oil=None))
     return beside
@@ -498,8 +500,8 @@ def _beside(
 
 def _sound(level: Level, seconds: float) -> Level:
     """The level, if its film is found, its temperatures up to a share of the largest rise."""
-    if not level.film.balance.within(LOST, UNSETTLED):
-        raise LostError(_failed(seconds))
+    if not level.film.balance.within(MAX_TRANSIENT_RESIDUAL, MAX_TEMPERATURE_RESIDUAL):
+        raise NoFilmError(_failed(seconds))
     return level
 
 
@@ -509,11 +511,11 @@ def _told(seconds: float) -> Iterator[None]:
     try:
         yield
     except ValueError as error:  # surfaces that stand still have no steady film
-        raise LostError(f"{_failed(seconds)}: {error}") from error
+        raise NoFilmError(f"{_failed(seconds)}: {error}") from error
     except KernelError as error:
         if error.status not in (NO_SENSE, NOT_FINITE, NO_MEMORY):
             raise
-        raise LostError(f"{_failed(seconds)}: {error}") from error
+        raise NoFilmError(f"{_failed(seconds)}: {error}") from error
 
 
 def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:

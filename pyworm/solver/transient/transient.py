@@ -29,7 +29,7 @@ from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import converge
 from pyworm.solver.transient.course import Course, course_of
-from pyworm.solver.transient.march import LostError, RateOfChange, march
+from pyworm.solver.transient.march import NoFilmError, RateOfChange, march
 from pyworm.solver.transient.moments import Moment, curves, until
 from pyworm.solver.transient.time_steps import places_of
 
@@ -252,10 +252,10 @@ def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
             if past.seconds not in found.rates:  # finer ones would cost more, and be of no use
                 break
             marches.append(found)
-    except (LostError, ValueError) as reason:  # of no contact in motion, or of a film
+    except (NoFilmError, ValueError) as reason:  # of no contact in motion, or of a film
         return Rates((), flaw=str(reason))
     if not marches:
-        return Rates((), flaw=found.lost)
+        return Rates((), flaw=found.failure)
     return Rates(
         tuple(solve.rates[past.seconds] for solve in marches),
         tuple(until(solve.moments, past.seconds) for solve in marches),
@@ -272,7 +272,7 @@ def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
         return replace(rates, finest=True)
     try:
         found = march(course, solves, begin, [past.seconds])
-    except LostError:
+    except NoFilmError:
         return replace(rates, finest=True)
     if past.seconds not in found.rates:
         return replace(rates, finest=True)

@@ -10,7 +10,7 @@ from pyworm.batch.films_in_motion import RATES, drop_rates, rates_for, solve_liv
 from pyworm.batch.task import Task
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.result.life import lives
-from pyworm.solver.transient.march import LostError
+from pyworm.solver.transient.march import NoFilmError
 from pyworm.solver.transient.transient import rates_at_present
 
 HOW = 0.5, "isothermal,squeeze", ("film",)
@@ -77,7 +77,7 @@ def test_finer_solves_are_not_begun_where_the_first_finds_no_film(tmp_path, monk
 
     def march(course, refinement, *_):
         begun.append(refinement)
-        raise LostError("there is none")
+        raise NoFilmError("there is none")
 
     monkeypatch.setattr(films_in_motion, "march", march)
     case = pyworm.load("cases/spur_pair.toml")

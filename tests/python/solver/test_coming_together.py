@@ -63,10 +63,10 @@ def test_a_steady_film_at_the_beginning_of_the_cycle_is_forgotten_and_too_thin_u
 def test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one(
     drive, monkeypatch
 ):
-    def lost(course, step):
-        raise march_module.LostError("no film between them")
+    def diverged(course, step):
+        raise march_module.NoFilmError("no film between them")
 
-    monkeypatch.setattr(march_module, "_at_rest", lost)
+    monkeypatch.setattr(march_module, "_at_rest", diverged)
     moments = marched(drive, drive.life)
     assert 0 <= moments[0].phase < 0.02
     assert moments[0].load == pytest.approx(drive.normal_load(moments[0].phase), rel=2e-3)

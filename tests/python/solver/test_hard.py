@@ -22,7 +22,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.kernel.core import NO_DESCENT, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.scene.scales import scales
-from pyworm.solver.contact import SENSELESS
+from pyworm.solver.contact import UNUSABLE_START_RESIDUAL
 from pyworm.solver.ending import Ending
 from pyworm.solver.newton import converge, newton_step
 from pyworm.solver.point import level
@@ -159,9 +159,12 @@ def test_an_extrapolated_film_that_no_oil_bears_is_no_initial_guess(tmp_path):
     converge(film_level, plan.tolerance, plan.target, 0.5)
     (good, *_) = solver._guesses(film_level)
     rough = good.pressure * (1 + 0.9 * np.cos(np.pi * np.arange(good.pressure.shape[0])))[:, None]
-    senseless = replace(good, pressure=rough)
-    assert solver._continued(film_level, senseless).film.balance.residual > SENSELESS
-    solver._guesses = lambda level: iter((senseless, good))
+    unusable_start = replace(good, pressure=rough)
+    assert (
+        solver._continued(film_level, unusable_start).film.balance.residual
+        > UNUSABLE_START_RESIDUAL
+    )
+    solver._guesses = lambda level: iter((unusable_start, good))
     finer, steps = solver.refined(film_level)
     assert steps == []  # entered as it is, with its heat
     assert finer.film.balance.residual < 0.1

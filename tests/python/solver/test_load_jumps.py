@@ -8,7 +8,7 @@ import pytest
 import pyworm
 from pyworm.solver.transient import march as march_module
 from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import LostError, march
+from pyworm.solver.transient.march import NoFilmError, march
 from pyworm.solver.transient.transient import part_at
 
 HELICAL = Path(__file__).parents[2] / "data" / "helical_a500.toml"
@@ -44,7 +44,7 @@ def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from, steady_f
     monkeypatch.setattr(march_module, "_beside", counted)
     monkeypatch.setattr(march_module, "_begun_from", begun_from)
     found = march(course, 0, begin, [wanted])
-    assert found.lost is None
+    assert found.failure is None
     assert wanted in found.rates
     loads = [one.load for one in found.moments]
     jump = max(after / before for before, after in pairwise(loads))
@@ -54,22 +54,24 @@ def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from, steady_f
 
 def test_a_step_whose_film_is_not_found_is_halved(part, monkeypatch):
     course, begin, wanted = part
-    onward, lost, later = march_module._onward, [], []
+    onward, diverged, later = march_module._onward, [], []
 
     def lost_once(course, step, before, *state):
-        if not lost and step.seconds > course.instant(begin + 0.1):
-            lost.append((before[0].seconds, step.seconds))
+        if not diverged and step.seconds > course.instant(begin + 0.1):
+            diverged.append((before[0].seconds, step.seconds))
             with monkeypatch.context() as exacting:
-                exacting.setattr(march_module, "LOST", 0.0)  # no film is met so well
+                exacting.setattr(
+                    march_module, "MAX_TRANSIENT_RESIDUAL", 0.0
+                )  # no film is met so well
                 return onward(course, step, before, *state)
-        if lost:
+        if diverged:
             later.append(step.seconds)
         return onward(course, step, before, *state)
 
     monkeypatch.setattr(march_module, "_onward", lost_once)
     found = march(course, 0, begin, [wanted])
-    assert found.lost is None
-    ((before, after),) = lost
+    assert found.failure is None
+    ((before, after),) = diverged
     assert later[:2] == pytest.approx([(before + after) / 2, after])
 
 
@@ -80,11 +82,11 @@ def test_a_step_is_halved_so_often_only(part, monkeypatch):
     def lost_soon(course, step, *state):
         if tried or step.seconds > course.instant(begin + 0.1):
             tried.append(step.seconds)
-            raise LostError("lost")
+            raise NoFilmError("lost")
         return onward(course, step, *state)
 
     monkeypatch.setattr(march_module, "_onward", lost_soon)
     found = march(course, 0, begin, [wanted])
-    assert found.lost == "lost"
+    assert found.failure == "lost"
     assert len(tried) == march_module.MOST_HALVINGS + 1
     assert tried == sorted(tried, reverse=True)

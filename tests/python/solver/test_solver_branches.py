@@ -108,7 +108,7 @@ def test_a_transient_solve_beyond_memory_is_lost(monkeypatch):
     course = SimpleNamespace(
         grid=lambda seconds, refinement: None, begin=0.0, plan=SimpleNamespace(model=None)
     )
-    with pytest.raises(march.LostError, match="needs 9 GB"):
+    with pytest.raises(march.NoFilmError, match="needs 9 GB"):
         march._require_memory(course, 1)
 
 

@@ -21,7 +21,7 @@ from pyworm.solver.newton import newton_step
 from pyworm.solver.transient import lifts, transient
 from pyworm.solver.transient import march as march_module
 from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import LostError
+from pyworm.solver.transient.march import NoFilmError
 from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Rates
 
@@ -43,8 +43,8 @@ def unloaded(seconds):
     raise ValueError("no load")
 
 
-def lost(*given):
-    raise LostError("no film")
+def diverged(*given):
+    raise NoFilmError("no film")
 
 
 def planned(scene):
@@ -81,8 +81,8 @@ def test_a_contact_at_rest_is_no_knot_of_a_course():
 def test_no_lift_is_known_of_films_that_are_not_found(accelerated, monkeypatch):
     course = course_of(accelerated.past.life, planned(accelerated))
     seconds = accelerated.past.seconds
-    monkeypatch.setattr(lifts, "march", lost)
-    monkeypatch.setattr(lifts, "steady_level", lost)
+    monkeypatch.setattr(lifts, "march", diverged)
+    monkeypatch.setattr(lifts, "steady_level", diverged)
     assert lifts.moving_lifts(course, 0.0, [seconds]) == {}
     assert lifts.steady_lift(course, seconds) is None
 
@@ -92,7 +92,7 @@ def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are
     accelerated, monkeypatch, module, name
 ):
     """Whether it finds none from which to begin, or loses its film on the way."""
-    monkeypatch.setattr(module, name, lost)
+    monkeypatch.setattr(module, name, diverged)
     rates = Rates(("coarse",))
     assert transient.finer(accelerated, planned(accelerated), rates) == replace(rates, finest=True)
 
@@ -100,7 +100,7 @@ def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are
 def test_a_transient_solve_that_loses_its_film_on_the_way_leaves_the_reason(
     accelerated, monkeypatch
 ):
-    monkeypatch.setattr(march_module, "_onward", lost)
+    monkeypatch.setattr(march_module, "_onward", diverged)
     rates = transient.rates_at_present(accelerated, planned(accelerated))
     assert rates == Rates((), flaw="no film")
 
@@ -113,7 +113,7 @@ def test_what_coarser_transient_solves_found_is_kept_where_the_next_loses_its_fi
 
     def lost_when_fine(course, refinement, *given):
         found = solved(course, 0, *given)
-        return found if refinement == 0 else replace(found, rates={}, lost="no film")
+        return found if refinement == 0 else replace(found, rates={}, failure="no film")
 
     monkeypatch.setattr(transient, "march", lost_when_fine)
     plan = planned(accelerated)
@@ -169,7 +169,7 @@ def test_a_processor_without_a_file_of_its_name_has_that_of_the_platform(monkeyp
 @pytest.mark.parametrize("error", [ValueError("at rest"), KernelError(NOT_FINITE)])
 def test_a_film_that_the_kernel_gives_up_is_lost_at_its_time(error):
     with (
-        pytest.raises(LostError, match=r"0\.125 s after the first touch"),
+        pytest.raises(NoFilmError, match=r"0\.125 s after the first touch"),
         march_module._told(0.125),
     ):
         raise error
@@ -183,11 +183,11 @@ def test_films_before_one_that_is_lost_are_kept_with_the_reason(accelerated, mon
 
     def onward(*how):
         tried.append(how[1].seconds)
-        return reached(*how) if len(tried) < 5 else lost()
+        return reached(*how) if len(tried) < 5 else diverged()
 
     monkeypatch.setattr(march_module, "_onward", onward)
     found = march_module.march(course, 0, 0.0, [accelerated.past.seconds])
-    assert found.lost == "no film" and found.rates == {}
+    assert found.failure == "no film" and found.rates == {}
     assert 1 < len(found.moments) < 9
 
 
@@ -197,10 +197,10 @@ def test_a_life_without_steady_films_is_given_up_after_a_few(accelerated, monkey
 
     def none(course, step):
         tried.append(step.seconds)
-        return lost()
+        return diverged()
 
     monkeypatch.setattr(march_module, "steady_level", none)
-    with pytest.raises(march_module.LostError):
+    with pytest.raises(march_module.NoFilmError):
         march_module.march(course, 2, 0.0, [accelerated.past.seconds])
     steps = steps_of(course, 2, 0.0, accelerated.past.seconds)
     assert len(tried) <= 5 + log2(len(steps)) < len(steps) / 4
@@ -222,11 +222,11 @@ def test_a_step_that_is_lost_is_halved(accelerated, monkeypatch):
 
     def onward(*how):
         tried.append(how[1].seconds)
-        return lost() if len(tried) == 2 else reached(*how)
+        return diverged() if len(tried) == 2 else reached(*how)
 
     monkeypatch.setattr(march_module, "_onward", onward)
     found = march_module.march(course, 0, 0.0, [accelerated.past.seconds])
-    assert found.lost is None and accelerated.past.seconds in found.rates
+    assert found.failure is None and accelerated.past.seconds in found.rates
     assert tried[2] == pytest.approx((tried[0] + tried[1]) / 2)
 
 
@@ -238,7 +238,7 @@ def test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_
     first = march_module.March({}, {}, (SimpleNamespace(seconds=0.0),), 1, "lost")
 
     def through(course, steps, wanted):
-        return first if steps[0].seconds < life.touched else lost()
+        return first if steps[0].seconds < life.touched else diverged()
 
     monkeypatch.setattr(march_module, "_through", through)
     assert march_module.march(course, 0, 0.0, [accelerated.past.seconds]) is first

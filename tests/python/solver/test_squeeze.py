@@ -61,7 +61,7 @@ def marched(contact_at, kinks=(), refinement=0, effects=None):
         ),
     )
     found = march(course, refinement, 0.0, [0.95 * DURATION])
-    assert found.lost is None
+    assert found.failure is None
     return course, found.moments
 
 

@@ -60,7 +60,7 @@ def coarse_figures(contact, name):
     scene = contact(view, moves=True)
     course = course_of(scene.past.life, pyworm.plan(scene, ACCURACY, "all"))
     found = march(course, 0, 0.0, [scene.past.seconds])
-    assert found.lost is None
+    assert found.failure is None
     return seen(found.moments[-1].figures, view, each_length=contact is line)
 
 

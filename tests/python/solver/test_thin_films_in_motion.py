@@ -69,7 +69,7 @@ def test_a_rough_film_moves_to_a_grid_that_fits_it_badly():
 def test_a_line_has_a_film_up_to_the_end_of_its_history():
     course, scene = course_and_scene("unloaded_line.toml")
     found = march(course, 0, 0.0, [scene.past.seconds])
-    assert found.lost is None
+    assert found.failure is None
     films = [one.figures["film_central"] for one in found.moments]
     # the film of the heavy load is carried through, and a thicker one follows
     assert films[0] == pytest.approx(17.3e-9, rel=0.03)

@@ -204,7 +204,7 @@ def test_films_travel_with_the_oil(kind, accuracy, within):
 
 
 def test_a_past_whose_film_is_not_found_is_reported(monkeypatch):
-    monkeypatch.setattr(march_module, "LOST", 0.0)
+    monkeypatch.setattr(march_module, "MAX_TRANSIENT_RESIDUAL", 0.0)
     transient = solved(lived(lambda back: as_line(ball())), "isothermal,squeeze")
     assert not transient.converged and "found no converged film" in transient.stop_reason
     assert transient.ending is Ending.RATE_OF_CHANGE
@@ -217,7 +217,7 @@ def test_where_no_transient_solution_is_found_a_steady_one_stands_for_it(kind, m
     accelerated = lived(lambda back: kind(ball(1 - 200 * back)))
     auto = pyworm.plan(accelerated, 0.05, quantities=("film",))
     assert "squeeze" in auto.on
-    monkeypatch.setattr(march_module, "LOST", 0.0)
+    monkeypatch.setattr(march_module, "MAX_TRANSIENT_RESIDUAL", 0.0)
     substitute = pyworm.solve(accelerated, auto)
     squeeze = next(effect for effect in substitute.effects if effect.name == "squeeze")
     assert not squeeze.on and "not found: the transient solve found no" in squeeze.reason
@@ -415,12 +415,12 @@ def test_a_life_begins_later_only_where_films_are_lost_soon_after_the_first_touc
     last = course.instant(course.transits(life.touched) + after)
     asked = []
 
-    def lost(course, steps, wanted):
+    def diverged(course, steps, wanted):
         asked.append(steps)
-        return March({}, {}, (Moment(last, None, 1.0, (1.0,), {}),), 1, lost="no film")
+        return March({}, {}, (Moment(last, None, 1.0, (1.0,), {}),), 1, failure="no film")
 
-    monkeypatch.setattr(march_module, "_through", lost)
-    assert march_module.march(course, 0, 0.0, [life.duration]).lost == "no film"
+    monkeypatch.setattr(march_module, "_through", diverged)
+    assert march_module.march(course, 0, 0.0, [life.duration]).failure == "no film"
     assert len(asked) == solves
 
 
