@@ -23,8 +23,9 @@ module pyworm_line_film
 
   type, extends(film_contact) :: line_contact
     type(line_grid) :: grid
-    !> The grid without entrainment: of a gap that is filled in part the wedge is added apart.
-    type(line_grid) :: still
+    !> The grid without entrainment: of a gap that is filled in part the wedge is added apart. Allocatable, lest gfortran
+    !> (12.2) release only `grid` (tests/python/test_fortran_types.py).
+    type(line_grid), allocatable :: still
     type(elastic_half_plane) :: plane
     type(line_flow) :: flow
     type(band_model) :: bands

@@ -20,8 +20,9 @@ module pyworm_point_film
 
   type, extends(film_contact) :: point_contact
     type(film_grid) :: grid
-    !> The grid without entrainment: of a gap that is filled in part the wedge is added apart.
-    type(film_grid) :: still
+    !> The grid without entrainment: of a gap that is filled in part the wedge is added apart. Allocatable, lest gfortran
+    !> (12.2) release only `grid` (tests/python/test_fortran_types.py).
+    type(film_grid), allocatable :: still
     type(elastic_half_space) :: space
     type(film_multigrid) :: cycles
   contains

@@ -68,7 +68,7 @@ contains
   !> Columns of a film that is already sheared, to be swept a way; u1 and v1 are the nodal velocity of body 1's surface
   !> [m/s], `aside` as of `swept_columns`.
   subroutine new_swept_columns(self, film, way, aside, u1, v1, stat)
-    type(swept_columns), intent(inout) :: self
+    type(swept_columns), allocatable, intent(out) :: self
     class(film_contact), intent(in) :: film
     type(sweep_frame), intent(in) :: way
     logical, intent(in) :: aside
@@ -76,6 +76,9 @@ contains
     integer, intent(out) :: stat
     integer :: cuts, err
 
+    allocate (self, stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
     self%way = way
     self%aside = aside
     associate (n => way%length, lines => way%lines, levels => film%model%shear%nodes%levels%count)

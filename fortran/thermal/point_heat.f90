@@ -28,8 +28,9 @@ module pyworm_point_heat
   integer, parameter :: most_wall_iterations = 8
 
   type, extends(film_heat) :: point_film_heat
-    !> Columns in the order of sweeps with or against the entrainment, and across it.
-    type(swept_columns) :: main, aside
+    !> Columns in the order of sweeps with or against the entrainment, and across it. Allocatable, lest gfortran (12.2)
+    !> release only the first (tests/python/test_fortran_types.py).
+    type(swept_columns), allocatable :: main, aside
     !> Scratch of each thread.
     type(column_work), allocatable :: threads(:)
   contains
