@@ -79,7 +79,7 @@ def solve_and_keep(task: Task, store: Store, progress: Progress | None = None) -
 
 
 def solve_for(key: str, task: Task, store: Store, line: str | None = None) -> str | None:
-    """The same for another process, by the key that the task has there; a line for its log at the end."""
+    """Solve a task in another process, where it must have the same key, and end with a line for its log."""
     if task.key != key:
         return "its worker has another build of pyworm, or of what it builds on"
     reason = solve_and_keep(task, store)

@@ -53,7 +53,7 @@ OF_WORM = _words(
         "drive.shaft.diameter": "shaft_diameter",
     }
 )
-"""Likewise in `[drive.worm]`."""
+"""Name in `[drive.worm]` -> the key that it has here."""
 
 OF_WHEEL = _words(
     {
@@ -70,7 +70,7 @@ OF_WHEEL = _words(
         "drive.profile_shift": "profile_shift x2",
     }
 )
-"""Likewise in `[drive.wheel]`."""
+"""Name in `[drive.wheel]` -> the key that it has here."""
 
 OF_HOB = _words(
     {
@@ -80,7 +80,7 @@ OF_HOB = _words(
         "drive.pressure_angle": "pressure_angle",
     }
 )
-"""Likewise in `[drive.hob]`; its tip cuts the wheel's root."""
+"""Name in `[drive.hob]` -> the key that it has here; its tip cuts the wheel's root."""
 
 PROFILES = _words(
     {

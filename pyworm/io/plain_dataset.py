@@ -81,7 +81,7 @@ class PlainDataset:
         return replace(self, variables=variables, coords=(*self.coords, *other.coords))
 
     def to_xarray(self) -> "xr.Dataset":
-        """The same as xarray's."""
+        """The dataset as one of xarray."""
         variables = {
             name: (variable.dims, variable.values, variable.attrs)
             for name, variable in self.variables.items()

@@ -132,7 +132,7 @@ _NAMES = {
     for singular, symbol in _SINGULAR.items()
     for name in (singular, f"{singular}s")
 } | {"hertz": _SYMBOLS["Hz"]}
-"""The same by name."""
+"""Units by their English names, singular and plural."""
 
 _OTHERS = {
     ("percent",): _unit(1e-2),

@@ -41,7 +41,7 @@ LETTERS_PER_INCH = 10
 """Letters of a heading that fit into an inch."""
 
 TITLE_LINE, TITLE_LETTERS_PER_INCH = 0.17, 13
-"""The same of the title of a panel."""
+"""Height of a line of a panel's title [inch], and letters of it that fit into an inch."""
 
 
 DOTS_PER_INCH = 150

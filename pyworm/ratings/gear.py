@@ -218,7 +218,7 @@ def _wear(duty: GearPairDuty, film: float, spots: tuple[Spot, ...] = ()) -> dict
 
 
 def _simulated(drive: Drive, duty: GearPairDuty, result: Result) -> dict[str, float | str | None]:
-    """The same figures of the solved contacts."""
+    """Minimum film thickness, wear, pressure and loss from the solved contacts, by the keys of the rating."""
     solutions = result.solutions
     thin = min(solutions, key=lambda solution: solution.figures.film_min.value)
     film = thin.figures.film_min.value

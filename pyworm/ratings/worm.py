@@ -352,7 +352,7 @@ def _gearbox_rows(rated: WormRating) -> list[tuple]:
 
 
 def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float | str]:
-    """The same figures of the solved phases, means over these."""
+    """Film thickness, pressure, sliding and friction, means over the solved phases, by the rating's keys."""
     solutions = result.solutions
     figures = [solution.figures for solution in solutions]
     film = float(np.mean([figure.film_min.value for figure in figures]))

@@ -70,17 +70,7 @@ BARE_WORDS = {
 }  # fmt: skip
 """Names of constants that name no quantity."""
 
-NAMED = (
-    "solver",
-    "planning",
-    "scene",
-    "kernel",
-    "precision",
-    "surfaces",
-    "formulas",
-    "materials",
-    "result",
-)
+NAMED = tuple(FLOORS)
 """Rooms without `GRAMMAR` as names."""
 
 STANDING_ALONE = NAMED

@@ -234,7 +234,7 @@ class WormDrive(WormMesh, Drive):
         return dict(item for part in parts for item in part.items())
 
     def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
-        """The same phases with each error of the assembly, one at a time."""
+        """Contacts at the phases of the given ones with each assembly error, one at a time."""
         return worm_misalignment(
             self, [contact for contact in contacts if isinstance(contact, Scene)]
         )

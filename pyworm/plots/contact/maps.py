@@ -31,7 +31,7 @@ BANDS = 12
 """Bands of a map between its ends."""
 
 PRESSURE_BANDS = 10
-"""The same of pressure."""
+"""Bands of a map of pressure between its ends."""
 
 LEAST_RANGE = 0.1
 """Least range of the scale of temperatures [K]: below it a map would show rounding, not heat."""

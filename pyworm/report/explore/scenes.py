@@ -17,10 +17,10 @@ from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
 
 NODES = 160, 80
-"""Most nodes along x and y that a field keeps on the page."""
+"""Maximum number of nodes along x and y that a field keeps on the page."""
 
 LINE_NODES = 1000
-"""The same of a line contact."""
+"""Maximum number of nodes that a field of a line contact keeps on the page."""
 
 VECTORS = {
     "shear_stress": ("shear_stress_x", "shear_stress_y"),

@@ -83,7 +83,7 @@ _USUAL_OF: dict[Profile, dict[str, tuple[Callable[[Known], float], str]]] = {
     "ZC": {"worm_disc_diameter": _DISC, "worm_arc_radius": _ARC},
     "ZC2": {"worm_arc_radius": _ARC},
 }
-"""Likewise for the profiles with a disc or an arc."""
+"""Profile with a disc or an arc -> usual values of the numbers that only such a profile has."""
 
 
 def _mean_diameter(known: Known) -> float:

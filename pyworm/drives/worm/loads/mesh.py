@@ -103,7 +103,7 @@ class WormMesh(WormGears, Lubricated):
         return self.contact_beyond(phase)
 
     def contact_beyond(self, phase: float) -> ToothContact:
-        """The same at any phase; before and after the mesh cycle flanks may touch at an edge of a tooth."""
+        """The unloaded tooth contact at any phase; outside the mesh cycle it may lie at a tooth's edge."""
         return self.cycle.contact(phase, self.rotation)
 
     def contact_axes(self, phase: float) -> Array:

@@ -65,7 +65,7 @@ class _Pair:
 
     @cached_property
     def met(self) -> float | None:
-        """Part that is past when the pair comes to that load; None where it does so much earlier or later."""
+        """Part that is past when the pair reaches the load `touch`; None where it does so far outside."""
         return self._where(self._excess, -BEYOND, LATE)
 
     @property
@@ -83,13 +83,13 @@ class _Pair:
 
     @cached_property
     def parted(self) -> float:
-        """The same when it goes from that load, not before the end of the mesh cycle."""
+        """Part that is past when the pair falls below the load `touch`, at least the whole mesh cycle."""
         found = self._where(self._excess, 1 - LATE, 1 + BEYOND)
         return max(found, 1.0) if found is not None and self._touches(found) else 1.0
 
     @cached_property
     def begin(self) -> float:
-        """The same where the flanks are `APART`."""
+        """Part that is past when the approaching flanks are `APART`."""
         first = self.mesh.springs.phases[0 if self._turned(0.0) == 0 else -1]
         film = scales(self.mesh.scene_of(self._contact(self._first), self.touch)).film
 

@@ -10,10 +10,11 @@ import numpy as np
 from pyworm.drives.worm.teeth.gears import WormGears
 
 LARGEST = 0.05
-"""Largest difference of deviations of a flank over the module."""
+"""Maximum difference of deviations on a flank over the module."""
 
 LARGEST_WORN = 0.3
-"""The same of a worn flank, what the worm standard allows (0.3 m_x cos gamma)."""
+"""Maximum difference of deviations on a worn flank over the module, as the worm standard allows
+(0.3 m_x cos gamma)."""
 
 SHORT = 0.5
 """Distance from the ends of a mesh cycle over the module within which deviations of the worm may end."""
