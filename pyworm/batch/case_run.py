@@ -42,7 +42,7 @@ def run(
     directory: Path,
     executor: Executor | None = None,
     progress: Progress | None = None,
-    say: Callable[[str], None] = lambda message: None,
+    print_message: Callable[[str], None] = lambda message: None,
     cycle_of: CycleOf = methodcaller("cycle_data"),
     all_digits: bool = False,
 ) -> Result:
@@ -78,11 +78,11 @@ def run(
         The result cannot be written; what was solved is kept where that is possible.
     """
     store = Store(directory.absolute() / SCENES, fields=True, all_digits=all_digits)
-    earlier = _solved_before(directory / RESULT_NAME, store, say)
+    earlier = _solved_before(directory / RESULT_NAME, store, print_message)
     missing = store.missing(task for task in tasks if task.key not in earlier)
     before = sum(task not in missing for task in tasks)
     if before:
-        say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+        print_message(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
     if executor is None and len(missing) == 1:
         store = replace(store, sole=True)
     reasons = solve_all(missing, store, executor, progress)
@@ -147,7 +147,7 @@ def _collected(
     return kept, {key: why for key, why in unread.items() if key not in kept}
 
 
-def _solved_before(path: Path, store: Store, say: Callable[[str], None]) -> _Kept:
+def _solved_before(path: Path, store: Store, print_message: Callable[[str], None]) -> _Kept:
     """Solutions of an earlier result, if there is one, that serve; a message if it cannot be used."""
     try:
         every = _of_each(open_result(path))
@@ -155,7 +155,7 @@ def _solved_before(path: Path, store: Store, say: Callable[[str], None]) -> _Kep
     except FileNotFoundError:
         return {}
     except ValueError as error:
-        say(f"{error}; its scenes are solved again")
+        print_message(f"{error}; its scenes are solved again")
         return {}
 
 

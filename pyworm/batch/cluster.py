@@ -14,7 +14,7 @@ from threading import Event, Thread
 from typing import TYPE_CHECKING
 
 from pyworm.io.input_error import CaseError
-from pyworm.io.on_demand import take_in
+from pyworm.io.on_demand import allow
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -30,14 +30,14 @@ ON = "scenes already solved are kept, the same command continues from there"
 
 
 @contextmanager
-def cluster(address: str, say: Callable[[str], None]) -> Iterator[Executor]:
+def cluster(address: str, print_message: Callable[[str], None]) -> Iterator[Executor]:
     """The workers of a scheduler as an executor.
 
     Parameters
     ----------
     address : str
         Of the scheduler, such as "tcp://10.0.0.1:8786".
-    say : callable
+    print_message : callable
         Told if no worker is left, or none has come yet.
 
     Raises
@@ -47,7 +47,7 @@ def cluster(address: str, say: Callable[[str], None]) -> Iterator[Executor]:
     ConnectionError
         The scheduler was lost on the way.
     """
-    take_in("dask")
+    allow("dask")
     try:
         from distributed import Client
         from distributed.versions import VersionMismatchWarning
@@ -65,7 +65,7 @@ def cluster(address: str, say: Callable[[str], None]) -> Iterator[Executor]:
             f'--scheduler {address}: no scheduler answers there, give one such as "tcp://10.0.0.1:8786"'
         ) from None
     ended = Event()
-    watch = Thread(target=_watch, args=(client, address, say, ended), daemon=True)
+    watch = Thread(target=_watch, args=(client, address, print_message, ended), daemon=True)
     with client:
         watch.start()
         try:
@@ -76,7 +76,9 @@ def cluster(address: str, say: Callable[[str], None]) -> Iterator[Executor]:
             ended.set()
 
 
-def _watch(client: "Client", address: str, say: Callable[[str], None], ended: Event) -> None:
+def _watch(
+    client: "Client", address: str, print_message: Callable[[str], None], ended: Event
+) -> None:
     """Report, once each time, that there are no workers."""
     told = False
     while not ended.wait(LOOK):
@@ -85,5 +87,5 @@ def _watch(client: "Client", address: str, say: Callable[[str], None], ended: Ev
         except Exception:  # the scheduler is gone, which its calls tell
             return
         if workers == 0 and not told:
-            say(f"--scheduler {address}: has no workers, waiting for some; {ON}")
+            print_message(f"--scheduler {address}: has no workers, waiting for some; {ON}")
         told = workers == 0

@@ -70,7 +70,7 @@ def run_balanced(
     directory: Path,
     executor: Executor | None = None,
     progress: Progress | None = None,
-    say: Callable[[str], None] = lambda message: None,
+    print_message: Callable[[str], None] = lambda message: None,
     all_digits: bool = False,
 ) -> tuple[Result, Sequence[Task]]:
     """Solve a case, iterating friction, lifts and loss where these are not given.
@@ -81,14 +81,14 @@ def run_balanced(
         "directory": directory,
         "executor": executor,
         "progress": progress,
-        "say": say,
+        "print_message": print_message,
         "all_digits": all_digits,
     }
     open_ = case.left_open
     if not open_:
         return run(case, tasks, **how), tasks
     earlier = _earlier(case, directory)
-    search = _Search(open_, tasks[0].accuracy, say)
+    search = _Search(open_, tasks[0].accuracy, print_message)
     if earlier:
         case = case.with_found(earlier)
     else:
@@ -107,7 +107,7 @@ class _Search:
 
     open: dict[str, tuple[str, ...]]
     accuracy: float
-    say: Callable[[str], None]
+    print_message: Callable[[str], None]
 
     def lifted(self, case: Case, tasks: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with lifts, as far as finding them costs less than another pass."""
@@ -135,7 +135,7 @@ class _Search:
             before, case = case, case.with_found({"operation": found})
             if self._is_close(before, case, list(then), MARCH_LEAVES):
                 break
-        self.say(f"films in motion: {_told_lifts(found['lifts'])}")
+        self.print_message(f"films in motion: {_told_lifts(found['lifts'])}")
         return case
 
     def _glance(
@@ -180,7 +180,7 @@ class _Search:
             before, case = case, case.with_found({"operation": {"lifts": found}})
             if self._is_close(before, case, list(lifts), MARCH_LEAVES):
                 break
-        self.say(f"films in motion: {_told_lifts(found)}")
+        self.print_message(f"films in motion: {_told_lifts(found)}")
         return case
 
     def _is_close(self, case: Case, new: Case, phases: Sequence[float], leaves: float) -> bool:
@@ -212,7 +212,7 @@ class _Search:
         if self._enough(case, new, cycle, heating):
             return case
         by = f" ({heating.words})" if "cooling" in found else ""
-        self.say(f"solved again with {' and '.join(_told(found))}{by}")
+        self.print_message(f"solved again with {' and '.join(_told(found))}{by}")
         return new
 
     def _found(

@@ -13,7 +13,7 @@ from pyworm.batch.task import Task
 from pyworm.batch.workers import WorkerDiedError, WorkerPool
 from pyworm.io.progress import Progress, marks_tenth
 from pyworm.io.reason import reason_of
-from pyworm.io.terminal import say
+from pyworm.io.terminal import print_message
 from pyworm.kernel.core import KernelError
 
 
@@ -84,7 +84,7 @@ def solve_for(key: str, task: Task, store: Store, line: str | None = None) -> st
         return "its worker has another build of pyworm, or of what it builds on"
     reason = solve_and_keep(task, store)
     if line is not None:
-        say(f"{line}, {'solved' if reason is None else reason}")
+        print_message(f"{line}, {'solved' if reason is None else reason}")
     return reason
 
 

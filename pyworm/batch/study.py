@@ -19,7 +19,7 @@ from pyworm.io import units
 from pyworm.io.console import progress_bar
 from pyworm.io.given import kind_of, number, row, text
 from pyworm.io.progress import Progress
-from pyworm.io.terminal import say
+from pyworm.io.terminal import print_message
 from pyworm.result.result import Result
 from pyworm.result.sweep_result import SweepResult
 from pyworm.scene.line import LineScene
@@ -86,7 +86,8 @@ def sweep(
         else:
             how = effects, quantities and tuple(row("quantities", quantities)), largest_grid
             study = _study(make, title, vary, (_accuracy(accuracy), *how), workers is not None)
-        return run_sweep(study, directory, fields, workers, told, say if progress else _unheard)
+        messages = print_message if progress else _unheard
+        return run_sweep(study, directory, fields, workers, told, messages)
 
 
 def traction_curve(
@@ -194,7 +195,7 @@ def _executor(processes: int, scheduler: str | None) -> AbstractContextManager[E
     if scheduler is not None:
         from pyworm.batch.cluster import cluster
 
-        return cluster(scheduler, say)
+        return cluster(scheduler, print_message)
     if isinstance(processes, bool) or not isinstance(processes, int) or processes < 1:
         raise ValueError(f"processes = {processes!r:.40}: must be a whole number from 1")
     if processes == 1:

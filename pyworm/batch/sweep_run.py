@@ -33,7 +33,7 @@ def run_sweep(
     fields: bool = False,
     executor: Executor | None = None,
     progress: Progress | None = None,
-    say: Callable[[str], None] = lambda message: None,
+    print_message: Callable[[str], None] = lambda message: None,
 ) -> SweepResult:
     """Solve a sweep.
 
@@ -53,7 +53,7 @@ def run_sweep(
     SweepResult
         A row a scene, those without a solution included.
     """
-    reasons, found = solve_share(sweep.tasks, directory, fields, executor, progress, say)
+    reasons, found = solve_share(sweep.tasks, directory, fields, executor, progress, print_message)
     store = _store(directory, fields)
 
     def row(task: Task) -> dict:
@@ -78,7 +78,7 @@ def solve_share(
     fields: bool = False,
     executor: Executor | None = None,
     progress: Progress | None = None,
-    say: Callable[[str], None] = lambda message: None,
+    print_message: Callable[[str], None] = lambda message: None,
 ) -> tuple[dict[str, str], dict[str, dict]]:
     """Solve some scenes of a sweep and store them; arguments as of `run_sweep`.
 
@@ -92,11 +92,11 @@ def solve_share(
     found = store.solved(tasks)
     if found:
         before = sum(task.key in found for task in tasks)
-        say(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+        print_message(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
     if not fields:
         given = _by_formula(task for task in tasks if task.key not in found)
         if given:
-            say(f"{len(given)} of {len(tasks)} scenes need no solve: {BY_FORMULA}")
+            print_message(f"{len(given)} of {len(tasks)} scenes need no solve: {BY_FORMULA}")
         found |= given
     missing = list({task.key: task for task in tasks if task.key not in found}.values())
     return solve_all(missing, store, executor, progress), found

@@ -142,7 +142,7 @@ class WearRun:
         How to wear them.
     directory : Path
         Where everything is kept.
-    say : callable
+    print_message : callable
         Told what is being done.
     how : dict
         Executor and progress, as `run_balanced` takes them.
@@ -154,10 +154,16 @@ class WearRun:
         tasks: Sequence[Task],
         plan: WearPlan,
         directory: Path,
-        say: Callable[[str], None] = lambda message: None,
+        print_message: Callable[[str], None] = lambda message: None,
         **how: Any,
     ) -> None:
-        self.case, self.plan, self.directory, self.say, self.how = case, plan, directory, say, how
+        self.case, self.plan, self.directory, self.print_message, self.how = (
+            case,
+            plan,
+            directory,
+            print_message,
+            how,
+        )
         self.tasks = [replace(task, effects=EFFECTS, wider_window=False) for task in tasks]
         self.duty = worm_duty(case)
         worm, wheel = self.duty.roughness
@@ -230,7 +236,7 @@ class WearRun:
         found = _mean(run_in.rate, run_in.rate)
         scale = present(self.plan.calibrated_to, "calibrated_to") / found
         self.coefficient *= scale
-        self.say(f"k = {self.coefficient:.3g} m2/N, calibrated")
+        self.print_message(f"k = {self.coefficient:.3g} m2/N, calibrated")
         rates = {
             name: scale * getattr(solved, name) for name in ("rate", "volume_rate", "worm_rate")
         }
@@ -268,7 +274,9 @@ class WearRun:
             found = case.tables.worn(grid.face, grid.radius, smoothed(depth), roughness)
             case = case.with_found(found | {"operation": self.loads})
         tasks = [replace(task, case=case) for task in self.tasks]
-        result, _ = run_balanced(case, tasks, self.directory / "contacts", say=self.say, **self.how)
+        result, _ = run_balanced(
+            case, tasks, self.directory / "contacts", print_message=self.print_message, **self.how
+        )
         try:
             if self._grids is None:
                 self._grids = flank_grid(result), flank_grid(result, "worm")
@@ -336,7 +344,7 @@ class WearRun:
         self.steps.append(self._figures(worn, error))
         wheel_depth, self.worm_depth = self._split(worn.depth)
         self.depths.append(wheel_depth)
-        self.say(_told(self.steps[-1]))
+        self.print_message(_told(self.steps[-1]))
         keep(
             self.directory / STATE,
             key=self.key,
@@ -362,20 +370,20 @@ class WearRun:
         try:
             key, state = kept(path, lambda held: (str(held["key"]), held))
             if key != self.key:
-                self.say(f"{path}: of another case or plan, not used")
+                self.print_message(f"{path}: of another case or plan, not used")
                 return None
             found = kept(path, _state_of)
         except FileNotFoundError:
             return None
         except DamagedError as error:
-            self.say(f"{error}, not used")
+            self.print_message(f"{error}, not used")
             return None
         if not all(np.isfinite(state[name]).all() for name in ("depths", "rate", "worm_rate")):
-            self.say(f"{path}: has a flank that is not known everywhere, not used")
+            self.print_message(f"{path}: has a flank that is not known everywhere, not used")
             return None
         vars(self).update(found)
         last = self.steps[-1]
-        self.say(f"goes on at {last.hours:.4g} h")
+        self.print_message(f"goes on at {last.hours:.4g} h")
         depth = np.concatenate([self.depths[-1].ravel(), self.worm_depth.ravel()])
         return Worn(last.hours, depth, self._last.rates, float(state["next_step"]))
 

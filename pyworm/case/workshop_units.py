@@ -10,7 +10,7 @@ from pyworm.io import quantity_text
 from pyworm.io.quantity import Kind
 
 
-def shown(value: Any, field: FieldInfo | None = None) -> str:
+def as_text(value: Any, field: FieldInfo | None = None) -> str:
     """A value, or a list of values, in the unit that its field is measured in."""
     kind = None if field is None else kind_of(field)
     if isinstance(value, tuple | list):
@@ -26,7 +26,7 @@ def assumptions(file: FileTable) -> dict[str, str]:
         value, table = file.at(key), file.at(".".join(tables)) if tables else file
         field = type(table).model_fields[last] if isinstance(table, BaseModel) else None
         whole = isinstance(value, BaseModel | dict)
-        reasons[key if whole else f"{key} = {shown(value, field)}"] = reason
+        reasons[key if whole else f"{key} = {as_text(value, field)}"] = reason
     return reasons
 
 
@@ -34,7 +34,7 @@ def _plain(value: Any, kind: Kind | None) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float | int):
-        return f"{value:.6g}" if kind is None else quantity_text.shown(value, kind)
+        return f"{value:.6g}" if kind is None else quantity_text.as_text(value, kind)
     return str(value)
 
 

@@ -9,10 +9,10 @@ def main() -> int:
     """Run the command line; returns the exit code (`pyworm.cli.main`)."""
     end_at_once()
     from pyworm.cli import main as cli  # takes a second
-    from pyworm.io.on_demand import leave_out
+    from pyworm.io.on_demand import forbid
 
     # installed for clusters, xarray would load it to tell that no array is of it
-    leave_out("dask")
+    forbid("dask")
 
     try:
         end_in_order()

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from pyworm.io.terminal import put
+from pyworm.io.terminal import print_result
 
 PACKAGES = (
     "numpy",
@@ -57,7 +57,7 @@ def _doctor(options: argparse.Namespace) -> int:
             word, message = "ok", check()
         except _UnsoundError as problem:
             word, message, sound = "NO", str(problem), False
-        put(f"{name:14}{word:4}{message}")
+        print_result(f"{name:14}{word:4}{message}")
     return 0 if sound else 1
 
 

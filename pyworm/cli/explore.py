@@ -6,7 +6,7 @@ from pathlib import Path
 from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
 from pyworm.io.stage import stage
-from pyworm.io.terminal import put
+from pyworm.io.terminal import print_result
 
 
 def add_explore(commands: argparse._SubParsersAction) -> None:
@@ -37,5 +37,5 @@ def _explore(options: argparse.Namespace) -> int:
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")
-    put(f"{path}")
+    print_result(f"{path}")
     return 0

@@ -30,14 +30,14 @@ from pyworm.cli.sweep import add_sweep
 from pyworm.cli.wear import add_wear
 from pyworm.io.input_error import CaseError
 from pyworm.io.stage import long_stages_said
-from pyworm.io.terminal import flush, prepare, put, say, silence
+from pyworm.io.terminal import flush, prepare, print_message, print_result, silence
 
 
 class _Parser(argparse.ArgumentParser):
     """A parser whose errors are one sentence, as for cases."""
 
     def error(self, message: str) -> NoReturn:
-        say(message)
+        print_message(message)
         self.exit(BAD_INPUT)
 
     def _print_message(self, message: str, file: Any = None) -> None:
@@ -128,5 +128,5 @@ class _Version(argparse.Action):
     ) -> None:
         import pyworm
 
-        put(f"pyworm {pyworm.__version__}")
+        print_result(f"pyworm {pyworm.__version__}")
         parser.exit()

@@ -11,7 +11,7 @@ from pyworm.cli.shared import CONVERGED, warn_of_unusual
 from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
-from pyworm.io.terminal import put, say
+from pyworm.io.terminal import print_message, print_result
 
 
 def add_new(commands: argparse._SubParsersAction) -> None:
@@ -50,13 +50,13 @@ def _new(options: argparse.Namespace) -> int:
     with whole_file(path) as partial:
         partial.write_text(text, encoding="utf-8")
     warn_of_unusual(case)
-    put(f"{path}: {title}. Next: pyworm check {path}")
+    print_result(f"{path}: {title}. Next: pyworm check {path}")
     return CONVERGED
 
 
 def _asked(key: str, what: str, example: str) -> str:
     """The answer to a question on the terminal."""
-    say(f'{what}, such as "{example}"?')
+    print_message(f'{what}, such as "{example}"?')
     answer = sys.stdin.readline().strip().strip('"')
     if not answer:
         raise CaseError(f'--{key.replace("_", "-")} is missing ({what}, such as "{example}")')

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from pyworm.cli.arguments import add_json
 from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_METRE, ZERO_CELSIUS
 from pyworm.io.json import print_json
-from pyworm.io.terminal import put
+from pyworm.io.terminal import print_result
 
 if TYPE_CHECKING:
     from pyworm.io.console import Console
@@ -72,7 +72,7 @@ def _choose(options: argparse.Namespace) -> int:
             }
         )
     else:
-        put(page(choice).rstrip("\n"))
+        print_result(page(choice).rstrip("\n"))
     return 0
 
 
@@ -92,7 +92,7 @@ def _show(options: argparse.Namespace) -> int:
 
 
 def _chart(options: argparse.Namespace) -> int:
-    from pyworm.io.atomic import check_writable, whole
+    from pyworm.io.atomic import atomic_directory, check_writable
     from pyworm.materials.base_stock import BASES
     from pyworm.materials.oil_file import oil_called
     from pyworm.plots.layout import write
@@ -106,11 +106,11 @@ def _chart(options: argparse.Namespace) -> int:
         "oil_viscosity.png": draw_viscosity,
         "oil_pressure_viscosity.png": draw_pressure_viscosity,
     }
-    with whole(directory) as aside:
+    with atomic_directory(directory) as aside:
         for name, chart in charts.items():
             write(chart(oils), aside / name)
     for name in charts:
-        put(f"{directory / name}")
+        print_result(f"{directory / name}")
     return 0
 
 

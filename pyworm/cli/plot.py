@@ -11,7 +11,7 @@ from pyworm.cli.shared import CONVERGED, FAILED, PICTURES, SWEEP_PICTURE, drawn_
 from pyworm.io.atomic import check_writable
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
-from pyworm.io.terminal import put, say
+from pyworm.io.terminal import print_message, print_result
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ def _plot(options: argparse.Namespace) -> int:
             )
         _, differ = case_for(options.case, result, options.anyway)
         if differ is not None:
-            say(f"warning: {differ}")
+            print_message(f"warning: {differ}")
     if options.animate is not None:
         return _animate(options, result, directory)
     draw_all: Callable[[Path], list[Path]]
@@ -70,7 +70,7 @@ def _plot(options: argparse.Namespace) -> int:
         draw_all, old = _chosen(options, result)
     pictures, complete = drawn_pictures(directory, draw_all, old)
     for name in pictures:
-        put(f"{directory / name}")
+        print_result(f"{directory / name}")
     return CONVERGED if complete else FAILED
 
 
@@ -122,5 +122,5 @@ def _animate(options: argparse.Namespace, result: "Result | None", directory: Pa
     except ValueError as error:
         raise CaseError(f"--animate {kind}: {error}") from error
     for name in films:
-        put(f"{directory / name}")
+        print_result(f"{directory / name}")
     return CONVERGED if complete else FAILED

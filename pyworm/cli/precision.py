@@ -7,10 +7,10 @@ from pathlib import Path
 from pyworm.case.case import load
 from pyworm.cli.arguments import add_case
 from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED, end_with, planned_tasks
-from pyworm.io.atomic import check_writable, whole
+from pyworm.io.atomic import atomic_directory, check_writable
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import as_json, print_json
-from pyworm.io.terminal import say
+from pyworm.io.terminal import print_message
 
 BUDGET = 300.0
 """Time that a study of precision may take unless another is given [s]."""
@@ -61,7 +61,7 @@ def _precision(options: argparse.Namespace) -> int:
 
     name = ", ".join(part for part in (case.name, str(task.place)) if part)
     expected = expected_seconds(task.scene, task.quantities)
-    say(
+    print_message(
         f"{name}: some {duration(min(expected, options.budget))}, "
         f"of {duration(expected)} without a budget"
     )
@@ -75,7 +75,7 @@ def _precision(options: argparse.Namespace) -> int:
     except NoReferenceError as error:
         return end_with(f"{name}: {error}", NOT_CONVERGED)
     content = {"case": case.name} | as_object(made)
-    with whole(directory, instead_of=("precision.*",)) as aside:
+    with atomic_directory(directory, instead_of=("precision.*",)) as aside:
         (aside / "precision.json").write_text(as_json(content), encoding="utf-8")
         write_csv(made, aside / "precision.csv")
         figure = draw_precision(made, name)

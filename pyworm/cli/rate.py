@@ -11,7 +11,7 @@ from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.stage import stage
-from pyworm.io.terminal import say
+from pyworm.io.terminal import print_message
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ def _rate(options: argparse.Namespace) -> int:
             else f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
         )
     for warning in (*([] if differ is None else [differ]), *asked.warnings):
-        say(f"warning: {warning}")
+        print_message(f"warning: {warning}")
     if options.json:
         print_json(
             {

@@ -8,7 +8,7 @@ from pyworm.cli.arguments import add_compared_case
 from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
 from pyworm.io.stage import stage
-from pyworm.io.terminal import put
+from pyworm.io.terminal import print_result
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
@@ -54,14 +54,14 @@ def _report(options: argparse.Namespace) -> int:
     path.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(path) as partial:
         partial.write_text(page, encoding="utf-8")
-    put(f"{path}")
+    print_result(f"{path}")
     if options.pdf:
         from pyworm.report.pdf import print_pdf
 
         pdf = path.with_suffix(".pdf")
         with stage("printing the page"), whole_file(pdf) as partial:
             print_pdf(path, partial)
-        put(f"{pdf}")
+        print_result(f"{pdf}")
     return 0
 
 

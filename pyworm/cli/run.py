@@ -11,7 +11,7 @@ from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_accuracy_and_effects, add_case, add_processes
 from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.json import print_json
-from pyworm.io.terminal import put, say
+from pyworm.io.terminal import print_message, print_result
 
 if TYPE_CHECKING:
     from pyworm.batch.task import Task
@@ -71,7 +71,7 @@ def _run(options: argparse.Namespace) -> int:
     with batch_executor(options) as executor:
         try:
             with progress_bar() as progress:
-                how = executor, progress, say, options.fields == "full"
+                how = executor, progress, print_message, options.fields == "full"
                 result, tasks = run_balanced(case, planned, directory, *how)
         except NothingSolvedError as error:
             if options.json:
@@ -79,10 +79,10 @@ def _run(options: argparse.Namespace) -> int:
                 print_json(told | {"warnings": list(case.warnings), "stop_reason": str(error)})
             return end_with(f"{case.name}: {error}", FAILED)
         for warning in result.provenance["warnings"][len(case.warnings) :]:
-            say(f"warning: {warning}")
+            print_message(f"warning: {warning}")
         if not options.json:
             _show_run(case, tasks, result)
-            put(f"Results   {directory / RESULT_NAME}")
+            print_result(f"Results   {directory / RESULT_NAME}")
         # After the figures, which no picture may cost; and by this machine, since others need not reach
         # this place.
         drawers = None if options.scheduler else executor
@@ -92,7 +92,7 @@ def _run(options: argparse.Namespace) -> int:
     if not options.scheduler and (
         why := overrun(case, planned, result, processor_seconds() - began)
     ):
-        say(f"{case.name}: {why.sentence}")
+        print_message(f"{case.name}: {why.sentence}")
     if result.shortfall is None:
         return CONVERGED
     return end_with(f"{case.name}: {result.shortfall}", NOT_CONVERGED)
@@ -119,9 +119,9 @@ def _show_files(
         print_json(_summary(case, tasks, result) | files)
     else:
         more = "; --pictures all: those of every contact" if options.pictures == "key" else ""
-        put(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
+        print_result(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
         if table is not None:
-            put(f"Life      {table}: figures with error bars at every instant")
+            print_result(f"Life      {table}: figures with error bars at every instant")
 
 
 def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
@@ -179,7 +179,7 @@ def _table_of_lives(result: "Result", directory: Path) -> Path | None:
         with whole_file(path) as partial_file:
             partial_file.write_text(as_csv(found), encoding="utf-8")
     except OSError as error:
-        say(f"no table of the life: {error}")
+        print_message(f"no table of the life: {error}")
         return None
     return path
 

@@ -14,7 +14,7 @@ from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.quantity import SHARE, Kind, parse
 from pyworm.io.stage import stage
-from pyworm.io.terminal import put, say
+from pyworm.io.terminal import print_message, print_result
 
 PLACE = Kind("a place along the face", "m", "2 mm", sign="any", possible=("1e-24 m", "5 m"))
 
@@ -82,7 +82,7 @@ def _setup(options: argparse.Namespace) -> int:
         _print(rows, life)
         _print_allowed(allowed)
     if not made.reached:
-        say(
+        print_message(
             "warning: no set-up near the present one has that pattern without the worm cutting into the "
             "wheel or teeth parting before the next ones meet; the nearest is shown"
         )
@@ -104,23 +104,25 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
         print_json({"case": case.name, "reached": shim.reached, "shim": content})
     else:
         side = "leaving" if shim.shift > 0 else "entering"
-        put(f"Shift the wheel {abs(shim.shift) * 1e3:.3f} mm to the {side} side.")
+        print_result(f"Shift the wheel {abs(shim.shift) * 1e3:.3f} mm to the {side} side.")
         for flank, before, after in (
             ("driven flank", shim.before, shim.after),
             ("other flank", shim.other_before, shim.other_after),
         ):
             if isnan(before) or isnan(after):
-                put(
+                print_result(
                     f"The {flank} touches on no tooth {'without' if isnan(before) else 'with'} the shim."
                 )
                 continue
-            put(
+            print_result(
                 f"Middle of the marked part of the {flank}: from {before * 1e3:+.2f} mm to "
                 f"{after * 1e3:+.2f} mm along the face, + towards the leaving side."
             )
-        put(f"Wanted on the driven flank: {shim.wanted * 1e3:+.2f} mm.")
+        print_result(f"Wanted on the driven flank: {shim.wanted * 1e3:+.2f} mm.")
     if not shim.reached:
-        say("warning: no shim brings the pattern there; the nearest that was found is shown")
+        print_message(
+            "warning: no shim brings the pattern there; the nearest that was found is shown"
+        )
     return CONVERGED if shim.reached else NOT_CONVERGED
 
 
@@ -132,7 +134,9 @@ def _life(case: Case) -> list[Row]:
             oversize, drive = case.tables.reground_drive(case.drive, part)
             rows.append(drive.hob_setup({}).now | {"hob_oversize_m": oversize})
         except ValueError as error:
-            say(f"warning: a hob with {part:.0%} of its oversize left is not shown: {error}")
+            print_message(
+                f"warning: a hob with {part:.0%} of its oversize left is not shown: {error}"
+            )
     return rows
 
 
@@ -173,7 +177,7 @@ def _print(rows: dict[str, Row], life: list[Row]) -> None:
     shown("Set-up of the hob", rows)
     if "found" in rows:
         found = rows["found"]
-        put(
+        print_result(
             f'\n[drive.hob]\nswivel = "{found["hob_swivel_deg"]:.5f} deg"\n'
             f'axial_shift = "{found["hob_axial_shift_m"] * 1e3:.4f} mm"\n'
             f'centre_distance = "{found["hob_centre_distance_m"] * 1e3:.4f} mm"\n'

@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pyworm.case.case import Case
-from pyworm.io.atomic import whole
+from pyworm.io.atomic import atomic_directory
 from pyworm.io.input_error import CaseError
 from pyworm.io.quantity import SHARE, parse
 from pyworm.io.reason import reason_of
 from pyworm.io.stage import stage
-from pyworm.io.terminal import say
+from pyworm.io.terminal import print_message
 from pyworm.scene.index import PLACE_NAMES
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ PICTURES = ("scene_*.png", "mesh_cycle*.png", "traction.png", "life*.png")
 
 def end_with(message: str, code: int) -> int:
     """Print a message on standard error and return the exit code."""
-    say(message)
+    print_message(message)
     return code
 
 
@@ -52,17 +52,17 @@ def drawn_pictures(
 
     complete = True
     try:
-        with whole(directory, instead_of) as aside:
+        with atomic_directory(directory, instead_of) as aside:
             try:
                 drawn = draw(aside)
             except PicturesError as error:
-                say(f"{error}")
+                print_message(f"{error}")
                 drawn, complete = error.drawn, False
     except OSError as error:
-        say(f"no pictures: {error}")
+        print_message(f"no pictures: {error}")
         return [], False
     except MemoryError as error:
-        say(f"no pictures: {reason_of(error)}")
+        print_message(f"no pictures: {reason_of(error)}")
         return [], False
     return [path.name for path in drawn], complete
 
@@ -70,7 +70,7 @@ def drawn_pictures(
 def warn_of_unusual(case: Case) -> None:
     """Print the warnings of a case."""
     for warning in case.warnings:
-        say(f"warning: {warning}")
+        print_message(f"warning: {warning}")
 
 
 def warn_of_refusals(tasks: Sequence["Task"]) -> None:
@@ -80,7 +80,7 @@ def warn_of_refusals(tasks: Sequence["Task"]) -> None:
         if task.plan.refusal is not None:
             reasons.setdefault(task.plan.refusal, []).append(task.scene.name)
     for reason, names in reasons.items():
-        say(f"warning: {', '.join(names)}: will not be as accurate as asked: {reason}")
+        print_message(f"warning: {', '.join(names)}: will not be as accurate as asked: {reason}")
 
 
 def opened_result(path: Path) -> "Result":
@@ -116,7 +116,9 @@ def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[Place, ...]
             f"the pair carries some at {loaded}"
         )
     if phases and idle:
-        say(f"warning: --phase {words}: neighbouring teeth carry all of the load; not solved")
+        print_message(
+            f"warning: --phase {words}: neighbouring teeth carry all of the load; not solved"
+        )
     return case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
 
 
@@ -150,7 +152,7 @@ def batch_executor(options: argparse.Namespace) -> AbstractContextManager:
     if options.scheduler is not None:
         from pyworm.batch.cluster import cluster
 
-        return cluster(options.scheduler, say)
+        return cluster(options.scheduler, print_message)
     if options.jobs == 1:
         return nullcontext()
     from pyworm.batch.workers import WorkerPool

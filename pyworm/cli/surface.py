@@ -9,7 +9,7 @@ from pyworm.cli.arguments import add_json
 from pyworm.cli.shared import CONVERGED, FAILED, drawn_pictures
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
-from pyworm.io.terminal import put
+from pyworm.io.terminal import print_result
 
 if TYPE_CHECKING:
     from pyworm.surfaces.cell_table import CellTable
@@ -89,7 +89,7 @@ def _surface(options: argparse.Namespace) -> int:
     else:
         _print(shown, found)
         for name in pictures:
-            put(f"{options.out / name}")
+            print_result(f"{options.out / name}")
     return CONVERGED if complete else FAILED
 
 

@@ -14,9 +14,9 @@ from pyworm.cli.shared import (
     drawn_pictures,
     end_with,
 )
-from pyworm.io.atomic import check_writable, whole
+from pyworm.io.atomic import atomic_directory, check_writable
 from pyworm.io.json import print_json
-from pyworm.io.terminal import put, say
+from pyworm.io.terminal import print_message, print_result
 
 
 def add_sweep(commands: argparse._SubParsersAction) -> None:
@@ -57,26 +57,28 @@ def _sweep(options: argparse.Namespace) -> int:
     with progress_bar() as progress, batch_executor(options) as executor:
         share = options.share or (1, 1)
         if options.share is not None and progress is None:
-            progress = log_lines(say, f"share {share[0]}/{share[1]}")
+            progress = log_lines(print_message, f"share {share[0]}/{share[1]}")
         store = Store(directory.absolute() / SCENES, options.fields)
         sweep = load_sweep(options.sweep, share, executor, progress, store)
 
         from pyworm.batch.sweep_run import run_sweep, solve_share
 
-        how = (directory, options.fields, executor, progress, say)
+        how = (directory, options.fields, executor, progress, print_message)
         if options.share is not None:
             reasons, _ = solve_share(sweep.tasks, *how)
             for reason in reasons.values():
-                say(f"a scene could not be solved: {reason}")
+                print_message(f"a scene could not be solved: {reason}")
             solved = len(sweep.tasks) - len(reasons)
-            say(f"share {share[0]}/{share[1]}: ended, {solved} of {len(sweep.tasks)} scenes solved")
+            print_message(
+                f"share {share[0]}/{share[1]}: ended, {solved} of {len(sweep.tasks)} scenes solved"
+            )
             return NOT_CONVERGED if reasons else CONVERGED
         result = run_sweep(sweep, *how)
 
     from pyworm.plots.sweep import draw_sweep
     from pyworm.report.console.sweep import rows, show, unconverged
 
-    with whole(directory) as aside:
+    with atomic_directory(directory) as aside:
         result.save(aside / SWEEP_NAME)
         result.save_csv(aside / TABLE_NAME)
     if not options.json:
@@ -94,7 +96,7 @@ def _sweep(options: argparse.Namespace) -> int:
         )
     else:
         for name in pictures:
-            put(f"Picture   {directory / name}")
+            print_result(f"Picture   {directory / name}")
     if result.accurate.all():
         return CONVERGED
     return end_with(f"{result.name}: {'; '.join(unconverged(result))}", NOT_CONVERGED)

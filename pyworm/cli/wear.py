@@ -24,7 +24,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
-from pyworm.io.terminal import put, say
+from pyworm.io.terminal import print_message, print_result
 
 if TYPE_CHECKING:
     from pyworm.batch.wear_run import WearFigures, WearRun
@@ -96,7 +96,7 @@ def _wear(options: argparse.Namespace) -> int:
     plan = WearPlan(options.hours, tolerance=options.tolerance * 1e-6, worm_ratio=ratio, **found)
     with batch_executor(options) as executor:
         try:
-            run = WearRun(case, tasks, plan, directory, say, executor=executor)
+            run = WearRun(case, tasks, plan, directory, print_message, executor=executor)
             steps = run.run()
         except NothingSolvedError as error:
             return end_with(f"{case.name}: {error}", FAILED)
@@ -125,7 +125,7 @@ def _wear(options: argparse.Namespace) -> int:
         return CONVERGED
     _show(steps)
     verdict = "within" if allowed else f"WORN OUT before {plan.hours:g} h"
-    put(
+    print_result(
         f"Allowed: {limit * 1e6:.4g} µm: {verdict}; at the last rate as deep after "
         f"{run.hours_allowed:.4g} h. {assumed}."
     )
@@ -141,14 +141,14 @@ def _draw(case: Case, run: "WearRun", limit: float) -> None:
 
     last = run.steps[-1]
     deep = last.worm_depth_max_m
-    put(
+    print_result(
         f"Worm: {deep * 1e6:.3g} µm at most, {last.worm_mass_kg * 1e3:.3g} g: {run.plan.worm_ratio:.2g} of "
         f"the wheel's volume, {deep / last.depth_max_m:.2g} of its depth."
     )
     picture = run.directory / "wear.png"
     with whole_file(picture) as partial:
         draw_wear(case.name, run, limit).savefig(partial, format="png", dpi=DOTS_PER_INCH)
-    put(f"Maps: {run.directory / STATE}, picture: {picture}")
+    print_result(f"Maps: {run.directory / STATE}, picture: {picture}")
 
 
 def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, float], str]:

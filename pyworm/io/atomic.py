@@ -72,7 +72,7 @@ def whole_file(path: Path) -> Iterator[Path]:
 
 
 @contextmanager
-def whole(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
+def atomic_directory(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
     """Write files into a temporary directory and move them once all are complete.
 
     Files of the same name from an earlier run are replaced, what killed processes left half written goes;

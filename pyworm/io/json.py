@@ -4,12 +4,12 @@ import json
 import math
 from typing import Any
 
-from pyworm.io.terminal import put
+from pyworm.io.terminal import print_result
 
 
 def print_json(content: dict[str, Any]) -> None:
     """Print an object as JSON on standard output."""
-    put(as_json(content))
+    print_result(as_json(content))
 
 
 def as_json(content: dict[str, Any]) -> str:

@@ -16,12 +16,12 @@ class _OnDemand(ModuleType):
         return getattr(import_module(self.__name__), name)
 
 
-def leave_out(name: str) -> None:
+def forbid(name: str) -> None:
     """Let a module count as missing in this process, one that a library would load without any use for it."""
     cast("dict[str, ModuleType | None]", sys.modules).setdefault(name, None)
 
 
-def take_in(name: str) -> None:
+def allow(name: str) -> None:
     """Let a module that was left out be loaded."""
     if name in sys.modules and sys.modules[name] is None:
         del sys.modules[name]
@@ -33,7 +33,7 @@ else:
     xarray = _OnDemand("xarray")
 
 
-def later(module: str, name: str, doc: str) -> property:
+def lazy_property(module: str, name: str, doc: str) -> property:
     """An attribute made of its owner by a class of a module that is loaded with the first use.
 
     So objects of one floor can be asked for what is built upon them, and know no more of it than where.

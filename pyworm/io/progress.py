@@ -11,12 +11,12 @@ PARTS = 10
 """Lines from start to end."""
 
 
-def log_lines(say: Callable[[str], None], name: str) -> Progress:
+def log_lines(print_message: Callable[[str], None], name: str) -> Progress:
     """A progress that says a line at the start of each kind of work and at each tenth of it.
 
     Parameters
     ----------
-    say : callable
+    print_message : callable
         Told the lines.
     name : str
         What it is the progress of, before each line.
@@ -28,7 +28,7 @@ def log_lines(say: Callable[[str], None], name: str) -> Progress:
         part = int(PARTS * fraction + 1e-9)
         if part > reached or (part == 0 and reached != 0):
             reached = part
-            say(f"{name}: {100 * fraction:.0f} %, {message}")
+            print_message(f"{name}: {100 * fraction:.0f} %, {message}")
 
     return tell
 

@@ -70,7 +70,7 @@ _PRINTED = (("deg", "°"), ("^2", "²"), ("^3", "³"), ("um", "µm"))
 """Parts of units as written -> as printed."""
 
 
-def shown(value: float, kind: Kind) -> str:
+def as_text(value: float, kind: Kind) -> str:
     """A value in SI as text: in the unit of its kind's example, or a smaller one."""
     if kind.unit == "":
         return f"{value * 100:.4g} %"

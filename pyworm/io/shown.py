@@ -5,7 +5,7 @@ from html import escape
 
 from pyworm.io.given import quantities
 from pyworm.io.quantity import Kind
-from pyworm.io.quantity_text import shown
+from pyworm.io.quantity_text import as_text
 
 LONGEST = 160
 """Characters of the line of an object."""
@@ -57,4 +57,4 @@ def _text(value: object, kind: Kind | None) -> str:
         return " to ".join(ends) + f" ({len(value)} values)" if ends else f"{len(value)} entries"
     if isinstance(value, bool | str) or not isinstance(value, int | float):
         return value if isinstance(value, str) else repr(value)
-    return f"{value:.4g}" if kind is None else shown(value, kind)
+    return f"{value:.4g}" if kind is None else as_text(value, kind)

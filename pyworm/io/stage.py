@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from threading import Event, Thread
 from time import monotonic
 
-from pyworm.io.terminal import say
+from pyworm.io.terminal import print_message
 
 PATIENCE = 3.0
 """Time after which a stage is said [s]."""
@@ -60,4 +60,4 @@ def _watch(ended: Event, patience: float) -> None:
         for running in innermost:
             if running not in said and monotonic() - running.begun > patience:
                 said.append(running)
-                say(f"{STILL} {running.work}")
+                print_message(f"{STILL} {running.work}")

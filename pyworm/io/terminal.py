@@ -75,12 +75,12 @@ def _plain(character: str, encoding: str) -> str:
     return _LETTERS.get(character) or bare or "?"
 
 
-def put(text: str) -> None:
+def print_result(text: str) -> None:
     """Print a line, or lines, on standard output."""
     _write(sys.stdout, plain(text, sys.stdout))
 
 
-def say(message: str) -> None:
+def print_message(message: str) -> None:
     """Print one message of the program on standard error."""
     _write(sys.stderr, f"pyworm: {plain(message, sys.stderr, lines=False)}")
 

@@ -15,7 +15,7 @@ from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, kind_of, take
 from pyworm.io.present import present
-from pyworm.io.quantity_text import shown
+from pyworm.io.quantity_text import as_text
 from pyworm.io.shown import Shown
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil_layer import OilLayer
@@ -102,15 +102,15 @@ class Oil(Shown):
         """Heading and rows of the oil in words, at its inlet temperature and ambient pressure."""
         law, heat = self.viscosity, self.heat
         return "Oil", {
-            "viscosity": shown(law.eta0, kind_of(units.Viscosity)),
-            "alpha": shown(law.alpha, kind_of(units.PressureViscosityOrZero)),
+            "viscosity": as_text(law.eta0, kind_of(units.Viscosity)),
+            "alpha": as_text(law.alpha, kind_of(units.PressureViscosityOrZero)),
             "law": type(law).__name__,
-            "density": shown(self.density.rho0, kind_of(units.OilDensity)),
+            "density": as_text(self.density.rho0, kind_of(units.OilDensity)),
             **({} if self.flow is None else {"flow": self.flow.law}),
             **(
                 {}
                 if heat is None
-                else {"inlet": shown(heat.inlet_temperature, kind_of(units.Temperature))}
+                else {"inlet": as_text(heat.inlet_temperature, kind_of(units.Temperature))}
             ),
         }
 

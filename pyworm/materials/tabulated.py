@@ -19,7 +19,7 @@ from pyworm.formulas.arrays import Array, Values
 from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, kind_of
-from pyworm.io.quantity_text import shown
+from pyworm.io.quantity_text import as_text
 
 Law = Callable[[Array, Array], Values]
 """Pressures [Pa], temperatures [K] -> values."""
@@ -244,8 +244,8 @@ class Tabulated(ABC):
         return (
             f"<{type(self).__name__} of {self.pressures.size} pressures to "
             f"{self.pressures[-1] / 1e9:.3g} GPa and "
-            f"{self.temperatures.size} temperatures, {shown(self(0.0), kind_of(self.KIND))} at "
-            f"{shown(self.reference, kind_of(units.Temperature))}>"
+            f"{self.temperatures.size} temperatures, {as_text(self(0.0), kind_of(self.KIND))} at "
+            f"{as_text(self.reference, kind_of(units.Temperature))}>"
         )
 
 

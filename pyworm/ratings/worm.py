@@ -133,8 +133,8 @@ def _words(
             "wheel, the simulated minimum that of the thinnest place of an oil with the case's own "
             "inlet temperature, viscosity and pressure-viscosity coefficient."
         )
-    for say in (_rough_words, _oil_words, locking):
-        found = attempt(partial(say, table, duty, loads, directory))
+    for sentences_of in (_rough_words, _oil_words, locking):
+        found = attempt(partial(sentences_of, table, duty, loads, directory))
         words += [] if isinstance(found, Unknown) else [found]
     words += [
         f"{safety.symbol}: {doubt}"

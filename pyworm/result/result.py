@@ -33,7 +33,7 @@ from pyworm.io.quantities import QUANTITIES
 from pyworm.io.reason import reason_of
 from pyworm.io.shown import Shown
 from pyworm.result.netcdf import as_netcdf
-from pyworm.result.sound_result import check, typed
+from pyworm.result.sound_result import check, from_json
 from pyworm.solver.solution import DATASETS, Solution
 
 FORMAT = "pyworm result"
@@ -225,19 +225,19 @@ def _load(path: Path) -> "dict[str, xr.Dataset]":
 
 def _read(groups: "dict[str, xr.Dataset]") -> Result:
     attributes = groups["/"].attrs
-    provenance = typed(dict, read_json(attributes["provenance"]), "provenance")
+    provenance = from_json(dict, read_json(attributes["provenance"]), "provenance")
     for name, kind in PROVENANCE.items():
-        typed(kind, provenance.get(name, kind()), f"provenance.{name}")
+        from_json(kind, provenance.get(name, kind()), f"provenance.{name}")
     mesh_cycle = groups.get("/mesh_cycle")
     if mesh_cycle is not None:
-        typed(str, mesh_cycle.attrs.get("drive"), "the drive of the mesh cycle")
+        from_json(str, mesh_cycle.attrs.get("drive"), "the drive of the mesh cycle")
     scenes = [name for name in groups if re.fullmatch(r"/scene_\d+", name)]
     if not scenes:
         raise ValueError("it has no scenes")
     scenes.sort(key=lambda name: int(name.removeprefix("/scene_")))  # a file may list them by name
     return Result(
-        case_name=typed(str, attributes["case_name"], "case_name"),
-        case=typed(dict, read_json(attributes["case"]), "case"),
+        case_name=from_json(str, attributes["case_name"], "case_name"),
+        case=from_json(dict, read_json(attributes["case"]), "case"),
         solutions=tuple(_read_solution(groups, scene) for scene in scenes),
         mesh_cycle=mesh_cycle,
         provenance=provenance,
@@ -249,7 +249,7 @@ def case_in(path: Path) -> dict | None:
     try:
         with xr.open_dataset(path, engine="netcdf4") as root:
             known = root.attrs.get("format") == FORMAT
-            return typed(dict, read_json(root.attrs["case"]), "case") if known else None
+            return from_json(dict, read_json(root.attrs["case"]), "case") if known else None
     except Exception:  # whatever a damaged file makes the library stumble over
         return None
 
@@ -325,7 +325,9 @@ def _to_json(value: Any) -> str:
 def _read_solution(groups: "dict[str, xr.Dataset]", scene: str) -> Solution:
     datasets = {part: groups[f"{scene}/{part}"] for part in DATASETS if f"{scene}/{part}" in groups}
     try:
-        solution: Solution = typed(Solution, read_json(groups[scene].attrs["solution"]) | datasets)
+        solution: Solution = from_json(
+            Solution, read_json(groups[scene].attrs["solution"]) | datasets
+        )
         check(solution)
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{scene[1:]}: {error}") from None

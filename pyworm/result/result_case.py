@@ -8,7 +8,7 @@ from pydantic import BaseModel
 from pyworm.case.case import NO_PHYSICS, Case, case_again, load
 from pyworm.case.case_file import CaseTable
 from pyworm.case.table import by_dotted_key
-from pyworm.case.workshop_units import shown
+from pyworm.case.workshop_units import as_text
 from pyworm.io.input_error import CaseError
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ def value_shown(tables: CaseTable, key: str) -> str:
     value, table = tables.at(key), tables.at(".".join(parents)) if parents else tables
     if value is None:
         return "not given"
-    return shown(
+    return as_text(
         value, type(table).model_fields.get(last) if isinstance(table, BaseModel) else None
     )
 

@@ -40,7 +40,7 @@ AXES = {"point": ("x", "y"), "line": ("x",)}
 """Kind of contact -> directions of its grid."""
 
 
-def typed(kind: Any, value: Any, name: str = "") -> Any:
+def from_json(kind: Any, value: Any, name: str = "") -> Any:
     """A value read from JSON as its declared type.
 
     Dataclasses are made from tables and tuples from lists; datasets stay as they are.
@@ -62,13 +62,15 @@ def typed(kind: Any, value: Any, name: str = "") -> Any:
         if len(kinds) == len(value):
             pairs = enumerate(zip(kinds, value, strict=True))
             return tuple(
-                typed(type_of_part, part, f"{name}[{number}]")
+                from_json(type_of_part, part, f"{name}[{number}]")
                 for number, (type_of_part, part) in pairs
             )
     if origin is list and isinstance(value, list):
-        return [typed(options[0], part, f"{name}[{number}]") for number, part in enumerate(value)]
+        return [
+            from_json(options[0], part, f"{name}[{number}]") for number, part in enumerate(value)
+        ]
     if origin is dict and isinstance(value, dict):
-        return {key: typed(options[1], part, f"{name}.{key}") for key, part in value.items()}
+        return {key: from_json(options[1], part, f"{name}.{key}") for key, part in value.items()}
     if is_dataclass(kind) and isinstance(value, dict):
         return _made(kind, value, name)
     if kind is float and isinstance(value, int | float) and not isinstance(value, bool):
@@ -83,10 +85,10 @@ def _one_of(options: tuple, value: Any, name: str) -> Any:
         if option is NoneType and value is None:
             return None
         if is_dataclass(option) and isinstance(value, dict):
-            return typed(option, value, name)
+            return from_json(option, value, name)
     for option in options:
         try:
-            return typed(option, value, name)
+            return from_json(option, value, name)
         except ValueError:
             continue
     raise ValueError(f"{name} is {value!r:.60}")
@@ -101,7 +103,7 @@ def _made(kind: Any, value: dict[str, Any], name: str) -> Any:
     try:
         return kind(
             **{
-                key: typed(hints[key], part_value, f"{below}{key}")
+                key: from_json(hints[key], part_value, f"{below}{key}")
                 for key, part_value in value.items()
             }
         )

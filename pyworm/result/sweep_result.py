@@ -25,7 +25,7 @@ from pyworm.io.number_with_unit import parse_in
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.shown import Shown
 from pyworm.result.result import LARGEST, plain_attributes
-from pyworm.result.sound_result import typed
+from pyworm.result.sound_result import from_json
 from pyworm.solver.neglected_effects import LAMBDAS, MIXED_ABOVE, SHARE, NeglectedEffects, worst
 
 FORMAT = "pyworm sweep"
@@ -143,11 +143,11 @@ def open_sweep(path: str | os.PathLike) -> SweepResult | None:
         )
     try:
         result = SweepResult(
-            typed(str, attributes["name"], "name"),
-            typed(str, attributes["title"], "title"),
-            typed(list[list[str]], read_json(attributes["axes"]), "axes"),
+            from_json(str, attributes["name"], "name"),
+            from_json(str, attributes["title"], "title"),
+            from_json(list[list[str]], read_json(attributes["axes"]), "axes"),
             table,
-            typed(dict, read_json(attributes["provenance"]), "provenance"),
+            from_json(dict, read_json(attributes["provenance"]), "provenance"),
         )
         _check(result)
     except (ValueError, LookupError, TypeError, RecursionError) as error:

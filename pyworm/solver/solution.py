@@ -6,7 +6,7 @@ from typing import Any, Literal, NamedTuple
 
 from pyworm.formulas.regimes import Regime
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.io.on_demand import later
+from pyworm.io.on_demand import lazy_property
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray, same_data
 from pyworm.io.quantities import QUANTITIES, Quantity
@@ -201,7 +201,7 @@ class Solution(Shown):
     """Names of the figures to which it refers (`pyworm.planning.target.AccuracyTarget`); empty where that is
     not known."""
 
-    plot = later(
+    plot = lazy_property(
         "pyworm.plots.of_solution", "Pictures", "Its pictures, such as `solution.plot.film()`."
     )
 

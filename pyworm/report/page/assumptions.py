@@ -6,7 +6,7 @@ from typing import Any
 from pydantic import BaseModel
 
 from pyworm.case.case import Case
-from pyworm.case.workshop_units import assumptions, shown
+from pyworm.case.workshop_units import as_text, assumptions
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.quantity_text import duration
 from pyworm.planning.effects.judgement import Judgement
@@ -171,14 +171,14 @@ def _tables(name: str, part: Any, field: Any = None) -> list[Table]:
     if isinstance(part, dict):
         return [table for key, value in part.items() for table in _tables(f"{name}.{key}", value)]
     if not isinstance(part, BaseModel):
-        return [Table(("", ""), ((_label(name), shown(part, field)),))]
+        return [Table(("", ""), ((_label(name), as_text(part, field)),))]
     rows, inner = [], []
     for key, entry in type(part).model_fields.items():
         value = getattr(part, key)
         if isinstance(value, BaseModel | dict):
             inner += _tables(f"{name}.{key}", value)
         elif value is not None:
-            rows.append((_label(key), shown(value, entry)))
+            rows.append((_label(key), as_text(value, entry)))
     tables = [Table(("", ""), tuple(rows), title=_label(name.replace(".", ": ")))] if rows else []
     return tables + inner
 

@@ -5,7 +5,7 @@ from datetime import datetime
 from pydantic import BaseModel
 
 from pyworm.case.case import Case
-from pyworm.case.workshop_units import shown
+from pyworm.case.workshop_units import as_text
 from pyworm.io.quantities import QUANTITIES
 from pyworm.ratings.rating import Safety
 from pyworm.report.console.drive import described_row
@@ -91,7 +91,7 @@ def _operation(case: Case) -> Identity:
 
 
 def _of(table: BaseModel, name: str) -> str:
-    return shown(getattr(table, name), type(table).model_fields[name])
+    return as_text(getattr(table, name), type(table).model_fields[name])
 
 
 def _computed(result: Result) -> Identity:

@@ -116,7 +116,7 @@ def test_worn_flanks_that_cannot_be_solved_are_told_with_the_contacts_that_are_n
     result = SimpleNamespace(unsound=(bad,))
     run = object.__new__(wear_run.WearRun)
     vars(run).update(
-        case=SimpleNamespace(drive=None), tasks=[], directory=tmp_path, say=print, how={}
+        case=SimpleNamespace(drive=None), tasks=[], directory=tmp_path, print_message=print, how={}
     )
     vars(run).update(_grids=None)
     with pytest.raises(UnsolvedError, match=r"2 phases converged \(phase 0.5: no more nodes\)"):

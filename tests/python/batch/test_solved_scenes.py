@@ -213,6 +213,6 @@ def test_the_only_scene_is_kept_where_its_result_cannot_be_written(tmp_path, mon
             run(case, tasks, tmp_path)
     assert [path.stem for path in (tmp_path / SCENES).iterdir()] == [task.key]
     said = []
-    run(case, tasks, tmp_path, say=said.append)
+    run(case, tasks, tmp_path, print_message=said.append)
     assert said == [f"1 of 1 scenes were solved before, in {tmp_path}"]
     assert [path.name for path in tmp_path.iterdir()] == [RESULT_NAME]

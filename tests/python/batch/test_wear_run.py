@@ -190,7 +190,7 @@ def test_the_energy_form_and_the_standards_curve_are_options(monkeypatch, capsys
     class StoppedError(Exception):
         pass
 
-    def run(case, tasks, plan, directory, say, **how):
+    def run(case, tasks, plan, directory, print_message, **how):
         made.append(plan)
         raise StoppedError
 

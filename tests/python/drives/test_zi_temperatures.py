@@ -99,7 +99,7 @@ def test_the_loss_found_agrees_with_its_own_temperatures(case, monkeypatch, tmp_
     monkeypatch.setattr(drive_iteration, "run", run)
     monkeypatch.setattr(drive_iteration, "drive_cycle", cycle)
     tasks = [Task(case, place, 0.03) for place in case.places()]
-    _, solved = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
+    _, solved = drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)
     _, assumed, found = ran[-1]
     assert abs(found - assumed) / 40 < 1.001 * drive_iteration.WARMTH
     assert assumed == pytest.approx(1000 + 100 / (1 - fall), abs=25)

@@ -11,16 +11,16 @@ from pathlib import Path
 
 import pytest
 
-from pyworm.io.atomic import NotWrittenError, remove_abandoned, whole, whole_file
+from pyworm.io.atomic import NotWrittenError, atomic_directory, remove_abandoned, whole_file
 
 NOBODY = 65534
 
 KILLED = """
 import os, signal, sys
 from pathlib import Path
-from pyworm.io.atomic import whole, whole_file
+from pyworm.io.atomic import atomic_directory, whole_file
 out = Path(sys.argv[1])
-with whole(out) as aside, whole_file(out / "result.nc") as partial:
+with atomic_directory(out) as aside, whole_file(out / "result.nc") as partial:
     (aside / "scene_000_film.png").write_text("half")
     partial.write_text("half")
     os.kill(os.getpid(), signal.SIGKILL)
@@ -52,14 +52,14 @@ def test_a_directory_is_written_to_whose_parent_is_closed_to_writing(ordinary_us
     ordinary_user.chmod(0o500)
     with pytest.raises(PermissionError):
         (ordinary_user / "other").mkdir()
-    with whole(out) as aside:
+    with atomic_directory(out) as aside:
         (aside / "picture.png").write_text("whole")
     with whole_file(out / "result.nc") as partial:
         partial.write_text("whole")
     assert names(out) == ["picture.png", "result.nc"]
 
 
-@pytest.mark.parametrize("write", [whole, whole_file])
+@pytest.mark.parametrize("write", [atomic_directory, whole_file])
 def test_a_directory_that_takes_no_files_is_named(write):
     """Such as /proc, which exists, and in which nothing can be made."""
     with (
@@ -69,7 +69,7 @@ def test_a_directory_that_takes_no_files_is_named(write):
         pass
 
 
-@pytest.mark.parametrize("write", [whole, whole_file])
+@pytest.mark.parametrize("write", [atomic_directory, whole_file])
 def test_a_failure_while_writing_names_what_was_to_be_written(tmp_path, write):
     target = tmp_path / "out"
     with (
@@ -102,7 +102,7 @@ def test_content_is_on_disk_before_it_is_renamed(tmp_path, monkeypatch, kind):
         with whole_file(target) as partial:
             partial.write_text("whole")
     else:
-        with whole(target.parent) as aside:
+        with atomic_directory(target.parent) as aside:
             (aside / target.name).write_text("whole")
     inode = target.stat().st_ino
     assert done == [(inode, "on disk"), (inode, "renamed")]
@@ -115,7 +115,7 @@ def test_the_next_write_removes_files_of_killed_processes_only(tmp_path):
     assert (
         len(names(tmp_path)) == 4
     )  # the directory, what was collected and in it a picture, a file
-    with whole_file(out / "live.nc") as partial, whole(out) as aside:
+    with whole_file(out / "live.nc") as partial, atomic_directory(out) as aside:
         partial.write_text("whole")
         (aside / "live.png").write_text("whole")
         remove_abandoned(out)
@@ -132,7 +132,7 @@ def test_files_that_only_look_alike_are_left_alone(tmp_path):
 
 
 def test_a_failed_write_leaves_neither_the_directory_nor_anything_in_it(tmp_path):
-    with pytest.raises(ZeroDivisionError), whole(tmp_path / "new") as aside:
+    with pytest.raises(ZeroDivisionError), atomic_directory(tmp_path / "new") as aside:
         (aside / "half.png").write_text("half")
         _ = 1 // 0
     assert names(tmp_path) == []

@@ -340,7 +340,9 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
     def tasks():
         return [Task(worm_case, place, 0.02) for place in worm_case.places()]
 
-    _, solved = drive_iteration.run_balanced(worm_case, tasks(), tmp_path, say=said.append)
+    _, solved = drive_iteration.run_balanced(
+        worm_case, tasks(), tmp_path, print_message=said.append
+    )
     assert ran == [[0.01] * 3, [0.02] * 3]
     assert solved[0].case.drive.load.friction == 0.02
     assert said == ["solved again with operation.friction = 0.02"]
@@ -403,7 +405,7 @@ def three_phases(effects):
 def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, lifting):
     case, tasks, lifts = three_phases("auto,-squeeze")
     said = []
-    balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
+    balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)
     # lifts of micrometres move loads by more than one glance settles
     assert lifting == [(drive_iteration.GLANCE, ()), (drive_iteration.GLANCE, lifts), (0.02, lifts)]
     assert "operation.lifts of 1.20 to 2.64 µm" in said[0]
@@ -431,7 +433,7 @@ def test_motion_changes_the_lifts_of_steady_films(tmp_path, lifting, monkeypatch
     monkeypatch.setattr(drive_iteration, "lifts_of", lifts_of)
     case, tasks, steady_lifts = three_phases("auto")
     said = []
-    drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
+    drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)
     lifts = tuple((phase, pytest.approx((1 + 5 * phase) * 1e-6)) for phase, _ in steady_lifts)
     # one transient solve, under the loads that follow from steady lifts, leaves a twentieth of its change
     assert asked == [(False, ()), (True, steady_lifts)]

@@ -397,7 +397,7 @@ def test_the_sump_is_as_warm_as_the_standard_s_loss_makes_it(tmp_path, monkeypat
     )
     monkeypatch.setattr(drive_iteration, "drive_cycle", lambda result: cycle)
     tasks = [pyworm.batch.task.Task(case, place, 0.03) for place in case.places()]
-    _, tasks = drive_iteration.run_balanced(case, tasks, tmp_path, say=said.append)
+    _, tasks = drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)
     power = standard_loss(case).power
     assert power > 1000
     sump = tasks[0].case.drive.oil.heat.inlet_temperature - 273.15
