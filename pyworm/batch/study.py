@@ -78,16 +78,15 @@ def sweep(
     """
     with ExitStack() as stack:
         where = stack.enter_context(TemporaryDirectory()) if out is None else out
-        directory = Path(where).absolute()
+        folder = Path(where).absolute()
         told = stack.enter_context(_progress(progress))
-        workers = stack.enter_context(_executor(processes, scheduler))
+        pool = stack.enter_context(_executor(processes, scheduler))
         if isinstance(make, str | Path):
-            study = _of_file(make, vary, workers, told, Store(directory / SCENES, fields))
+            study = _of_file(make, vary, pool, told, Store(folder / SCENES, fields))
         else:
             how = effects, quantities and tuple(row("quantities", quantities)), largest_grid
-            study = _study(make, title, vary, (_accuracy(accuracy), *how), workers is not None)
-        messages = print_message if progress else _unheard
-        return run_sweep(study, directory, fields, workers, told, messages)
+            study = _study(make, title, vary, (_accuracy(accuracy), *how), pool is not None)
+        return run_sweep(study, folder, fields, pool, told, print_message if progress else _silent)
 
 
 def traction_curve(
@@ -216,5 +215,5 @@ def _progress(wanted: bool | Progress) -> Iterator[Progress | None]:
         yield None
 
 
-def _unheard(message: str) -> None:
+def _silent(message: str) -> None:
     """Where no progress is wanted."""
