@@ -18,9 +18,9 @@ import pyworm
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.worm.loads import tooth_pair_motion
 from pyworm.planning.target import FILMS, HEAT_FIGURES
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import march
-from pyworm.solver.transient.moments import until
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import integrate_in_time
+from pyworm.solver.transient.time_records import until
 from pyworm.solver.transient.transient import Rates, transient
 
 CASE = "cases/zi_drive.toml"
@@ -39,13 +39,13 @@ def early_films(life_of: Callable) -> np.ndarray:
     drive = pyworm.load(CASE).drive
     life = life_of(drive)
     scene = replace(drive.scene(0.5), past=life.past(0.5))
-    course = course_of(
+    time_grid = time_grid_of(
         scene.past.life, pyworm.plan(scene, ACCURACY, "isothermal,squeeze", ("film",))
     )
-    moments = march(course, 1, 0.0, [life.past(0.3).seconds]).moments
-    phases = [one.phase for one in moments]
+    records = integrate_in_time(time_grid, 1, 0.0, [life.past(0.3).seconds]).records
+    phases = [one.phase for one in records]
     return np.array(
-        [np.interp(EARLY, phases, [one.figures[name] for one in moments]) for name in FILMS]
+        [np.interp(EARLY, phases, [one.figures[name] for one in records]) for name in FILMS]
     )
 
 
@@ -76,14 +76,14 @@ def stored_heat() -> None:
     case = pyworm.load(CASE)
     scenes = [case.scene(phase=phase) for phase in STORING]
     plans = [pyworm.plan(scene, ACCURACY, "auto,squeeze") for scene in scenes]
-    course = course_of(scenes[0].past.life, plans[0])
-    found = march(course, 1, 0.0, [scene.past.seconds for scene in scenes])
+    time_grid = time_grid_of(scenes[0].past.life, plans[0])
+    found = integrate_in_time(time_grid, 1, 0.0, [scene.past.seconds for scene in scenes])
     names = (*FILMS, "friction_coefficient", *HEAT_FIGURES)
     for scene, plan in zip(scenes, plans, strict=True):
         at = scene.past.seconds
-        rate, moments = found.rates[at], (until(found.moments, at),)
+        rate, records = found.rates[at], (until(found.records, at),)
         stored, steady = (
-            transient(plan.simplified(scene), plan, Rates((one,), moments)).level.read().figures
+            transient(plan.simplified(scene), plan, Rates((one,), records)).level.read().figures
             for one in (rate, replace(rate, warming=None, pressing=None))
         )
         told = ", ".join(f"{name} {stored[name] / steady[name] - 1:+.3%}" for name in names)

@@ -16,9 +16,9 @@ from pyworm.planning.plan import Plan
 from pyworm.planning.target import FILMS
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import NoFilmError, march
-from pyworm.solver.transient.moments import until
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import NoFilmError, integrate_in_time
+from pyworm.solver.transient.time_records import until
 from pyworm.solver.transient.transient import WARM_UP, Rates, part_at, transient
 
 ACCURACY = 0.05
@@ -28,26 +28,29 @@ ACCURACY = 0.05
 def found(scenes: Sequence[Scene | LineScene], plan: Plan, solves: int) -> dict[str, Rates]:
     """Rates of change of scenes of one life by several transient solves, by the scene's name.
 
-    The last of them, which the others are judged by, begins `WARM_UP` transits earlier. LostError where
+    The last of them, which the others are judged by, begins `WARM_UP` transits earlier. NoFilmError where
     there is no film.
     """
-    course = course_of(scenes[0].past.life, plan)
+    time_grid = time_grid_of(scenes[0].past.life, plan)
     parts = defaultdict(list)
     for scene in scenes:
-        parts[part_at(course, scene.past.seconds)].append(scene)
+        parts[part_at(time_grid, scene.past.seconds)].append(scene)
     rates = {}
     for part, some in parts.items():
         wanted = sorted(scene.past.seconds for scene in some)
         earlier = max(0.0, part.begin - WARM_UP[plan.work.kind])
         begins = [part.begin] * (solves - 1) + [earlier]
-        solved = [march(course, number, begin, wanted) for number, begin in enumerate(begins)]
+        solved = [
+            integrate_in_time(time_grid, number, begin, wanted)
+            for number, begin in enumerate(begins)
+        ]
         for diverged in filter(None, (one.diverged for one in solved)):
             raise NoFilmError(diverged)
         for scene in some:
             at = scene.past.seconds
             rates[scene.name] = Rates(
                 tuple(one.rates[at] for one in solved),
-                tuple(until(one.moments, at) for one in solved),
+                tuple(until(one.records, at) for one in solved),
             )
     return rates
 
@@ -59,7 +62,7 @@ def judged(
     simple = plan.simplified(scene)
     some = [slice(max(0, last - 2), last + 1) for last in range(len(rates.found))]
     of = [  # errors are told after up to three solves
-        transient(simple, plan, Rates(rates.found[those], rates.moments[those])) for those in some
+        transient(simple, plan, Rates(rates.found[those], rates.records[those])) for those in some
     ]
     truth = of[-1].level.read().figures
     for number, one in enumerate(of[:-1], 1):

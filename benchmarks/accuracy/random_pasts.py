@@ -21,7 +21,7 @@ from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.transient.march import NoFilmError
+from pyworm.solver.transient.time_integration import NoFilmError
 
 COUNT = 20
 """Pasts of a seed."""

@@ -26,8 +26,8 @@ from pyworm.planning.effects.squeeze import SQUEEZE, lag, spread
 from pyworm.planning.prediction import predicted
 from pyworm.result.result import Result
 from pyworm.solver.solution import Estimate
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import march
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.transient import parts_of
 
 FIGURES = ("film_central", "film_min", "friction_coefficient")
@@ -60,15 +60,15 @@ def solved(case: Case, tasks: Sequence[Task]) -> tuple[Result, float]:
 
 def overlap(scene: pyworm.Scene, accuracy: float) -> None:
     """Largest difference of the films of both parts of a life where they overlap, beyond the warm-up."""
-    course = course_of(scene.past.life, pyworm.plan(scene, accuracy))
-    parts = parts_of(course)
+    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, accuracy))
+    parts = parts_of(time_grid)
     if len(parts) < 2:
         print("the life is solved in one part")
         return
     before, after = parts[:2]
-    at = course.instant(after.first)
+    at = time_grid.time_at(after.first)
     worst = 0.0
-    curves = [march(course, 0, part.begin, [at]).moments for part in (before, after)]
+    curves = [integrate_in_time(time_grid, 0, part.begin, [at]).records for part in (before, after)]
     for name in FIGURES:
         one, other = (
             np.interp(at, [one.seconds for one in curve], [one.figures[name] for one in curve])
@@ -80,12 +80,12 @@ def overlap(scene: pyworm.Scene, accuracy: float) -> None:
 
 def work_of_life(scene: pyworm.Scene, accuracy: float, solves: int) -> None:
     """Work of friction over the whole life by each of several transient solves, and over that of the next."""
-    course = course_of(scene.past.life, pyworm.plan(scene, accuracy))
+    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, accuracy))
     works = []
     for refinement in range(solves):
-        moments = march(course, refinement, 0.0, [course.end]).moments
-        losses = [one.figures["power_loss"] for one in moments]
-        works.append(np.trapezoid(losses, [one.seconds for one in moments]))
+        records = integrate_in_time(time_grid, refinement, 0.0, [time_grid.end]).records
+        losses = [one.figures["power_loss"] for one in records]
+        works.append(np.trapezoid(losses, [one.seconds for one in records]))
     told = ", ".join(f"{work:.4g}" for work in works)
     over_next = ", ".join(f"{one / after - 1:+.2%}" for one, after in pairwise(works))
     print(f"work of friction over the life by each solve: {told} J, over the next {over_next}")

@@ -42,8 +42,8 @@ from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.scales import line_scales
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import March, march
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import TimeIntegration, integrate_in_time
 
 Factor = Callable[[float], float]
 """Time, in transits of the contact at the beginning, to speed or load over that at the beginning."""
@@ -122,13 +122,13 @@ def solved(
 ) -> tuple[Array, Array]:
     """Times, in a unit [s], and central films [m] of a line by one transient solve."""
     found = marched(scene, unit, duration, speed, load, kinks, refinement)
-    times = np.array([one.seconds for one in found.moments]) / unit
-    return times, np.array([one.figures["film_central"] for one in found.moments])
+    times = np.array([one.seconds for one in found.records]) / unit
+    return times, np.array([one.figures["film_central"] for one in found.records])
 
 
 def marched(
     scene: LineScene, unit: float, duration: float, speed: Factor, load: Factor, kinks, refinement
-) -> March:
+) -> TimeIntegration:
     """One transient solve of a line whose speed and load change with time, in a unit [s]."""
 
     def contact(seconds: float) -> LineScene:
@@ -141,7 +141,7 @@ def marched(
     life = Life(end, contact, kinks=tuple(kink * unit for kink in kinks))
     present = replace(contact(end), past=Past(life, end))
     plan = pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",))
-    found = march(course_of(life, plan), refinement, 0.0, [0.95 * end])
+    found = integrate_in_time(time_grid_of(life, plan), refinement, 0.0, [0.95 * end])
     if found.lost is not None:
         raise RuntimeError(found.lost)
     return found
@@ -321,7 +321,7 @@ def waves(period: float, refinement: int = 1) -> Waves:
     half_width, end = line_scales(scene).hertz.half_width, SWUNG * period + SETTLING
     transit = 2 * half_width / scene.entrainment
     found = marched(scene, transit, end, constant, swing(period), (0.0,), refinement)
-    framed = [one for one in found.moments if one.frame is not None]
+    framed = [one for one in found.records if one.frame is not None]
     times = np.array([one.seconds for one in framed]) / transit
     some = times > times[-1] - SWUNG * period
     x = np.linspace(-INNER, INNER, 57)
@@ -344,30 +344,32 @@ def waves(period: float, refinement: int = 1) -> Waves:
     return Waves(frequency / number, 2 * pi / number, 2 * pi / frequency, sizes.min(), sizes.max())
 
 
-def compare(name: str, course: Transient) -> None:
+def compare(name: str, time_grid: Transient) -> None:
     """Print extremes and deviations of a film in motion from the theory."""
-    difference = course.solved - course.theory
+    difference = time_grid.solved - time_grid.theory
     print(f"{name}:")
     for label, at in (("largest", np.argmax), ("least", np.argmin)):
-        here, there = at(course.solved), at(course.theory)
+        here, there = at(time_grid.solved), at(time_grid.theory)
         print(
-            f"  {label:8} {course.solved[here]:.4g} at {course.times[here]:.2f}, theory"
-            f" {course.theory[there]:.4g} at {course.times[there]:.2f}"
+            f"  {label:8} {time_grid.solved[here]:.4g} at {time_grid.times[here]:.2f}, theory"
+            f" {time_grid.theory[there]:.4g} at {time_grid.times[there]:.2f}"
         )
     print(
-        f"  rms deviation over the range {np.sqrt(np.mean(difference**2)) / np.ptp(course.theory):.1%},"
-        f" largest over the film {np.max(np.abs(difference / course.theory)):.1%}"
+        f"  rms deviation over the range {np.sqrt(np.mean(difference**2)) / np.ptp(time_grid.theory):.1%},"
+        f" largest over the film {np.max(np.abs(difference / time_grid.theory)):.1%}"
     )
 
 
-def draw(courses: dict[str, Transient], path: str) -> None:
+def draw(time_grids: dict[str, Transient], path: str) -> None:
     """Save curves of all courses as a picture."""
     figure, axes = plt.subplots(2, 3, figsize=(12, 6.5), layout="constrained")
-    for ax, (name, course) in zip(axes.flat, courses.items(), strict=True):
+    for ax, (name, time_grid) in zip(axes.flat, time_grids.items(), strict=True):
         unit = 1e-6 if name.startswith("rigid") else 1.0
-        ax.plot(course.times, course.steady / unit, color="0.7", label="steady film of each time")
-        ax.plot(course.times, course.theory / unit, "k--", label="theory")
-        ax.plot(course.times, course.solved / unit, "C0", label="transient solve")
+        ax.plot(
+            time_grid.times, time_grid.steady / unit, color="0.7", label="steady film of each time"
+        )
+        ax.plot(time_grid.times, time_grid.theory / unit, "k--", label="theory")
+        ax.plot(time_grid.times, time_grid.solved / unit, "C0", label="transient solve")
         ax.set_title(name)
         ax.set_xlabel("time, ms" if unit < 1 else "time, transits")
         ax.set_ylabel("film, µm" if unit < 1 else "central film over that before")
@@ -377,11 +379,11 @@ def draw(courses: dict[str, Transient], path: str) -> None:
 
 def main() -> None:
     """Compare all courses, and draw them if a picture is named."""
-    courses = {}
+    time_grids = {}
     for name, run in COURSES.items():
-        courses[name] = run()
-        compare(name, courses[name])
-    turned = courses["rigid, reversal"]
+        time_grids[name] = run()
+        compare(name, time_grids[name])
+    turned = time_grids["rigid, reversal"]
     for label, films in (("solved", turned.solved), ("theory", turned.theory)):
         print(f"h_min while entrainment turns, {label}: C = {clearance(min(films), 1e3):.3f}")
     for period in PERIODS:
@@ -392,7 +394,7 @@ def main() -> None:
             f" amplitude {of.least:.2%} to {of.largest:.2%}"
         )
     if sys.argv[1:]:
-        draw(courses, sys.argv[1])
+        draw(time_grids, sys.argv[1])
 
 
 if __name__ == "__main__":

@@ -27,8 +27,8 @@ from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.lifts import Lift, moving_lifts, steady_lift
-from pyworm.solver.transient.march import NoFilmError, RateOfChange, march
-from pyworm.solver.transient.moments import Moment, as_arrays, from_arrays, until
+from pyworm.solver.transient.time_integration import NoFilmError, RateOfChange, integrate_in_time
+from pyworm.solver.transient.time_records import TimeRecord, as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, present_in_life, recent
 
 FEWEST = 2
@@ -61,17 +61,17 @@ class LifePart:
     def _solve_into(self, directory: Path) -> None:
         if self.refinement > 0 and self._lost(directory):
             return
-        course = self.task.course
+        time_grid = self.task.time_grid
         wanted = {task.key: present_in_life(task.scene).seconds for task in self.tasks}
-        part = part_at(course, present_in_life(self.tasks[0].scene).seconds)
-        times, last = sorted(wanted.values()), course.instant(part.last)
+        part = part_at(time_grid, present_in_life(self.tasks[0].scene).seconds)
+        times, last = sorted(wanted.values()), time_grid.time_at(part.last)
         try:
-            found = march(course, self.refinement, part.begin, times, last)
-            rates, flaw, moments = found.rates, found.failure, found.moments
+            found = integrate_in_time(time_grid, self.refinement, part.begin, times, last)
+            rates, flaw, records = found.rates, found.failure, found.records
         except NoFilmError as error:
-            rates, flaw, moments = {}, str(error), ()
+            rates, flaw, records = {}, str(error), ()
         # each task keeps the stretch of the life since the one before it, and together they keep all of it
-        first = course.instant(part.first) if part.first > 0 else -inf
+        first = time_grid.time_at(part.first) if part.first > 0 else -inf
         since = dict(zip(times, (first, *times[:-1]), strict=True))
         ends = {time: time for time in times} | {times[-1]: last}
         for key, seconds in wanted.items():
@@ -80,7 +80,7 @@ class LifePart:
                 keep(file, flaw=flaw)
             else:
                 grid = list(vars(rates[seconds].grid).values())
-                arrays = as_arrays(until(moments, ends[seconds]))
+                arrays = as_arrays(until(records, ends[seconds]))
                 figures = {name: getattr(rates[seconds], name) for name in RATES}
                 known = {name: rate for name, rate in figures.items() if rate is not None}
                 keep(file, grid=grid, since=since[seconds], **known, **arrays)
@@ -123,7 +123,7 @@ def solve_lives(
 def rates_for(task: Task, directory: Path) -> Rates | None:
     """Rates of change of a task's film that were left for it; None where there are not all."""
     found: list[RateOfChange] = []
-    moments: list[tuple[Moment, ...]] = []
+    records: list[tuple[TimeRecord, ...]] = []
     since = -inf
     for refinement in range(solves_of_life(task.accuracy)):
         try:
@@ -132,14 +132,14 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
             return None
         if isinstance(left, str):  # what coarser solves found is better than nothing
             flaw = None if found else left
-            return Rates(tuple(found), tuple(moments), since, flaw, finest=True)
-        rate, moment, since = left
+            return Rates(tuple(found), tuple(records), since, flaw, finest=True)
+        rate, time_record, since = left
         found.append(rate)
-        moments.append(moment)
-    return Rates(tuple(found), tuple(moments), since)
+        records.append(time_record)
+    return Rates(tuple(found), tuple(records), since)
 
 
-def _left(data: dict[str, np.ndarray]) -> str | tuple[RateOfChange, tuple[Moment, ...], float]:
+def _left(data: dict[str, np.ndarray]) -> str | tuple[RateOfChange, tuple[TimeRecord, ...], float]:
     """What a transient solve has left for a task: rate, moments and since when, or why there is none."""
     if "flaw" in data:
         return str(data["flaw"])
@@ -169,12 +169,12 @@ def drop_rates(task: Task, directory: Path) -> None:
 def tasks_by_part(life: Sequence[Task]) -> list[tuple[Task, ...]]:
     """Tasks of a life by the part that holds their film."""
     try:
-        course = life[0].course
+        time_grid = life[0].time_grid
     except ValueError:  # the reason that each task will give
         return []
     found = defaultdict(list)
     for task in life:
-        found[part_at(course, present_in_life(task.scene).seconds)].append(task)
+        found[part_at(time_grid, present_in_life(task.scene).seconds)].append(task)
     return [tuple(part) for part in found.values()]
 
 
@@ -226,16 +226,16 @@ class PartLifts:
 
     def __call__(self) -> dict[float, Lift]:
         """Phase -> lift; without those of which no film is found."""
-        course = self.tasks[0].course
+        time_grid = self.tasks[0].time_grid
         phases = {
             present_in_life(task.scene).seconds: present(task.place.phase, "phase")
             for task in self.tasks
         }
         if self.moving:
-            begin = part_at(course, min(phases)).begin
-            found = moving_lifts(course, begin, sorted(phases))
+            begin = part_at(time_grid, min(phases)).begin
+            found = moving_lifts(time_grid, begin, sorted(phases))
         else:
-            steady = {seconds: steady_lift(course, seconds) for seconds in phases}
+            steady = {seconds: steady_lift(time_grid, seconds) for seconds in phases}
             found = {seconds: lift for seconds, lift in steady.items() if lift is not None}
         return {phases[seconds]: lift for seconds, lift in found.items()}
 

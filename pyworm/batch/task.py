@@ -16,7 +16,7 @@ from pyworm.scene.index import Place
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.solve import solve
-from pyworm.solver.transient.course import Course, course_of
+from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
 from pyworm.solver.transient.transient import Rates, present_in_life
 
 KEY_LENGTH = 24
@@ -55,9 +55,9 @@ class Task:
         return found if self.wider_window else replace(found, wider_grids=())
 
     @cached_property
-    def course(self) -> Course:
-        """The course of its life; ValueError if that carries no load in motion."""
-        return course_of(present_in_life(self.scene).life, self.plan)
+    def time_grid(self) -> TimeGrid:
+        """The time grid of its life; ValueError if that carries no load in motion."""
+        return time_grid_of(present_in_life(self.scene).life, self.plan)
 
     @property
     def identity(self) -> dict[str, Any]:

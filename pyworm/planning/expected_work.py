@@ -86,7 +86,7 @@ STIFF, STIFF_POWER = 15.0, 2.5
 
 STEPS_A_TRANSIT: dict[Kind, int] = {"point": 9, "line": 48}
 """Time steps of a transit of oil in the first transient solve of a life; each further one doubles them
-(`solver.transient.march`)."""
+(`solver.transient.time_integration`)."""
 
 ONE_SOLVE, TWO_SOLVES = 0.09, 0.035
 """Accuracies from which one and two transient solves of a life suffice."""

@@ -45,7 +45,7 @@ def estimates(
     window : mapping
         What an endless window adds to each figure; empty where no wider window was solved: the window error
         is infinite then, and none of the bars' if the plan has no wider window.
-    settled : Settled
+    iteration : Iteration
         Figures and algebraic errors on the last grid.
     plan : Plan
         Accuracy and tolerance asked for.

@@ -106,7 +106,7 @@ def converge(
         The film.
     tolerance : float
         Residual and load error wanted.
-    aim : Aim
+    target : AccuracyTarget
         The figures.
     algebra_wanted : float
         Their relative algebraic error wanted; at least two steps are needed to estimate it.

@@ -89,11 +89,11 @@ def stop_reason(
     ----------
     level : Level
         The film on the last grid.
-    settled : Settled
+    iteration : Iteration
         Figures on it.
     estimates : mapping
         The figures with their error bars.
-    unsettled, most_unsettled : int
+    unconverged, max_unconverged : int
         Number of grids so far that missed the tolerance, and how many may.
     plan : Plan
         Accuracy, tolerance and largest grid.

@@ -104,7 +104,7 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_where_nothing_can_be_kept_the_speed_is_measured_each_time",
     "solver/cost/calibration.py calibration OSError":
         "solver/test_solver_fall_backs.py::test_where_nothing_can_be_kept_the_speed_is_measured_each_time",
-    "solver/cost/expected_motion.py course_if_any ValueError":
+    "solver/cost/expected_motion.py time_grid_if_any ValueError":
         "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
     "solver/cost/expected_motion.py motion ValueError":
         "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
@@ -118,27 +118,27 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_a_newton_step_that_does_not_descend_is_none_and_other_failures_are_raised",
     "solver/solve.py _no_worse KernelError":
         "solver/test_memory.py::test_a_wider_window_beyond_memory_ends_the_grid_sequence",
-    "solver/transient/course.py _at ValueError":
+    "solver/transient/time_grid.py _at ValueError":
         "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
-    "solver/transient/course.py _predicted ValueError":
+    "solver/transient/time_grid.py _predicted ValueError":
         "solver/test_solver_fall_backs.py::test_a_contact_at_rest_is_no_knot_of_a_course",
     "solver/transient/lifts.py moving_lifts NoFilmError":
         "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
     "solver/transient/lifts.py steady_lift NoFilmError":
         "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
-    "solver/transient/march.py _begun NoFilmError":
+    "solver/transient/time_integration.py _begun NoFilmError":
         "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
-    "solver/transient/march.py _reached NoFilmError":
+    "solver/transient/time_integration.py _reached NoFilmError":
         "solver/test_solver_fall_backs.py::test_a_step_that_is_lost_is_halved",
-    "solver/transient/march.py _through NoFilmError":
+    "solver/transient/time_integration.py _through NoFilmError":
         "solver/test_solver_fall_backs.py::test_films_before_one_that_is_lost_are_kept_with_the_reason",
-    "solver/transient/march.py _told KernelError":
+    "solver/transient/time_integration.py _told KernelError":
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
-    "solver/transient/march.py _told ValueError":
+    "solver/transient/time_integration.py _told ValueError":
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
-    "solver/transient/march.py march NoFilmError":
+    "solver/transient/time_integration.py integrate_in_time NoFilmError":
         "solver/test_coming_together.py::test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one",
-    "solver/transient/march.py march NoFilmError 2":
+    "solver/transient/time_integration.py integrate_in_time NoFilmError 2":
         "solver/test_solver_fall_backs.py::test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_kept",
     "solver/transient/transient.py finer NoFilmError":
         "solver/test_solver_fall_backs.py::test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are",

@@ -1,4 +1,4 @@
-"""Expected work of the transient solves of a life: its time steps are those of its course, counted."""
+"""Expected work of the transient solves of a life: its time steps are those of its time grid, counted."""
 
 from collections import Counter
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.transient.course import Course, course_of
+from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
 from pyworm.solver.transient.time_steps import places_of
 from pyworm.solver.transient.transient import (
     Part,
@@ -48,60 +48,64 @@ class Motion:
     """That part; None where the contact shares it with none."""
 
 
-def motion(scene: Scene | LineScene, plan: Plan, course: Course | None = None) -> Motion | None:
+def motion(
+    scene: Scene | LineScene, plan: Plan, time_grid: TimeGrid | None = None
+) -> Motion | None:
     """Expected transient solves of a contact; None of a steady film and where none can begin.
 
     Parameters
     ----------
     scene, plan : Scene or LineScene, Plan
         The contact and its plan.
-    course : Course, optional
-        The course of its whole life, if that is known: finding it costs as much as several plans.
+    time_grid : TimeGrid, optional
+        The time grid of its whole life, if known: finding it costs as much as several plans.
     """
     if SQUEEZE.name not in plan.on:
         return None
     past = recent(scene)
     lone = past is not scene.past
-    if course is None or lone:
-        course = course_if_any(scene, plan)
-    if course is None:
+    if time_grid is None or lone:
+        time_grid = time_grid_if_any(scene, plan)
+    if time_grid is None:
         return None
     try:
-        part = part_at(course, past.seconds)
+        part = part_at(time_grid, past.seconds)
     except ValueError:  # no load at present
         return None
-    solves, place = solves_of_life(plan.accuracy), course.transits(past.seconds)
-    begin = begin_of_further(course, past.seconds, solves)
-    last = min(part.last, course.transits(course.end))
+    solves, place = solves_of_life(plan.accuracy), time_grid.transits(past.seconds)
+    begin = begin_of_further(time_grid, past.seconds, solves)
+    last = min(part.last, time_grid.transits(time_grid.end))
     return Motion(
-        _time_steps(course, range(solves), part.begin, place),
-        () if begin is None else _time_steps(course, range(solves, solves + 1), begin, place),
-        _time_steps(course, range(solves), part.begin, last),
+        _time_steps(time_grid, range(solves), part.begin, place),
+        () if begin is None else _time_steps(time_grid, range(solves, solves + 1), begin, place),
+        _time_steps(time_grid, range(solves), part.begin, last),
         None if lone else part,
     )
 
 
-def course_if_any(scene: Scene | LineScene, plan: Plan) -> Course | None:
-    """The course of the life of a contact that is solved; None where it carries no load in motion."""
+def time_grid_if_any(scene: Scene | LineScene, plan: Plan) -> TimeGrid | None:
+    """The time grid of the life of a contact that is solved; None where it carries no load in motion."""
     try:
-        return course_of(recent(scene).life, plan)
+        return time_grid_of(recent(scene).life, plan)
     except ValueError:  # the reason that the solve will give
         return None
 
 
 def _time_steps(
-    course: Course, refinements: range, begin: float, last: float
+    time_grid: TimeGrid, refinements: range, begin: float, last: float
 ) -> tuple[TimeSteps, ...]:
     """Time steps of several transient solves between two places of a life [transits], by their grids."""
     counts = Counter(
-        (on, course.come_together(course.instant(place)))
+        (on, time_grid.come_together(time_grid.time_at(place)))
         for refinement in refinements
-        for on, place in places_of(course, refinement, begin, last)
+        for on, place in places_of(time_grid, refinement, begin, last)
     )
-    grids = {True: course.grid, False: course.grid_of_contact}
+    grids = {True: time_grid.grid, False: time_grid.grid_of_contact}
     return tuple(
         TimeSteps(
-            grids[together](course.begin, on).nodes, grids[together](course.begin, 0).nodes, count
+            grids[together](time_grid.begin, on).nodes,
+            grids[together](time_grid.begin, 0).nodes,
+            count,
         )
         for (on, together), count in counts.items()
     )

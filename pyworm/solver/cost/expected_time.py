@@ -13,8 +13,8 @@ from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Paraboloid, Scene
 from pyworm.solver.cost.calibration import calibration
-from pyworm.solver.cost.expected_motion import FURTHER, TimeSteps, course_if_any, motion
-from pyworm.solver.transient.course import Course
+from pyworm.solver.cost.expected_motion import FURTHER, TimeSteps, motion, time_grid_if_any
+from pyworm.solver.transient.time_grid import TimeGrid
 from pyworm.solver.transient.transient import Part
 
 SAMPLES = 64
@@ -44,7 +44,9 @@ class Expectation:
     """That part; None of a contact that shares it with none."""
 
 
-def expectation(scene: Scene | LineScene, plan: Plan, course: Course | None = None) -> Expectation:
+def expectation(
+    scene: Scene | LineScene, plan: Plan, time_grid: TimeGrid | None = None
+) -> Expectation:
     """Estimate the cost of solving a scene by a plan on this machine.
 
     The first call on a machine, or with another build of the kernel, measures a calibration in some seconds.
@@ -53,8 +55,8 @@ def expectation(scene: Scene | LineScene, plan: Plan, course: Course | None = No
     ----------
     scene, plan : Scene or LineScene, Plan
         The scene and its plan.
-    course : Course, optional
-        The course of its life, if it is known.
+    time_grid : TimeGrid, optional
+        The time grid of its life, if it is known.
     """
     pace = calibration()
     unit = pace.convolution(plan.work.kind, plan.work.finest)
@@ -63,7 +65,7 @@ def expectation(scene: Scene | LineScene, plan: Plan, course: Course | None = No
     nodes = sum(stage.nodes for stage in plan.work.stages)
     film = pace.seconds(plan.work, plan.model) + nodes * times
     film += FIELDS * plan.work.finest * motions + OUTCOME[plan.work.kind] * unit
-    moving = motion(scene, plan, course)
+    moving = motion(scene, plan, time_grid)
     if moving is None:
         return Expectation(film, film / unit)
     making = _making(scene)
@@ -80,13 +82,13 @@ def expectation(scene: Scene | LineScene, plan: Plan, course: Course | None = No
 def expectations(
     contacts: Sequence[tuple[Scene | LineScene, Plan]], lives: Sequence[Hashable]
 ) -> list[Expectation]:
-    """The expected cost of each of several contacts with their plans, the course of each life found once."""
-    courses: dict[Hashable, Course | None] = {}
+    """Expected cost of each of several contacts with their plans; each life's time grid is found once."""
+    time_grids: dict[Hashable, TimeGrid | None] = {}
     for (scene, plan), life in zip(contacts, lives, strict=True):
-        if SQUEEZE.name in plan.on and life not in courses:
-            courses[life] = course_if_any(scene, plan)
+        if SQUEEZE.name in plan.on and life not in time_grids:
+            time_grids[life] = time_grid_if_any(scene, plan)
     return [
-        expectation(scene, plan, courses.get(life))
+        expectation(scene, plan, time_grids.get(life))
         for (scene, plan), life in zip(contacts, lives, strict=True)
     ]
 

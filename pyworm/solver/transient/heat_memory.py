@@ -43,7 +43,7 @@ shortest wave of the grid. With 5 a disturbed division of heat grows 70-fold, wi
 
 
 @dataclass(frozen=True)
-class HeatedInstant:
+class HeatedTimeLevel:
     """Heat of the surfaces at one time."""
 
     seconds: float
@@ -55,11 +55,11 @@ class HeatedInstant:
     velocities: tuple[tuple[float, ...], ...]
     """Velocity of each body at the contact point along each direction [m/s]."""
 
-    def finer(self, window: tuple[slice, slice] | None = None) -> "HeatedInstant":
+    def finer(self, window: tuple[slice, slice] | None = None) -> "HeatedTimeLevel":
         """Interpolated to nodes of half the spacing, of a point contact within a window."""
         grid = self.grid.part(window) if window and isinstance(self.grid, Grid) else self.grid
         flux = kernel.prolong_levels(self.flux if window is None else self.flux[window])
-        return HeatedInstant(self.seconds, grid.finer(), flux, self.velocities)
+        return HeatedTimeLevel(self.seconds, grid.finer(), flux, self.velocities)
 
 
 def velocities_at_origin(contact: Scene | LineScene) -> tuple[tuple[float, ...], ...]:
@@ -71,8 +71,8 @@ def velocities_at_origin(contact: Scene | LineScene) -> tuple[tuple[float, ...],
     )
 
 
-def remembered_rise(
-    history: Sequence[HeatedInstant],
+def residual_rise(
+    history: Sequence[HeatedTimeLevel],
     contact: Scene | LineScene,
     grid: Grid | LineGrid,
     coarse: Grid | LineGrid,
@@ -107,14 +107,14 @@ def remembered_rise(
         for nodes_of_grid, nodes_of_coarse in zip(grid.shape, coarse.shape, strict=True)
     )
     now = velocities_at_origin(contact)
-    present = HeatedInstant(seconds, grid, _onward(history, seconds), now)
+    present = HeatedTimeLevel(seconds, grid, _onward(history, seconds), now)
     rises = []
     for number, (body, velocity) in enumerate(
         zip(contact.bodies, contact.velocities_at(*grid.mesh()), strict=True)
     ):
         chosen = _ages(history, seconds, _passage(grid, now[number]))
         known = [present, *chosen]
-        ages = [seconds - instant.seconds for instant in known]
+        ages = [seconds - time_level.seconds for time_level in known]
         distance = _way([present, *history], chosen[-1].seconds, number)
         rise = kernel.remembered_flux(
             _history(known, number),
@@ -129,16 +129,16 @@ def remembered_rise(
     return np.stack(rises, axis=-1)
 
 
-def _history(known: Sequence[HeatedInstant], body: int) -> kernel.FluxHistory:
+def _history(known: Sequence[HeatedTimeLevel], body: int) -> kernel.FluxHistory:
     """Fluxes into a body at some times on their grids."""
     return kernel.FluxHistory(
-        [instant.flux[..., body] for instant in known],
-        [tuple(float(axis[0]) for axis in _axes(instant.grid)) for instant in known],
-        [instant.grid.spacing for instant in known],
+        [time_level.flux[..., body] for time_level in known],
+        [tuple(float(axis[0]) for axis in _axes(time_level.grid)) for time_level in known],
+        [time_level.grid.spacing for time_level in known],
     )
 
 
-def _onward(history: Sequence[HeatedInstant], seconds: float) -> Array:
+def _onward(history: Sequence[HeatedTimeLevel], seconds: float) -> Array:
     """The present flux by the last two: their sum over both bodies extrapolated, divided as the last was.
 
     A thin film makes both walls nearly equally warm, and so decides how the heat is divided by what the
@@ -151,7 +151,7 @@ def _onward(history: Sequence[HeatedInstant], seconds: float) -> Array:
     latest = history[0].flux
     if len(history) == 1:
         return latest
-    last, before = (instant.flux.sum(axis=-1) for instant in history[:2])
+    last, before = (time_level.flux.sum(axis=-1) for time_level in history[:2])
     ahead = (seconds - history[0].seconds) / (history[0].seconds - history[1].seconds)
     parts = np.abs(latest)
     whole = parts.sum(axis=-1, keepdims=True)
@@ -169,15 +169,17 @@ def _passage(grid: Grid | LineGrid, velocity: Sequence[float]) -> float:
     return 1 / rate if rate > 0 else np.inf
 
 
-def _ages(history: Sequence[HeatedInstant], seconds: float, passage: float) -> list[HeatedInstant]:
+def _ages(
+    history: Sequence[HeatedTimeLevel], seconds: float, passage: float
+) -> list[HeatedTimeLevel]:
     """Instants of growing distance, up to those so long ago that the heated place has left the grid."""
     chosen = [history[0]]
-    for instant in history[1:]:
+    for time_level in history[1:]:
         last = seconds - chosen[-1].seconds
         if last > passage:
             break
-        if seconds - instant.seconds >= min(RATIO * last, last + passage / PARTS):
-            chosen.append(instant)
+        if seconds - time_level.seconds >= min(RATIO * last, last + passage / PARTS):
+            chosen.append(time_level)
     return chosen
 
 
@@ -221,14 +223,14 @@ def _readings(
     ]
 
 
-def _way(known: Sequence[HeatedInstant], since: float, body: int) -> Callable[[float], Array]:
+def _way(known: Sequence[HeatedTimeLevel], since: float, body: int) -> Callable[[float], Array]:
     """Way of a body's surface through the contact point over the age at which it began there [m].
 
     It is that of instants from the present, the first, to a time [s].
     """
-    some = [instant for instant in known if instant.seconds >= since]
-    ages = some[0].seconds - np.array([instant.seconds for instant in some])
-    velocities = np.array([instant.velocities[body] for instant in some])
+    some = [time_level for time_level in known if time_level.seconds >= since]
+    ages = some[0].seconds - np.array([time_level.seconds for time_level in some])
+    velocities = np.array([time_level.velocities[body] for time_level in some])
     parts = (velocities[1:] + velocities[:-1]) / 2 * np.diff(ages)[:, np.newaxis]
     ways = np.vstack([np.zeros_like(velocities[:1]), np.cumsum(parts, axis=0)])
     return lambda age: np.array([np.interp(age, ages, distances) for distances in ways.T])

@@ -12,8 +12,14 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 from pyworm.solver.point.level import dry_contact
-from pyworm.solver.transient.course import Course
-from pyworm.solver.transient.march import March, NoFilmError, contact_at, march, steady_level
+from pyworm.solver.transient.time_grid import TimeGrid
+from pyworm.solver.transient.time_integration import (
+    NoFilmError,
+    TimeIntegration,
+    contact_at,
+    integrate_in_time,
+    steady_level,
+)
 from pyworm.solver.transient.time_steps import Step
 
 
@@ -29,12 +35,12 @@ class Lift:
     """Work of the friction [W], likewise."""
 
 
-def moving_lifts(course: Course, begin: float, wanted: Sequence[float]) -> dict[float, Lift]:
+def moving_lifts(time_grid: TimeGrid, begin: float, wanted: Sequence[float]) -> dict[float, Lift]:
     """Lifts by the films in motion of a life of point contacts.
 
     Parameters
     ----------
-    course : Course
+    time_grid : TimeGrid
         The life.
     begin : float
         Where its transient solve begins, with a steady film [transits].
@@ -47,33 +53,33 @@ def moving_lifts(course: Course, begin: float, wanted: Sequence[float]) -> dict[
         Time [s] -> lift; without times to which no films lead.
     """
     try:
-        found = march(course, 0, begin, wanted)
+        found = integrate_in_time(time_grid, 0, begin, wanted)
     except NoFilmError:
         return {}
     return {
-        seconds: Lift(rigid + _approach(course, seconds), *_failure_nearest(found, seconds))
+        seconds: Lift(rigid + _approach(time_grid, seconds), *_failure_nearest(found, seconds))
         for seconds, rigid in found.rigid_films.items()
     }
 
 
-def _failure_nearest(found: March, seconds: float) -> tuple[float, float]:
+def _failure_nearest(found: TimeIntegration, seconds: float) -> tuple[float, float]:
     """Friction coefficient and loss [W] at the instant that is nearest to a time."""
-    figures = min(found.moments, key=lambda moment: abs(moment.seconds - seconds)).figures
+    figures = min(found.records, key=lambda time_record: abs(time_record.seconds - seconds)).figures
     return figures.get("friction_coefficient", 0.0), figures.get("power_loss", 0.0)
 
 
-def steady_lift(course: Course, seconds: float) -> Lift | None:
+def steady_lift(time_grid: TimeGrid, seconds: float) -> Lift | None:
     """Lift by the steady film of a point contact at a time [s], in the window of its life, if any."""
     try:
-        level, _ = steady_level(course, Step(seconds, 0))
+        level, _ = steady_level(time_grid, Step(seconds, 0))
     except NoFilmError:
         return None
-    return Lift(level.film.rigid_film + _approach(course, seconds))
+    return Lift(level.film.rigid_film + _approach(time_grid, seconds))
 
 
-def _approach(course: Course, seconds: float) -> float:
+def _approach(time_grid: TimeGrid, seconds: float) -> float:
     """Approach of the dry bodies at a time, on the first moving grid [m]."""
-    contact, grid = contact_at(course, seconds), course.grid(seconds, 0)
+    contact, grid = contact_at(time_grid, seconds), time_grid.grid(seconds, 0)
     if isinstance(contact, LineScene) or isinstance(grid, LineGrid):
         raise TypeError("the lift is that of a point contact")
     x, y = grid.mesh()

@@ -1,8 +1,8 @@
-"""The time steps of a transient solve, each on a grid of its course."""
+"""The time steps of a transient solve, each on a grid of its time grid."""
 
 from dataclasses import dataclass
 
-from pyworm.solver.transient.course import Course
+from pyworm.solver.transient.time_grid import TimeGrid
 
 COARSE, COARSE_FROM = 1.0, 2
 """Transits after a steady beginning whose films are solved on the grid before, with its time step, and
@@ -25,42 +25,42 @@ class Step:
     """Halvings of the grid on which it is."""
 
 
-def steps_of(course: Course, refinement: int, begin: float, last: float) -> list[Step]:
-    """Steps of the march, up to the first after the last time that is wanted."""
+def steps_of(time_grid: TimeGrid, refinement: int, begin: float, last: float) -> list[Step]:
+    """Steps of the time integration, up to the first after the last time that is wanted."""
     return [
-        Step(course.instant(place), on)
-        for on, place in places_of(course, refinement, begin, course.transits(last))
+        Step(time_grid.time_at(place), on)
+        for on, place in places_of(time_grid, refinement, begin, time_grid.transits(last))
     ]
 
 
 def places_of(
-    course: Course, refinement: int, begin: float, last: float
+    time_grid: TimeGrid, refinement: int, begin: float, last: float
 ) -> list[tuple[int, float]]:
     """Refinement and place [transits] of each step, up to a place.
 
     What a film is off at the beginning is forgotten on the grid before, at an eighth of the cost.
     """
-    coarse = _begun_coarse(course, refinement, begin)
+    coarse = _begun_coarse(time_grid, refinement, begin)
     if coarse == 0:
-        return _on_one_grid(course, refinement, begin, last)
-    count = round(coarse / course.step(refinement - 1))
-    before = _on_one_grid(course, refinement - 1, begin, begin + coarse)
-    return before[:count] + _on_one_grid(course, refinement, begin, last, 2 * count)
+        return _on_one_grid(time_grid, refinement, begin, last)
+    count = round(coarse / time_grid.step(refinement - 1))
+    before = _on_one_grid(time_grid, refinement - 1, begin, begin + coarse)
+    return before[:count] + _on_one_grid(time_grid, refinement, begin, last, 2 * count)
 
 
-def _begun_coarse(course: Course, refinement: int, begin: float) -> float:
+def _begun_coarse(time_grid: TimeGrid, refinement: int, begin: float) -> float:
     """Transits after the beginning whose films are solved on the grid before."""
-    if begin == 0 and course.approach is not None and refinement > 0:
-        return COARSE_WAY * course.place(course.life.touched)
+    if begin == 0 and time_grid.approach is not None and refinement > 0:
+        return COARSE_WAY * time_grid.place(time_grid.life.touched)
     return COARSE if begin > 0 and refinement >= COARSE_FROM else 0.0
 
 
 def _on_one_grid(
-    course: Course, refinement: int, begin: float, last: float, first: int = 0
+    time_grid: TimeGrid, refinement: int, begin: float, last: float, first: int = 0
 ) -> list[tuple[int, float]]:
     """Refinement and place [transits] of steps on one grid, which solves share to the last bit."""
-    step = course.step(refinement)
-    whole = course.transits(course.end)
+    step = time_grid.step(refinement)
+    whole = time_grid.transits(time_grid.end)
     count = int((last - begin) / step) + 1
     places = [begin + step * number for number in range(first, count + 1)]
     kept = [place for place in places if place < whole - step / 2]

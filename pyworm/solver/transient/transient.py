@@ -1,10 +1,10 @@
 """The transient term of a contact that changes while oil passes through it.
 
 The Reynolds equation has d(rho h)/dt. Oil under pressure at present entered the contact some time ago, under
-other load, curvature and edges, and its film is that of its entry. One transient solve (`march`) goes through
-the life of the contact and gives the rate of change at any time of it, which the films on all grids of the
-figures take. It is made twice, the second time with half the spacing and half the time step; what that
-changes tells its error.
+other load, curvature and edges, and its film is that of its entry. One transient solve
+(`integrate_in_time`) goes through the life of the contact and gives the rate of change at any time of it,
+which the films on all grids of the figures take. It is made twice, the second time with half the spacing and
+half the time step; what that changes tells its error.
 """
 
 from collections.abc import Sequence
@@ -28,9 +28,9 @@ from pyworm.solver.error_estimate import Reading, change, largest_of_films
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import converge
-from pyworm.solver.transient.course import Course, course_of
-from pyworm.solver.transient.march import NoFilmError, RateOfChange, march
-from pyworm.solver.transient.moments import Moment, curves, until
+from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
+from pyworm.solver.transient.time_integration import NoFilmError, RateOfChange, integrate_in_time
+from pyworm.solver.transient.time_records import TimeRecord, curves, until
 from pyworm.solver.transient.time_steps import places_of
 
 WARM_UP: dict[Kind, float] = {"point": 2.0, "line": 3.0}
@@ -129,11 +129,11 @@ class Part:
         return self.first <= place < self.last
 
 
-def parts_of(course: Course) -> tuple[Part, ...]:
+def parts_of(time_grid: TimeGrid) -> tuple[Part, ...]:
     """The parts of a life, which share instants; a written course, which no other contact shares, is one."""
-    whole, step = course.transits(course.end), course.step(0)
-    warm_up = WARM_UP[course.plan.work.kind]
-    count = 1 if course.life.kinks else max(1, ceil((whole - warm_up) / PART))
+    whole, step = time_grid.transits(time_grid.end), time_grid.step(0)
+    warm_up = WARM_UP[time_grid.plan.work.kind]
+    count = 1 if time_grid.life.kinks else max(1, ceil((whole - warm_up) / PART))
     length = (whole - warm_up) / count
     firsts = [step * round((warm_up + length * number) / step) for number in range(1, count)]
     return tuple(
@@ -168,7 +168,7 @@ def recent(scene: Scene | LineScene) -> Past:
     return Past(life, past.seconds - start)
 
 
-def part_at(course: Course, seconds: float) -> Part:
+def part_at(time_grid: TimeGrid, seconds: float) -> Part:
     """The part of a life that a time [s] belongs to.
 
     Raises
@@ -176,35 +176,35 @@ def part_at(course: Course, seconds: float) -> Part:
     ValueError
         If it carries no load at that time.
     """
-    if not course.begin <= seconds <= course.end:
+    if not time_grid.begin <= seconds <= time_grid.end:
         raise ValueError(f"its surfaces carry no load at {seconds:.3g} s")
-    return next(part for part in parts_of(course) if part.holds(course.place(seconds)))
+    return next(part for part in parts_of(time_grid) if part.holds(time_grid.place(seconds)))
 
 
-def begin_of_one(course: Course, seconds: float) -> float:
+def begin_of_one(time_grid: TimeGrid, seconds: float) -> float:
     """Where a solve for one contact alone begins, at a time [s]: as long before it as a part does [transits].
 
     That leaves some per cent in a rate of change, less than the error of those of points. Lines, whose rates
     have smaller errors and cost little, begin with their part, and so does a written course, whose transits
     may be far shorter than the passage of oil.
     """
-    begin = part_at(course, seconds).begin
-    kind = course.plan.work.kind
-    if kind == "line" or course.life.kinks:
+    begin = part_at(time_grid, seconds).begin
+    kind = time_grid.plan.work.kind
+    if kind == "line" or time_grid.life.kinks:
         return begin
-    return max(begin, course.place(seconds) - WARM_UP[kind])
+    return max(begin, time_grid.place(seconds) - WARM_UP[kind])
 
 
-def begin_of_further(course: Course, seconds: float, solves: int) -> float | None:
+def begin_of_further(time_grid: TimeGrid, seconds: float, solves: int) -> float | None:
     """Where one more transient solve for one contact begins [transits]; None where it is one too many."""
     if solves >= MOST_SOLVES:
         return None
-    begin = begin_of_one(course, seconds)
+    begin = begin_of_one(time_grid, seconds)
     if solves < ANYHOW:
         return begin
-    steps = places_of(course, solves, begin, course.place(seconds))
-    work = sum(course.grid_of_contact(seconds, on).nodes for on, _ in steps)
-    return begin if work * (HEAVIER if course.plan.model.heated else 1) <= MOST_WORK else None
+    steps = places_of(time_grid, solves, begin, time_grid.place(seconds))
+    work = sum(time_grid.grid_of_contact(seconds, on).nodes for on, _ in steps)
+    return begin if work * (HEAVIER if time_grid.plan.model.heated else 1) <= MOST_WORK else None
 
 
 @dataclass(frozen=True)
@@ -213,7 +213,7 @@ class Rates:
 
     found: tuple[RateOfChange, ...]
     """The rates, the finest last."""
-    moments: tuple[tuple[Moment, ...], ...] = ()
+    records: tuple[tuple[TimeRecord, ...], ...] = ()
     """What each of the solves through the whole part, at least the first, found up to that time."""
     since: float = -inf
     """Time of the scene before, after which they are kept [s]."""
@@ -238,27 +238,27 @@ class Transient:
     coarse: bool = False
     """Whether one more transient solve may mend that."""
     life: PlainDataset | None = None
-    """Figures and frames of the film up to now (`moments.curves`)."""
+    """Figures and frames of the film up to now (`records.curves`)."""
 
 
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
     """Rates of change of a contact at present, by transient solves of the part of its life before."""
-    past, marches = recent(scene), []
+    past, solves = recent(scene), []
     try:
-        course = course_of(past.life, plan)
-        begin = part_at(course, past.seconds).begin
+        time_grid = time_grid_of(past.life, plan)
+        begin = part_at(time_grid, past.seconds).begin
         for refinement in range(solves_of_life(plan.accuracy)):
-            found = march(course, refinement, begin, [past.seconds])
+            found = integrate_in_time(time_grid, refinement, begin, [past.seconds])
             if past.seconds not in found.rates:  # finer ones would cost more, and be of no use
                 break
-            marches.append(found)
+            solves.append(found)
     except (NoFilmError, ValueError) as reason:  # of no contact in motion, or of a film
         return Rates((), flaw=str(reason))
-    if not marches:
+    if not solves:
         return Rates((), flaw=found.failure)
     return Rates(
-        tuple(solve.rates[past.seconds] for solve in marches),
-        tuple(until(solve.moments, past.seconds) for solve in marches),
+        tuple(solve.rates[past.seconds] for solve in solves),
+        tuple(until(solve.records, past.seconds) for solve in solves),
         finest=past.seconds not in found.rates,
     )
 
@@ -266,22 +266,22 @@ def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
 def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
     """The rates with that of one more transient solve of the life before; else marked as the finest."""
     past, solves = recent(scene), len(rates.found)
-    course = course_of(past.life, plan)
-    begin = begin_of_further(course, past.seconds, solves)
+    time_grid = time_grid_of(past.life, plan)
+    begin = begin_of_further(time_grid, past.seconds, solves)
     if begin is None:
         return replace(rates, finest=True)
     try:
-        found = march(course, solves, begin, [past.seconds])
+        found = integrate_in_time(time_grid, solves, begin, [past.seconds])
     except NoFilmError:
         return replace(rates, finest=True)
     if past.seconds not in found.rates:
         return replace(rates, finest=True)
-    whole = begin == part_at(course, past.seconds).begin
-    moments = (until(found.moments, past.seconds),) if whole else ()
+    whole = begin == part_at(time_grid, past.seconds).begin
+    records = (until(found.records, past.seconds),) if whole else ()
     return replace(
         rates,
         found=(*rates.found, found.rates[past.seconds]),
-        moments=rates.moments + moments,
+        records=rates.records + records,
     )
 
 
@@ -310,7 +310,7 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
             level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy
         )
         readings.append(iteration.reading)
-    turned = _turned_round(scene, rates.moments, plan.work.kind)
+    turned = _turned_round(scene, rates.records, plan.work.kind)
     errors = _errors(readings, plan.work.kind, turned)
     left = plan.target.worst(errors, readings[-1].figures)
     flaw = None
@@ -322,12 +322,14 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     return Transient(rates.found[-1], level, errors, flaw, coarse, life)
 
 
-def _turned_round(scene: Scene | LineScene, solves: Sequence[Sequence[Moment]], kind: Kind) -> bool:
+def _turned_round(
+    scene: Scene | LineScene, solves: Sequence[Sequence[TimeRecord]], kind: Kind
+) -> bool:
     """Whether the entrainment has turned round while oil went the last `WARM_UP` lengths of the contact."""
-    moments = until(solves[-1], recent(scene).seconds)
+    records = until(solves[-1], recent(scene).seconds)
     length, distance = WARM_UP[kind] * 2 * predicted(scene).half_width, 0.0
-    for after, before in pairwise(reversed(moments)):
-        if np.dot(before.entrainment, moments[-1].entrainment) < 0:
+    for after, before in pairwise(reversed(records)):
+        if np.dot(before.entrainment, records[-1].entrainment) < 0:
             return True
         distance += float(np.hypot.reduce(after.entrainment)) * (after.seconds - before.seconds)
         if distance > length:
@@ -346,17 +348,17 @@ def _life(
 
     It is that of the solves through the whole part, whose curves go on from one scene to the next.
     """
-    since = min(rates.since, nextafter(rates.moments[-1][-1].seconds, -inf))
+    since = min(rates.since, nextafter(rates.records[-1][-1].seconds, -inf))
     kind = plan.work.kind
     heat = scene.oil.heat
     coldest = None
     if plan.model.heated and heat is not None:
         coldest = heat.inlet_temperature + scene.coldest
-    shared = readings[: len(rates.moments) + 1]
+    shared = readings[: len(rates.records) + 1]
     share, least = _share(kind, turned), _least(shared, kind, turned)
     present = readings[-1].figures
     present_seconds = present_in_life(scene).seconds
-    return curves(rates.moments, since, kind, share, least, present_seconds, present, coldest)
+    return curves(rates.records, since, kind, share, least, present_seconds, present, coldest)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, float]:

@@ -27,7 +27,7 @@ def test_a_file_that_cannot_be_removed_costs_nothing(tmp_path):
 def test_a_life_without_load_has_no_parts():
     class Unloaded:
         @property
-        def course(self):
+        def time_grid(self):
             raise ValueError("no load")
 
     assert tasks_by_part([Unloaded()]) == []

@@ -10,7 +10,7 @@ from pyworm.batch.films_in_motion import RATES, drop_rates, rates_for, solve_liv
 from pyworm.batch.task import Task
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.result.life import lives
-from pyworm.solver.transient.march import NoFilmError
+from pyworm.solver.transient.time_integration import NoFilmError
 from pyworm.solver.transient.transient import rates_at_present
 
 HOW = 0.5, "isothermal,squeeze", ("film",)
@@ -75,11 +75,11 @@ def test_a_damaged_file_of_a_life_counts_as_none(tmp_path):
 def test_finer_solves_are_not_begun_where_the_first_finds_no_film(tmp_path, monkeypatch):
     begun = []
 
-    def march(course, refinement, *_):
+    def integrate_in_time(time_grid, refinement, *_):
         begun.append(refinement)
         raise NoFilmError("there is none")
 
-    monkeypatch.setattr(films_in_motion, "march", march)
+    monkeypatch.setattr(films_in_motion, "integrate_in_time", integrate_in_time)
     case = pyworm.load("cases/spur_pair.toml")
     tasks = [Task(case, place, 0.05, *HOW[1:]) for place in case.places(phase=[0.35, 0.6])]
     solve_lives(tasks, tmp_path, None, lambda message, share: None)

@@ -10,10 +10,10 @@ import pyworm
 from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.expected_work import STEPS_A_TRANSIT, solves_of_life
 from pyworm.planning.prediction import predicted
-from pyworm.solver.cost.expected_motion import course_if_any, motion
+from pyworm.solver.cost.expected_motion import motion, time_grid_if_any
 from pyworm.solver.cost.expected_time import Expectation, together
 from pyworm.solver.transient import transient as transient_module
-from pyworm.solver.transient.march import march
+from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Part, begin_of_one, part_at
 
@@ -25,30 +25,32 @@ def moving(case, accuracy, effects="isothermal,squeeze"):
     path, phase = case
     scene = pyworm.load(path).scene(phase=phase)
     plan = pyworm.plan(scene, accuracy, effects, ("film",))
-    return scene, plan, course_if_any(scene, plan)
+    return scene, plan, time_grid_if_any(scene, plan)
 
 
 def test_the_time_steps_counted_are_those_that_a_solve_takes(monkeypatch):
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 6)
-    scene, plan, course = moving(LINE, 0.5)
+    scene, plan, time_grid = moving(LINE, 0.5)
     at = scene.past.seconds
-    part = part_at(course, at)
-    (steps,) = motion(scene, plan, course).up_to_present
-    solved = march(course, 0, part.begin, [at])
-    assert steps.count == len(solved.moments)
-    assert steps.nodes == steps.coarse == course.grid(at, 0).nodes
-    (shared,) = motion(scene, plan, course).shared
+    part = part_at(time_grid, at)
+    (steps,) = motion(scene, plan, time_grid).up_to_present
+    solved = integrate_in_time(time_grid, 0, part.begin, [at])
+    assert steps.count == len(solved.records)
+    assert steps.nodes == steps.coarse == time_grid.grid(at, 0).nodes
+    (shared,) = motion(scene, plan, time_grid).shared
     assert shared.count == len(
-        march(course, 0, part.begin, [at], course.instant(part.last)).moments
+        integrate_in_time(time_grid, 0, part.begin, [at], time_grid.time_at(part.last)).records
     )
 
 
 @pytest.mark.parametrize("accuracy", [0.5, 0.05, 0.02])
 def test_each_solve_of_a_life_has_twice_the_time_steps_and_four_times_the_nodes(accuracy):
-    scene, plan, course = moving(POINT, accuracy)
-    steps, solves = motion(scene, plan, course).up_to_present, solves_of_life(accuracy)
+    scene, plan, time_grid = moving(POINT, accuracy)
+    steps, solves = motion(scene, plan, time_grid).up_to_present, solves_of_life(accuracy)
     assert len(steps) == 2 * solves  # as surfaces come together, and of the contact
-    of_contact = [course.grid_of_contact(course.begin, number).nodes for number in range(solves)]
+    of_contact = [
+        time_grid.grid_of_contact(time_grid.begin, number).nodes for number in range(solves)
+    ]
     counts = [sum(step.count for step in steps if step.nodes == nodes) for nodes in of_contact]
     for coarse, fine in pairwise(zip(of_contact, counts, strict=True)):
         assert fine[0] == pytest.approx(4 * coarse[0], rel=0.1)
@@ -56,37 +58,37 @@ def test_each_solve_of_a_life_has_twice_the_time_steps_and_four_times_the_nodes(
 
 
 def test_the_first_half_of_the_way_to_the_first_touch_is_solved_on_the_grid_before():
-    _, _, course = moving(POINT, 0.05)
-    steps = steps_of(course, 1, 0.0, course.life.touched)
+    _, _, time_grid = moving(POINT, 0.05)
+    steps = steps_of(time_grid, 1, 0.0, time_grid.life.touched)
     times, grids = [one.seconds for one in steps], [one.refinement for one in steps]
     assert grids == sorted(grids) and set(grids) == {0, 1}
-    half = course.place(times[grids.index(1)])
-    assert half == pytest.approx(course.place(course.life.touched) / 2, abs=course.step(0))
-    alone = {one.seconds for one in steps_of(course, 0, 0.0, course.life.touched)}
+    half = time_grid.place(times[grids.index(1)])
+    assert half == pytest.approx(time_grid.place(time_grid.life.touched) / 2, abs=time_grid.step(0))
+    alone = {one.seconds for one in steps_of(time_grid, 0, 0.0, time_grid.life.touched)}
     assert alone <= set(times)  # both solves share instants, so that their figures can be compared
-    places = [course.place(at) for at in times]
-    assert np.diff(places) == pytest.approx([course.step(on) for on in grids[:-1]], rel=1e-6)
+    places = [time_grid.place(at) for at in times]
+    assert np.diff(places) == pytest.approx([time_grid.step(on) for on in grids[:-1]], rel=1e-6)
 
 
 def test_a_further_solve_begins_on_the_grid_before():
-    scene, plan, course = moving(POINT, 0.05)
-    before, last = motion(scene, plan, course).further
-    assert before.nodes == motion(scene, plan, course).up_to_present[-1].nodes < last.nodes
-    passed = course.transits(scene.past.seconds) - begin_of_one(course, scene.past.seconds)
+    scene, plan, time_grid = moving(POINT, 0.05)
+    before, last = motion(scene, plan, time_grid).further
+    assert before.nodes == motion(scene, plan, time_grid).up_to_present[-1].nodes < last.nodes
+    passed = time_grid.transits(scene.past.seconds) - begin_of_one(time_grid, scene.past.seconds)
     assert last.count < passed * (STEPS_A_TRANSIT["point"] << 2)
 
 
 @pytest.mark.parametrize(("most", "made"), [(1e12, True), (1.0, False)])
 def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, made):
     monkeypatch.setattr(transient_module, "MOST_WORK", most)
-    scene, plan, course = moving(POINT, 0.02)
+    scene, plan, time_grid = moving(POINT, 0.02)
     assert solves_of_life(plan.accuracy) == 3
-    further = motion(scene, plan, course).further
+    further = motion(scene, plan, time_grid).further
     assert bool(further) == made
     if made:
-        fourth = course.grid_of_contact(course.begin, 3)
+        fourth = time_grid.grid_of_contact(time_grid.begin, 3)
         assert further[-1].nodes == pytest.approx(fourth.nodes, rel=0.1)
-    assert transient_module.begin_of_further(course, scene.past.seconds, 4) is None
+    assert transient_module.begin_of_further(time_grid, scene.past.seconds, 4) is None
 
 
 def test_where_no_further_solve_is_to_be_had_the_film_goes_on_with_the_last(monkeypatch):

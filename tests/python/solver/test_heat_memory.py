@@ -12,7 +12,7 @@ from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.point import RigidMotion
-from pyworm.solver.transient.heat_memory import HeatedInstant, remembered_rise
+from pyworm.solver.transient.heat_memory import HeatedTimeLevel, residual_rise
 
 HALF, FLUX = 0.2e-3, 2e8
 EFFUSIVITY = sqrt(STEEL.conductivity * STEEL.density * STEEL.specific_heat)
@@ -20,7 +20,7 @@ SPEEDS = (3.0, 0.6)
 STEP = 2 * HALF / 1.8 / 24
 
 
-def course(seconds):
+def time_grid(seconds):
     """Factor of the flux over time."""
     return 1 + 0.4 * np.sin(seconds / (40 * STEP)) + 0.2 * np.tanh(seconds / (8 * STEP))
 
@@ -52,7 +52,7 @@ def history(grid, speed_at, factor, count=400):
     """Fluxes at times before the present, 0, on a grid that does not move."""
     flux = FLUX * shape(grid.x)
     return [
-        HeatedInstant(
+        HeatedTimeLevel(
             -STEP * k, grid, np.stack([flux, flux], -1) * factor(-STEP * k), speed_at(-STEP * k)
         )
         for k in range(1, count)
@@ -64,8 +64,8 @@ GRID = LineGrid(HALF / 60, -90, 181)
 
 @pytest.mark.parametrize("body", [0, 1])
 def test_a_flux_that_changes_is_remembered(body):
-    found = remembered_rise(
-        history(GRID, lambda at: tuple((of,) for of in SPEEDS), course),
+    found = residual_rise(
+        history(GRID, lambda at: tuple((of,) for of in SPEEDS), time_grid),
         line(),
         GRID,
         GRID,
@@ -74,7 +74,7 @@ def test_a_flux_that_changes_is_remembered(body):
     )
     places = np.arange(45, 150, 15)
     expected = [
-        exact(GRID.x[at], lambda s: SPEEDS[body] * s, SPEEDS[body], course) for at in places
+        exact(GRID.x[at], lambda s: SPEEDS[body] * s, SPEEDS[body], time_grid) for at in places
     ]
     assert found[places, body] == pytest.approx(expected, abs=0.05 * np.abs(expected).max())
 
@@ -89,7 +89,7 @@ def test_a_speed_that_changes_is_remembered():
         ramp = min(age, 24 * STEP)
         return 0.6 * (ramp - ramp**2 / (96 * STEP)) + 0.3 * max(age - 24 * STEP, 0.0)
 
-    found = remembered_rise(
+    found = residual_rise(
         history(GRID, lambda at: ((3.0,), (speed(at),)), lambda seconds: 1.0),
         line(),
         GRID,
@@ -108,8 +108,8 @@ def test_a_speed_that_changes_is_remembered():
 def test_a_finer_grid_takes_the_rise_of_every_second_of_its_nodes():
     fine = LineGrid(GRID.dx / 2, -180, 361)
     found = [
-        remembered_rise(
-            history(grid, lambda at: tuple((of,) for of in SPEEDS), course),
+        residual_rise(
+            history(grid, lambda at: tuple((of,) for of in SPEEDS), time_grid),
             line(),
             grid,
             GRID,
@@ -129,9 +129,9 @@ def test_points_remember_as_lines_do_in_any_direction():
         "ball", (0.02, 0.02), 50.0, ((1.0, 0.0), (1.0, 0.0)), (STEEL, STEEL), mineral(0.09, 2e-8)
     )
     ball = replace(ball, motions=tuple(RigidMotion(of, 0.0) for of in SPEEDS))
-    lines = history(GRID, lambda at: tuple((of,) for of in SPEEDS), course)
+    lines = history(GRID, lambda at: tuple((of,) for of in SPEEDS), time_grid)
     points = [
-        HeatedInstant(
+        HeatedTimeLevel(
             one.seconds,
             grid,
             np.repeat(one.flux[:, None], 9, axis=1),
@@ -139,12 +139,12 @@ def test_points_remember_as_lines_do_in_any_direction():
         )
         for one in lines
     ]
-    of_line = remembered_rise(lines, along, GRID, GRID, 0.0, 0.0)
-    assert remembered_rise(points, ball, grid, grid, 0.0, 0.0)[:, 4] == pytest.approx(
+    of_line = residual_rise(lines, along, GRID, GRID, 0.0, 0.0)
+    assert residual_rise(points, ball, grid, grid, 0.0, 0.0)[:, 4] == pytest.approx(
         of_line, abs=1e-9
     )
     turned = [
-        HeatedInstant(
+        HeatedTimeLevel(
             one.seconds,
             Grid(grid.south, grid.west, grid.dy, grid.dx, 9, 181),
             np.swapaxes(one.flux, 0, 1),
@@ -153,13 +153,13 @@ def test_points_remember_as_lines_do_in_any_direction():
         for one in points
     ]
     ball = replace(ball, motions=tuple(RigidMotion(0.0, of) for of in SPEEDS))
-    found = remembered_rise(turned, ball, turned[0].grid, turned[0].grid, 0.0, 0.0)
+    found = residual_rise(turned, ball, turned[0].grid, turned[0].grid, 0.0, 0.0)
     assert found[4] == pytest.approx(of_line, abs=1e-9)
 
 
 def test_a_steady_flux_leaves_nothing_to_remember():
     still = history(GRID, lambda at: tuple((of,) for of in SPEEDS), lambda seconds: 1.0)
-    assert np.abs(remembered_rise(still, line(), GRID, GRID, 0.0, 0.0)).max() < 1e-9
+    assert np.abs(residual_rise(still, line(), GRID, GRID, 0.0, 0.0)).max() < 1e-9
 
 
 def conduction(speed):
@@ -182,15 +182,15 @@ def test_how_a_thin_film_divides_its_heat_between_the_surfaces_is_stable():
     rest = divided(np.zeros(GRID.x.size))
     speeds = tuple((of,) for of in SPEEDS)
     disturbed = rest + 0.1 * np.outer(whole * np.sin(5 * GRID.x / HALF), [1, -1])
-    instants = [
-        HeatedInstant(0.0, GRID, disturbed, speeds),
-        HeatedInstant(-STEP, GRID, rest, speeds),
+    time_levels = [
+        HeatedTimeLevel(0.0, GRID, disturbed, speeds),
+        HeatedTimeLevel(-STEP, GRID, rest, speeds),
     ]
     deviations = []
     for step in range(1, 150):
-        rise = remembered_rise(instants, line(), GRID, GRID, step * STEP, 0.0)
+        rise = residual_rise(time_levels, line(), GRID, GRID, step * STEP, 0.0)
         flux = divided(rise[:, 1] - rise[:, 0])
-        instants.insert(0, HeatedInstant(step * STEP, GRID, flux, speeds))
+        time_levels.insert(0, HeatedTimeLevel(step * STEP, GRID, flux, speeds))
         deviations.append(np.abs(flux - rest).max())
     print(deviations[::10])
     assert max(deviations) < np.abs(disturbed - rest).max()

@@ -5,17 +5,17 @@ from test_transient import ball, lived
 
 import pyworm
 from pyworm.planning.prediction import predicted
-from pyworm.solver.transient.course import course_of
 from pyworm.solver.transient.lifts import moving_lifts, steady_lift
+from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.transient import part_at
 
 
 def both_lifts(contact):
     """Lift by the film in motion at present, and by a steady one."""
     plan = pyworm.plan(contact, 0.1, "isothermal,squeeze", ("film",))
-    course, now = course_of(contact.past.life, plan), contact.past.seconds
-    moving = moving_lifts(course, part_at(course, now).begin, [now])
-    return moving[now].distance, steady_lift(course, now).distance
+    time_grid, now = time_grid_of(contact.past.life, plan), contact.past.seconds
+    moving = moving_lifts(time_grid, part_at(time_grid, now).begin, [now])
+    return moving[now].distance, steady_lift(time_grid, now).distance
 
 
 def test_a_contact_without_change_is_lifted_like_a_steady_one():

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 import pyworm
-from pyworm.solver.transient import march as march_module
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import NoFilmError, march
+from pyworm.solver.transient import time_integration
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import NoFilmError, integrate_in_time
 from pyworm.solver.transient.transient import part_at
 
 HELICAL = Path(__file__).parents[2] / "data" / "helical_a500.toml"
@@ -20,73 +20,73 @@ def part():
     case = pyworm.load(HELICAL)
     scene = case.scene(phase=0.42)
     plan = pyworm.plan(scene, accuracy=0.1, effects=case.effects)
-    course = course_of(scene.past.life, plan)
-    return course, part_at(course, scene.past.seconds).begin, scene.past.seconds
+    time_grid = time_grid_of(scene.past.life, plan)
+    return time_grid, part_at(time_grid, scene.past.seconds).begin, scene.past.seconds
 
 
-def first_guesses_of_extrapolated_films(course, solver, grid, contact, before, seconds):
-    return solver.on_grid(grid, march_module.extrapolated(before, seconds))
+def first_guesses_of_extrapolated_films(time_grid, solver, grid, contact, before, seconds):
+    return solver.on_grid(grid, time_integration.extrapolated(before, seconds))
 
 
 @pytest.mark.parametrize(
     ("begun_from", "steady_films"),
-    [(march_module._begun_from, 1), (first_guesses_of_extrapolated_films, 2)],
+    [(time_integration._begun_from, 1), (first_guesses_of_extrapolated_films, 2)],
 )
 def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from, steady_films):
     """It begins with the last film, or else the steady one: the extrapolated one makes no sense."""
-    course, begin, wanted = part
-    beside, asked = march_module._beside, []
+    time_grid, begin, wanted = part
+    beside, asked = time_integration._beside, []
 
     def counted(*given):
         asked.append(given)
         return beside(*given)
 
-    monkeypatch.setattr(march_module, "_beside", counted)
-    monkeypatch.setattr(march_module, "_begun_from", begun_from)
-    found = march(course, 0, begin, [wanted])
+    monkeypatch.setattr(time_integration, "_beside", counted)
+    monkeypatch.setattr(time_integration, "_begun_from", begun_from)
+    found = integrate_in_time(time_grid, 0, begin, [wanted])
     assert found.failure is None
     assert wanted in found.rates
-    loads = [one.load for one in found.moments]
+    loads = [one.load for one in found.records]
     jump = max(after / before for before, after in pairwise(loads))
     assert jump > 1.3  # the load per length
     assert len(asked) == steady_films  # the first film is steady
 
 
 def test_a_step_whose_film_is_not_found_is_halved(part, monkeypatch):
-    course, begin, wanted = part
-    onward, diverged, later = march_module._onward, [], []
+    time_grid, begin, wanted = part
+    onward, diverged, later = time_integration._onward, [], []
 
-    def lost_once(course, step, before, *state):
-        if not diverged and step.seconds > course.instant(begin + 0.1):
+    def lost_once(time_grid, step, before, *state):
+        if not diverged and step.seconds > time_grid.time_at(begin + 0.1):
             diverged.append((before[0].seconds, step.seconds))
             with monkeypatch.context() as exacting:
                 exacting.setattr(
-                    march_module, "MAX_TRANSIENT_RESIDUAL", 0.0
+                    time_integration, "MAX_TRANSIENT_RESIDUAL", 0.0
                 )  # no film is met so well
-                return onward(course, step, before, *state)
+                return onward(time_grid, step, before, *state)
         if diverged:
             later.append(step.seconds)
-        return onward(course, step, before, *state)
+        return onward(time_grid, step, before, *state)
 
-    monkeypatch.setattr(march_module, "_onward", lost_once)
-    found = march(course, 0, begin, [wanted])
+    monkeypatch.setattr(time_integration, "_onward", lost_once)
+    found = integrate_in_time(time_grid, 0, begin, [wanted])
     assert found.failure is None
     ((before, after),) = diverged
     assert later[:2] == pytest.approx([(before + after) / 2, after])
 
 
 def test_a_step_is_halved_so_often_only(part, monkeypatch):
-    course, begin, wanted = part
-    onward, tried = march_module._onward, []
+    time_grid, begin, wanted = part
+    onward, tried = time_integration._onward, []
 
-    def lost_soon(course, step, *state):
-        if tried or step.seconds > course.instant(begin + 0.1):
+    def lost_soon(time_grid, step, *state):
+        if tried or step.seconds > time_grid.time_at(begin + 0.1):
             tried.append(step.seconds)
             raise NoFilmError("lost")
-        return onward(course, step, *state)
+        return onward(time_grid, step, *state)
 
-    monkeypatch.setattr(march_module, "_onward", lost_soon)
-    found = march(course, 0, begin, [wanted])
+    monkeypatch.setattr(time_integration, "_onward", lost_soon)
+    found = integrate_in_time(time_grid, 0, begin, [wanted])
     assert found.failure == "lost"
-    assert len(tried) == march_module.MOST_HALVINGS + 1
+    assert len(tried) == time_integration.MOST_HALVINGS + 1
     assert tried == sorted(tried, reverse=True)

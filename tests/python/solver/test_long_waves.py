@@ -12,8 +12,8 @@ from pyworm.case.past import PastTable
 from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
 from pyworm.scene.scales import line_scales
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import march
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import integrate_in_time
 
 PART = 0.1
 """Amplitude of the waves over the smooth film."""
@@ -49,7 +49,7 @@ def test_rolling_waves_are_flattened_as_venner_found(contact, ratio):
     table = PastTable.model_validate({"times": ["0 s", f"{whole:.9g} s"], "speed": [1.0, 1.0]})
     scene = table.of(_with_waves(contact, length))
     plan = pyworm.plan(scene, 0.02, "isothermal,squeeze,roughness")
-    found = march(course_of(scene.past.life, plan), 1, 0.0, [whole]).moments
+    found = integrate_in_time(time_grid_of(scene.past.life, plan), 1, 0.0, [whole]).records
     last = [of.figures["film_central"] for of in found if of.seconds > whole - length / speed]
     film = line_scales(contact).film
     left = (max(last) - min(last)) / (2 * PART * film)

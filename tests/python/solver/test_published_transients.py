@@ -27,29 +27,29 @@ def test_the_rigid_theory_at_rest_is_martin_s():
 @pytest.mark.parametrize("name", marked(RIGID))
 def test_rigid_lines_follow_reynolds_equation_by_quadrature(name):
     """The theory is exact, but for what lies beyond the grid, 1 to 2 % of a load that is squeezed."""
-    course = COURSES[name]()
-    assert min(course.theory) < 0.4 * max(course.theory)
-    assert course.solved == pytest.approx(course.theory, rel=0.03)
+    time_grid = COURSES[name]()
+    assert min(time_grid.theory) < 0.4 * max(time_grid.theory)
+    assert time_grid.solved == pytest.approx(time_grid.theory, rel=0.03)
     if "reversal" in name:
-        least = [clearance(min(films), 1e3) for films in (course.solved, course.theory)]
+        least = [clearance(min(films), 1e3) for films in (time_grid.solved, time_grid.theory)]
         assert least[0] == pytest.approx(least[1], rel=0.03)
 
 
 @pytest.mark.parametrize("name", marked(ELASTIC))
 def test_elastic_lines_carry_the_films_of_their_inlet(name):
     """The theory's steady film is 9 % below, and it has the whole inlet, 0.2 half-widths, at the edge."""
-    course = COURSES[name]()
-    spread = np.ptp(course.theory)
+    time_grid = COURSES[name]()
+    spread = np.ptp(time_grid.theory)
 
     def rms(films):
-        return np.sqrt(np.mean((course.solved - films) ** 2)) / spread
+        return np.sqrt(np.mean((time_grid.solved - films) ** 2)) / spread
 
-    assert rms(course.theory) < 0.1
-    assert rms(course.steady) > 3 * rms(course.theory)
-    assert min(course.solved) - 1 == pytest.approx(min(course.theory) - 1, rel=0.2)
+    assert rms(time_grid.theory) < 0.1
+    assert rms(time_grid.steady) > 3 * rms(time_grid.theory)
+    assert min(time_grid.solved) - 1 == pytest.approx(min(time_grid.theory) - 1, rel=0.2)
     if "load" in name:  # steady films are thinner under load, these first become thicker
-        assert max(course.solved) - 1 == pytest.approx(max(course.theory) - 1, rel=0.2)
-        assert max(course.steady) < 1.001
+        assert max(time_grid.solved) - 1 == pytest.approx(max(time_grid.theory) - 1, rel=0.2)
+        assert max(time_grid.steady) < 1.001
 
 
 @pytest.mark.parametrize(

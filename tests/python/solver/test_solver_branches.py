@@ -18,7 +18,7 @@ from pyworm.solver.error_estimate import Peak, Reading
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.grid_sequence import _lack_of_memory
 from pyworm.solver.stop_reason import _not_met
-from pyworm.solver.transient import march
+from pyworm.solver.transient import time_integration
 from pyworm.solver.transient.differences import weights
 
 
@@ -104,12 +104,12 @@ def test_a_solution_shows_whether_it_converged(converged, word):
 
 
 def test_a_transient_solve_beyond_memory_is_lost(monkeypatch):
-    monkeypatch.setattr(march, "shortage", lambda grid, model: "needs 9 GB")
-    course = SimpleNamespace(
+    monkeypatch.setattr(time_integration, "shortage", lambda grid, model: "needs 9 GB")
+    time_grid = SimpleNamespace(
         grid=lambda seconds, refinement: None, begin=0.0, plan=SimpleNamespace(model=None)
     )
-    with pytest.raises(march.NoFilmError, match="needs 9 GB"):
-        march._require_memory(course, 1)
+    with pytest.raises(time_integration.NoFilmError, match="needs 9 GB"):
+        time_integration._require_memory(time_grid, 1)
 
 
 def test_passes_end_with_a_film_that_did_not_converge(monkeypatch):

@@ -15,13 +15,12 @@ from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past
 from pyworm.solver.cost import calibration as calibration_module
 from pyworm.solver.cost.calibration import calibration
-from pyworm.solver.cost.expected_motion import course_if_any, motion
+from pyworm.solver.cost.expected_motion import motion, time_grid_if_any
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.newton import newton_step
-from pyworm.solver.transient import lifts, transient
-from pyworm.solver.transient import march as march_module
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import NoFilmError
+from pyworm.solver.transient import lifts, time_integration, transient
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import NoFilmError
 from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Rates
 
@@ -59,12 +58,12 @@ def accelerated():
 def test_a_contact_without_a_life_under_load_has_no_time_steps(accelerated):
     plan = planned(accelerated)
     empty = in_life(unloaded)
-    assert course_if_any(empty, plan) is None
+    assert time_grid_if_any(empty, plan) is None
     assert motion(empty, plan) is None
     # a course whose contact carries no load at present
     over = replace(accelerated, past=Past(accelerated.past.life, 2 * accelerated.past.seconds))
-    course = course_of(accelerated.past.life, plan)
-    assert motion(over, plan, course) is None
+    time_grid = time_grid_of(accelerated.past.life, plan)
+    assert motion(over, plan, time_grid) is None
 
 
 def test_a_contact_at_rest_is_no_knot_of_a_course():
@@ -74,20 +73,22 @@ def test_a_contact_at_rest_is_no_knot_of_a_course():
 
     life = Life(5e-3, starting)
     scene = replace(starting(5e-3), past=Past(life, 5e-3))
-    course = course_of(life, pyworm.plan(scene, 0.2, "isothermal,squeeze", ("film",)))
-    assert course.begin == 0.0 and course.end == pytest.approx(5e-3)
+    time_grid = time_grid_of(life, pyworm.plan(scene, 0.2, "isothermal,squeeze", ("film",)))
+    assert time_grid.begin == 0.0 and time_grid.end == pytest.approx(5e-3)
 
 
 def test_no_lift_is_known_of_films_that_are_not_found(accelerated, monkeypatch):
-    course = course_of(accelerated.past.life, planned(accelerated))
+    time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
     seconds = accelerated.past.seconds
-    monkeypatch.setattr(lifts, "march", diverged)
+    monkeypatch.setattr(lifts, "integrate_in_time", diverged)
     monkeypatch.setattr(lifts, "steady_level", diverged)
-    assert lifts.moving_lifts(course, 0.0, [seconds]) == {}
-    assert lifts.steady_lift(course, seconds) is None
+    assert lifts.moving_lifts(time_grid, 0.0, [seconds]) == {}
+    assert lifts.steady_lift(time_grid, seconds) is None
 
 
-@pytest.mark.parametrize(("module", "name"), [(transient, "march"), (march_module, "_onward")])
+@pytest.mark.parametrize(
+    ("module", "name"), [(transient, "integrate_in_time"), (time_integration, "_onward")]
+)
 def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are(
     accelerated, monkeypatch, module, name
 ):
@@ -100,7 +101,7 @@ def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are
 def test_a_transient_solve_that_loses_its_film_on_the_way_leaves_the_reason(
     accelerated, monkeypatch
 ):
-    monkeypatch.setattr(march_module, "_onward", diverged)
+    monkeypatch.setattr(time_integration, "_onward", diverged)
     rates = transient.rates_at_present(accelerated, planned(accelerated))
     assert rates == Rates((), flaw="no film")
 
@@ -109,17 +110,17 @@ def test_what_coarser_transient_solves_found_is_kept_where_the_next_loses_its_fi
     accelerated, monkeypatch
 ):
     """Else a finer request would end with a steady film where a coarser one has that in motion."""
-    solved = transient.march
+    solved = transient.integrate_in_time
 
-    def lost_when_fine(course, refinement, *given):
-        found = solved(course, 0, *given)
+    def lost_when_fine(time_grid, refinement, *given):
+        found = solved(time_grid, 0, *given)
         return found if refinement == 0 else replace(found, rates={}, failure="no film")
 
-    monkeypatch.setattr(transient, "march", lost_when_fine)
+    monkeypatch.setattr(transient, "integrate_in_time", lost_when_fine)
     plan = planned(accelerated)
     monkeypatch.setattr(transient, "solves_of_life", lambda accuracy: 2)
     rates = transient.rates_at_present(accelerated, plan)
-    assert len(rates.found) == len(rates.moments) == 1
+    assert len(rates.found) == len(rates.records) == 1
     assert rates.finest
     assert rates.flaw is None
 
@@ -170,39 +171,39 @@ def test_a_processor_without_a_file_of_its_name_has_that_of_the_platform(monkeyp
 def test_a_film_that_the_kernel_gives_up_is_lost_at_its_time(error):
     with (
         pytest.raises(NoFilmError, match=r"0\.125 s after the first touch"),
-        march_module._told(0.125),
+        time_integration._told(0.125),
     ):
         raise error
-    with pytest.raises(KernelError), march_module._told(0.125):
+    with pytest.raises(KernelError), time_integration._told(0.125):
         raise KernelError(7)  # an interrupt is no film that is lost
 
 
 def test_films_before_one_that_is_lost_are_kept_with_the_reason(accelerated, monkeypatch):
-    course = course_of(accelerated.past.life, planned(accelerated))
-    reached, tried = march_module._onward, []
+    time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
+    reached, tried = time_integration._onward, []
 
     def onward(*how):
         tried.append(how[1].seconds)
         return reached(*how) if len(tried) < 5 else diverged()
 
-    monkeypatch.setattr(march_module, "_onward", onward)
-    found = march_module.march(course, 0, 0.0, [accelerated.past.seconds])
+    monkeypatch.setattr(time_integration, "_onward", onward)
+    found = time_integration.integrate_in_time(time_grid, 0, 0.0, [accelerated.past.seconds])
     assert found.failure == "no film" and found.rates == {}
-    assert 1 < len(found.moments) < 9
+    assert 1 < len(found.records) < 9
 
 
 def test_a_life_without_steady_films_is_given_up_after_a_few(accelerated, monkeypatch):
     """A contact whose steady film is not found costs most; one is not sought at each of a hundred steps."""
-    course, tried = course_of(accelerated.past.life, planned(accelerated)), []
+    time_grid, tried = time_grid_of(accelerated.past.life, planned(accelerated)), []
 
-    def none(course, step):
+    def none(time_grid, step):
         tried.append(step.seconds)
         return diverged()
 
-    monkeypatch.setattr(march_module, "steady_level", none)
-    with pytest.raises(march_module.NoFilmError):
-        march_module.march(course, 2, 0.0, [accelerated.past.seconds])
-    steps = steps_of(course, 2, 0.0, accelerated.past.seconds)
+    monkeypatch.setattr(time_integration, "steady_level", none)
+    with pytest.raises(time_integration.NoFilmError):
+        time_integration.integrate_in_time(time_grid, 2, 0.0, [accelerated.past.seconds])
+    steps = steps_of(time_grid, 2, 0.0, accelerated.past.seconds)
     assert len(tried) <= 5 + log2(len(steps)) < len(steps) / 4
     assert tried[:4] == [step.seconds for step in steps[:4]]
     assert tried[-1] >= accelerated.past.seconds > tried[-2]
@@ -213,19 +214,19 @@ def test_a_life_without_steady_films_is_given_up_after_a_few(accelerated, monkey
     [(1, 5, [0]), (9, 3, [0, 1, 2, 3]), (99, 40, [0, 1, 2, 3, 4, 8, 16, 32, 40])],
 )
 def test_a_solve_begins_within_half_of_what_comes_before(count, wanted, tried):
-    assert list(march_module._beginnings(range(count), wanted)) == tried
+    assert list(time_integration._beginnings(range(count), wanted)) == tried
 
 
 def test_a_step_that_is_lost_is_halved(accelerated, monkeypatch):
-    course = course_of(accelerated.past.life, planned(accelerated))
-    reached, tried = march_module._onward, []
+    time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
+    reached, tried = time_integration._onward, []
 
     def onward(*how):
         tried.append(how[1].seconds)
         return diverged() if len(tried) == 2 else reached(*how)
 
-    monkeypatch.setattr(march_module, "_onward", onward)
-    found = march_module.march(course, 0, 0.0, [accelerated.past.seconds])
+    monkeypatch.setattr(time_integration, "_onward", onward)
+    found = time_integration.integrate_in_time(time_grid, 0, 0.0, [accelerated.past.seconds])
     assert found.failure is None and accelerated.past.seconds in found.rates
     assert tried[2] == pytest.approx((tried[0] + tried[1]) / 2)
 
@@ -234,11 +235,13 @@ def test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_
     accelerated, monkeypatch
 ):
     life = replace(accelerated.past.life, touched=accelerated.past.seconds / 2)
-    course = course_of(life, planned(accelerated))
-    first = march_module.March({}, {}, (SimpleNamespace(seconds=0.0),), 1, "lost")
+    time_grid = time_grid_of(life, planned(accelerated))
+    first = time_integration.TimeIntegration({}, {}, (SimpleNamespace(seconds=0.0),), 1, "lost")
 
-    def through(course, steps, wanted):
+    def through(time_grid, steps, wanted):
         return first if steps[0].seconds < life.touched else diverged()
 
-    monkeypatch.setattr(march_module, "_through", through)
-    assert march_module.march(course, 0, 0.0, [accelerated.past.seconds]) is first
+    monkeypatch.setattr(time_integration, "_through", through)
+    assert (
+        time_integration.integrate_in_time(time_grid, 0, 0.0, [accelerated.past.seconds]) is first
+    )

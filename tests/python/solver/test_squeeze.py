@@ -16,8 +16,8 @@ import pyworm
 from pyworm.planning.effects.geometry import as_line
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import Parabola
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import march
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import integrate_in_time
 
 RADIUS, VISCOSITY, CRAWL = 0.02, 0.09, 3e-4
 APART, APPROACH, DURATION = 8e-6, 2e-3, 3e-3
@@ -51,7 +51,7 @@ def cylinder():
 def marched(contact_at, kinks=(), refinement=0, effects=None):
     life = Life(DURATION, contact_at, kinks=kinks)
     present = replace(contact_at(DURATION), past=Past(life, DURATION))
-    course = course_of(
+    time_grid = time_grid_of(
         life,
         pyworm.plan(
             present,
@@ -60,9 +60,9 @@ def marched(contact_at, kinks=(), refinement=0, effects=None):
             ("film",),
         ),
     )
-    found = march(course, refinement, 0.0, [0.95 * DURATION])
+    found = integrate_in_time(time_grid, refinement, 0.0, [0.95 * DURATION])
     assert found.failure is None
-    return course, found.moments
+    return time_grid, found.records
 
 
 def strip_load(height, ends, rate, gap=lambda x: 0.0):
@@ -83,9 +83,9 @@ def parabola(x):
 
 
 def test_a_cylinder_that_is_lowered_presses_as_the_closed_form_says():
-    course, moments = marched(lambda at: replace(cylinder(), separation=APART - APPROACH * at))
-    ends = course.grid(0.0, 0).x[[0, -1]]
-    for one in moments[::20]:
+    time_grid, records = marched(lambda at: replace(cylinder(), separation=APART - APPROACH * at))
+    ends = time_grid.grid(0.0, 0).x[[0, -1]]
+    for one in records[::20]:
         height = APART - APPROACH * one.seconds
         assert one.figures["film_min"] == pytest.approx(height, rel=1e-6)
         assert one.load == pytest.approx(strip_load(height, ends, APPROACH, parabola), rel=0.002)
@@ -107,27 +107,27 @@ def test_a_body_that_is_let_go_sinks_as_the_closed_form_says(kind):
             return replace(body, separation=APART - APPROACH * seconds)
         return replace(body, load=load)
 
-    def ends(course, seconds):
+    def ends(time_grid, seconds):
         """Where pressure is zero: at the ends of the grid, or half a cell beyond the plate's last nodes."""
-        x = course.grid(seconds, 0).x
+        x = time_grid.grid(seconds, 0).x
         if kind == "cylinder":
             return x[[0, -1]]
         covered = x[gap(x)[1]]
         half = (x[1] - x[0]) / 2
         return covered[0] - half, covered[-1] + half
 
-    course, _ = marched(contact_at, (release,))
-    load = strip_load(height, ends(course, release), APPROACH, shape)
-    course, moments = marched(lambda at: contact_at(at, load), (release,))
+    time_grid, _ = marched(contact_at, (release,))
+    load = strip_load(height, ends(time_grid, release), APPROACH, shape)
+    time_grid, records = marched(lambda at: contact_at(at, load), (release,))
     sinking = scipy.integrate.solve_ivp(
-        lambda t, h: -load / strip_load(h[0], ends(course, t), 1.0, shape),
+        lambda t, h: -load / strip_load(h[0], ends(time_grid, t), 1.0, shape),
         (release, DURATION),
         [height],
         rtol=1e-6,
         atol=1e-13,
         dense_output=True,
     ).sol
-    after = [one for one in moments if one.seconds > release]
+    after = [one for one in records if one.seconds > release]
     assert len(after) > 50
     for one in after[::10]:
         assert one.figures["film_central"] == pytest.approx(sinking(one.seconds)[0], rel=0.002)
@@ -145,15 +145,15 @@ def test_a_ball_that_is_lowered_presses_as_the_closed_form_says():
         (STEEL, STEEL),
         mineral(VISCOSITY, 1e-12),
     )
-    course, moments = marched(
+    time_grid, records = marched(
         lambda at: replace(ball, separation=APART - APPROACH * at),
         refinement=2,
         effects="second-dimension,squeeze",
     )
-    one = moments[-1]
+    one = records[-1]
     height = APART - APPROACH * one.seconds
     endless = 6 * np.pi * VISCOSITY * APPROACH * RADIUS**2 / height
-    half = course.grid(0.0, 0).x[-1]
+    half = time_grid.grid(0.0, 0).x[-1]
     beyond = [height / (height + r**2 / (2 * RADIUS)) for r in (half, sqrt(2) * half)]
     # pressure that is zero at the sides is lower within, too: by that at the sides, all over the window
     assert 1 - 2 * beyond[0] - 0.01 < one.load / endless < 1 - 2 * beyond[1] + 0.01

@@ -18,8 +18,8 @@ from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import converge
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import RateOfChange, _prompt, march
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import RateOfChange, _prompt, integrate_in_time
 
 INLET, EXPANSIVITY = 333.15, 7e-4
 HEAT = OilHeat(INLET, 0.0, 0.14, 2000.0, EXPANSIVITY)
@@ -84,7 +84,7 @@ def test_oil_warms_at_the_rate_at_which_its_heat_grows():
     life = Life(duration, contact_at)
     present = replace(contact_at(duration), past=Past(life, duration))
     plan = pyworm.plan(present, 0.05, "all", ("temperature",))
-    rate = march(course_of(life, plan), 0, 0.0, [duration]).rates[duration]
+    rate = integrate_in_time(time_grid_of(life, plan), 0, 0.0, [duration]).rates[duration]
     steady, _ = SOLVERS[type(present)](present, plan).begin(plan.grids)
     converge(steady, 1e-6, plan.target, 1e-5)
     (warming,), (rise,) = (

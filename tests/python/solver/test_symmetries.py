@@ -14,8 +14,8 @@ from symmetric_contacts import VIEWS, View, ellipse, line, seen
 import pyworm
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.scene.life import Life, Past
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import march
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import integrate_in_time
 
 pytestmark = pytest.mark.filterwarnings("ignore::pyworm.UnusualWarning")
 
@@ -58,10 +58,10 @@ def coarse_figures(contact, name):
     """Figures at the end of the coarsest transient solve of a contact, as it is itself."""
     view = VIEWS.get(name, View())
     scene = contact(view, moves=True)
-    course = course_of(scene.past.life, pyworm.plan(scene, ACCURACY, "all"))
-    found = march(course, 0, 0.0, [scene.past.seconds])
+    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, ACCURACY, "all"))
+    found = integrate_in_time(time_grid, 0, 0.0, [scene.past.seconds])
     assert found.failure is None
-    return seen(found.moments[-1].figures, view, each_length=contact is line)
+    return seen(found.records[-1].figures, view, each_length=contact is line)
 
 
 @pytest.mark.parametrize("starved", [False, True])
@@ -124,8 +124,12 @@ def reversing(forward: bool) -> pyworm.LineScene:
 def test_a_reversal_has_the_inlets_of_both_directions_in_its_window(forward):
     """At most times one side is an exit, which reaches a quarter as far."""
     scene = reversing(forward)
-    course = course_of(scene.past.life, pyworm.plan(scene, 0.04, "isothermal,squeeze"))
-    wider = replace(course, sides=tuple((2 * max(side), 2 * max(side)) for side in course.sides))
-    own, wide = (march(of, 0, 0.0, [1.2e-3]).moments[-1].figures for of in (course, wider))
+    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, 0.04, "isothermal,squeeze"))
+    wider = replace(
+        time_grid, sides=tuple((2 * max(side), 2 * max(side)) for side in time_grid.sides)
+    )
+    own, wide = (
+        integrate_in_time(of, 0, 0.0, [1.2e-3]).records[-1].figures for of in (time_grid, wider)
+    )
     assert own["film_min"] == pytest.approx(wide["film_min"], rel=2e-3)
     assert own["film_central"] == pytest.approx(wide["film_central"], rel=2e-3)

@@ -12,15 +12,15 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import first_grids_of
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import converge, iterate
-from pyworm.solver.transient.course import course_of
-from pyworm.solver.transient.march import (
+from pyworm.solver.transient.moving_grid import means_about
+from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import (
     _beside,
     _moved,
     contact_at,
-    march,
+    integrate_in_time,
     steady_level,
 )
-from pyworm.solver.transient.moving_grid import means_about
 from pyworm.solver.transient.time_steps import Step
 from pyworm.solver.transient.transient import part_at
 
@@ -30,14 +30,14 @@ DATA = Path(__file__).parents[2] / "data"
 def course_and_scene(name, accuracy=0.05):
     scene = pyworm.load(DATA / name).scene()
     plan = pyworm.plan(scene, accuracy, "auto")
-    return course_of(scene.past.life, plan), scene
+    return time_grid_of(scene.past.life, plan), scene
 
 
 def test_a_steady_film_keeps_its_thickness_on_a_grid_of_another_length():
     """A line's deflection is relative to its grid's length away: a hundredth of that is 80 films here."""
-    course, scene = course_and_scene("unloaded_line.toml")
+    time_grid, scene = course_and_scene("unloaded_line.toml")
     first = replace(scene.past.life.at(0.0), past=None)
-    film = steady_level(course, Step(0.0, 0))[0].read().film_central
+    film = steady_level(time_grid, Step(0.0, 0))[0].read().film_central
     steady = pyworm.solve(first, pyworm.plan(first, 0.05)).figures.film_central
     assert film == pytest.approx(steady.value, rel=0.03)
 
@@ -45,10 +45,10 @@ def test_a_steady_film_keeps_its_thickness_on_a_grid_of_another_length():
 def test_a_moved_film_begins_with_its_thickness():
     """On a grid of the same nodes and some more, from whose length away deflections are counted."""
     scene = pyworm.load(DATA / "unloaded_line.toml").scene()
-    course = course_of(scene.past.life, pyworm.plan(scene, 0.05, "isothermal,squeeze"))
-    contact = contact_at(course, 0.0)
-    solver = SOLVERS[type(contact)](contact, course.plan)
-    level, _ = solver.begin(first_grids_of(contact, course.plan))
+    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, 0.05, "isothermal,squeeze"))
+    contact = contact_at(time_grid, 0.0)
+    solver = SOLVERS[type(contact)](contact, time_grid.plan)
+    level, _ = solver.begin(first_grids_of(contact, time_grid.plan))
     here = level.grid
     grid = replace(here, first=here.first - 40, nodes=here.nodes + 80)
     moved = solver.on_grid(grid, _moved(level, grid))
@@ -58,40 +58,40 @@ def test_a_moved_film_begins_with_its_thickness():
 
 def test_a_rough_film_moves_to_a_grid_that_fits_it_badly():
     """From the oil's pressure alone asperities would bear a thousand times the load there."""
-    course, _ = course_and_scene("unloaded_line.toml")
-    contact, grid = contact_at(course, 0.0), course.grid(0.0, 0)
-    solver = SOLVERS[type(contact)](contact, course.plan)
-    film = _beside(contact, course, replace(grid, dx=1.08 * grid.dx), solver)
+    time_grid, _ = course_and_scene("unloaded_line.toml")
+    contact, grid = contact_at(time_grid, 0.0), time_grid.grid(0.0, 0)
+    solver = SOLVERS[type(contact)](contact, time_grid.plan)
+    film = _beside(contact, time_grid, replace(grid, dx=1.08 * grid.dx), solver)
     iterate(film, 1e-5)
     assert film.read().film_central == pytest.approx(17.2e-9, rel=0.03)
 
 
 def test_a_line_has_a_film_up_to_the_end_of_its_history():
-    course, scene = course_and_scene("unloaded_line.toml")
-    found = march(course, 0, 0.0, [scene.past.seconds])
+    time_grid, scene = course_and_scene("unloaded_line.toml")
+    found = integrate_in_time(time_grid, 0, 0.0, [scene.past.seconds])
     assert found.failure is None
-    films = [one.figures["film_central"] for one in found.moments]
+    films = [one.figures["film_central"] for one in found.records]
     # the film of the heavy load is carried through, and a thicker one follows
     assert films[0] == pytest.approx(17.3e-9, rel=0.03)
     assert min(films) > 0.97 * films[0]
 
 
 def test_grids_do_not_move_as_fast_as_the_oil_when_a_blow_is_over():
-    course, scene = course_and_scene("struck_ellipse.toml")
-    transit = 1 / (course.transits(scene.past.seconds) / scene.past.seconds)
+    time_grid, scene = course_and_scene("struck_ellipse.toml")
+    transit = 1 / (time_grid.transits(scene.past.seconds) / scene.past.seconds)
     for kink in scene.past.life.kinks:
-        assert abs(course.mesh(kink).growth_x) * transit < 0.2
+        assert abs(time_grid.mesh(kink).growth_x) * transit < 0.2
 
 
 def test_solves_of_a_struck_contact_agree_in_its_minimum_film_thickness():
-    course, scene = course_and_scene("struck_ellipse.toml")
+    time_grid, scene = course_and_scene("struck_ellipse.toml")
     at, plan = scene.past.seconds, pyworm.plan(scene, 0.05, "auto")
-    begin = part_at(course, at).begin
+    begin = part_at(time_grid, at).begin
     simple = plan.simplified(scene)
     level, _ = SOLVERS[type(scene)](simple, plan).begin(plan.grids)
     films = []
     for refinement in (0, 1):
-        rate = march(course, refinement, begin, [at]).rates[at]
+        rate = integrate_in_time(time_grid, refinement, begin, [at]).rates[at]
         level = SOLVERS[type(scene)](simple, plan, rate).with_rate(level)
         films.append(converge(level, plan.tolerance, plan.target, 0.001).reading.film_min)
     assert films[0] == pytest.approx(films[1], rel=0.03)

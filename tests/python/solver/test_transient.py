@@ -16,13 +16,12 @@ from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.scales import line_scales
 from pyworm.solver.ending import Ending
-from pyworm.solver.transient import march as march_module
-from pyworm.solver.transient import time_steps
+from pyworm.solver.transient import time_integration, time_steps
 from pyworm.solver.transient import transient as transient_module
-from pyworm.solver.transient.course import FOLDS, course_of
 from pyworm.solver.transient.differences import backward_weights, weights
-from pyworm.solver.transient.march import March, RateOfChange
-from pyworm.solver.transient.moments import Moment
+from pyworm.solver.transient.time_grid import FOLDS, time_grid_of
+from pyworm.solver.transient.time_integration import RateOfChange, TimeIntegration
+from pyworm.solver.transient.time_records import TimeRecord
 from pyworm.solver.transient.transient import Rates
 
 TRANSITS = 5.0
@@ -138,7 +137,7 @@ def test_backward_differences_let_no_wave_grow():
 
 def test_steps_to_wanted_times_are_half_to_one_and_a_half_steps_long():
     wanted = [-1.0, 0.0, 0.2, 1.4, 1.5, 2.6]
-    turns = march_module._turns([0.0, 1.0, 2.0, 3.0], wanted)
+    turns = time_integration._turns([0.0, 1.0, 2.0, 3.0], wanted)
     assert turns == {0.0: [0.0, 0.2, 1.4], 1.0: [1.5], 2.0: [2.6]}
 
 
@@ -155,10 +154,10 @@ def test_thin_films_under_high_pressure_stay_free_of_waves():
     present = replace(contact_at(2.5 * transit), past=Past(life, 2.5 * transit))
     plan = pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",))
     films_of_time = [
-        np.array([one.figures["film_min"] for one in found.moments])
+        np.array([one.figures["film_min"] for one in found.records])
         for found in (
-            march_module.march(
-                course_of(life, plan), refinement, 0.0, [2.5 * transit], 2.9 * transit
+            time_integration.integrate_in_time(
+                time_grid_of(life, plan), refinement, 0.0, [2.5 * transit], 2.9 * transit
             )
             for refinement in (0, 1)
         )
@@ -204,7 +203,7 @@ def test_films_travel_with_the_oil(kind, accuracy, within):
 
 
 def test_a_past_whose_film_is_not_found_is_reported(monkeypatch):
-    monkeypatch.setattr(march_module, "MAX_TRANSIENT_RESIDUAL", 0.0)
+    monkeypatch.setattr(time_integration, "MAX_TRANSIENT_RESIDUAL", 0.0)
     transient = solved(lived(lambda back: as_line(ball())), "isothermal,squeeze")
     assert not transient.converged and "found no converged film" in transient.stop_reason
     assert transient.ending is Ending.RATE_OF_CHANGE
@@ -217,7 +216,7 @@ def test_where_no_transient_solution_is_found_a_steady_one_stands_for_it(kind, m
     accelerated = lived(lambda back: kind(ball(1 - 200 * back)))
     auto = pyworm.plan(accelerated, 0.05, quantities=("film",))
     assert "squeeze" in auto.on
-    monkeypatch.setattr(march_module, "MAX_TRANSIENT_RESIDUAL", 0.0)
+    monkeypatch.setattr(time_integration, "MAX_TRANSIENT_RESIDUAL", 0.0)
     substitute = pyworm.solve(accelerated, auto)
     squeeze = next(effect for effect in substitute.effects if effect.name == "squeeze")
     assert not squeeze.on and "not found: the transient solve found no" in squeeze.reason
@@ -232,7 +231,7 @@ def test_a_tooth_pair_s_gap_changes_as_its_flanks_move_past_the_contact_point():
     """Rigid flanks z(x, y, t) that move with u, v, w: dz/dt = w - u dz/dx - v dz/dy."""
     drive = pyworm.load("cases/zi_drive.toml").drive
     contact = drive.contact(0.4)
-    across, step, instant = 1e-3, 1e-6, 1e-5
+    across, step, time_level = 1e-3, 1e-6, 1e-5
     x, y = across * np.cos(np.arange(8)), across * np.sin(np.arange(8))
     rates = []
     for motion in drive.motions(contact):
@@ -249,7 +248,7 @@ def test_a_tooth_pair_s_gap_changes_as_its_flanks_move_past_the_contact_point():
         worm, wheel = (motion.flank.solve(*there)[0] for motion in drive.motions(then))
         return wheel - worm
 
-    assert (gap(-instant) - gap(instant)) / (2 * instant) == pytest.approx(
+    assert (gap(-time_level) - gap(time_level)) / (2 * time_level) == pytest.approx(
         rates[1] - rates[0], rel=1e-3, abs=1e-6
     )
 
@@ -290,12 +289,14 @@ def test_half_the_spacing_with_half_the_time_step_leaves_a_quarter_of_the_error(
 
     life = Life(6 * transit, contact_at)
     scene = replace(contact_at(6 * transit), past=Past(life, 6 * transit))
-    course = course_of(life, pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",)))
+    time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",)))
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 24)
     films = [
         {
             one.seconds: one.figures["film_central"]
-            for one in march_module.march(course, refinement, 0.0, [5 * transit]).moments
+            for one in time_integration.integrate_in_time(
+                time_grid, refinement, 0.0, [5 * transit]
+            ).records
         }
         for refinement in range(3)
     ]
@@ -318,11 +319,11 @@ def test_a_further_solve_of_one_point_contact_begins_two_transits_before_it(kind
 
     transit = predicted(ball()).transit
     life = Life(6 * transit, contact_at, kinks=(transit,) * (kind == "written"))
-    course = course_of(life, pyworm.plan(ball(), 0.05, "isothermal", ("film",)))
-    part = transient_module.part_at(course, 5.5 * transit)
-    begin = transient_module.begin_of_one(course, 5.5 * transit)
+    time_grid = time_grid_of(life, pyworm.plan(ball(), 0.05, "isothermal", ("film",)))
+    part = transient_module.part_at(time_grid, 5.5 * transit)
+    begin = transient_module.begin_of_one(time_grid, 5.5 * transit)
     if kind == "point":
-        present = course.transits(5.5 * transit)
+        present = time_grid.transits(5.5 * transit)
         assert part.begin < begin == pytest.approx(present - transient_module.WARM_UP["point"])
     else:
         assert begin == part.begin
@@ -337,23 +338,23 @@ def test_a_third_solve_of_a_later_part_begins_on_the_grid_before(monkeypatch):
     transit = predicted(as_line(ball())).transit
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
     life = Life(6 * transit, contact_at)
-    course = course_of(life, pyworm.plan(contact_at(0.0), 0.05, "isothermal", ("film",)))
-    at = course.instant(4.0)
-    steps = time_steps.steps_of(course, 2, 2.0, at)
+    time_grid = time_grid_of(life, pyworm.plan(contact_at(0.0), 0.05, "isothermal", ("film",)))
+    at = time_grid.time_at(4.0)
+    steps = time_steps.steps_of(time_grid, 2, 2.0, at)
     coarse = [step for step in steps if step.refinement == 1]
     assert len(coarse) == 24
-    assert course.place(steps[24].seconds) == pytest.approx(3.0)
+    assert time_grid.place(steps[24].seconds) == pytest.approx(3.0)
     assert {step.refinement for step in steps[24:]} == {2}
     assert all(before.seconds < after.seconds for before, after in pairwise(steps))
-    found = march_module.march(course, 2, 2.0, [at])
-    before = march_module.march(course, 1, 2.0, [at])
+    found = time_integration.integrate_in_time(time_grid, 2, 2.0, [at])
+    before = time_integration.integrate_in_time(time_grid, 1, 2.0, [at])
     monkeypatch.setattr(time_steps, "COARSE_FROM", 3)
-    alone = march_module.march(course, 2, 2.0, [at])
-    assert len(found.moments) == len(alone.moments) - 48
+    alone = time_integration.integrate_in_time(time_grid, 2, 2.0, [at])
+    assert len(found.records) == len(alone.records) - 48
     for name in ("film_min", "film_central"):
         by_two, by_one, coarser = (
             np.interp(
-                at, [one.seconds for one in of.moments], [one.figures[name] for one in of.moments]
+                at, [one.seconds for one in of.records], [one.figures[name] for one in of.records]
             )
             for of in (found, alone, before)
         )
@@ -370,8 +371,8 @@ def test_as_the_load_of_a_tooth_pair_falls_by_an_e_fold_a_time_step_s_share_of_a
             8 * transit,
             lambda at: replace(steady, load=steady.load * np.exp(-folds * at / transit)),
         )
-        course = course_of(life, pyworm.plan(steady, 0.05, "isothermal", ("film",)))
-        return course.transits(course.end)
+        time_grid = time_grid_of(life, pyworm.plan(steady, 0.05, "isothermal", ("film",)))
+        return time_grid.transits(time_grid.end)
 
     assert falling(4.0) == pytest.approx(4.0 / FOLDS * 8, rel=0.5)
     assert falling(0.01) == pytest.approx(8.0, rel=0.05)
@@ -385,8 +386,8 @@ def test_after_a_reversal_the_error_is_one_and_a_half_of_the_last_change(ago, sh
     plan = pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",))
     grid = plan.grids[-1]
     backs = np.arange(4 * TRANSITS, -1, -1) * transit / 4
-    moments = tuple(
-        Moment(
+    records = tuple(
+        TimeRecord(
             TRANSITS * transit - back, None, scene.load, (1.0 - 2 * (back > ago * transit), 0.0), {}
         )
         for back in backs
@@ -396,7 +397,7 @@ def test_after_a_reversal_the_error_is_one_and_a_half_of_the_last_change(ago, sh
         RateOfChange(grid, np.full(grid.shape, part * film / transit)) for part in (0.02, 0.04)
     )
     one, two = (
-        transient_module.transient(scene, plan, Rates(rates[:count], (moments,) * count))
+        transient_module.transient(scene, plan, Rates(rates[:count], (records,) * count))
         for count in (1, 2)
     )
     before, after = (of.level.read().figures for of in (one, two))
@@ -411,16 +412,20 @@ def test_a_life_begins_later_only_where_films_are_lost_soon_after_the_first_touc
 ):
     transit = predicted(as_line(ball())).transit
     life = Life(8 * transit, lambda at: as_line(ball()), touched=transit)
-    course = course_of(life, pyworm.plan(as_line(ball()), 0.05, "isothermal", ("film",)))
-    last = course.instant(course.transits(life.touched) + after)
+    time_grid = time_grid_of(life, pyworm.plan(as_line(ball()), 0.05, "isothermal", ("film",)))
+    last = time_grid.time_at(time_grid.transits(life.touched) + after)
     asked = []
 
-    def diverged(course, steps, wanted):
+    def diverged(time_grid, steps, wanted):
         asked.append(steps)
-        return March({}, {}, (Moment(last, None, 1.0, (1.0,), {}),), 1, failure="no film")
+        return TimeIntegration(
+            {}, {}, (TimeRecord(last, None, 1.0, (1.0,), {}),), 1, failure="no film"
+        )
 
-    monkeypatch.setattr(march_module, "_through", diverged)
-    assert march_module.march(course, 0, 0.0, [life.duration]).failure == "no film"
+    monkeypatch.setattr(time_integration, "_through", diverged)
+    assert (
+        time_integration.integrate_in_time(time_grid, 0, 0.0, [life.duration]).failure == "no film"
+    )
     assert len(asked) == solves
 
 
@@ -443,14 +448,14 @@ def test_an_accelerated_line_has_the_film_of_its_inlet_s_time():
     duration = 4 * of.transit
     life = Life(duration, lambda seconds: as_line(ball(speed(seconds))))
     scene = replace(as_line(ball(speed(duration))), past=Past(life, duration))
-    course = course_of(life, pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",)))
-    moments = march_module.march(course, 1, 0.0, [0.95 * duration]).moments
+    time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",)))
+    records = time_integration.integrate_in_time(time_grid, 1, 0.0, [0.95 * duration]).records
     speeds = np.array([0.4, 0.8, 1.6])
     steady_films = [
         films(solved(as_line(ball(one)), accuracy=0.01))["film_central"] for one in speeds
     ]
     steady = np.polynomial.Polynomial.fit(np.log(speeds), np.log(steady_films), 2)
-    for one in moments[::20]:
+    for one in records[::20]:
         if way(one.seconds) < 1.5 * of.half_width:  # oil that was in the contact when it began
             continue
         # its root: the time at which the oil in the middle was half a width before it
@@ -475,8 +480,8 @@ def test_the_grid_of_a_line_reaches_beyond_its_contact_under_a_blow():
 
     life = Life(3 * transit, contact_at, kinks=(transit, 2 * transit))
     present = replace(contact_at(1.75 * transit), past=Past(life, 1.75 * transit))
-    course = course_of(life, pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",)))
-    ends = np.abs(course.grid(1.5 * transit, 0).x[[0, -1]])
+    time_grid = time_grid_of(life, pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",)))
+    ends = np.abs(time_grid.grid(1.5 * transit, 0).x[[0, -1]])
     assert min(ends) > 1.05 * 2**0.5 * half_width
     under_the_blow = films(solved(present, "isothermal,squeeze"))["film_central"]
     # oil that came in as the edge went to meet it has reached the middle: it is thicker than before

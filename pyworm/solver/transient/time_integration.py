@@ -27,15 +27,12 @@ from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
 from pyworm.solver.newton import iterate, newton_step
-from pyworm.solver.transient.course import Course
 from pyworm.solver.transient.differences import backward_weights
 from pyworm.solver.transient.heat_memory import (
-    HeatedInstant,
-    remembered_rise,
+    HeatedTimeLevel,
+    residual_rise,
     velocities_at_origin,
 )
-from pyworm.solver.transient.instant import Instant, extrapolated, instant_of
-from pyworm.solver.transient.moments import Moment, moment
 from pyworm.solver.transient.moving_grid import (
     at_places,
     each_at_places,
@@ -43,6 +40,9 @@ from pyworm.solver.transient.moving_grid import (
     seen_from,
     slopes,
 )
+from pyworm.solver.transient.time_grid import TimeGrid
+from pyworm.solver.transient.time_level import TimeLevel, extrapolated, time_level_of
+from pyworm.solver.transient.time_records import TimeRecord, time_record
 from pyworm.solver.transient.time_steps import Step, steps_of
 
 BEFORE = 3
@@ -147,14 +147,14 @@ class _Backwards:
 
 
 @dataclass(frozen=True)
-class March:
+class TimeIntegration:
     """What a transient solve through a part of a life found."""
 
     rates: dict[float, RateOfChange]
     """Time [s] -> `RateOfChange` there; without times to which no films lead."""
     rigid_films: dict[float, float]
     """Time [s] -> rigid film there [m], at the times of `rates`."""
-    moments: tuple[Moment, ...]
+    records: tuple[TimeRecord, ...]
     """Figures of the film on the moving grid at each instant, and fields at those of the coarsest solve."""
     newton_steps: int
     """Newton steps of all instants."""
@@ -162,18 +162,18 @@ class March:
     """Reason why films end before the last time, if they do."""
 
 
-def march(
-    course: Course,
+def integrate_in_time(
+    time_grid: TimeGrid,
     refinement: int,
     begin: float,
     wanted: Sequence[float],
     until: float = 0.0,
-) -> March:
+) -> TimeIntegration:
     """Integrate a contact's film in time.
 
     Parameters
     ----------
-    course : Course
+    time_grid : TimeGrid
         Grids and pace of its life.
     refinement : int
         Halvings of the spacing and of the time step.
@@ -186,22 +186,22 @@ def march(
 
     Raises
     ------
-    LostError
+    NoFilmError
         No film was found from which to begin.
     """
-    _require_memory(course, refinement)
-    asked = steps_of(course, refinement, begin, max(*wanted, until))
-    later = [step for step in asked if step.seconds >= course.life.touched]
+    _require_memory(time_grid, refinement)
+    asked = steps_of(time_grid, refinement, begin, max(*wanted, until))
+    later = [step for step in asked if step.seconds >= time_grid.life.touched]
     if len(later) == len(asked):
-        return _through(course, asked, wanted)
+        return _through(time_grid, asked, wanted)
     try:
-        found = _through(course, asked, wanted)
+        found = _through(time_grid, asked, wanted)
     except NoFilmError:
         found = None
-    if found is not None and (len(found.rates) == len(wanted) or _long_after(course, found)):
+    if found is not None and (len(found.rates) == len(wanted) or _long_after(time_grid, found)):
         return found
     try:
-        again = _through(course, later, wanted)
+        again = _through(time_grid, later, wanted)
     except NoFilmError:
         if found is None:
             raise
@@ -209,76 +209,81 @@ def march(
     return again if found is None or len(again.rates) > len(found.rates) else found
 
 
-def _long_after(course: Course, found: March) -> bool:
+def _long_after(time_grid: TimeGrid, found: TimeIntegration) -> bool:
     """Whether films were found for so long after the first touch that another beginning changes nothing."""
-    return _since_touch(course, found.moments[-1].seconds) > FORGOTTEN
+    return _since_touch(time_grid, found.records[-1].seconds) > FORGOTTEN
 
 
-def _since_touch(course: Course, seconds: float) -> float:
+def _since_touch(time_grid: TimeGrid, seconds: float) -> float:
     """Transits from the first touch to a time."""
-    return course.transits(seconds) - course.transits(course.life.touched)
+    return time_grid.transits(seconds) - time_grid.transits(time_grid.life.touched)
 
 
-def _through(course: Course, asked: Sequence[Step], wanted: Sequence[float]) -> March:
-    """The films of some steps, of which those of the finest grid are kept; as of `march`."""
+def _through(
+    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float]
+) -> TimeIntegration:
+    """The films of some steps, of which those of the finest grid are kept; as of `integrate_in_time`."""
     refinement = asked[-1].refinement
     finest = [step.seconds for step in asked if step.refinement == refinement]
     framed = set(finest[:: 2**refinement])
-    steps, level, before, taken_of_all = _begun(course, asked, min(wanted))
+    steps, level, before, taken_of_all = _begun(time_grid, asked, min(wanted))
     turns = _turns([step.seconds for step in steps if step.refinement == refinement], wanted)
     rates: dict[float, RateOfChange] = {}
     rigid_films: dict[float, float] = {}
-    heat: list[HeatedInstant] = []
-    moments, failure, held = [], None, True
+    heat: list[HeatedTimeLevel] = []
+    records, failure, held = [], None, True
     on = steps[0]
     for step in steps:
-        before, heat = _led_on(course, on, step, before, heat)
+        before, heat = _led_on(time_grid, on, step, before, heat)
         on = step
         try:
             if before:
-                level, before, heat, taken = _reached(course, step, before, heat, held)
+                level, before, heat, taken = _reached(time_grid, step, before, heat, held)
                 taken_of_all += taken
-                if held and level.carried() > course.life.touch:
+                if held and level.carried() > time_grid.life.touch:
                     held = False
-                    level, before, heat, taken = _reached(course, step, before, heat, held)
+                    level, before, heat, taken = _reached(time_grid, step, before, heat, held)
                     taken_of_all += taken
             level = present(level, "the first film")
-            now = instant_of(level, step.seconds)
+            now = time_level_of(level, step.seconds)
             heat = [*_heated(level, step.seconds), *heat]
             before = [now, *before[: BEFORE - 1]]
             if on.refinement < refinement:
                 continue
-            frame = course.grid_of_contact(step.seconds, 0) if step.seconds in framed else None
-            moments.append(moment(level, step.seconds, frame))
+            frame = time_grid.grid_of_contact(step.seconds, 0) if step.seconds in framed else None
+            records.append(time_record(level, step.seconds, frame))
             for time in turns.get(step.seconds, ()):
                 then, known, taken = level, before, 0
                 if time > step.seconds:
                     turn = Step(time, refinement)
-                    past = _led_on(course, step, turn, before, heat)
-                    then, known, _, taken = _reached(course, turn, *past, held)
-                    known = [instant_of(then, time), *known]
+                    past = _led_on(time_grid, step, turn, before, heat)
+                    then, known, _, taken = _reached(time_grid, turn, *past, held)
+                    known = [time_level_of(then, time), *known]
                 taken_of_all += taken
-                rates[time], rigid_films[time] = _rate_of(course, then, known), then.film.rigid_film
+                rates[time], rigid_films[time] = (
+                    _rate_of(time_grid, then, known),
+                    then.film.rigid_film,
+                )
         except NoFilmError as error:
             failure = str(error)
             break
-    if not moments:
+    if not records:
         raise NoFilmError(failure)
-    return March(rates, rigid_films, tuple(moments), taken_of_all, failure)
+    return TimeIntegration(rates, rigid_films, tuple(records), taken_of_all, failure)
 
 
 def _led_on(
-    course: Course,
+    time_grid: TimeGrid,
     last: Step,
     step: Step,
-    before: list[Instant],
-    heat: list[HeatedInstant],
-) -> tuple[list[Instant], list[HeatedInstant]]:
+    before: list[TimeLevel],
+    heat: list[HeatedTimeLevel],
+) -> tuple[list[TimeLevel], list[HeatedTimeLevel]]:
     """Films and heat up to a last step on the kind of grid of the next."""
     if step.refinement > last.refinement:
         before, heat = [film.finer() for film in before], [film.finer() for film in heat]
-    if course.come_together(last.seconds) and not course.come_together(step.seconds):
-        grids = course.grid, course.grid_of_contact
+    if time_grid.come_together(last.seconds) and not time_grid.come_together(step.seconds):
+        grids = time_grid.grid, time_grid.grid_of_contact
         large, small = (grid(last.seconds, step.refinement) for grid in grids)
         if isinstance(large, Grid) and isinstance(small, Grid):  # lines do not come together
             window = large.window_of(small)
@@ -289,41 +294,41 @@ def _led_on(
     return before, heat
 
 
-def _turns(instants: Sequence[float], wanted: Sequence[float]) -> dict[float, list[float]]:
+def _turns(step_times: Sequence[float], wanted: Sequence[float]) -> dict[float, list[float]]:
     """Wanted times by the instant from which a step of their own leads to them; none before the first.
 
     It is half a step long at least, if it can be: shorter ones make much of what Newton's iteration left.
     """
     turns: dict[float, list[float]] = {}
-    halfway = [(earlier + later) / 2 for earlier, later in pairwise(instants)]
+    halfway = [(earlier + later) / 2 for earlier, later in pairwise(step_times)]
     for time in wanted:
-        if time < instants[0]:
+        if time < step_times[0]:
             continue
         number = max(int(np.searchsorted(halfway, time, side="right")) - 1, 0)
-        turns.setdefault(instants[number], []).append(time)
+        turns.setdefault(step_times[number], []).append(time)
     return turns
 
 
-def _require_memory(course: Course, refinement: int) -> None:
-    """LostError where memory will not hold the grid."""
-    short = shortage(course.grid(course.begin, refinement), course.plan.model)
+def _require_memory(time_grid: TimeGrid, refinement: int) -> None:
+    """NoFilmError where memory will not hold the grid."""
+    short = shortage(time_grid.grid(time_grid.begin, refinement), time_grid.plan.model)
     if short is not None:
         raise NoFilmError(short)
 
 
 def _begun(
-    course: Course, steps: Sequence[Step], wanted: float
-) -> tuple[Sequence[Step], Level | None, list[Instant], int]:
+    time_grid: TimeGrid, steps: Sequence[Step], wanted: float
+) -> tuple[Sequence[Step], Level | None, list[TimeLevel], int]:
     """The steps to solve, the film of the first or those before it, and Newton steps taken.
 
     They begin with the first that has a steady film, or after the first where its surfaces are apart. A tooth
-    that is touched at its tip has no steady film yet; LostError where there is none before a wanted time.
+    that is touched at its tip has no steady film yet; NoFilmError where there is none before a wanted time.
     """
-    if course.life.at(steps[0].seconds).separation is not None:
-        return steps[1:], None, [_at_rest(course, steps[0])], 0
+    if time_grid.life.at(steps[0].seconds).separation is not None:
+        return steps[1:], None, [_at_rest(time_grid, steps[0])], 0
     for number in _beginnings([step.seconds for step in steps], wanted):
         try:
-            level, taken = steady_level(course, steps[number])
+            level, taken = steady_level(time_grid, steps[number])
         except NoFilmError:
             if steps[number].seconds >= wanted:
                 raise
@@ -332,10 +337,11 @@ def _begun(
     raise NoFilmError(_failed(wanted))
 
 
-def _beginnings(instants: Sequence[float], wanted: float) -> Iterator[int]:
+def _beginnings(step_times: Sequence[float], wanted: float) -> Iterator[int]:
     """Numbers of the instants at which to begin, in turn: twice as far each, up to the first one wanted."""
     last = next(
-        (number for number, seconds in enumerate(instants) if seconds >= wanted), len(instants) - 1
+        (number for number, seconds in enumerate(step_times) if seconds >= wanted),
+        len(step_times) - 1,
     )
     yield from range(min(EACH_TRIED, last))
     number = EACH_TRIED
@@ -345,36 +351,36 @@ def _beginnings(instants: Sequence[float], wanted: float) -> Iterator[int]:
     yield last
 
 
-def _at_rest(course: Course, step: Step) -> Instant:
+def _at_rest(time_grid: TimeGrid, step: Step) -> TimeLevel:
     """The oil that fills the gap between surfaces that are apart, hardly under pressure: its density is 1."""
     seconds = step.seconds
-    contact, grid = contact_at(course, seconds), course.grid(seconds, step.refinement)
+    contact, grid = contact_at(time_grid, seconds), time_grid.grid(seconds, step.refinement)
     gap, _ = contact.gap(*grid.mesh())
     separation = present(contact.separation, "separation")
     film = separation + gap
     pressure = np.full(film.shape, TRACE)
-    return Instant(seconds, film, InitialGuess(pressure, separation, None, pressure))
+    return TimeLevel(seconds, film, InitialGuess(pressure, separation, None, pressure))
 
 
-def steady_level(course: Course, step: Step) -> tuple[Level, int]:
+def steady_level(time_grid: TimeGrid, step: Step) -> tuple[Level, int]:
     """The steady film at a time on the moving grid, and its Newton steps there."""
     seconds = step.seconds
-    contact = contact_at(course, seconds)
-    grid = course.grid(seconds, step.refinement)
+    contact = contact_at(time_grid, seconds)
+    grid = time_grid.grid(seconds, step.refinement)
     with _told(seconds):
-        level = _beside(contact, course, grid, SOLVERS[type(contact)](contact, course.plan))
-        taken = len(iterate(level, *_tolerances(course, step)))
+        level = _beside(contact, time_grid, grid, SOLVERS[type(contact)](contact, time_grid.plan))
+        taken = len(iterate(level, *_tolerances(time_grid, step)))
     return _sound(level, seconds), taken
 
 
 def _reached(
-    course: Course,
+    time_grid: TimeGrid,
     step: Step,
-    before: list[Instant],
-    heat: list[HeatedInstant],
+    before: list[TimeLevel],
+    heat: list[HeatedTimeLevel],
     held: bool,
     halvings: int = 0,
-) -> tuple[Level, list[Instant], list[HeatedInstant], int]:
+) -> tuple[Level, list[TimeLevel], list[HeatedTimeLevel], int]:
     """The film at a time, films and heat before it, and the Newton steps to it.
 
     Where no film is found the time step is halved, and halved again, each half from the last film alone: a
@@ -383,29 +389,29 @@ def _reached(
 
     Raises
     ------
-    LostError
+    NoFilmError
         No film was found after `MOST_HALVINGS`.
     """
     try:
-        level, taken = _onward(course, step, before, heat, held)
+        level, taken = _onward(time_grid, step, before, heat, held)
     except NoFilmError:
         if halvings == MOST_HALVINGS:
             raise
     else:
         return level, before, heat, taken
     middle = Step((before[0].seconds + step.seconds) / 2, step.refinement)
-    level, before, heat, first = _reached(course, middle, before[:1], heat, held, halvings + 1)
-    before = [instant_of(level, middle.seconds), *before[: BEFORE - 1]]
+    level, before, heat, first = _reached(time_grid, middle, before[:1], heat, held, halvings + 1)
+    before = [time_level_of(level, middle.seconds), *before[: BEFORE - 1]]
     heat = [*_heated(level, middle.seconds), *heat]
-    level, before, heat, second = _reached(course, step, before, heat, held, halvings + 1)
+    level, before, heat, second = _reached(time_grid, step, before, heat, held, halvings + 1)
     return level, before, heat, first + second
 
 
 def _onward(
-    course: Course,
+    time_grid: TimeGrid,
     step: Step,
-    before: Sequence[Instant],
-    heat: Sequence[HeatedInstant],
+    before: Sequence[TimeLevel],
+    heat: Sequence[HeatedTimeLevel],
     held: bool,
 ) -> tuple[Level, int]:
     """The film at a time, from those before and their heat, the latest first, and its Newton steps.
@@ -413,21 +419,23 @@ def _onward(
     Where a separation is given but its surfaces are no longer held there the load is given in its place.
     """
     seconds = step.seconds
-    contact, mesh = contact_at(course, seconds), course.mesh(seconds)
+    contact, mesh = contact_at(time_grid, seconds), time_grid.mesh(seconds)
     if not held:
         contact = replace(contact, separation=None)
-    grid = course.grid(seconds, step.refinement)
-    used = _differenced(course, seconds, before)
-    implicit, *earlier = backward_weights([seconds, *(instant.seconds for instant in used)])
-    explicit = sum(weight * instant.content for weight, instant in zip(earlier, used, strict=True))
+    grid = time_grid.grid(seconds, step.refinement)
+    used = _differenced(time_grid, seconds, before)
+    implicit, *earlier = backward_weights([seconds, *(time_level.seconds for time_level in used)])
+    explicit = sum(
+        weight * time_level.content for weight, time_level in zip(earlier, used, strict=True)
+    )
     rise = None
     if heat:
-        rise = remembered_rise(heat, contact, grid, course.grid(seconds, 0), seconds, mesh.turning)
+        rise = residual_rise(heat, contact, grid, time_grid.grid(seconds, 0), seconds, mesh.turning)
     term = _Backwards(implicit + mesh.divergence, explicit, rise)
-    solver = SOLVERS[type(contact)](seen_from(contact, mesh), course.plan, term)
-    tolerances = _tolerances(course, step)
+    solver = SOLVERS[type(contact)](seen_from(contact, mesh), time_grid.plan, term)
+    tolerances = _tolerances(time_grid, step)
     with _told(seconds):
-        level = _begun_from(course, solver, grid, contact, before, seconds)
+        level = _begun_from(time_grid, solver, grid, contact, before, seconds)
         # one step at least: a film that is only extrapolated would follow no equation until it is far from it
         newton_step(level)
         taken = 1 + len(iterate(level, *tolerances, most=TRIAL_STEPS - 1))
@@ -436,17 +444,17 @@ def _onward(
         if contact.separation is None and not level.film.balance.within(
             MAX_TRANSIENT_RESIDUAL, MAX_TEMPERATURE_RESIDUAL
         ):
-            level = _beside(contact, course, grid, solver)
+            level = _beside(contact, time_grid, grid, solver)
             taken += len(iterate(level, *tolerances))
     return _sound(level, seconds), taken
 
 
 def _begun_from(
-    course: Course,
+    time_grid: TimeGrid,
     solver: ContactSolver,
     grid: Grid | LineGrid,
     contact: Scene | LineScene,
-    before: Sequence[Instant],
+    before: Sequence[TimeLevel],
     seconds: float,
 ) -> Level:
     """The level of a time that begins with the films before, the latest first.
@@ -456,7 +464,7 @@ def _begun_from(
     surfaces came together a film that does not follow asks for shorter time steps instead.
     """
     latest, guesses = before[0].state, [extrapolated(before, seconds)]
-    if course.approach is None or _since_touch(course, seconds) > FORGOTTEN:
+    if time_grid.approach is None or _since_touch(time_grid, seconds) > FORGOTTEN:
         guesses += [latest, replace(latest, oil=None)]
     levels: list[Level] = []
     for guess in guesses:
@@ -468,28 +476,30 @@ def _begun_from(
     return min(levels, key=lambda level: level.film.balance.residual)
 
 
-def _differenced(course: Course, seconds: float, before: Sequence[Instant]) -> Sequence[Instant]:
+def _differenced(
+    time_grid: TimeGrid, seconds: float, before: Sequence[TimeLevel]
+) -> Sequence[TimeLevel]:
     """Films from which the rate of change at a time follows: the last alone while films form (`FORMING`)."""
-    return before[:1] if course.come_together(seconds) else before
+    return before[:1] if time_grid.come_together(seconds) else before
 
 
-def contact_at(course: Course, seconds: float) -> Scene | LineScene:
+def contact_at(time_grid: TimeGrid, seconds: float) -> Scene | LineScene:
     """The contact at a time with the effects of the plan, and no past."""
-    return course.plan.simplified(replace(course.life.at(seconds), past=None))
+    return time_grid.plan.simplified(replace(time_grid.life.at(seconds), past=None))
 
 
-def _tolerances(course: Course, step: Step) -> tuple[float, float]:
+def _tolerances(time_grid: TimeGrid, step: Step) -> tuple[float, float]:
     """Residual and warming to which films are solved."""
-    share = 1.0 if course.approach is not None else TOLERANCE_RATIO_WITHOUT_APPROACH
-    return share * TOLERANCE * course.step(step.refinement) ** 2, WARMING
+    share = 1.0 if time_grid.approach is not None else TOLERANCE_RATIO_WITHOUT_APPROACH
+    return share * TOLERANCE * time_grid.step(step.refinement) ** 2, WARMING
 
 
 def _beside(
-    contact: Scene | LineScene, course: Course, grid: Grid | LineGrid, solver: ContactSolver
+    contact: Scene | LineScene, time_grid: TimeGrid, grid: Grid | LineGrid, solver: ContactSolver
 ) -> Level:
     """A level of a solver on a grid that begins with the steady film on the contact's own first grids."""
-    steady = SOLVERS[type(contact)](contact, course.plan)
-    level, _ = steady.begin(first_grids_of(contact, course.plan))
+    steady = SOLVERS[type(contact)](contact, time_grid.plan)
+    level, _ = steady.begin(first_grids_of(contact, time_grid.plan))
     guess = _moved(level, grid)
     beside: Level = solver.on_grid(grid, guess)
     if level.film.rough and not beside.film.balance.residual <= UNUSABLE_START_RESIDUAL:
@@ -533,9 +543,9 @@ def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
     return InitialGuess(pressure, level.rigid_film_on(grid, pressure), rise, oil)
 
 
-def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateOfChange:
+def _rate_of(time_grid: TimeGrid, level: Level, time_levels: Sequence[TimeLevel]) -> RateOfChange:
     """Rate of change of the film of a time, of which some instants are known, its own first."""
-    now, grid, mesh = instants[0], level.grid, course.mesh(instants[0].seconds)
+    now, grid, mesh = time_levels[0], level.grid, time_grid.mesh(time_levels[0].seconds)
     if level.transient_term is None:  # a life that begins at that time, with a steady film
         return RateOfChange(grid, np.zeros_like(now.content))
     velocity = mesh(*grid.mesh())
@@ -548,18 +558,20 @@ def _rate_of(course: Course, level: Level, instants: Sequence[Instant]) -> RateO
 
     implicit, explicit = level.transient_term.on(grid)
     rate = at_place((implicit - mesh.divergence) * now.content + explicit, now.content)
-    warm = [instant for instant in instants if instant.state.rise is not None]
+    warm = [time_level for time_level in time_levels if time_level.state.rise is not None]
     oil, rise = now.state.oil, now.state.rise
     if len(warm) < 2 or oil is None or rise is None:
         return RateOfChange(grid, rate, now.rise)
-    coefficients = backward_weights([instant.seconds for instant in warm])
+    coefficients = backward_weights([time_level.seconds for time_level in warm])
 
     def changing(name: str) -> Array:
         parts = zip(coefficients, warm, strict=True)
-        changing: Array = sum(weight * getattr(instant.state, name) for weight, instant in parts)
+        changing: Array = sum(
+            weight * getattr(time_level.state, name) for weight, time_level in parts
+        )
         return changing
 
-    storing = _prompt(level, instants[0].seconds - instants[1].seconds)
+    storing = _prompt(level, time_levels[0].seconds - time_levels[1].seconds)
     levels = (
         at_place(*fields)
         for fields in zip(
@@ -583,12 +595,12 @@ def _prompt(level: Level, step: float) -> Array:
     return 1 / (1 + (late / step) ** 2)
 
 
-def _heated(level: Level, seconds: float) -> list[HeatedInstant]:
+def _heated(level: Level, seconds: float) -> list[HeatedTimeLevel]:
     """Heat of a level's surfaces, where it is simulated."""
     if not level.film.heated:
         return []
     flux = level.film.heat_fields().flux
-    return [HeatedInstant(seconds, level.grid, flux, velocities_at_origin(level.scene))]
+    return [HeatedTimeLevel(seconds, level.grid, flux, velocities_at_origin(level.scene))]
 
 
 def _failed(seconds: float) -> str:

@@ -41,8 +41,8 @@ class Frame:
 
 
 @dataclass(frozen=True)
-class Moment:
-    """The film at one instant."""
+class TimeRecord:
+    """Figures of the film at one time, and its fields at some."""
 
     seconds: float
     """Time since the life began [s]."""
@@ -58,11 +58,11 @@ class Moment:
     """Its fields; kept at the instants of the coarsest transient solve."""
 
 
-def moment(level: Level, seconds: float, frame: Grid | LineGrid | None) -> Moment:
+def time_record(level: Level, seconds: float, frame: Grid | LineGrid | None) -> TimeRecord:
     """What is kept of a film, with its fields at nodes of a grid, if of one."""
     contact = level.scene  # seen from a moving grid, whose contact point rests
     origin = [np.zeros(1) for _ in level.grid.spacing]
-    return Moment(
+    return TimeRecord(
         seconds,
         contact.phase,
         level.carried(),
@@ -84,24 +84,24 @@ def _frame(level: Level, grid: Grid | LineGrid) -> Frame:
     return Frame(places, *(values.astype(np.float32) for values in kept))
 
 
-def until(moments: Sequence[Moment], seconds: float) -> tuple[Moment, ...]:
+def until(records: Sequence[TimeRecord], seconds: float) -> tuple[TimeRecord, ...]:
     """The moments not later than a time [s]."""
-    return tuple(record for record in moments if record.seconds <= seconds)
+    return tuple(record for record in records if record.seconds <= seconds)
 
 
-def as_arrays(moments: Sequence[Moment]) -> dict[str, Array]:
+def as_arrays(records: Sequence[TimeRecord]) -> dict[str, Array]:
     """Moments as arrays by names, from which `from_arrays` makes them again."""
-    framed = [(record.seconds, record.frame) for record in moments if record.frame is not None]
+    framed = [(record.seconds, record.frame) for record in records if record.frame is not None]
     frames = [frame for _, frame in framed]
-    names = list(moments[0].figures) if moments else []
+    names = list(records[0].figures) if records else []
     return {
-        "seconds": np.array([record.seconds for record in moments]),
-        "phases": np.array([nan if record.phase is None else record.phase for record in moments]),
-        "loads": np.array([record.load for record in moments]),
-        "entrainments": np.array([record.entrainment for record in moments]),
+        "seconds": np.array([record.seconds for record in records]),
+        "phases": np.array([nan if record.phase is None else record.phase for record in records]),
+        "loads": np.array([record.load for record in records]),
+        "entrainments": np.array([record.entrainment for record in records]),
         "names": np.array(names, dtype=np.str_),
-        "figures": np.array([[record.figures[name] for name in names] for record in moments]),
-        "framed": np.array([record.frame is not None for record in moments], dtype=bool),
+        "figures": np.array([[record.figures[name] for name in names] for record in records]),
+        "framed": np.array([record.frame is not None for record in records], dtype=bool),
         **{name: np.array([getattr(frame, name) for frame in frames]) for name in _fields(frames)},
     } | {
         f"places_{axis}": np.array([frame.places[number] for frame in frames])
@@ -119,7 +119,7 @@ OF_EACH = ("seconds", "phases", "loads", "entrainments", "figures", "framed")
 """Arrays with an entry for each moment."""
 
 
-def from_arrays(arrays: Mapping[str, Array]) -> tuple[Moment, ...]:
+def from_arrays(arrays: Mapping[str, Array]) -> tuple[TimeRecord, ...]:
     """Moments from `as_arrays`."""
     axes = [f"places_{axis}" for axis in AXES if f"places_{axis}" in arrays]
     fields = [name for name in ("pressure", "film", "rubbing") if name in arrays]
@@ -129,7 +129,7 @@ def from_arrays(arrays: Mapping[str, Array]) -> tuple[Moment, ...]:
     )
     names = [str(name) for name in arrays["names"]]
     return tuple(
-        Moment(
+        TimeRecord(
             float(seconds),
             None if np.isnan(phase) else float(phase),
             float(load),
@@ -144,7 +144,7 @@ def from_arrays(arrays: Mapping[str, Array]) -> tuple[Moment, ...]:
 
 
 def curves(
-    solves: Sequence[Sequence[Moment]],
+    solves: Sequence[Sequence[TimeRecord]],
     since: float,
     kind: Kind,
     share: float,
@@ -176,27 +176,27 @@ def curves(
     coldest : float or None
         Bulk temperature of the colder body [K]; None where heat was not simulated.
     """
-    moments = [record for record in solves[-1] if record.seconds > since]
+    records = [record for record in solves[-1] if record.seconds > since]
     variables: dict[str, Any] = {
-        "life_load": (("instant",), np.array([record.load for record in moments]))
+        "life_load": (("instant",), np.array([record.load for record in records]))
     }
-    if moments[0].phase is not None:
-        variables["life_phase"] = (("instant",), np.array([record.phase for record in moments]))
-    entrainment = tuple(zip(*(record.entrainment for record in moments), strict=True))
+    if records[0].phase is not None:
+        variables["life_phase"] = (("instant",), np.array([record.phase for record in records]))
+    entrainment = tuple(zip(*(record.entrainment for record in records), strict=True))
     for axis, component in zip(AXES[: len(entrainment)], entrainment, strict=True):
         variables[f"life_entrainment_{axis}"] = ("instant",), np.array(component)
-    for name in moments[0].figures:
-        values = np.array([record.figures[name] for record in moments])
-        then = float(np.interp(present_seconds, [record.seconds for record in moments], values))
+    for name in records[0].figures:
+        values = np.array([record.figures[name] for record in records])
+        then = float(np.interp(present_seconds, [record.seconds for record in records], values))
         off = abs(present[name] - then) / max(abs(then), TINY)
         error = np.abs(values) * np.maximum(
-            max(least, off), share * _changes(solves, moments, name)
+            max(least, off), share * _changes(solves, records, name)
         )
         base = coldest if name in HEAT_FIGURES else 0.0
         variables[f"life_{name}"] = ("instant",), base + values
         variables[f"life_{name}_error"] = ("instant",), error
-    seconds = np.array([record.seconds for record in moments])
-    found = described(variables | _frames(moments), {"life_seconds": (("instant",), seconds)})
+    seconds = np.array([record.seconds for record in records])
+    found = described(variables | _frames(records), {"life_seconds": (("instant",), seconds)})
     return found if kind == "point" else _for_each_length(found)
 
 
@@ -211,9 +211,11 @@ def _for_each_length(dataset: PlainDataset) -> PlainDataset:
     return replace(dataset, variables=variables)
 
 
-def _changes(solves: Sequence[Sequence[Moment]], moments: Sequence[Moment], name: str) -> Array:
+def _changes(
+    solves: Sequence[Sequence[TimeRecord]], records: Sequence[TimeRecord], name: str
+) -> Array:
     """Relative change of a figure by the last solve at some moments of it, straight between those of both."""
-    seconds = [record.seconds for record in moments]
+    seconds = [record.seconds for record in records]
     if len(solves) == 1:
         return np.zeros(len(seconds))
     before = {record.seconds: record.figures[name] for record in solves[-2]}
@@ -227,9 +229,9 @@ def _changes(solves: Sequence[Sequence[Moment]], moments: Sequence[Moment], name
     return np.interp(seconds, [record.seconds for record in both], changes)
 
 
-def _frames(moments: Sequence[Moment]) -> dict[str, tuple[tuple[str, ...], Array]]:
+def _frames(records: Sequence[TimeRecord]) -> dict[str, tuple[tuple[str, ...], Array]]:
     """Frames as variables over frame and nodes."""
-    framed = [(record.seconds, record.frame) for record in moments if record.frame is not None]
+    framed = [(record.seconds, record.frame) for record in records if record.frame is not None]
     if not framed:
         return {}
     frames = [frame for _, frame in framed]

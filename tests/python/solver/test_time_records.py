@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from pyworm.solver.transient.moments import Frame, Moment, as_arrays, curves, from_arrays
+from pyworm.solver.transient.time_records import Frame, TimeRecord, as_arrays, curves, from_arrays
 
 
 def _moments(values):
     return [
-        Moment(1e-3 * number, None, 10.0, (1.0,), {"film_min": value})
+        TimeRecord(1e-3 * number, None, 10.0, (1.0,), {"film_min": value})
         for number, value in enumerate(values)
     ]
 
@@ -35,11 +35,11 @@ def test_the_larger_of_both_differences_counts():
 
 
 @pytest.mark.parametrize("rough", [False, True])
-def test_moments_are_kept_with_their_fields(rough):
+def test_time_records_are_kept_with_their_fields(rough):
     x, y = np.linspace(-1, 1, 3), np.linspace(-2, 2, 5)
     fields = [np.full((3, 5), value, np.float32) for value in ((1, 2, 3) if rough else (1, 2))]
-    framed = Moment(0.5, 0.1, 20.0, (1.0, 0.2), {"film_min": 1e-6}, Frame((x, y), *fields))
-    plain = Moment(0.6, 0.2, 21.0, (1.0, 0.3), {"film_min": 2e-6})
+    framed = TimeRecord(0.5, 0.1, 20.0, (1.0, 0.2), {"film_min": 1e-6}, Frame((x, y), *fields))
+    plain = TimeRecord(0.6, 0.2, 21.0, (1.0, 0.3), {"film_min": 2e-6})
     again = from_arrays(as_arrays([framed, plain]))
     assert again[1] == plain and again[0].figures == framed.figures
     frame = again[0].frame

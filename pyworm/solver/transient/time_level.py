@@ -19,7 +19,7 @@ node."""
 
 
 @dataclass(frozen=True)
-class Instant:
+class TimeLevel:
     """The film at one time, and what its surfaces remember."""
 
     seconds: float
@@ -32,33 +32,35 @@ class Instant:
     """What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
     [K]; None where that is not known."""
 
-    def finer(self, window: Any = np.s_[...]) -> "Instant":
+    def finer(self, window: Any = np.s_[...]) -> "TimeLevel":
         """Interpolated to nodes of half the spacing within a window."""
         rise = None if self.rise is None else kernel.prolong_levels(self.rise[window])
         content = kernel.prolong(self.content[window])
-        return Instant(self.seconds, content, self.state.finer(window), rise)
+        return TimeLevel(self.seconds, content, self.state.finer(window), rise)
 
 
-def instant_of(level: Level, seconds: float) -> Instant:
+def time_level_of(level: Level, seconds: float) -> TimeLevel:
     """What later films need of the one at a time."""
     film, density, _ = level.film.fields()
     term = level.transient_term
     rise = None if term is None else term.remembered(level.grid)
-    return Instant(seconds, level.film.fraction() * density * film, level.state(), rise)
+    return TimeLevel(seconds, level.film.fraction() * density * film, level.state(), rise)
 
 
-def extrapolated(before: Sequence[Instant], seconds: float) -> InitialGuess:
+def extrapolated(before: Sequence[TimeLevel], seconds: float) -> InitialGuess:
     """A film extrapolated from those at earlier times, the latest first; only where that bears pressure.
 
     Pressures fall to no less than `FALL` of the latest. Temperatures are the latest: those of far nodes
     settle slowly, and extrapolated they run away.
     """
     latest = before[0].state
-    coefficients, _ = weights([instant.seconds for instant in before], seconds)
+    coefficients, _ = weights([time_level.seconds for time_level in before], seconds)
 
     def onward(name: str) -> Array:
         parts = zip(coefficients, before, strict=True)
-        return np.asarray(sum(weight * getattr(instant.state, name) for weight, instant in parts))
+        return np.asarray(
+            sum(weight * getattr(time_level.state, name) for weight, time_level in parts)
+        )
 
     oil = present(latest.oil, "pressure of the oil")
     pressure, oil = (

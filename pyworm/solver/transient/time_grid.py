@@ -1,4 +1,4 @@
-"""The course of a life: time in transits of the oil, and grids that fit the contact at every time."""
+"""The time grid of a life: time in transits of the oil, and grids that fit the contact at every time."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -104,8 +104,8 @@ class Approach:
 
 
 @dataclass(frozen=True)
-class Course:
-    """Pace, grids and plan of a life.
+class TimeGrid:
+    """Time steps, grids and plan of a life, from entry to exit.
 
     Before and after the times for which grids were fitted they stay as they are.
     """
@@ -134,7 +134,7 @@ class Course:
         """Transits from the first time under load to another, not before it."""
         return max(self.transits(seconds), 0.0)
 
-    def instant(self, transits: float) -> float:
+    def time_at(self, transits: float) -> float:
         """Time [s] at which so many transits have passed."""
         if transits >= self.transits(self.end):
             return self.end
@@ -184,8 +184,8 @@ class Course:
         return MeshMotion(along_x, along_y, self.life.turning(seconds))
 
 
-def course_of(life: Life, plan: Plan) -> Course:
-    """The course of a life under the plan of one of its contacts.
+def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
+    """The time grid of a life under the plan of one of its contacts.
 
     Raises
     ------
@@ -219,9 +219,9 @@ def course_of(life: Life, plan: Plan) -> Course:
     if times[0] < life.touched < times_under_load[0]:
         touching = life.at(life.touched)
         paced.insert(0, (life.touched, touching, predicted(touching)))
-    instants, paced_contacts, expected = zip(*paced, strict=True)
-    pace = _pace(instants, paced_contacts, expected, life)
-    course = Course(
+    paced_times, paced_contacts, expected = zip(*paced, strict=True)
+    pace = _pace(paced_times, paced_contacts, expected, life)
+    time_grid = TimeGrid(
         life,
         whole,
         times[0],
@@ -231,23 +231,23 @@ def course_of(life: Life, plan: Plan) -> Course:
         (times_under_load[0], times_under_load[-1]),
         pace,
     )
-    if whole.work.kind == "line" or not life.touched > course.begin:
-        return course
-    return replace(course, approach=_approach(course))
+    if whole.work.kind == "line" or not life.touched > time_grid.begin:
+        return time_grid
+    return replace(time_grid, approach=_approach(time_grid))
 
 
-def _approach(course: Course) -> Approach:
+def _approach(time_grid: TimeGrid) -> Approach:
     """Window of surfaces that come together, up to the ends of teeth, and at its end that of a contact."""
-    touched = course.place(course.life.touched)
-    touch, until = (course.instant(touched + later) for later in (0.0, FORMING))
-    contact = course.plan.simplified(course.life.at(touch))
-    grid = moving_grid(contact, course.plan.accuracy, course.plan.model)
+    touched = time_grid.place(time_grid.life.touched)
+    touch, until = (time_grid.time_at(touched + later) for later in (0.0, FORMING))
+    contact = time_grid.plan.simplified(time_grid.life.at(touch))
+    grid = moving_grid(contact, time_grid.plan.accuracy, time_grid.plan.model)
     if isinstance(contact, LineScene) or isinstance(grid, LineGrid):
         raise TypeError("the surfaces of a line contact do not come together")
     window = enlarged(contact, grid.box, WIDER)
-    cells = 2 * np.array(course.grid(touch, 0).spacing)
+    cells = 2 * np.array(time_grid.grid(touch, 0).spacing)
     reaches = np.abs(np.reshape(window, (2, 2))) / cells[:, None]
-    return Approach(until, _whole_cells(np.maximum(reaches, np.array(course.sides) / 2)))
+    return Approach(until, _whole_cells(np.maximum(reaches, np.array(time_grid.sides) / 2)))
 
 
 def _loaded(life: Life) -> tuple[list[float], list[AnyContact]]:
