@@ -37,7 +37,7 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.precision.extrapolation import limit
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.solver.error_estimate import Reading
 from pyworm.solver.grid_sequence import SOLVERS
 from pyworm.solver.newton import converge
@@ -217,7 +217,7 @@ def judged(
     scene: str, kind: str, drawn: Drawn, accuracy: float, truths: dict[str, Truth]
 ) -> Iterator[dict]:
     """Each figure of a scene: its bar, and how far it is from the truth, which is added to those known."""
-    task = Task(case_of(drawn.tables, kind, Path()), Place(), accuracy, EFFECTS[kind])
+    task = Task(case_of(drawn.tables, kind, Path()), ContactIndex(), accuracy, EFFECTS[kind])
     solution = pyworm.solve(task.scene, task.plan)
     if scene not in truths:
         truths[scene] = truth_of(task, solution, kind)

@@ -21,7 +21,7 @@ from pyworm.batch.sweep import load_sweep
 from pyworm.batch.task import Task
 from pyworm.batch.workers import WorkerPool
 from pyworm.case.case import load
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 
 SWEEP = Path("cases/sweeps/film_of_speed_and_load.toml")
 TIMED = ("seconds", "convolutions")
@@ -62,7 +62,7 @@ def throughput() -> None:
 def cost() -> None:
     """Seconds of processor a scene, on average over up to three places of a case, planning included."""
     Task(
-        load(CASES[0][1]), Place(), 0.05
+        load(CASES[0][1]), ContactIndex(), 0.05
     ).solved()  # what is loaded at the first solve is not a scene's
     print(f"{'':26}" + "".join(f"{accuracy:>10.0%}" for accuracy in ACCURACIES))
     for name, path, effects in CASES:

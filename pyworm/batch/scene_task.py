@@ -14,7 +14,7 @@ from pyworm.batch.task import key_of
 from pyworm.io.progress import Progress
 from pyworm.planning.plan import Plan, plan
 from pyworm.result.result import FORMAT_VERSION, Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.solve import solve
@@ -42,9 +42,9 @@ class SceneTask:
         return self if self.scene.past is None else self.scene.past.life
 
     @property
-    def place(self) -> Place:
+    def place(self) -> ContactIndex:
         """Where in a mesh cycle or on a traction curve it is."""
-        return Place.of(self.scene)
+        return ContactIndex.of(self.scene)
 
     @cached_property
     def plan(self) -> Plan:

@@ -12,7 +12,7 @@ from pyworm.io.plain_dataset import merged
 from pyworm.io.progress import Progress
 from pyworm.planning.plan import Plan, plan_of
 from pyworm.result.result import FORMAT_VERSION, Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.solve import solve
@@ -32,7 +32,7 @@ class Task:
 
     case: Case
     """The case."""
-    place: Place
+    place: ContactIndex
     """Which of its contacts."""
     accuracy: float
     """Relative error wanted [-]."""

@@ -28,7 +28,7 @@ from pyworm.io.present import present
 from pyworm.result.flank_wear import FlankGrid, asperity_pass, flank_grid, smoothed
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 
 Array = np.ndarray
 
@@ -287,7 +287,8 @@ class WearRun:
             on_worm = asperity_pass(result, self.thread, speed, "worm")
         except ValueError as error:
             why = "; ".join(
-                f"{Place.of(solution)}: {solution.stop_reason}" for solution in result.unsound
+                f"{ContactIndex.of(solution)}: {solution.stop_reason}"
+                for solution in result.unsound
             )
             raise UnsolvedError(f"{error} ({why})" if why else str(error)) from None
         self.loads = self._loads(result)

@@ -25,7 +25,7 @@ from pyworm.io.quantity_text import percent
 from pyworm.io.shown import Shown
 from pyworm.io.stage import stage
 from pyworm.io.toml import read_toml
-from pyworm.scene.index import PLACE_NAMES, Place, crossed
+from pyworm.scene.index import INDEX_NAMES, ContactIndex, combinations
 from pyworm.scene.line import LineScene
 from pyworm.scene.plausibility import beyond_limits, doubts, require_possible
 from pyworm.scene.point import Scene
@@ -217,7 +217,7 @@ class Case(Shown):
         except ValueError as error:
             raise CaseError(f"drive.{error}") from error
         try:
-            drive.oil_brought  # noqa: B018  a lubrication that is not possible is refused here
+            drive.oil_supply  # noqa: B018  a lubrication that is not possible is refused here
         except ValueError as error:
             raise CaseError(f"lubrication.{error}") from error
         return drive
@@ -227,7 +227,7 @@ class Case(Shown):
         """Warnings about unusual values, one sentence each, beginning with the key."""
         if self.drive is None:
             return self.doubts
-        brought = self.drive.oil_brought
+        brought = self.drive.oil_supply
         idle = ", ".join(f"{phase:g}" for phase in self._idle_phases)
         return (
             *self.doubts,
@@ -306,7 +306,7 @@ class Case(Shown):
         """The key that gives the load."""
         return self.tables.load_key if isinstance(self.tables, DriveCase) else "contact.load"
 
-    def _mesh_place(self, wanted: dict[str, Any]) -> Place:
+    def _mesh_place(self, wanted: dict[str, Any]) -> ContactIndex:
         """A place of the drive's mesh, by default the first that the case lists."""
         given: dict[str, Any] = {}
         sections = present(self.drive, "drive").sections
@@ -322,20 +322,22 @@ class Case(Shown):
             if name != "section" and not 0 <= value <= 1:
                 raise CaseError(f"{name} {value:g}: must lie between 0 and 1")
             given[name] = value
-        return Place(**given)
+        return ContactIndex(**given)
 
-    def places(self, **wanted: Sequence[Any] | None) -> tuple[Place, ...]:
+    def places(self, **wanted: Sequence[Any] | None) -> tuple[ContactIndex, ...]:
         """Places of the contacts to solve: by default those that the case lists.
 
         Parameters
         ----------
         **wanted : sequence, optional
-            Others, by the names of `Place`; of several phases those without load are left out.
+            Others, by the names of `ContactIndex`; of several phases those without load are left out.
         """
         if phases := wanted.get("phase"):
             wanted["phase"] = _without(self.idle_phases(phases), phases)
         listed = self.mesh_places | {"slide_roll_ratio": self.slide_roll_ratios}
-        return crossed({name: wanted.get(name) or listed.get(name, ()) for name in PLACE_NAMES})
+        return combinations(
+            {name: wanted.get(name) or listed.get(name, ()) for name in INDEX_NAMES}
+        )
 
     def scenes(self, **wanted: Sequence[Any] | None) -> Iterator[Scene | LineScene]:
         """The contacts at `places` of these arguments."""

@@ -80,7 +80,7 @@ def loaded_phases(load: Callable[[float], float]) -> tuple[float, ...]:
 def new_worm_text(
     answers: Mapping[str, str],
     title: str,
-    taken: Sequence[str] = (),
+    assumed: Sequence[str] = (),
     phases: Sequence[float] = PHASES,
 ) -> str:
     """The case file of a worm drive.
@@ -91,8 +91,8 @@ def new_worm_text(
         The numbers of `ASKED` and any of `OPTIONAL`, as they are written on a drawing.
     title : str
         Title of the case.
-    taken : sequence of str
-        Usual values of the drive for what is not given (`WormDrive.taken`), to stand as comments.
+    assumed : sequence of str
+        Usual values of the drive for what is not given (`WormDrive.assumed`), to stand as comments.
     phases : sequence of float
         Phases to be solved.
     """
@@ -100,7 +100,7 @@ def new_worm_text(
     if "hob_oversize" in answers:
         oversize = _toml("hob_oversize", answers["hob_oversize"])
         rows["hob"].append(f"oversize = {oversize} # on the reference diameter")
-    for choice in taken:
+    for choice in assumed:
         key, _, rest = choice.partition(" = ")
         value, _, words = rest.partition(", ")
         part, _, name = key.rpartition(".")

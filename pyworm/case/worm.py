@@ -22,9 +22,9 @@ from pyworm.case.ratings import CompletedRating, RatedCase, WormRatingTable
 from pyworm.case.table import Table, plain
 from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.case.worm_table import DeviationTable, WormDriveTable
-from pyworm.drives.besides_teeth import BesidesTeeth
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
+from pyworm.drives.other_losses import NonMeshLosses
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.drives.worm.drawing.design import Assembly
 from pyworm.drives.worm.drawing.deviations import FlankDeviations
@@ -212,7 +212,7 @@ class WormCase(RatedCase):
         radius, below = _reaching(radius, depth.T, tip - design.worm.axial_pitch / pi, tip)
         below = below.T
         if given is not None:
-            below = below + plain(given, FlankDeviations).taken_off(
+            below = below + plain(given, FlankDeviations).removed(
                 *np.meshgrid(face, radius, indexing="ij")
             )
         table = DeviationTable.model_validate(
@@ -270,12 +270,12 @@ class WormCase(RatedCase):
         """Cooling of the drive; losses besides the teeth are the worm standard's unless they are given."""
         table = present(self.cooling, "cooling")
         if table.other_loss is not None:
-            other = BesidesTeeth(given=table.other_loss)
+            other = NonMeshLosses(given=table.other_loss)
         else:
             load = drive.transmission
             torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
             lost = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
-            other = BesidesTeeth(lost, table.bearings)
+            other = NonMeshLosses(lost, table.bearings)
         return Cooling(other=other, **vars(plain(table, Housing)))
 
     @property
@@ -313,7 +313,7 @@ class WormCase(RatedCase):
             assembly=plain(self.drive.assembly, Assembly),
             driver=operation.driver,
             hand=design.hand,
-            taken=design.taken,
+            assumed=design.assumed,
             shaft=None if self.drive.shaft is None else plain(self.drive.shaft, WormShaft),
             lubrication=self.brought_by,
         )

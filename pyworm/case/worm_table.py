@@ -237,14 +237,14 @@ class WormDriveTable(Table):
         ValueError
             As of `design`.
         """
-        drawing, taken = self._drawing()
+        drawing, assumed = self._drawing()
         smaller = replace(
             drawing,
             hob_oversize=part * drawing.hob_oversize,
             hob_swivel=None if part < 1 else drawing.hob_swivel,
             hob_centre_distance=None if part < 1 else drawing.hob_centre_distance,
         )
-        return smaller.hob_oversize, self._made(smaller, taken)
+        return smaller.hob_oversize, self._made(smaller, assumed)
 
     def _drawing(self) -> tuple[Drawing, tuple[str, ...]]:
         """The complete drawing, and what was taken as usual."""
@@ -261,16 +261,16 @@ class WormDriveTable(Table):
             name: value for name, value in given.items() if name not in {*DERIVED, *OF_HOB}
         }
         check_profile(self.profile, given)
-        drawing, taken = completed(independent, self.profile)
+        drawing, assumed = completed(independent, self.profile)
         check_redundant(drawing, given)
         check_drawing(drawing)
-        return drawing, taken
+        return drawing, assumed
 
-    def _made(self, drawing: Drawing, taken: tuple[str, ...]) -> Design:
+    def _made(self, drawing: Drawing, assumed: tuple[str, ...]) -> Design:
         """Worm, wheel and hob of a drawing, the hob's swivel found where it is not given."""
         if drawing.hob_swivel is None:
             drawing, swivel = with_swivel(drawing)
-            taken = *taken, swivel
+            assumed = *assumed, swivel
         return self._with_deviations(
             Design(
                 drawing.worm,
@@ -278,7 +278,7 @@ class WormDriveTable(Table):
                 drawing.hob,
                 drawing.centre_distance,
                 self.hand,
-                taken,
+                assumed,
             )
         )
 

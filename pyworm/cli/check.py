@@ -53,7 +53,7 @@ def _check(options: argparse.Namespace) -> int:
         content: dict[str, Any] = {"case": case.name, "resolved": case.resolved, "scenes": scenes}
         if case.drive is not None:
             content |= {
-                "drive": case.drive.described(),
+                "drive": case.drive.geometry_table(),
                 "assumptions": case.drive.all_assumptions,
             }
         content["expected_seconds"] = of_run.seconds

@@ -46,7 +46,7 @@ def _new(options: argparse.Namespace) -> int:
     check_writable(path.parent)
     drive = present(case.drive, "drive")
     phases = loaded_phases(drive.normal_load)
-    text = new_worm_text(answers, title, getattr(drive, "taken", ()), phases)
+    text = new_worm_text(answers, title, getattr(drive, "assumed", ()), phases)
     with whole_file(path) as partial:
         partial.write_text(text, encoding="utf-8")
     warn_of_unusual(case)

@@ -55,9 +55,9 @@ def _choose(options: argparse.Namespace) -> int:
 
     from pyworm.ratings.oil_choice import page
     from pyworm.ratings.oil_duty import oil_choice
-    from pyworm.ratings.rated_case import load_asked
+    from pyworm.ratings.rated_case import load_rating_request
 
-    asked = load_asked(options.case)
+    asked = load_rating_request(options.case)
     choice = oil_choice(asked)
     if options.json:
         print_json(

@@ -16,7 +16,7 @@ from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
     from pyworm.io.console import Console
-    from pyworm.ratings.rated_case import Asked
+    from pyworm.ratings.rated_case import RatingRequest
     from pyworm.ratings.rating import Rating
     from pyworm.result.result import Result
     from pyworm.solver.neglected_effects import NeglectedEffects
@@ -38,55 +38,58 @@ def add_rate(commands: argparse._SubParsersAction) -> None:
 
 def _rate(options: argparse.Namespace) -> int:
     from pyworm.ratings.rated_case import (
-        asked_of,
-        load_asked,
+        load_rating_request,
         neglected_effects,
         not_rated,
+        rating_request,
         ratings,
         unconverged,
     )
     from pyworm.result.result import readable
 
-    asked, result, differ = load_asked(options.case), None, None
-    if options.result is not None and asked.drive is None:
+    request, result, differ = load_rating_request(options.case), None, None
+    if options.result is not None and request.drive is None:
         raise CaseError(f"{options.case}: has no [drive] that a result could be of")
     if options.result is not None:
         result = opened_result(options.result)
         case, differ = case_for(options.case, result, options.anyway)
-        asked = asked_of(case)
+        request = rating_request(case)
     with nullcontext() if result is None else readable(options.result):
-        with stage(f"rating {asked.name}"):
-            made = ratings(asked, result)
-            lacking = neglected_effects(asked, result)
+        with stage(f"rating {request.name}"):
+            made = ratings(request, result)
+            lacking = neglected_effects(request, result)
     if not made:
-        why = next(iter(not_rated(asked, tuple(made)) if asked.rating_is_asked else ()), None)
+        why = next(iter(not_rated(request, tuple(made)) if request.rating_is_asked else ()), None)
         raise CaseError(
             f"{options.case}: {why}"
             if why
             else f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
         )
-    for warning in (*([] if differ is None else [differ]), *asked.warnings):
+    for warning in (*([] if differ is None else [differ]), *request.warnings):
         print_message(f"warning: {warning}")
     if options.json:
         print_json(
             {
-                "case": asked.name,
+                "case": request.name,
                 **lacking.summary(),
                 "ratings": [rating.summary() for rating in made],
-                "not_rated": not_rated(asked, tuple(made)),
-                "warnings": asked.warnings,
-                "beyond_limits": asked.beyond_limits,
+                "not_rated": not_rated(request, tuple(made)),
+                "warnings": request.warnings,
+                "beyond_limits": request.beyond_limits,
                 "not_converged": unconverged(result),
-                "assumed": asked.tables.assumed,
+                "assumed": request.tables.assumed,
             }
         )
     else:
-        _show(asked, result, made, lacking)
+        _show(request, result, made, lacking)
     return 0
 
 
 def _show(
-    asked: "Asked", result: "Result | None", made: Sequence["Rating"], lacking: "NeglectedEffects"
+    request: "RatingRequest",
+    result: "Result | None",
+    made: Sequence["Rating"],
+    lacking: "NeglectedEffects",
 ) -> None:
     """The ratings of a case as tables, with what is not rated and what was assumed."""
     from pyworm.case.workshop_units import assumptions
@@ -95,22 +98,22 @@ def _show(
     from pyworm.result.headline import headline
 
     console = Console()
-    console.print(f"{asked.tables.title}\n{asked.tables.source}\n")
+    console.print(f"{request.tables.title}\n{request.tables.source}\n")
     films = lacking.sentence, headline(result.solutions if result else ())
-    for line in (*asked.beyond_limits, *filter(None, films)):
+    for line in (*request.beyond_limits, *filter(None, films)):
         console.print(f"{line}\n")
     for sentence in unconverged(result):
         console.print(sentence)
     for rating in made:
         _print(console, rating)
-    left = not_rated(asked, tuple(made))
+    left = not_rated(request, tuple(made))
     if left:
         console.print("Not rated:")
     for sentence in left:
         console.print(f"  {sentence}", soft_wrap=True)
-    if asked.tables.assumed:
+    if request.tables.assumed:
         console.print("Assumed, since the source does not give it:")
-    for what, why in assumptions(asked.tables).items():
+    for what, why in assumptions(request.tables).items():
         console.print(f"  {what}: {why}", soft_wrap=True)
 
 
@@ -124,7 +127,7 @@ def _print(console: "Console", rating: "Rating") -> None:
         console.print(safeties_table(rating, inputs=False))
         for safety in rating.safeties:
             by = f"{safety.symbol} ({safety.clause})" if safety.clause else safety.symbol
-            console.print(f"{by}: {safety.made_of}")
+            console.print(f"{by}: {safety.inputs_as_text}")
     for reason in rating.failed:
         console.print(f"FAILED: {reason}", style="bold")
     for words in rating.words:

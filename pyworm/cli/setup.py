@@ -70,7 +70,7 @@ def _setup(options: argparse.Namespace) -> int:
     if made is None:
         raise CaseError(f"{options.case}: has no hob that could be set up; give a worm drive")
     warn_of_unusual(case)
-    rows = {"now": made.now} | ({} if made.found is None else {"found": made.found})
+    rows = {"now": made.current} | ({} if made.proposed is None else {"found": made.proposed})
     with stage("finding the errors of the assembly that are allowed"):
         allowed = present(case.drive, "drive").allowed_errors()
     with stage("cutting wheels with the reground hob"):
@@ -132,7 +132,7 @@ def _life(case: Case) -> list[Row]:
     for part in case.tables.hob_life:
         try:
             oversize, drive = case.tables.reground_drive(case.drive, part)
-            rows.append(drive.hob_setup({}).now | {"hob_oversize_m": oversize})
+            rows.append(drive.hob_setup({}).current | {"hob_oversize_m": oversize})
         except ValueError as error:
             print_message(
                 f"warning: a hob with {part:.0%} of its oversize left is not shown: {error}"

@@ -13,12 +13,12 @@ from pyworm.io.quantity import SHARE, parse
 from pyworm.io.reason import reason_of
 from pyworm.io.stage import stage
 from pyworm.io.terminal import print_message
-from pyworm.scene.index import PLACE_NAMES
+from pyworm.scene.index import INDEX_NAMES
 
 if TYPE_CHECKING:
     from pyworm.batch.task import Task
     from pyworm.result.result import Result
-    from pyworm.scene.index import Place
+    from pyworm.scene.index import ContactIndex
 
 
 CONVERGED = 0
@@ -99,7 +99,7 @@ def opened_result(path: Path) -> "Result":
         raise CaseError(str(error)) from error
 
 
-def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[Place, ...]":
+def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[ContactIndex, ...]":
     """Places that the options ask for; phases without load, which are left out, are named.
 
     CaseError where none of them is under load.
@@ -119,7 +119,7 @@ def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[Place, ...]
         print_message(
             f"warning: --phase {words}: neighbouring teeth carry all of the load; not solved"
         )
-    return case.places(**{name: getattr(options, name) for name in PLACE_NAMES})
+    return case.places(**{name: getattr(options, name) for name in INDEX_NAMES})
 
 
 def planned_tasks(case: Case, options: argparse.Namespace) -> list:

@@ -51,9 +51,9 @@ class Misalignment:
 class HobSetup:
     """The set-up of a hob, and the one that was looked for."""
 
-    now: Row
+    current: Row
     """As the drive is cut."""
-    found: Row | None = None
+    proposed: Row | None = None
     """With the wanted pattern; None where none was wanted."""
     reached: bool = True
     """Whether it has the wanted pattern, or is only nearest to it."""

@@ -13,7 +13,7 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.quantities import BODIES
 from pyworm.materials.body import Body
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -53,8 +53,8 @@ class Drive(Lubricated, ABC):
     def scene(self, *place: Any, **named: Any) -> Scene | LineScene:
         """The lubricated contact at a phase of the mesh cycle, 0 to 1.
 
-        A drive with several contacts at a phase takes the other names of `Place` that its `[operation]` lists
-        (`pyworm.case.case.MESH_PLACES`) too, and names its `sections`.
+        A drive with several contacts at a phase takes the other names of `ContactIndex` that `[operation]`
+        lists (`pyworm.case.case.MESH_PLACES`) too, and names its `sections`.
 
         Raises
         ------
@@ -89,8 +89,8 @@ class Drive(Lubricated, ABC):
 
     @property
     def _oil_words(self) -> str:
-        if self.oil_brought is not None:
-            return self.oil_brought.words
+        if self.oil_supply is not None:
+            return self.oil_supply.words
         if self.oil.supply is not None:
             return "The layer of oil before the contacts is given, the same at each."
         return "An inlet full of oil at each contact: how oil comes to the teeth is not given."
@@ -103,7 +103,7 @@ class Drive(Lubricated, ABC):
         """Data that pictures of one scene show beside the fields of its solution; may be empty."""
         return PlainDataset({}, (), {})
 
-    def in_space(self, places: Sequence[Place]) -> Space | None:
+    def in_space(self, places: Sequence[ContactIndex]) -> Space | None:
         """Its surfaces in space with their turns at some places; None where they are not known."""
         return None
 
@@ -150,10 +150,10 @@ class Drive(Lubricated, ABC):
         return {}
 
     def geometry(self) -> dict[str, float | str]:
-        """Computed geometry of its gears, for the page to sign; keys as of `described`."""
+        """Computed geometry of its gears, for the page to sign; keys as of `geometry_table`."""
         return {}
 
-    def described(self) -> dict[str, float | str]:
+    def geometry_table(self) -> dict[str, float | str]:
         """Computed geometry and kinematics, in order; keys end in the SI unit, angles in `_deg`."""
         return {}
 

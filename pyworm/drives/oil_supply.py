@@ -47,7 +47,7 @@ class Jets:
 
 
 @dataclass(frozen=True)
-class OiledBody:
+class LubricatedBody:
     """The teeth of one body as they carry oil."""
 
     tip_radius: float
@@ -74,10 +74,10 @@ class OiledBody:
 
 
 @dataclass(frozen=True)
-class OiledTeeth:
+class LubricatedTeeth:
     """The teeth of a drive as they carry oil."""
 
-    bodies: dict[str, OiledBody]
+    bodies: dict[str, LubricatedBody]
     """Its bodies by the keys of `[bodies]`."""
     face_width: float
     """Face width of the mesh [m]."""
@@ -88,7 +88,7 @@ class OiledTeeth:
 
 
 @dataclass(frozen=True)
-class OilBrought:
+class OilSupply:
     """The oil that is brought to the contacts of a drive."""
 
     layer: float
@@ -99,7 +99,7 @@ class OilBrought:
     """Where rules of practice are left, a sentence each that begins with a key of the case."""
 
 
-def oil_brought(by: Bath | Jets, teeth: OiledTeeth, oil: Oil) -> OilBrought:
+def oil_supply(by: Bath | Jets, teeth: LubricatedTeeth, oil: Oil) -> OilSupply:
     """The layer of oil that a bath or jets bring to the mesh.
 
     Raises
@@ -118,12 +118,12 @@ class Lubricated:
     lubrication: Bath | Jets | None = None
     """How oil comes to its teeth; None where that is not known, and there is enough."""
 
-    def oiled_teeth(self) -> OiledTeeth | None:
+    def lubricated_teeth(self) -> LubricatedTeeth | None:
         """Its teeth as they carry oil; None where that is not known."""
         return None
 
     @cached_property
-    def oil_brought(self) -> OilBrought | None:
+    def oil_supply(self) -> OilSupply | None:
         """The oil that its lubrication brings; None where that is not known.
 
         Raises
@@ -133,20 +133,20 @@ class Lubricated:
         """
         if self.lubrication is None:
             return None
-        teeth = self.oiled_teeth()
+        teeth = self.lubricated_teeth()
         if teeth is None:
             raise ValueError("method: how the teeth of this kind of drive carry oil is not known")
-        return oil_brought(self.lubrication, teeth, self.oil)
+        return oil_supply(self.lubrication, teeth, self.oil)
 
     @property
     def oil_supplied(self) -> Oil:
         """The oil with the layer that arrives at its contacts, where that is known."""
-        if self.oil_brought is None:
+        if self.oil_supply is None:
             return self.oil
-        return replace(self.oil, supply=self.oil_brought.layer)
+        return replace(self.oil, supply=self.oil_supply.layer)
 
 
-def _by_bath(bath: Bath, teeth: OiledTeeth, oil: Oil) -> OilBrought:
+def _by_bath(bath: Bath, teeth: LubricatedTeeth, oil: Oil) -> OilSupply:
     body = teeth.bodies[bath.body]
     if bath.depth > 2 * body.tip_radius:
         raise ValueError(
@@ -174,10 +174,10 @@ def _by_bath(bath: Bath, teeth: OiledTeeth, oil: Oil) -> OilBrought:
             f"lubrication.method is bath, and the {bath.body} dips at {body.velocity:.3g} m/s; practice is: "
             f"{application_method(body.velocity)} (Errichello)"
         )
-    return OilBrought(layer, words, tuple(warnings))
+    return OilSupply(layer, words, tuple(warnings))
 
 
-def _by_jets(jets: Jets, teeth: OiledTeeth, oil: Oil) -> OilBrought:
+def _by_jets(jets: Jets, teeth: LubricatedTeeth, oil: Oil) -> OilSupply:
     bodies = teeth.bodies.values()
     depth = sum(body.depth for body in bodies) / len(bodies)
     layer = sprayed_layer(jets.flow, teeth.face_width * depth, teeth.rate)
@@ -195,7 +195,7 @@ def _by_jets(jets: Jets, teeth: OiledTeeth, oil: Oil) -> OilBrought:
         "teeth or is thrown off them."
     )
     warnings = [*_flow_warnings(jets.flow, teeth.power), *_side_warnings(jets.side, teeth)]
-    return OilBrought(brought, words, tuple(warnings))
+    return OilSupply(brought, words, tuple(warnings))
 
 
 def _flow_warnings(flow: float, power: float) -> list[str]:
@@ -210,7 +210,7 @@ def _flow_warnings(flow: float, power: float) -> list[str]:
     ]
 
 
-def _side_warnings(side: Side, teeth: OiledTeeth) -> list[str]:
+def _side_warnings(side: Side, teeth: LubricatedTeeth) -> list[str]:
     """The warning about jets at the side where practice has none."""
     velocity = max(body.velocity for body in teeth.bodies.values())
     slow = velocity <= INCOMING_SPEED

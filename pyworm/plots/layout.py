@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 from pyworm.io.plain_dataset import AnyDataset
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.solver.solution import Solution
 
 MILLI, MICRO, KILO, MEGA = 1e3, 1e6, 1e-3, 1e-6
@@ -260,7 +260,7 @@ def heading(case_name: str, solution: Solution) -> str:
     """Heading: case, phase or scene, load; a warning where it did not converge; effects left out."""
     parts = [case_name]
     if solution.phase is not None:
-        parts.append(str(Place.of(solution)))
+        parts.append(str(ContactIndex.of(solution)))
     elif solution.name != case_name:
         parts.append(solution.name)
     load, unit = solution.load, LOAD_UNITS[solution.kind]

@@ -38,7 +38,7 @@ from pyworm.formulas.regimes import (
 )
 from pyworm.plots.layout import placed_panels, power_of_ten, result_heading
 from pyworm.result.result import Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 
 Numbers = Callable[[np.ndarray, np.ndarray], tuple[Values, Values]]
 """Deflection and thickening at arrays of Moes' M and L."""
@@ -92,7 +92,7 @@ def draw_regimes(result: Result) -> Figure:
     figure, panels = placed_panels(size, words, room, **spaced)
     for axes, line in zip(panels[0], kinds, strict=True):
         shown = [
-            (str(Place.of(solution)) or solution.name, solution.regime)
+            (str(ContactIndex.of(solution)) or solution.name, solution.regime)
             for solution in result.solutions
             if (solution.regime.ratio is None) == line
         ]

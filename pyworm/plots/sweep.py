@@ -16,7 +16,7 @@ from pyworm.io.quantities import listed
 from pyworm.plots.attempts import Attempts
 from pyworm.plots.layout import joined, new_figure
 from pyworm.result.sweep_result import SweepResult, columns, distinguishing
-from pyworm.scene.index import PLACE_NAMES
+from pyworm.scene.index import INDEX_NAMES
 
 COLOURS = colormaps["viridis"]
 
@@ -98,7 +98,7 @@ def _axes(result: SweepResult) -> list[_Axis]:
         for name, label in zip(names, labels, strict=True):
             unit = table[name].attrs.get("units", "")
             axes.append(_axis(f"{label} / {unit}" if unit else label, table[name].values))
-    for name in PLACE_NAMES:
+    for name in INDEX_NAMES:
         if name in table:
             axes.append(_axis(name.replace("_", " "), table[name].values))
     varying = [axis for axis in axes if axis.distinct.size > 1]

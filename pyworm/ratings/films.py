@@ -10,7 +10,7 @@ from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.ratings.rating import FILM_COLUMNS, RatedFigure, Rating
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.neglected_effects import NeglectedEffects
@@ -89,7 +89,7 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         words.append(_heated(prediction))
     return Rating(
         key="films",
-        title=f"Films by formula at {Place.of(scene)}",
+        title=f"Films by formula at {ContactIndex.of(scene)}",
         source=", ".join(label for label, _ in formulas.values()),
         columns=tuple(FILM_COLUMNS),
         figures=tuple(figures),

@@ -19,7 +19,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.present import present
 from pyworm.materials.oil import Oil
 from pyworm.ratings.rating import Safety, Value
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.solver.solution import Estimate, Solution
 
 CLAUSES = {
@@ -144,7 +144,7 @@ def _spot(solution: Solution) -> Spot:
         hottest, warm = estimate.value, (estimate.error, estimate.model)
     rubbing, touching = figures.friction_coefficient, figures.asperity_load_fraction
     return Spot(
-        str(Place.of(solution)) or solution.name,
+        str(ContactIndex.of(solution)) or solution.name,
         hottest,
         film.value,
         (warm, (film.error, film.model)),

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pyworm.case.case import Case
-from pyworm.drives.besides_teeth import BesidesTeeth
+from pyworm.drives.other_losses import NonMeshLosses
 from pyworm.io.present import present
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.result.mesh_cycle import DriveCycle
@@ -65,7 +65,7 @@ class Heating:
     """Loss between the teeth that the temperatures belong to [W]."""
     found: HeatingLoss
     """What the films solved with them lose."""
-    other: BesidesTeeth
+    other: NonMeshLosses
     """What bearings, seals and churning lose."""
 
     @property

@@ -8,10 +8,10 @@ from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
 from pyworm.ratings.oil_choice import OilChoice, choose_oil
 from pyworm.ratings.oil_grades import OilDuty, line_film, worm_film
-from pyworm.ratings.rated_case import Asked
+from pyworm.ratings.rated_case import RatingRequest
 
 
-def oil_choice(asked: Asked) -> OilChoice:
+def oil_choice(request: RatingRequest) -> OilChoice:
     """The oil for the drive of a case, with the steps of the choice.
 
     Raises
@@ -20,22 +20,22 @@ def oil_choice(asked: Asked) -> OilChoice:
         The case does not give the duty of the oil, or no oil meets it.
     """
     try:
-        return choose_oil(oil_duty(asked))
+        return choose_oil(oil_duty(request))
     except ValueError as error:
-        raise CaseError(f"{asked.name}: {error}") from error
+        raise CaseError(f"{request.name}: {error}") from error
 
 
-def oil_duty(asked: Asked) -> OilDuty:
+def oil_duty(request: RatingRequest) -> OilDuty:
     """Requirements of the oil in the drive of a case; ValueError where they are not given."""
-    table = asked.tables.oil_choice
+    table = request.tables.oil_choice
     if table is None:
         raise CaseError("[oil_choice] is missing; it says what the oil is to do")
     common = {
-        "name": asked.tables.title,
+        "name": request.tables.title,
         **table.model_dump(),
-        **_bearing(asked.tables.bearings),
+        **_bearing(request.tables.bearings),
     }
-    made = asked.duty
+    made = request.duty
     if isinstance(made, GearPairDuty):
         return OilDuty(**common, **_gear_pair(made, table))
     if isinstance(made, WormDuty):

@@ -36,7 +36,7 @@ from pyworm.ratings.worm_damage import worm_flanks
 from pyworm.ratings.worm_verdict import NEVER_RATED
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.plausibility import beyond_limits
 from pyworm.scene.point import Scene
@@ -62,7 +62,7 @@ class GearRated(Protocol):
 
 
 @dataclass(frozen=True)
-class Asked:
+class RatingRequest:
     """A case file with its requests for ratings."""
 
     name: str
@@ -75,7 +75,7 @@ class Asked:
     """Its drive, if it has one that can be rated."""
     warnings: tuple[str, ...] = ()
     """What is unusual in it, as `Case.warnings`."""
-    places: tuple[Place, ...] = ()
+    places: tuple[ContactIndex, ...] = ()
     """Contacts of the drive that it lists."""
 
     @property
@@ -134,41 +134,43 @@ def _sound(result: Result | None) -> Result | None:
     return sound if sound and sound.solutions else None
 
 
-def _thinnest(asked: Asked, result: Result | None) -> tuple[Scene | LineScene, Solution | None]:
+def _thinnest(
+    request: RatingRequest, result: Result | None
+) -> tuple[Scene | LineScene, Solution | None]:
     """The contact with the thinnest film: of those solved, else of those listed, by closed form."""
-    drive = present(asked.drive, "drive")
+    drive = present(request.drive, "drive")
     if result is not None:
         solution = min(result.solutions, key=lambda solution: solution.figures.film_min.value)
-        return drive.scene(**Place.of(solution).given), solution
-    scenes = [drive.scene(**place.given) for place in asked.places]
+        return drive.scene(**ContactIndex.of(solution).given), solution
+    scenes = [drive.scene(**place.given) for place in request.places]
     return min(scenes, key=lambda scene: predicted(scene).film_central), None
 
 
-def neglected_effects(asked: Asked, result: Result | None = None) -> NeglectedEffects:
+def neglected_effects(request: RatingRequest, result: Result | None = None) -> NeglectedEffects:
     """Effects left out of the solved contacts of a case; without any, the lubrication by closed forms."""
     result = _sound(result)
     if result is not None:
         return of_all(result.solutions)
-    if asked.drive is not None:
-        scene, _ = _thinnest(asked, None)
+    if request.drive is not None:
+        scene, _ = _thinnest(request, None)
         prediction = predicted(scene)
         films = prediction.film_central, prediction.film_min
         at_worst = judged((), 0.0, films, scene.composite_roughness)
-        return replace(at_worst, contacts=len(asked.places), by_formula=True)
-    table = asked.worm_rating
+        return replace(at_worst, contacts=len(request.places), by_formula=True)
+    table = request.worm_rating
     if table is None:
         return NeglectedEffects()
 
     def lubricated() -> NeglectedEffects:
-        duty = asked.worm_duty
-        film = standard_rating(table, duty, asked.directory).film  # a mean over the contact lines
+        duty = request.worm_duty
+        film = standard_rating(table, duty, request.directory).film  # a mean over the contact lines
         found = judged((), 0.0, (film, film), duty.composite_roughness)
         return replace(found, by_formula=True)
 
     return or_none(attempt(lubricated)) or NeglectedEffects()
 
 
-def load_asked(path: str | Path) -> Asked:
+def load_rating_request(path: str | Path) -> RatingRequest:
     """Read a case file for its ratings.
 
     Raises
@@ -180,29 +182,31 @@ def load_asked(path: str | Path) -> Asked:
     data = read_toml(path)
     try:
         if "drive" in data or "contact" in data:
-            return asked_of(case_of(data, path.stem, path.parent))
+            return rating_request(case_of(data, path.stem, path.parent))
         if not any(name in data for name in RATING_TABLES):
             raise CaseError("give a [drive], [bearings.NAME] or [worm_gear] to be rated")
         tables = checked(RatingCase, data)
-        return Asked(path.stem, path.parent, tables, warnings=unusual(tables, data))
+        return RatingRequest(path.stem, path.parent, tables, warnings=unusual(tables, data))
     except CaseError as error:
         raise CaseError(f"{path}: {error}") from error
 
 
-def asked_of(case: Case) -> Asked:
+def rating_request(case: Case) -> RatingRequest:
     """Requests for ratings of a solvable case; CaseError if nothing can be rated."""
     if not isinstance(case.tables, RatedCase):
         kinds = ", ".join(f'"{kind}"' for kind in rated())
         raise CaseError(f"only drives of kind {kinds} and bearings are rated")
-    return Asked(case.name, case.directory, case.tables, case.drive, case.warnings, case.places())
+    return RatingRequest(
+        case.name, case.directory, case.tables, case.drive, case.warnings, case.places()
+    )
 
 
-def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
+def ratings(request: RatingRequest, result: Result | None = None) -> tuple[Rating, ...]:
     """Every rating that a case asks for and that is possible; the others are in `not_rated`.
 
     Parameters
     ----------
-    asked : Asked
+    request : RatingRequest
         The case.
     result : Result, optional
         Solved contacts of its drive, shown beside; what did not converge is left out (`unconverged`).
@@ -214,34 +218,36 @@ def ratings(asked: Asked, result: Result | None = None) -> tuple[Rating, ...]:
     """
     return tuple(
         rating
-        for _, made in _attempts(asked, _sound(result))
+        for _, made in _attempts(request, _sound(result))
         if not isinstance(made, Unknown)
         for rating in made
     )
 
 
 def _attempts(
-    asked: Asked, result: Result | None
+    request: RatingRequest, result: Result | None
 ) -> Iterator[tuple[str, tuple[Rating, ...] | Unknown]]:
     """Name of each rating that a case asks for, and the rating or why there is none."""
-    tables, drive, table = asked.tables, asked.drive, asked.worm_rating
+    tables, drive, table = request.tables, request.drive, request.worm_rating
     if table is not None:
         yield (
             "Worm gear",
             _attempt(
-                lambda: (rate_worm_table(table, asked.worm_duty, asked.directory, drive, result),)
+                lambda: (
+                    rate_worm_table(table, request.worm_duty, request.directory, drive, result),
+                )
             ),
         )
         if drive is not None and result is not None:
-            yield "Contacts", _attempt(lambda: (worm_flanks(asked.worm_duty, drive.oil, result),))
-    if drive is not None and asked.rated_as is GearPairDuty:
-        yield "Gears", _attempt(partial(_gear_pair, asked, drive, result))
+            yield "Contacts", _attempt(lambda: (worm_flanks(request.worm_duty, drive.oil, result),))
+    if drive is not None and request.rated_as is GearPairDuty:
+        yield "Gears", _attempt(partial(_gear_pair, request, drive, result))
     if drive is not None:
-        yield "Films by formula", _attempt(lambda: (rate_films(*_thinnest(asked, result)),))
+        yield "Films by formula", _attempt(lambda: (rate_films(*_thinnest(request, result)),))
     for name, bearing in tables.bearings.items():
         yield (
             f"Bearing {bearing.name or name}",
-            _attempt(partial(_bearing, name, bearing, asked.directory)),
+            _attempt(partial(_bearing, name, bearing, request.directory)),
         )
 
 
@@ -255,8 +261,8 @@ def _attempt(rate: Callable[[], tuple[Rating, ...]]) -> tuple[Rating, ...] | Unk
         return Unknown(str(error))
 
 
-def _gear_pair(asked: Asked, drive: Drive, result: Result | None) -> tuple[Rating, ...]:
-    tables, duty = asked.tables, asked.duty
+def _gear_pair(request: RatingRequest, drive: Drive, result: Result | None) -> tuple[Rating, ...]:
+    tables, duty = request.tables, request.duty
     if not (isinstance(duty, GearPairDuty) and isinstance(tables, GearRated)):
         raise ValueError("the case has no pair of gears that standards know")
     table, base = tables.gear_rating, tables.gear_rating.base or tables.oil.base
@@ -272,32 +278,34 @@ def unconverged(result: Result | None) -> tuple[str, ...]:
     if result is None:
         return ()
     return tuple(
-        f"{Place.of(solution)} did not converge and is left out: {solution.stop_reason}."
+        f"{ContactIndex.of(solution)} did not converge and is left out: {solution.stop_reason}."
         for solution in result.unsound
     )
 
 
-def not_rated(asked: Asked, made: tuple[Rating, ...]) -> tuple[str, ...]:
+def not_rated(request: RatingRequest, made: tuple[Rating, ...]) -> tuple[str, ...]:
     """Ratings, and parts of ratings, that a case leaves out, each with the reason.
 
     Parameters
     ----------
-    asked : Asked
+    request : RatingRequest
         The case.
     made : tuple of Rating
         Its ratings.
     """
     left = [sentence for rating in made for sentence in rating.not_rated]
     failed = [
-        (name, outcome) for name, outcome in _attempts(asked, None) if isinstance(outcome, Unknown)
+        (name, outcome)
+        for name, outcome in _attempts(request, None)
+        if isinstance(outcome, Unknown)
     ]
     left += [f"{name}: {outcome.why.rstrip('.')}." for name, outcome in failed]
-    if asked.rated_as is WormDuty and asked.worm_rating is None:
+    if request.rated_as is WormDuty and request.worm_rating is None:
         left += ["Worm gear: the case has no [worm_rating].", *NEVER_RATED]
-    if asked.rated_as is GearPairDuty:
+    if request.rated_as is GearPairDuty:
         left.append("Pitting and tooth root strength: no formulas of them are known here.")
-    if asked.drive is not None and asked.rated_as is None:
+    if request.drive is not None and request.rated_as is None:
         left.append("Teeth or rollers: no standard that is known here covers this kind of drive.")
-    if not asked.tables.bearings:
+    if not request.tables.bearings:
         left.append("Bearings: the case has no [bearings.NAME].")
     return tuple(left)

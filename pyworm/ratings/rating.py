@@ -131,7 +131,7 @@ class Safety:
         return abs(self.minimum / self.value - 1) < self.error + (self.model or 0.0)
 
     @property
-    def made_of(self) -> str:
+    def inputs_as_text(self) -> str:
         """Its inputs, or why there are none, in a line."""
         if self.value is None:
             return self.why

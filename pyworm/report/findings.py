@@ -9,7 +9,7 @@ from pyworm.case.ratings import RatedCase
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.mesh_loss import mesh_loss
-from pyworm.ratings.rated_case import asked_of, not_rated, ratings
+from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss, standard_loss
 from pyworm.result.headline import of_all, opening
@@ -87,8 +87,8 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
         kinds = ", ".join(rated())
         return (), (f"Gears, scuffing and bearings: only drives of kind {kinds} are rated.",)
     try:
-        asked = asked_of(case)
-        made = ratings(asked, result)
+        request = rating_request(case)
+        made = ratings(request, result)
     except CaseError as error:
         return (), (f"Not rated: {error}.",)
-    return made, not_rated(asked, made)
+    return made, not_rated(request, made)

@@ -1,7 +1,7 @@
 """Ratings as tables, for console and page."""
 
 from pyworm.ratings.rating import Rating
-from pyworm.report.page.symbols import made_of, named
+from pyworm.report.page.symbols import inputs_as_text, named
 from pyworm.report.table import Table
 
 
@@ -34,7 +34,7 @@ def safeties_table(rating: Rating, inputs: bool) -> Table:
             f"{safety.minimum:g}",
             safety.verdict,
         )
-        + ((made_of(safety),) if inputs else ())
+        + ((inputs_as_text(safety),) if inputs else ())
         for safety in rating.safeties
     )
     return Table(head, tuple(rows), f"{rating.title}: safeties", texts=(3, 4))

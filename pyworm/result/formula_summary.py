@@ -8,7 +8,7 @@ from pyworm.formulas.film import moes_line
 from pyworm.formulas.lubrication import lubrication
 from pyworm.planning.plan import Plan
 from pyworm.scene.formula_film import FormulaFilms, film_of
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales
@@ -55,7 +55,7 @@ def formula_summary(
         }
     return {
         "name": scene.name,
-        **asdict(Place.of(scene)),
+        **asdict(ContactIndex.of(scene)),
         **found,
         **known,
         "left_out": neglected_effects.expected(scene, plan).influence,

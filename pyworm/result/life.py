@@ -16,7 +16,7 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.quantities import OVER_LIFE
 from pyworm.result.result import Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.solver.solution import Solution
 
 Array = np.ndarray
@@ -53,7 +53,7 @@ class Fields:
 class ContactLife:
     """Figures of a contact over its life."""
 
-    place: Place
+    place: ContactIndex
     """Which contact of the case it is, without a phase."""
     kind: str
     """Kind of contact: "point" or "line"."""
@@ -138,7 +138,7 @@ def lives(result: Result) -> tuple[ContactLife, ...]:
     by_place = defaultdict(list)
     for solution in result.solutions:
         if solution.held("life") is not None:
-            by_place[replace(Place.of(solution), phase=None)].append(solution)
+            by_place[replace(ContactIndex.of(solution), phase=None)].append(solution)
     return tuple(_life(place, solutions) for place, solutions in by_place.items())
 
 
@@ -149,7 +149,7 @@ def life_names(result: Result) -> dict[str, ContactLife]:
     return {"_".join(parts): life for parts, life in zip(words, found, strict=True)}
 
 
-def _life(place: Place, solutions: Sequence[Solution]) -> ContactLife:
+def _life(place: ContactIndex, solutions: Sequence[Solution]) -> ContactLife:
     held = [solution.dataset("life") for solution in solutions]
     times = np.concatenate([dataset["life_seconds"].values for dataset in held])
     seconds, first = np.unique(times, return_index=True)

@@ -7,7 +7,7 @@ from typing import Any, Self
 
 
 @dataclass(frozen=True)
-class Place:
+class ContactIndex:
     """Identification of one contact of a case; attributes that a case does not have are None.
 
     Scenes and solutions carry attributes of the same names, tables and command lines take their words from
@@ -25,8 +25,8 @@ class Place:
 
     @classmethod
     def of(cls, solved: object) -> Self:
-        """The place of a scene or a solution."""
-        return cls(**{name: getattr(solved, name) for name in PLACE_NAMES})
+        """The index of a scene or a solution."""
+        return cls(**{name: getattr(solved, name) for name in INDEX_NAMES})
 
     @property
     def given(self) -> dict[str, Any]:
@@ -34,20 +34,20 @@ class Place:
         return {name: value for name, value in asdict(self).items() if value is not None}
 
     def __str__(self) -> str:
-        """The place in words, such as "phase 0.5"; empty where the case has one contact only."""
+        """The index in words, such as "phase 0.5"; empty where the case has one contact only."""
         return ", ".join(
             f"{name.replace('_', ' ')} {value if isinstance(value, str) else f'{value:g}'}"
             for name, value in self.given.items()
         )
 
 
-PLACE_NAMES = tuple(part.name for part in fields(Place))
-"""Names of the attributes of a place, in order."""
+INDEX_NAMES = tuple(part.name for part in fields(ContactIndex))
+"""Names of the attributes of an index, in order."""
 
 
-def crossed(values: Mapping[str, Sequence[Any]]) -> tuple[Place, ...]:
+def combinations(values: Mapping[str, Sequence[Any]]) -> tuple[ContactIndex, ...]:
     """Every combination of values by name; a name without values stays None."""
     return tuple(
-        Place(*combination)
-        for combination in product(*(values.get(name) or (None,) for name in PLACE_NAMES))
+        ContactIndex(*combination)
+        for combination in product(*(values.get(name) or (None,) for name in INDEX_NAMES))
     )

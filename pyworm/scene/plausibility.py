@@ -14,7 +14,7 @@ from pyworm.formulas.film import radii_at_angle
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.input_error import CaseError
 from pyworm.materials.body import Body
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales, scales
@@ -142,7 +142,7 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
             pressure, film, radius = _sizes(scene)
     except (ValueError, ArithmeticError):
         return
-    where = str(Place.of(scene))
+    where = str(ContactIndex.of(scene))
     where = f" at {where}" if where else ""
     yield from _of_pressure(scene, pressure, where)
     yield from _of_hardness(scene, pressure, where)

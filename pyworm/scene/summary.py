@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pyworm.formulas.hertz import hertz, hertz_line
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -20,7 +20,7 @@ def scene_summary(scene: Scene | LineScene) -> dict[str, Any]:
     roughness = scene.composite_roughness
     return {
         "name": scene.name,
-        **asdict(Place.of(scene)),
+        **asdict(ContactIndex.of(scene)),
         "reduced_modulus_Pa": scene.reduced_modulus,
         **({} if roughness is None else {"composite_roughness_m": roughness}),
         **_SUMMARIES[type(scene)](scene),

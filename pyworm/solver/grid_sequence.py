@@ -16,7 +16,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid, twice_as_far
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.ending import Ending, Stop
@@ -275,7 +275,7 @@ class GridSequence:
         return Solution(
             name=scene.name,
             kind=self._solver.kind,
-            **asdict(Place.of(scene)),
+            **asdict(ContactIndex.of(scene)),
             load=scene.load,
             converged=converged,
             ending=stop.ending,

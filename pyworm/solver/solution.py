@@ -14,7 +14,7 @@ from pyworm.io.quantity_text import with_bars
 from pyworm.io.shown import Shown
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.solver.ending import Ending
 from pyworm.solver.estimate import ORIGINS, Estimate, in_words
 from pyworm.solver.neglected_effects import NeglectedEffects, judged
@@ -287,7 +287,7 @@ class Solution(Shown):
         summary: dict[str, Any] = {
             "name": self.name,
             "kind": self.kind,
-            **asdict(Place.of(self)),
+            **asdict(ContactIndex.of(self)),
             **self.neglected_effects.summary(),
             "converged": self.converged,
             "accurate": self.accurate,

@@ -15,7 +15,7 @@ from pyworm.case.case import case_of
 from pyworm.io.progress import Progress
 from pyworm.planning.plan import Plan
 from pyworm.result.result import Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.solver.solution import Solution
 from pyworm.solver.transient.transient import Rates
 
@@ -84,7 +84,7 @@ def trial(
     tables: dict[str, Any], name: str, directory: Path, effects: str, kind: type[Trial] = Trial
 ) -> Trial:
     """The trial of a case file's content."""
-    return kind(case_of(tables, name, directory), Place(), ACCURACY, effects)
+    return kind(case_of(tables, name, directory), ContactIndex(), ACCURACY, effects)
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -56,7 +56,7 @@ class GearPairDrive(GearPairMesh, Drive):
         base_speed = self.pinion_speed * self.teeth.cylinders[0].base
         return ToothLife(self.scene_at, base_speed / self.teeth.path_length).at(phase)
 
-    def in_space(self, places: Sequence[Place]) -> Space:
+    def in_space(self, places: Sequence[ContactIndex]) -> Space:
         """Some teeth of both gears."""
         return in_space(
             self.teeth,

@@ -17,7 +17,7 @@ from pyworm.drives.gear_pair.film_formulas import GearRating, Surfaces, rate
 from pyworm.drives.gear_pair.gap import Flank, GearGap, GearSection
 from pyworm.drives.gear_pair.gears import InvolutePair
 from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
-from pyworm.drives.oil_supply import Bath, Jets, Lubricated, OiledBody, OiledTeeth
+from pyworm.drives.oil_supply import Bath, Jets, Lubricated, LubricatedBody, LubricatedTeeth
 from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.oil import Oil
 from pyworm.scene.line import LineScene
@@ -257,12 +257,12 @@ class GearPairMesh(Lubricated):
             phase=phase,
         )
 
-    def oiled_teeth(self) -> OiledTeeth:
+    def lubricated_teeth(self) -> LubricatedTeeth:
         """Pinion and gear as they carry oil."""
         speeds = self.pinion_speed, self.gear_speed
-        return OiledTeeth(
+        return LubricatedTeeth(
             bodies={
-                name: OiledBody(gear.tip, gear.tip - gear.root, speed)
+                name: LubricatedBody(gear.tip, gear.tip - gear.root, speed)
                 for name, gear, speed in zip(
                     ("pinion", "gear"), self.teeth.cylinders, speeds, strict=True
                 )

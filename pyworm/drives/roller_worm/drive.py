@@ -14,7 +14,7 @@ from pyworm.drives.roller_worm.mesh_loss import roller_mesh_loss
 from pyworm.drives.roller_worm.shapes import in_space
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.io.on_demand import xarray as xr
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -60,7 +60,7 @@ class RollerWormDrive(RollerMesh, Drive):
         scene_at = partial(self.scene_at, section, station=station)
         return ToothLife(scene_at, self.wheel_speed / (part.last - part.first)).at(phase)
 
-    def in_space(self, places: Sequence[Place]) -> Space:
+    def in_space(self, places: Sequence[ContactIndex]) -> Space:
         """Both flanks of the worm and the rollers about it."""
         return in_space(self, places)
 

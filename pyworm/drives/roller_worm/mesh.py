@@ -6,7 +6,7 @@ from math import pi
 
 import numpy as np
 
-from pyworm.drives.oil_supply import Bath, Jets, Lubricated, OiledBody, OiledTeeth
+from pyworm.drives.oil_supply import Bath, Jets, Lubricated, LubricatedBody, LubricatedTeeth
 from pyworm.drives.remembered import remembered
 from pyworm.drives.roller_worm.envelope import Array, LineContact
 from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films
@@ -201,15 +201,15 @@ class RollerMesh(RollerGears, Lubricated):
             section=section,
         )
 
-    def oiled_teeth(self) -> OiledTeeth:
+    def lubricated_teeth(self) -> LubricatedTeeth:
         """Worm and rollers as they carry oil; the rollers stand out from their wheel by the worm's depth."""
         worm, length = self.worm, self.rollers.profile.length
         depth = worm.addendum + worm.dedendum
         middles = self.centre_distance - self.throat_radius
-        return OiledTeeth(
+        return LubricatedTeeth(
             bodies={
-                "worm": OiledBody(self.throat_radius + worm.addendum, depth, self.speed),
-                "rollers": OiledBody(middles + worm.dedendum, depth, self.wheel_speed),
+                "worm": LubricatedBody(self.throat_radius + worm.addendum, depth, self.speed),
+                "rollers": LubricatedBody(middles + worm.dedendum, depth, self.wheel_speed),
             },
             face_width=length,
             rate=self.speed * worm.threads / (2 * pi),

@@ -9,7 +9,7 @@ from pyworm.drives.answers import Shape, Space
 from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.section import WormSection
 from pyworm.io.present import present
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 
 Array = np.ndarray
 
@@ -28,7 +28,7 @@ DRAWN = (
 )
 
 
-def in_space(mesh: RollerMesh, places: Sequence[Place]) -> Space:
+def in_space(mesh: RollerMesh, places: Sequence[ContactIndex]) -> Space:
     """Both flanks of the worm and the rollers about it.
 
     Parameters

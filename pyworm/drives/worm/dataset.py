@@ -99,9 +99,9 @@ def loaded_cycle_data(mesh: WormMesh, beyond: float) -> "xr.Dataset":
     arms = mesh.arms(phases)
     shared = [mesh.shared(float(phase)) for phase in phases]
     dry = {}
-    if mesh.unlifted is not None:
-        unlifted = [mesh.unlifted.shared(float(phase)) for phase in phases]
-        dry = {"dry_tooth_load": ("load_phase", _loads(unlifted, phases))}
+    if mesh.without_film_lift is not None:
+        without_film_lift = [mesh.without_film_lift.shared(float(phase)) for phase in phases]
+        dry = {"dry_tooth_load": ("load_phase", _loads(without_film_lift, phases))}
     rim = mesh.wheel_flank.cut_point(*mesh.rim)
     warm = {}
     if mesh.oil.heat is not None:

@@ -25,12 +25,12 @@ from pyworm.drives.worm.geometry_table import (
 )
 from pyworm.drives.worm.loads.load_sharing import Transmission
 from pyworm.drives.worm.loads.mesh import WormMesh
-from pyworm.drives.worm.loads.tooth_compliance import BEYOND
+from pyworm.drives.worm.loads.tooth_compliance import EDGE_CONTACT_PHASES
 from pyworm.drives.worm.loads.tooth_pair_motion import tooth_life
 from pyworm.drives.worm.mesh_loss import worm_mesh_loss
 from pyworm.drives.worm.misalignment import worm_misalignment
 from pyworm.drives.worm.patterns.contact_pattern import ContactPattern, both_flanks, contact_pattern
-from pyworm.drives.worm.patterns.hob_for_pattern import set_up
+from pyworm.drives.worm.patterns.hob_for_pattern import hob_for_pattern
 from pyworm.drives.worm.patterns.loaded_pattern import loaded_pattern
 from pyworm.drives.worm.patterns.shim import found_shim
 from pyworm.drives.worm.sensitivity import sensitivity_data
@@ -41,7 +41,7 @@ from pyworm.drives.worm.tolerances import Tolerance, tolerances
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.present import present
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
@@ -64,7 +64,7 @@ class WormDrive(WormMesh, Drive):
     body_names = "worm", "wheel"
     rated_as = WormDuty
 
-    taken: tuple[str, ...] = ()
+    assumed: tuple[str, ...] = ()
     """Usual values that were taken where none was given, a sentence each that begins with the key."""
     warmth: str = ""
     """Where the bulk temperatures of worm and wheel come from, a sentence; empty where they are given."""
@@ -91,7 +91,7 @@ class WormDrive(WormMesh, Drive):
     @property
     def usual_values(self) -> tuple[str, ...]:
         """Dimensions that the drawing does not give."""
-        return tuple(f"Taken as usual: drive.{entry}." for entry in self.taken)
+        return tuple(f"Taken as usual: drive.{entry}." for entry in self.assumed)
 
     @property
     def assumptions(self) -> tuple[str, ...]:
@@ -121,12 +121,12 @@ class WormDrive(WormMesh, Drive):
     @property
     def _bending(self) -> str:
         """What bends, as an assumption."""
-        if self.bent is None:
+        if self.shaft_deflection is None:
             return (
                 "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for "
                 "the contact itself."
             )
-        bent = self.bent
+        bent = self.shaft_deflection
         return (
             f"The worm's shaft bends {bent.deflection * 1e6:.3g} µm at the mesh under its mean forces, "
             f"{bent.away * 1e6:.3g} µm of it away from the wheel, and tilts by {bent.tilt * 1e3:.3g} mrad; "
@@ -160,15 +160,15 @@ class WormDrive(WormMesh, Drive):
     @cached_property
     def driven_pattern(self) -> ContactPattern:
         """Contact pattern without load of the flank that the worm drives; nothing bends."""
-        if self.rigid is not self:
-            return self.rigid.driven_pattern
+        if self.with_rigid_shaft is not self:
+            return self.with_rigid_shaft.driven_pattern
         return contact_pattern(self, self.flank_grid)
 
     @cached_property
     def patterns(self) -> tuple[ContactPattern, ContactPattern]:
         """Contact patterns without load, of that flank and of the wheel's other one; nothing bends."""
-        if self.rigid is not self:
-            return self.rigid.patterns
+        if self.with_rigid_shaft is not self:
+            return self.with_rigid_shaft.patterns
         return both_flanks(self, contact_pattern)
 
     @cached_property
@@ -203,7 +203,9 @@ class WormDrive(WormMesh, Drive):
 
     @cached_property
     def _loaded_cycle(self) -> "xr.Dataset":
-        return loaded_cycle_data(self, BEYOND if isinstance(self.load, Transmission) else 0.0)
+        return loaded_cycle_data(
+            self, EDGE_CONTACT_PHASES if isinstance(self.load, Transmission) else 0.0
+        )
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""
@@ -211,17 +213,17 @@ class WormDrive(WormMesh, Drive):
 
     def hob_setup(self, wanted: dict[str, float]) -> HobSetup:
         """The hob's set-up, and the one found for a wanted contact pattern."""
-        return set_up(self, wanted)
+        return hob_for_pattern(self, wanted)
 
     def wheel_shim(self, wanted: float | None) -> Shim:
         """The shim under the wheel for a place of the pattern without load; of no errors where None."""
-        return found_shim(self.rigid, self.patterns, wanted)
+        return found_shim(self.with_rigid_shaft, self.patterns, wanted)
 
     def geometry(self) -> dict[str, float | str]:
         """Diameters, lead, profile shift, backlash, clearances and contact ratio."""
         return signed_geometry(self)
 
-    def described(self) -> dict[str, float | str]:
+    def geometry_table(self) -> dict[str, float | str]:
         """The computed drawing, its kinematics and its pattern."""
         parts = (
             described_mesh(self),
@@ -243,7 +245,7 @@ class WormDrive(WormMesh, Drive):
         """The drive as input of ratings by standards of worm gears."""
         return worm_duty(self)
 
-    def in_space(self, places: Sequence[Place]) -> Space:
+    def in_space(self, places: Sequence[ContactIndex]) -> Space:
         """The thread that drives and the flank of the wheel that it drives."""
         return in_space(self, [present(place.phase, "phase") for place in places])
 

@@ -62,7 +62,7 @@ def worm_duty(mesh: WormMesh) -> WormDuty:
         )
     return replace(
         point,
-        deflection=None if mesh.bent is None else mesh.bent.deflection,
+        deflection=None if mesh.shaft_deflection is None else mesh.shaft_deflection.deflection,
         contact_ratio=mesh.mean_teeth_in_contact,
         words=(
             f"Derived from the drive: axial module {mesh.module * 1e3:.3f} mm; diameter factor "

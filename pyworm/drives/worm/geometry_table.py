@@ -162,7 +162,7 @@ def _mesh(mesh: WormMesh) -> Described:
 
 def _shaft(mesh: WormMesh) -> Described:
     """The bent shaft of the worm and the forces of its bearings."""
-    bent = mesh.bent
+    bent = mesh.shaft_deflection
     if bent is None:
         return {}
     return {

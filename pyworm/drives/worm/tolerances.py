@@ -26,7 +26,7 @@ FIRST, LARGEST = 1 / 80, 1 / 4
 ROUGHLY = 0.05
 """Accuracy of an allowed error, over it."""
 
-BEYOND = 10.0
+UNASSEMBLED_EXCESS = 10.0
 """Excess of errors with which teeth cannot be assembled."""
 
 ENTRIES = ("centre_distance", "axial_shift", "shaft_angle")
@@ -86,14 +86,14 @@ def _tolerance(mesh: WormMesh, load: float, allowed: float, entry: str) -> Toler
         try:
             return dry_contact_of(off(error), load).pressure_max / allowed - 1
         except ValueError:
-            return BEYOND
+            return UNASSEMBLED_EXCESS
 
     def jammed(error: float) -> float:
         """Missing play over the module; large where a tip touches a root."""
         try:
             return -(off(error).play or 0.0) / mesh.module
         except ValueError:
-            return BEYOND
+            return UNASSEMBLED_EXCESS
 
     low, high = (_allowed(sign, pressure, jammed) for sign in (-1, 1))
     return Tolerance(entry, -low[0] * unit, high[0] * unit, low[1], high[1])

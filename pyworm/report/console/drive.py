@@ -7,10 +7,10 @@ from pyworm.report.table import Table
 
 def drive_table(drive: Drive) -> Table | None:
     """Computed geometry and kinematics of a drive; None where it describes none."""
-    described = drive.described()
-    if not described:
+    geometry_table = drive.geometry_table()
+    if not geometry_table:
         return None
-    rows = tuple(described_row(key, value) for key, value in described.items())
+    rows = tuple(described_row(key, value) for key, value in geometry_table.items())
     return Table(("", ""), rows, "The drive as computed")
 
 

@@ -13,7 +13,7 @@ from pyworm.planning.plan import Plan
 from pyworm.report.table import Table
 from pyworm.result.accuracy import accuracy_words
 from pyworm.result.result import plain_attributes
-from pyworm.scene.index import PLACE_NAMES, Place
+from pyworm.scene.index import INDEX_NAMES, ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.summary import scene_summary
@@ -250,7 +250,7 @@ def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float
 def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
     """Kind of place that distinguishes the scenes of a case, and the place of each."""
     names = [
-        name for name in PLACE_NAMES if all(getattr(scene, name) is not None for scene in scenes)
+        name for name in INDEX_NAMES if all(getattr(scene, name) is not None for scene in scenes)
     ]
     if not names:
         return "Scene", [scene.name for scene in scenes]
@@ -266,7 +266,7 @@ def published_for(
     summary: Mapping[str, Any], published: Mapping[str, PublishedValue]
 ) -> Mapping[str, PublishedValue]:
     """Published values for a scene: all of the case's, except those of other places."""
-    for place in PLACE_NAMES:
+    for place in INDEX_NAMES:
         if place in published and published[place].value != summary[place]:
             return {}
     return published
@@ -329,7 +329,7 @@ def influence_percent(fraction: float | None) -> str:
 
 
 def _title(scene: Scene | LineScene) -> str:
-    return scene.name if scene.phase is None else f"Mesh {Place.of(scene)}"
+    return scene.name if scene.phase is None else f"Mesh {ContactIndex.of(scene)}"
 
 
 def _value(quantity: Quantity, value: Any, error: float | None = None) -> str:

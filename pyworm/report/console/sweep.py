@@ -12,7 +12,7 @@ from pyworm.io.quantities import Quantity, listed
 from pyworm.planning.target import FILMS
 from pyworm.report.table import Table
 from pyworm.result.sweep_result import SweepResult, distinguishing
-from pyworm.scene.index import PLACE_NAMES
+from pyworm.scene.index import INDEX_NAMES
 from pyworm.solver.ending import LESS_ACCURATE
 
 MOST_ROWS = 60
@@ -56,7 +56,7 @@ def rows_table(result: SweepResult) -> Table:
     """The table with one row for each scene."""
     data = result.table
     varied = [name for axis in result.axes for name in distinguishing(result, axis)]
-    varied += [name for name in PLACE_NAMES if name in data and len(np.unique(data[name])) > 1]
+    varied += [name for name in INDEX_NAMES if name in data and len(np.unique(data[name])) > 1]
     shown = [quantity for quantity in listed("sweep") if quantity.key in data]
     neglected_effects = result.neglected_effects
     head = [_heading(key, data[key].attrs.get("units", "")) for key in varied]

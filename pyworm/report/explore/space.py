@@ -14,7 +14,7 @@ from pyworm.plots.layout import MEGA, MILLI
 from pyworm.report.explore.flank import pressure_on
 from pyworm.report.explore.packed import packed
 from pyworm.result.result import Result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 
 FINER = 3
 """Points of the flank with the contact between two of the drive's own, so that the contact is seen."""
@@ -28,7 +28,7 @@ def space(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | Non
     result, grids
         As of `scenes`.
     """
-    places = [Place.of(solution) for solution in result.solutions]
+    places = [ContactIndex.of(solution) for solution in result.solutions]
     if not result.case or any(place.phase is None for place in places):
         return None
     try:

@@ -13,7 +13,7 @@ from pyworm.report.findings import Findings
 from pyworm.report.page.assumptions import assumptions_of
 from pyworm.report.page.content import Cover, Items, Overleaf, Picture, Verdict, Words
 from pyworm.report.page.figures import glance_rows, life_rows
-from pyworm.report.page.symbols import made_of, named
+from pyworm.report.page.symbols import inputs_as_text, named
 from pyworm.report.table import Table
 from pyworm.result.result import Result
 
@@ -29,7 +29,7 @@ def verdict_of(safety: Safety) -> Verdict:
         f"{safety.minimum:g}",
         words,
         safety.clause,
-        made_of(safety),
+        inputs_as_text(safety),
     )
 
 

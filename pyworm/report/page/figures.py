@@ -15,7 +15,7 @@ from pyworm.report.findings import Findings
 from pyworm.report.page.content import Block, Section, Words
 from pyworm.report.table import Table
 from pyworm.result.result import plain_attributes
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.summary import scene_summary
 from pyworm.solver.solution import Solution
 
@@ -42,7 +42,7 @@ Row = tuple[str, str, str]
 
 def place_of(solution: Solution) -> str:
     """Name of a contact: its place in the cycle."""
-    return str(Place.of(solution)) or solution.name
+    return str(ContactIndex.of(solution)) or solution.name
 
 
 def glance_section(found: Findings) -> Section:
@@ -215,7 +215,7 @@ def _scene_summary(case: Case, solution: Solution) -> dict[str, Any]:
     """Figures of the scene alone; none for a sampled gap, whose file the result does not contain."""
     if isinstance(case.tables, GapCase):
         return {}
-    return scene_summary(case.scene(**Place.of(solution).given))
+    return scene_summary(case.scene(**ContactIndex.of(solution).given))
 
 
 def _converged(solution: Solution) -> str:
@@ -285,7 +285,9 @@ def _printed(text: str) -> str:
 
 
 def _is_meant(published: dict[str, PublishedValue], solution: Solution) -> bool:
-    place = {name: value for name, value in Place.of(solution).given.items() if name in published}
+    place = {
+        name: value for name, value in ContactIndex.of(solution).given.items() if name in published
+    }
     return all(published[name].value == value for name, value in place.items())
 
 

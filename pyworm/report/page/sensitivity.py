@@ -21,7 +21,7 @@ from pyworm.report.page.content import Block, Section, Words
 from pyworm.report.table import Table
 from pyworm.result.result import Result
 from pyworm.scene.any_contact import AnyContact
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales, Scales, line_scales, scales
 
@@ -111,13 +111,13 @@ def sensitivity(case: Case, result: Result) -> Sensitivity:
     """Film and pressure of every variation for which the case has the data."""
     films = tuple(solution.figures.film_min.value for solution in result.solutions)
     solved = _Solved(
-        tuple(case.scene(**Place.of(solution).given) for solution in result.solutions), films
+        tuple(case.scene(**ContactIndex.of(solution).given) for solution in result.solutions), films
     )
     if case.drive is None:
         return Sensitivity(tuple(_of_oil(solved)), None)
     misalignment = case.drive.misalignment(solved.contacts)
-    mounted = (solved.mounted(error, misalignment.dry) for error in misalignment.errors)
-    return Sensitivity((*_of_oil(solved), *mounted), misalignment.method)
+    misassembled = (solved.misassembled(error, misalignment.dry) for error in misalignment.errors)
+    return Sensitivity((*_of_oil(solved), *misassembled), misalignment.method)
 
 
 @dataclass(frozen=True)
@@ -143,7 +143,7 @@ class _Solved:
             note=note,
         )
 
-    def mounted(self, error: MountingError, before: tuple[DryContact, ...]) -> Variation:
+    def misassembled(self, error: MountingError, before: tuple[DryContact, ...]) -> Variation:
         """What an error of mounting makes of them, and of their dry contacts without it."""
         if not error.contacts:
             return Variation(error.label, nan, nan, nan, error.note)

@@ -32,7 +32,7 @@ def named(symbol: str) -> str:
     return symbol.removesuffix("_simulated")
 
 
-def made_of(safety: Safety) -> str:
+def inputs_as_text(safety: Safety) -> str:
     """The inputs of a safety with their units, or why there are none, in a line."""
     if safety.value is None:
         return safety.why[:1].upper() + safety.why[1:]

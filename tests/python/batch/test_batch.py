@@ -25,7 +25,7 @@ from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED, NOT_CONVERGED
 from pyworm.plots.draw import draw
 from pyworm.result.result import open_result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 
 CASES = Path(__file__).parents[3] / "cases"
 RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--json")
@@ -75,7 +75,7 @@ def test_order_and_number_of_processes_do_not_change_a_bit(reference, tmp_path, 
 
 def test_a_task_that_kills_its_process_costs_no_other(reference, tmp_path):
     tasks, expected = reference
-    deadly = Deadly(tasks[0].case, Place(slide_roll_ratio=7.0), **CHEAP)
+    deadly = Deadly(tasks[0].case, ContactIndex(slide_roll_ratio=7.0), **CHEAP)
     store = Store(tmp_path / "scenes", fields=True)
     with WorkerPool(2) as pool:
         failed = solve_all([tasks[0], deadly, *tasks[1:]], store, pool)
@@ -142,7 +142,7 @@ def test_stored_scalars_are_unchanged(reference, tmp_path):
 def test_a_key_depends_on_what_decides_a_solution_and_nothing_else(tmp_path):
     text = TRACTION.read_text()
 
-    def key(place=Place(slide_roll_ratio=0.5), accuracy=0.01, effects="auto", **changes):  # noqa: B008
+    def key(place=ContactIndex(slide_roll_ratio=0.5), accuracy=0.01, effects="auto", **changes):  # noqa: B008
         changed = text
         for old, new in changes.values():
             assert old in changed
@@ -152,7 +152,7 @@ def test_a_key_depends_on_what_decides_a_solution_and_nothing_else(tmp_path):
 
     alike = [
         key(),
-        Task(load(TRACTION), Place(slide_roll_ratio=0.5), 0.01).key,
+        Task(load(TRACTION), ContactIndex(slide_roll_ratio=0.5), 0.01).key,
         key(title=("Traction curve of", "Friction of")),
         key(accuracy_of_case=('accuracy = "3 %"', 'accuracy = "5 %"')),
         key(places=("[0, 0.01, ", "[0, 0.011, ")),
@@ -160,7 +160,7 @@ def test_a_key_depends_on_what_decides_a_solution_and_nothing_else(tmp_path):
     ]
     assert len(set(alike)) == 1
     unlike = [
-        key(place=Place(slide_roll_ratio=0.6)),
+        key(place=ContactIndex(slide_roll_ratio=0.6)),
         key(accuracy=0.02),
         key(effects="isothermal"),
         key(load=('"41.33 N"', '"41.34 N"')),
@@ -183,13 +183,13 @@ def test_a_key_depends_on_the_content_of_a_gap_file(tmp_path):
     for name in ("gap_example.toml", "gap_example.npz"):
         (tmp_path / name).write_bytes((CASES / name).read_bytes())
     path = tmp_path / "gap_example.toml"
-    before = Task(load(path), Place(), 0.01).key
-    assert before == Task(load(CASES / path.name), Place(), 0.01).key
+    before = Task(load(path), ContactIndex(), 0.01).key
+    assert before == Task(load(CASES / path.name), ContactIndex(), 0.01).key
     with np.load(tmp_path / "gap_example.npz") as held:
         arrays = {name: held[name].copy() for name in held}
     arrays["gap"][0, 0] *= 1 + 1e-9
     np.savez(tmp_path / "gap_example.npz", **arrays)
-    assert Task(load(path), Place(), 0.01).key != before
+    assert Task(load(path), ContactIndex(), 0.01).key != before
 
 
 @pytest.mark.long

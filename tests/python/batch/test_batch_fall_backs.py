@@ -112,7 +112,7 @@ def test_worn_flanks_that_cannot_be_solved_are_told_with_the_contacts_that_are_n
     bad = SimpleNamespace(stop_reason="no more nodes")
     monkeypatch.setattr(wear_run, "run_balanced", lambda *how, **named: (result, ()))
     monkeypatch.setattr(wear_run, "flank_grid", too_few)
-    monkeypatch.setattr(wear_run.Place, "of", lambda one: "phase 0.5")
+    monkeypatch.setattr(wear_run.ContactIndex, "of", lambda one: "phase 0.5")
     result = SimpleNamespace(unsound=(bad,))
     run = object.__new__(wear_run.WearRun)
     vars(run).update(

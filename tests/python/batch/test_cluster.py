@@ -20,7 +20,7 @@ from pyworm.case.case import load
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED, FAILED
 from pyworm.result.sweep_result import open_sweep
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 
 pytest.importorskip("distributed")
 
@@ -98,7 +98,7 @@ def test_nothing_is_lost_when_a_worker_is_killed(cluster, tmp_path):
 def test_a_scene_that_kills_its_workers_is_given_up(cluster, tmp_path):
     """After two of three workers, as the scheduler is told here; what the third solves is kept."""
     tasks = some_tasks(2)
-    deadly = Deadly(tasks[0].case, Place(slide_roll_ratio=7.0), **CHEAP)
+    deadly = Deadly(tasks[0].case, ContactIndex(slide_roll_ratio=7.0), **CHEAP)
     store = Store(tmp_path / "scenes", fields=True)
     said = []  # that there are no workers for a while, where they are slow to start again
     with workers_of(cluster[0], said.append) as executor:
@@ -158,7 +158,7 @@ def test_lost_workers_are_reported_and_waited_for_until_an_interrupt(cluster, tm
 def test_a_worker_of_another_build_fails_its_scenes_with_the_reason(tmp_path, monkeypatch):
     """What it unpickles has another key there, since the key counts the program in."""
     case = load(CASES / "traction_steel.toml")
-    task = Task(case, Place(slide_roll_ratio=0.5), 0.3, "isothermal")
+    task = Task(case, ContactIndex(slide_roll_ratio=0.5), 0.3, "isothermal")
     monkeypatch.setattr("pyworm.batch.task.program_digest", lambda: "another")
     store = Store(tmp_path / "scenes", fields=False)
     reason = solve_for("0" * 24, task, store)

@@ -70,8 +70,8 @@ def test_a_worn_wheel_has_its_depth_off_its_flank(case):
     depth[4, 12] = 3e-6
     worn = case.with_found(case.tables.worn(GRID.face, GRID.radius, depth, (0.3e-6, 0.4e-6))).drive
     deviations = worn.wheel.deviations
-    assert deviations.taken_off(0.0, 83e-3) == pytest.approx(3e-6, rel=1e-6)
-    assert deviations.taken_off(-14e-3, 83e-3) == pytest.approx(0, abs=1e-9)
+    assert deviations.removed(0.0, 83e-3) == pytest.approx(3e-6, rel=1e-6)
+    assert deviations.removed(-14e-3, 83e-3) == pytest.approx(0, abs=1e-9)
     assert worn.bodies[1].roughness == 0.4e-6
     assert worn.bodies[0].roughness == 0.3e-6
 

@@ -14,7 +14,7 @@ from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Roelands
 from pyworm.planning.plan import plan
-from pyworm.ratings.rated_case import load_asked, ratings
+from pyworm.ratings.rated_case import load_rating_request, ratings
 from pyworm.scene.gap_file import read_gap
 from pyworm.scene.line import LineScene
 from pyworm.scene.sampled_gap import SampledGap
@@ -52,7 +52,7 @@ def test_every_shipped_case_is_right(path):
 
 @pytest.mark.parametrize("path", RATINGS, ids=lambda path: path.stem)
 def test_every_shipped_file_of_ratings_is_rated(path):
-    asked = load_asked(path)
+    asked = load_rating_request(path)
     assert asked.name == path.stem
     assert asked.tables.title and asked.tables.source
     assert ratings(asked)

@@ -16,7 +16,7 @@ from pyworm.case.case import case_again, case_of
 from pyworm.case.worm_table import WormDriveTable
 from pyworm.cli.main import main
 from pyworm.io.input_error import CaseError
-from pyworm.ratings.rated_case import asked_of, ratings
+from pyworm.ratings.rated_case import rating_request, ratings
 
 ROOT = Path(__file__).parents[3]
 TEXT = (ROOT / "cases/worm_drawing.toml").read_text()
@@ -108,7 +108,7 @@ def test_a_drawing_makes_the_drive_of_its_design_table():
 
 def test_a_drawing_without_its_hob_has_one_of_the_usual_size():
     case = drawn(('[drive.hob]\noversize = "1.6 mm" # on the reference diameter', ""))
-    assert case.drive.described()["hob_oversize_m"] == pytest.approx(0.8e-3)
+    assert case.drive.geometry_table()["hob_oversize_m"] == pytest.approx(0.8e-3)
     assert any("hob.oversize = 0.8 mm" in one for one in case.drive.assumptions)
 
 
@@ -139,7 +139,7 @@ def test_a_left_hand_drive_is_the_mirror_image_of_the_right_hand_one():
     left = drawn(('"right"', '"left"'))
     mine, other = left.scene(0.3), unit().scene(0.3)
     assert mine.load == other.load and mine.radii == other.radii
-    assert left.drive.described()["hand"] == "left"
+    assert left.drive.geometry_table()["hand"] == "left"
     assert any("mirror image" in one for one in left.drive.assumptions)
     assert not any("mirror image" in one for one in unit().drive.assumptions)
 
@@ -226,7 +226,7 @@ life = "25000 h"
     assert duty.gear.diameter_factor == pytest.approx(10)
     assert duty.gear.profile_shift == pytest.approx(-0.5)
     assert "as drawn" in duty.words[0]
-    assert ratings(asked_of(case))
+    assert ratings(rating_request(case))
 
 
 def test_a_stored_drawing_is_the_case_again():

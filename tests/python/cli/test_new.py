@@ -11,7 +11,7 @@ from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 import pyworm
 from pyworm.case.new_worm import LIGHT, PHASES, loaded_phases
 from pyworm.cli.main import main
-from pyworm.ratings.rated_case import load_asked, ratings
+from pyworm.ratings.rated_case import load_rating_request, ratings
 
 UNIT = {
     "--centre-distance": "100 mm",
@@ -55,7 +55,7 @@ def test_options_make_a_case(tmp_path, capsys):
     assert case.title == 'Häcksler "3"'
     assert case.drive.worm.threads == 2 and case.drive.wheel.teeth == 41
     assert case.drive.hand == "left"
-    assert case.drive.described()["hob_oversize_m"] == pytest.approx(1.6e-3)
+    assert case.drive.geometry_table()["hob_oversize_m"] == pytest.approx(1.6e-3)
     assert case.drive.speed == pytest.approx(157.0796, rel=1e-6)
     assert case.tables.operation.wheel_torque == 300
 
@@ -63,7 +63,7 @@ def test_options_make_a_case(tmp_path, capsys):
 def test_the_written_file_is_rated_for_its_life_with_all_five_safeties(tmp_path):
     path = tmp_path / "unit.toml"
     assert main(words(path, starts_per_hour="2")) == 0
-    asked = load_asked(path)
+    asked = load_rating_request(path)
     table = asked.worm_rating
     assert (table.life, table.application_factor) == pytest.approx((25000 * 3600, 1.25))
     assert table.starts_per_hour == 2
@@ -72,7 +72,7 @@ def test_the_written_file_is_rated_for_its_life_with_all_five_safeties(tmp_path)
     assert all(of.value > 0 for of in made.values())
     shorter = tmp_path / "shorter.toml"
     main(words(shorter, life="2500 h"))
-    longer_lasting = {of.symbol: of for of in ratings(load_asked(shorter))[0].safeties}
+    longer_lasting = {of.symbol: of for of in ratings(load_rating_request(shorter))[0].safeties}
     # wear is proportional to the hours; without starts it is less
     assert longer_lasting["S_W"].value > 10 * made["S_W"].value
     assert longer_lasting["S_F"].value >= made["S_F"].value
@@ -134,9 +134,9 @@ def test_what_is_taken_as_usual_stands_there_as_a_comment_and_means_what_it_says
     assert len(tomllib.loads(open_text)["drive"]["worm"]) == 6
     (tmp_path / "open.toml").write_text(open_text)
     usual, written = (pyworm.load(tmp_path / f"{name}.toml").drive for name in ("unit", "open"))
-    assert written.taken == ()
-    assert len(usual.taken) == len(re.findall(r"as usual: ", text))
-    mine, other = usual.described(), written.described()
+    assert written.assumed == ()
+    assert len(usual.assumed) == len(re.findall(r"as usual: ", text))
+    mine, other = usual.geometry_table(), written.geometry_table()
     for key, value in mine.items():
         expected = value if isinstance(value, str) else pytest.approx(value, rel=2e-3, abs=2e-5)
         assert other[key] == expected, key

@@ -65,7 +65,7 @@ def test_the_gap_opens_by_what_is_below_the_highest_place(tilted, plain):
     opened = drive.gap(contact)(x, y)[0] - plain.gap(contact)(x, y)[0]
     point = surface_points(contact, x, y, contact.wheel_height.solve(x, y)[0])
     np.testing.assert_allclose(opened, 15e-6 - 1e-3 * point[1], atol=1e-12)
-    off = drive.wheel.deviations.taken_off(np.array([-0.1, 0.1]), wheel_radius(point[:, :2, 0]))
+    off = drive.wheel.deviations.removed(np.array([-0.1, 0.1]), wheel_radius(point[:, :2, 0]))
     np.testing.assert_allclose(off, [30e-6, 0.0], atol=1e-12)
 
 

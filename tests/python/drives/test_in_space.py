@@ -9,7 +9,7 @@ from matplotlib.path import Path as Outline
 from scipy.interpolate import CubicSpline
 
 import pyworm
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 
 CASES = Path(__file__).parents[3] / "cases"
 PHASES = (0.02, 0.3, 0.62, 0.98)
@@ -35,7 +35,7 @@ def distance(point, corners):
 def test_gears_touch_on_their_line_of_contact_and_nowhere_overlap(name):
     drive = pyworm.load(CASES / f"{name}.toml").drive
     teeth = drive.teeth
-    found = drive.in_space([Place(phase=of) for of in PHASES])
+    found = drive.in_space([ContactIndex(phase=of) for of in PHASES])
     module = teeth.system.module
     for number in range(len(PHASES)):
         line = found.lines[number]
@@ -75,7 +75,7 @@ def angles_on(shape, radius):
 def test_teeth_are_as_thick_as_the_design_says():
     drive = pyworm.load(CASES / "spur_pair.toml").drive
     for shape, size in zip(
-        drive.in_space([Place(phase=0.5)]).shapes, drive.teeth.cylinders, strict=True
+        drive.in_space([ContactIndex(phase=0.5)]).shapes, drive.teeth.cylinders, strict=True
     ):
         loaded, other = angles_on(shape, size.pitch)
         thickness = (other - loaded) % (2 * np.pi) * size.pitch
@@ -86,7 +86,7 @@ def test_teeth_are_as_thick_as_the_design_says():
 @pytest.mark.parametrize("section", ["left", "right"])
 def test_worm_and_roller_touch_on_the_line_of_contact(section, phase):
     drive = pyworm.load(CASES / "roller_ref.toml").drive
-    found = drive.in_space([Place(section=section, phase=phase)])
+    found = drive.in_space([ContactIndex(section=section, phase=phase)])
     *flanks, rollers = found.shapes
     (line,) = found.lines
     envelope = drive.sections[section].envelope

@@ -24,17 +24,17 @@ def lubricated(lubrication, name="zi_drive", phases=(0.5,), **changes):
 
 
 def layer(lubrication, name="zi_drive"):
-    return lubricated(lubrication, name).drive.oil_brought.layer
+    return lubricated(lubrication, name).drive.oil_supply.layer
 
 
 def test_wheel_in_a_bath_floods_its_contacts():
     case = lubricated(BATH)
     scene = case.scene(0.5)
-    assert scene.oil.supply == case.drive.oil_brought.layer
+    assert scene.oil.supply == case.drive.oil_supply.layer
     assert 100e-6 < scene.oil.supply < 1e-3
     assert STARVATION.lacking(scene).startswith("flooded: the supply is")
     assert any("dips 40 mm" in sentence for sentence in case.drive.all_assumptions)
-    assert not case.drive.oil_brought.warnings
+    assert not case.drive.oil_supply.warnings
 
 
 def test_jets_that_are_too_small_starve_it():
@@ -43,7 +43,7 @@ def test_jets_that_are_too_small_starve_it():
     assert STARVATION.lacking(scene) is None
     plan = pyworm.plan(scene, 0.05, "auto,-squeeze")
     assert any(effect.name == "starvation" and effect.on for effect in plan.effects)
-    (warning,) = case.drive.oil_brought.warnings
+    (warning,) = case.drive.oil_supply.warnings
     assert warning.startswith("lubrication.flow is 0.01 l/min for 31.9 kW, less than starved;")
     assert warning.endswith("adequate are 0.405 l/min (Errichello)")
 
@@ -63,14 +63,14 @@ def test_layers_follow_their_causes():
 )
 def test_every_drive_has_its_oil(name, body):
     case = lubricated({"method": "bath", "body": body, "depth": "20 mm"}, name)
-    assert 1e-6 < case.drive.oil_brought.layer < 5e-3
-    assert case.scene().oil.supply == case.drive.oil_brought.layer
+    assert 1e-6 < case.drive.oil_supply.layer < 5e-3
+    assert case.scene().oil.supply == case.drive.oil_supply.layer
 
 
 def test_without_lubrication_a_drive_says_what_it_assumes():
     tables = tomllib.loads((CASES / "zi_drive.toml").read_text())
     drive = case_of(tables, "zi_drive", CASES).drive
-    assert drive.oil_brought is None
+    assert drive.oil_supply is None
     assert "how oil comes to the teeth is not given" in drive.all_assumptions[-1]
 
 

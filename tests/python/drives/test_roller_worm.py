@@ -27,7 +27,7 @@ from pyworm.formulas.roller_enveloping import (
 )
 from pyworm.io.input_error import CaseError
 from pyworm.plots.drives.roller_worm import CYCLE_PICTURES
-from pyworm.ratings.rated_case import asked_of, not_rated, ratings
+from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.report.console.drives.roller_worm import ends_table
 from pyworm.report.console.mesh_cycle import loss_sentence
 from pyworm.result.result import Result
@@ -302,7 +302,7 @@ def test_a_section_without_preload_touches_without_load(case):
 
 
 def test_films_of_a_drive_that_no_standard_covers_are_rated(case):
-    asked = asked_of(case)
+    asked = rating_request(case)
     made = ratings(asked)
     assert [one.key for one in made] == ["films"]
     assert any("no standard that is known here covers" in one for one in not_rated(asked, made))

@@ -256,8 +256,8 @@ def test_a_concave_worm_runs_through_the_whole_chain(monkeypatch):
         bodies=like.bodies,
         oil=like.oil,
     )
-    described = drive.described()
-    assert described["profile"] == "ZC" and "base_radius_m" not in described
+    geometry_table = drive.geometry_table()
+    assert geometry_table["profile"] == "ZC" and "base_radius_m" not in geometry_table
     assert drive.varied("assembly.axial_shift", 0.1e-3).contact(0.5).point[1] != pytest.approx(
         drive.contact(0.5).point[1], abs=1e-4
     )

@@ -45,7 +45,7 @@ def drive():
 
 def test_a_shaft_in_the_middle_bends_as_the_standard_has_it(drive):
     """Its coefficient, 2e-6 l^3 / d^4 with F in N and lengths in mm, is that of steel in mid-span."""
-    bent = replace(drive, shaft=WormShaft(0.18, diameter=35e-3)).bent
+    bent = replace(drive, shaft=WormShaft(0.18, diameter=35e-3)).shaft_deflection
     force = 600 / drive.wheel_reference_radius
     lead, friction = atan(0.2), drive.friction
     across = np.hypot(tan(lead + atan(friction)), tan(radians(20)) / cos(lead))
@@ -56,30 +56,36 @@ def test_a_shaft_in_the_middle_bends_as_the_standard_has_it(drive):
 
 
 def test_the_shaft_yields_to_the_radial_force_and_its_bearings_carry_it(drive):
-    force = drive.rigid.mean_force.force
+    force = drive.with_rigid_shaft.mean_force.force
     rigid, soft = (
-        replace(drive, shaft=replace(drive.shaft, bearing_stiffness=of)).bent
+        replace(drive, shaft=replace(drive.shaft, bearing_stiffness=of)).shaft_deflection
         for of in (np.inf, 20e6)
     )
     assert force[0] < 0 and rigid.away > 0 and np.sign(rigid.along) == np.sign(force[1])
     assert soft.away - rigid.away == pytest.approx(-force[0] / 40e6, rel=0.03)
     assert np.hypot(*force[:2]) < sum(rigid.reactions)
     # nearer to the bearing of the thrust the shaft tilts, and that bearing carries more
-    aside = replace(drive, shaft=WormShaft(0.18, bearing_offset=-0.04)).bent
+    aside = replace(drive, shaft=WormShaft(0.18, bearing_offset=-0.04)).shaft_deflection
     assert abs(aside.tilt) > 3 * abs(rigid.tilt) and aside.reactions[1] > rigid.reactions[1]
 
 
 def test_the_mesh_shares_its_load_where_the_bent_shaft_has_it(drive):
     """As with the same displacements as errors of the assembly, and not as without them."""
     phases = 0.1, 0.4, 0.9
-    bent, rigid = ([of.normal_load(phase) for phase in phases] for of in (drive, drive.rigid))
-    displaced = replace(drive.rigid, assembly=drive.mounted)
+    bent, rigid = (
+        [of.normal_load(phase) for phase in phases] for of in (drive, drive.with_rigid_shaft)
+    )
+    displaced = replace(drive.with_rigid_shaft, assembly=drive.assembly_under_load)
     assert bent == pytest.approx([displaced.normal_load(phase) for phase in phases], rel=1e-9)
     assert max(abs(np.array(bent) / rigid - 1)) > 0.01
-    np.testing.assert_array_equal(drive.driven_pattern.face, drive.rigid.driven_pattern.face)
-    assert drive.driven_pattern is drive.rigid.driven_pattern
+    np.testing.assert_array_equal(
+        drive.driven_pattern.face, drive.with_rigid_shaft.driven_pattern.face
+    )
+    assert drive.driven_pattern is drive.with_rigid_shaft.driven_pattern
     assert drive.turned is drive
-    assert "bends" in drive.assumptions[1] and "do not bend" in drive.rigid.assumptions[1]
+    assert (
+        "bends" in drive.assumptions[1] and "do not bend" in drive.with_rigid_shaft.assumptions[1]
+    )
 
 
 @pytest.mark.parametrize(
@@ -107,12 +113,12 @@ def test_the_mesh_shares_its_load_where_the_bent_shaft_has_it(drive):
 )
 def test_shafts_that_do_not_carry_the_worm_are_refused(shaft, right):
     with pytest.raises(CaseError) as refused:
-        drive_with(shaft).bent  # noqa: B018
+        drive_with(shaft).shaft_deflection  # noqa: B018
     assert right in str(refused.value)
 
 
 def test_the_standard_rates_the_deflection(drive):
-    assert drive.duty().deflection == drive.bent.deflection
+    assert drive.duty().deflection == drive.shaft_deflection.deflection
     table = WormRatingTable(oil="PAG VG 220", sump_temperature="80 degC").completed()
     duty = replace(drive.duty(), deflection=0.1e-3)
     loads = rated_loads(table, duty, Path())

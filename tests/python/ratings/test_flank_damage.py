@@ -14,7 +14,7 @@ from pyworm.case.case import case_of
 from pyworm.cli.main import main
 from pyworm.formulas.scuffing import scuffing_safety, scuffing_temperature_of_stage
 from pyworm.io.input_error import CaseError
-from pyworm.ratings.rated_case import asked_of, not_rated, ratings
+from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.result.result import Result
 from pyworm.solver.estimate import Estimate
 
@@ -47,7 +47,7 @@ def solved(case, *phases, **changes):
 
 
 def rated(case, result=None):
-    asked = asked_of(case)
+    asked = rating_request(case)
     made = ratings(asked, result)
     return {of.key: of for of in made}, not_rated(asked, made)
 

@@ -16,13 +16,13 @@ from pyworm.materials.library import ISO_GRADES, named_oil, oil_from_index
 from pyworm.plots.oil import draw_pressure_viscosity, draw_viscosity
 from pyworm.ratings.oil_choice import choose_oil, page
 from pyworm.ratings.oil_duty import oil_choice, oil_duty
-from pyworm.ratings.rated_case import load_asked
+from pyworm.ratings.rated_case import load_rating_request
 
 C = 273.15
 
 CASES = Path(__file__).parents[3] / "cases"
-ZI_WORM = oil_duty(load_asked(CASES / "oil_zi.toml"))
-ERRICHELLO = oil_duty(load_asked(CASES / "errichello_speed_increaser.toml"))
+ZI_WORM = oil_duty(load_rating_request(CASES / "oil_zi.toml"))
+ERRICHELLO = oil_duty(load_rating_request(CASES / "errichello_speed_increaser.toml"))
 
 
 def row_of(choice, grade):
@@ -162,7 +162,7 @@ def test_a_bearing_whose_size_is_not_given_chooses_no_oil(tmp_path):
     text = (CASES / "oil_zi.toml").read_text().replace('mean_diameter = "70 mm"\n', "")
     (tmp_path / "oil.toml").write_text(text)
     with pytest.raises(CaseError, match=r"bearings\.worm_shaft\.mean_diameter is missing"):
-        oil_choice(load_asked(tmp_path / "oil.toml"))
+        oil_choice(load_rating_request(tmp_path / "oil.toml"))
 
 
 @pytest.mark.parametrize(

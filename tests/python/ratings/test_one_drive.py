@@ -9,7 +9,7 @@ from refusals import changed
 
 from pyworm.case.case import case_of
 from pyworm.io.input_error import CaseError
-from pyworm.ratings.rated_case import asked_of, not_rated, ratings
+from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.ratings.standard_loss import standard_loss
 
 DRIVE = (Path(__file__).parents[2] / "data" / "worm_rated.toml").read_text()
@@ -22,7 +22,7 @@ def case(*changes):
 
 def worm(*changes):
     """The worm's rating, and what is not rated."""
-    asked = asked_of(case(*changes))
+    asked = rating_request(case(*changes))
     made = ratings(asked)
     return made[0], not_rated(asked, made)
 
@@ -135,7 +135,7 @@ def test_a_second_cooling_is_refused(line, sentence):
 def test_a_cooled_drive_is_rated_at_the_temperatures_of_its_balance():
     cooled = case(COOLED)
     sump = cooled.drive.oil.heat.inlet_temperature
-    rating = ratings(asked_of(cooled))[0]
+    rating = ratings(rating_request(cooled))[0]
     by_symbol = {of.symbol: of for of in rating.safeties}
     assert by_symbol["S_T"].inputs["theta_S_C"] == pytest.approx(sump - 273.15)
     assert by_symbol["S_T"].inputs["taken"] == "by [cooling]"
@@ -167,7 +167,7 @@ def test_bulk_temperatures_are_those_of_the_balance_by_hand():
         assert body.bulk_temperature - 343.15 == pytest.approx(rise, rel=2e-3)
     assert drive.oil.heat.inlet_temperature == pytest.approx(343.15)
     assert any("warmer than the oil, by the heat balance" in of for of in drive.assumptions)
-    rating = ratings(asked_of(case()))[0]
+    rating = ratings(rating_request(case()))[0]
     assert rating.summary()["standard"]["bulk_temperature_C"] == pytest.approx(70 + rise, rel=1e-4)
     assert rating.differs == ()
 
@@ -176,7 +176,7 @@ def test_temperatures_that_are_given_stay():
     given = case(('finish = "run-in"', 'finish = "run-in"\nbulk_temperature = "85 degC"'))
     worm_, wheel = given.drive.bodies
     assert (worm_.bulk_temperature, wheel.bulk_temperature) == pytest.approx((343.15, 358.15))
-    rated = ratings(asked_of(given))[0].summary()["standard"]
+    rated = ratings(rating_request(given))[0].summary()["standard"]
     assert rated["bulk_temperature_C"] == pytest.approx(85)
 
 
@@ -304,7 +304,7 @@ def test_a_wheel_that_is_to_drive_and_cannot_fails():
 
 def test_a_wheel_that_drives_loses_what_does_not_come_to_the_worm():
     back = case(("phases = [0.5]", 'driver = "wheel"\nphases = [0.5]'))
-    figures = ratings(asked_of(back))[0].summary()["standard"]
+    figures = ratings(rating_request(back))[0].summary()["standard"]
     given = 300 * 1500 * pi / 30 / 20.5
     lead, rho = atan(2 / 9), atan(figures["friction"])
     assert figures["loss_W"] == pytest.approx(given * (1 - tan(lead - rho) / tan(lead)))

@@ -12,7 +12,7 @@ import pyworm
 from pyworm.case.case import case_again, case_of
 from pyworm.cli.main import main
 from pyworm.io.input_error import CaseError
-from pyworm.ratings.rated_case import asked_of, not_rated, ratings
+from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.result.headline import opening
 from pyworm.scene.scales import scales
 from pyworm.solver.newton import iterate
@@ -40,7 +40,7 @@ def hot(temperature):
 
 
 def worm(case):
-    asked = asked_of(case)
+    asked = rating_request(case)
     made = ratings(asked)
     return made[0], not_rated(asked, made)
 
@@ -64,7 +64,7 @@ def test_a_wheel_above_its_limit_is_in_the_headline():
     (sentence,) = too_hot.beyond_limits
     assert "wheel" in sentence and "above the 99 °C" in sentence
     assert sentence in opening((), "", too_hot.beyond_limits)
-    assert asked_of(too_hot).beyond_limits == (sentence,)
+    assert rating_request(too_hot).beyond_limits == (sentence,)
     rating, _ = worm(too_hot)
     assert any(of.startswith("S_M = ") for of in rating.failed)
     assert case('material = "PEEK"', hot(110)).beyond_limits == ()

@@ -25,7 +25,7 @@ from pyworm.case.case import checked
 from pyworm.case.ratings import BearingTable, RatingCase
 from pyworm.cli.main import main
 from pyworm.ratings.bearing import bearing_life
-from pyworm.ratings.rated_case import asked_of, ratings
+from pyworm.ratings.rated_case import rating_request, ratings
 from pyworm.ratings.worm import standard_rating, worm_duty_of_table
 from pyworm.result.result import Result
 
@@ -377,7 +377,7 @@ def worm_result(case, **changes):
 
 
 def simulated(case, result):
-    return ratings(asked_of(case), result)[0].summary()["simulation"]
+    return ratings(rating_request(case), result)[0].summary()["simulation"]
 
 
 def test_the_simulation_stands_beside_the_standard(worm_case):
@@ -410,7 +410,7 @@ def test_gears_of_constant_friction_lose_it_times_their_loss_factor():
     solutions = tuple(line_with_heat(make_line_solution(phase=p)) for p in (0.13, 0.6, 0.87))
     friction = solutions[0].figures.friction_coefficient.value
     result = Result(case.name, case.resolved, solutions, None, {})
-    beside = ratings(asked_of(case), result)[0].summary()["simulation"]
+    beside = ratings(rating_request(case), result)[0].summary()["simulation"]
     assert beside["friction"] == pytest.approx(friction)
     assert beside["loss_W"] == pytest.approx(case.drive.power * case.drive.loss_factor * friction)
     assert beside["efficiency"] == pytest.approx(1 - case.drive.loss_factor * friction)
@@ -419,7 +419,7 @@ def test_gears_of_constant_friction_lose_it_times_their_loss_factor():
 def test_film_formulas_stand_beside_the_thinnest_film_solved(worm_case):
     result = worm_result(worm_case)
     thin = min(result.solutions, key=lambda of: of.figures.film_min.value)
-    films = next(of for of in ratings(asked_of(worm_case), result) if of.key == "films")
+    films = next(of for of in ratings(rating_request(worm_case), result) if of.key == "films")
     assert films.title == f"Films by formula at phase {thin.phase}"
     summary = films.summary()
     assert summary["central film"]["simulated_m"] == thin.figures.film_central.value
@@ -670,7 +670,7 @@ def test_gears_of_unknown_flanks_are_rated_without_them():
     case = pyworm.load(CASES / "errichello_speed_increaser.toml")
     bodies = tuple(replace(body, roughness=None) for body in case.drive.bodies)
     unknown = replace(case.drive, surfaces=None, bodies=bodies)
-    teeth, _, films = ratings(replace(asked_of(case), drive=unknown))
+    teeth, _, films = ratings(replace(rating_request(case), drive=unknown))
     known = teeth.summary()["closed form"]
     assert {"film_min_m", "hertz_pressure_Pa", "loss_factor"} <= set(known)
     assert not {"specific_film", "friction", "contact_temperature_C"} & set(known)

@@ -19,7 +19,7 @@ from pyworm.plots.contact.film import draw_film
 from pyworm.plots.drives.worm import draw_cycle
 from pyworm.plots.drives.worm_flank import draw_flank
 from pyworm.plots.layout import heading
-from pyworm.ratings.rated_case import asked_of, ratings
+from pyworm.ratings.rated_case import rating_request, ratings
 from pyworm.report.findings import findings
 from pyworm.report.page.build import build_report
 from pyworm.report.page.figures import glance_rows
@@ -81,7 +81,7 @@ def drawn(axes: Axes) -> np.ndarray:
 def test_a_negative_film_is_rated_as_if_it_were_not_there(case, torn):
     """Means, the thinnest film and its lubrication are those of the phases that converged."""
     good = replace(torn, solutions=torn.solutions[:-1])
-    made, expected = (ratings(asked_of(case), of) for of in (torn, good))
+    made, expected = (ratings(rating_request(case), of) for of in (torn, good))
     assert [one.summary() for one in made] == [one.summary() for one in expected]
     assert made[0].summary()["simulation"]["specific_film"] > 0
 
@@ -91,13 +91,13 @@ def test_the_efficiency_of_report_and_rating_names_the_phase_that_it_lacks(case,
     glance = glance_rows(findings(torn, case))
     (line,) = (row for row in glance if "Efficiency" in row[0])
     assert line[2].endswith(missing)
-    labels = [of.label for of in ratings(asked_of(case), torn)[0].figures]
+    labels = [of.label for of in ratings(rating_request(case), torn)[0].figures]
     assert f"Efficiency, worm driving (simulation: {missing})" in labels
 
 
 def test_without_a_converged_phase_only_closed_forms_are_rated(case):
     nothing = result(case, bad=PHASES)
-    worm, films = ratings(asked_of(case), nothing)[:2]
+    worm, films = ratings(rating_request(case), nothing)[:2]
     assert worm.columns == ("standard",)
     assert "simulated_m" not in films.summary()["minimum film"]
 

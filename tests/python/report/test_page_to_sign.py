@@ -16,7 +16,7 @@ from pyworm.case.case import case_of
 from pyworm.ratings.rating import Safety
 from pyworm.report.page.build import build_report
 from pyworm.report.page.html import render
-from pyworm.report.page.symbols import made_of, typeset
+from pyworm.report.page.symbols import inputs_as_text, typeset
 from pyworm.result.result import Result
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -105,7 +105,7 @@ def test_the_page_behind_has_figures_life_flanks_and_assumptions(page):
     ],
 )
 def test_symbols_are_printed_with_index_and_unit(key, value, shown):
-    assert typeset(made_of(Safety("S_X", "", 1.0, 2.0, inputs={key: value}))) == shown
+    assert typeset(inputs_as_text(Safety("S_X", "", 1.0, 2.0, inputs={key: value}))) == shown
 
 
 def test_words_of_files_are_no_symbols():

@@ -18,7 +18,7 @@ from pyworm.formulas.lubrication import lubrication
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.plots.layout import heading
 from pyworm.ratings.heating import heating_loss, heating_of
-from pyworm.ratings.rated_case import asked_of, ratings
+from pyworm.ratings.rated_case import rating_request, ratings
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss, standard_loss
 from pyworm.report.console.mesh_cycle import loss_table
 from pyworm.report.console.scenes import figures_table, heat_table, scenes_table
@@ -223,7 +223,7 @@ def test_pictures_and_reports_show_what_was_left_out(rough):
 
 
 def test_ratings_head_the_simulation_as_if_smooth(rough, case):
-    worm, flanks, films, *bearings = ratings(asked_of(case), rough)
+    worm, flanks, films, *bearings = ratings(rating_request(case), rough)
     assert worm.headings == ("Standard", "Simulation, as if smooth")
     assert all(WORDS in rating.titled for rating in (worm, flanks, films))
     assert all(bearing.titled == bearing.title for bearing in bearings)
@@ -312,7 +312,7 @@ def test_a_sweep_s_table_has_every_effect_in_one_column():
 
 def test_the_standard_s_loss_is_that_of_its_friction_and_lead(case):
     found = standard_loss(case)
-    (rated, *_) = ratings(asked_of(case))
+    (rated, *_) = ratings(rating_request(case))
     standard = rated.summary()["standard"]
     assert found.friction == standard["friction"]
     # an output of T2 w2 asks for more by 1/eta: eta = tan gamma/tan(gamma + rho)

@@ -20,7 +20,7 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.planning.window import FAR, near_reach, windows
 from pyworm.report.console.scenes import figures_table
 from pyworm.result.result import Result, open_result
-from pyworm.scene.index import Place
+from pyworm.scene.index import ContactIndex
 from pyworm.scene.scales import scales
 from pyworm.solver.newton import converge
 from pyworm.solver.point.contact import PointContactSolver
@@ -47,7 +47,7 @@ def task(accuracy, radii, load, modulus, velocity, spin, viscosity, density):
             "density": {"law": density, "rho0": "870 kg/m^3"},
         },
     }
-    return Task(case_of(tables, "bars", Path()), Place(), accuracy, "isothermal")
+    return Task(case_of(tables, "bars", Path()), ContactIndex(), accuracy, "isothermal")
 
 
 OBLIQUE = (
@@ -182,7 +182,7 @@ def test_the_window_s_bar_of_a_contact_that_warms_little_holds():
     From there an endless one adds about an eighth of what it adds to the first, as halves do three times.
     """
     drawn = thermal(6, 5150)
-    hot = Task(case_of(drawn.tables, "hot", Path()), Place(), 0.1, "all")
+    hot = Task(case_of(drawn.tables, "hot", Path()), ContactIndex(), 0.1, "all")
     plan, scene = hot.plan, hot.plan.simplified(hot.scene)
     size = scales(scene)
     far = [reach.doubled().doubled().doubled() for reach in (near_reach(size), FAR)]

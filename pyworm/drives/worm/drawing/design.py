@@ -151,7 +151,7 @@ class Design:
     """Distance of worm and wheel axes [m]."""
     hand: Hand = "right"
     """Hand of the threads. All is computed for right-hand ones: a left-hand drive is its mirror image."""
-    taken: tuple[str, ...] = ()
+    assumed: tuple[str, ...] = ()
     """Usual values that were taken where none was given, a sentence each that begins with the key."""
 
     def seen(self, bodies: tuple[Body, Body]) -> tuple[Body, Body]:

@@ -40,11 +40,11 @@ class FlankDeviations:
             self.along, self.radius, below, **dict(zip(("kx", "ky"), degrees, strict=True)), s=0
         )
 
-    def taken_off(self, along: Array, radius: Array) -> Array:
+    def removed(self, along: Array, radius: Array) -> Array:
         """What the flank is below the highest place of the grid [m]; beyond the grid as at its edge."""
         coordinates = (
             np.clip(place, side[0], side[-1])
             for place, side in ((along, self.along), (radius, self.radius))
         )
-        taken_off: Array = self._spline.ev(*coordinates)
-        return taken_off
+        removed: Array = self._spline.ev(*coordinates)
+        return removed

@@ -109,18 +109,18 @@ def completed(
         The drawing, and a sentence that begins with the key for each value taken.
     """
     known: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
-    taken = {}
+    assumed = {}
     for name, (rule, words) in (_USUAL | _USUAL_OF.get(profile, {})).items():
         if name not in known:
             known[name] = rule(known)
-            taken[name] = words
-    if any(name in taken for name in FILLETS):
+            assumed[name] = words
+    if any(name in assumed for name in FILLETS):
         fits = _fitting(Drawing(**known, profile=profile))
-        known |= {name: fit for name, fit in zip(FILLETS, fits, strict=True) if name in taken}
-    assumed = (
-        f"{key_of(name)} = {_shown(name, known[name])}, {words}" for name, words in taken.items()
+        known |= {name: fit for name, fit in zip(FILLETS, fits, strict=True) if name in assumed}
+    sentences = (
+        f"{key_of(name)} = {_shown(name, known[name])}, {words}" for name, words in assumed.items()
     )
-    return Drawing(**known, profile=profile), tuple(assumed)
+    return Drawing(**known, profile=profile), tuple(sentences)
 
 
 def _fitting(drawing: Drawing) -> tuple[float, float]:

@@ -69,14 +69,14 @@ class ScrewGenerator(ABC):
     def normal(self, u: Array, turn: Array) -> Array:
         """Unit normals there, (3, ...), into the thread."""
         (x, y, _), along, _ = self.curve(u)
-        nx, ny, nz = crossed(along, (-y, x, self.screw))
+        nx, ny, nz = cross_product(along, (-y, x, self.screw))
         cosine, sine = np.cos(turn), np.sin(turn)
         normal = np.stack([cosine * nx - sine * ny, sine * nx + cosine * ny, nz + 0 * sine])
         found: Array = normal / np.sqrt(np.sum(normal**2, axis=0))
         return found
 
 
-def crossed(first: Components, other: Components) -> Components:
+def cross_product(first: Components, other: Components) -> Components:
     """Cross product."""
     return (
         first[1] * other[2] - first[2] * other[1],

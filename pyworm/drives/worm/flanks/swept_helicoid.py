@@ -11,7 +11,12 @@ from math import cos, sin
 import numpy as np
 
 from pyworm.drives.worm.flanks.helicoid import Seated
-from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGenerator, crossed
+from pyworm.drives.worm.flanks.screw_generator import (
+    Array,
+    Components,
+    ScrewGenerator,
+    cross_product,
+)
 
 
 @dataclass(frozen=True)
@@ -95,8 +100,8 @@ class SweptHelicoid(Seated):
         place, along, bend = self.generator.curve(u * self.size)
         x, y, z = place
         swept = -y, x, self.screw
-        normal = crossed(along, swept)
-        bent, turned = crossed(bend, swept), crossed(along, (-along[1], along[0], 0.0))
+        normal = cross_product(along, swept)
+        bent, turned = cross_product(bend, swept), cross_product(along, (-along[1], along[0], 0.0))
         swung = bent[0] + turned[0], bent[1] + turned[1], bent[2] + turned[2]
         cosine, sine = np.cos(turn), np.sin(turn)
         upright, tilt = cos(self.swivel), sin(self.swivel)

@@ -7,13 +7,13 @@ from typing import Any, Self
 
 import numpy as np
 
-from pyworm.drives.oil_supply import Bath, Jets, Lubricated, OiledBody, OiledTeeth
+from pyworm.drives.oil_supply import Bath, Jets, Lubricated, LubricatedBody, LubricatedTeeth
 from pyworm.drives.worm.drawing.design import Assembly, Hand
 from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.flanks.wheel_envelope import WHEEL_AXIS, across_axis
 from pyworm.drives.worm.loads.load_sharing import Arms, Shaft, SharedLoad, Transmission, share
 from pyworm.drives.worm.loads.tooth_compliance import (
-    BEYOND,
+    EDGE_CONTACT_PHASES,
     LONGEST_RATIO,
     MeshedTeeth,
     ToothSprings,
@@ -51,17 +51,19 @@ class WormMesh(WormGears, Lubricated):
     """How oil comes to its teeth; None where there is assumed to be enough."""
 
     @cached_property
-    def rigid(self) -> Self:
+    def with_rigid_shaft(self) -> Self:
         """The mesh with a shaft that does not bend."""
         return self if self.shaft is None else replace(self, shaft=None)
 
     @cached_property
-    def bent(self) -> BentShaft | None:
+    def shaft_deflection(self) -> BentShaft | None:
         """The worm's shaft under the load; None of a rigid one."""
         if self.shaft is None:
             return None
         modulus = self.bodies[0].youngs_modulus
-        return bent_shaft(self.shaft, self.rigid, self.rigid.mean_force, modulus)
+        return bent_shaft(
+            self.shaft, self.with_rigid_shaft, self.with_rigid_shaft.mean_force, modulus
+        )
 
     @property
     def mean_force(self) -> MeshForce:
@@ -75,9 +77,13 @@ class WormMesh(WormGears, Lubricated):
         return MeshForce(point, force)
 
     @property
-    def mounted(self) -> Assembly:
+    def assembly_under_load(self) -> Assembly:
         """Where the worm runs under the load: errors of the assembly with those of the bent shaft."""
-        return self.assembly if self.bent is None else self.bent.assembly(self.assembly)
+        return (
+            self.assembly
+            if self.shaft_deflection is None
+            else self.shaft_deflection.assembly(self.assembly)
+        )
 
     def turned_parts(self) -> dict[str, Any]:
         """What half a turn about X changes, by its names."""
@@ -188,8 +194,8 @@ class WormMesh(WormGears, Lubricated):
 
     def shared(self, phase: float) -> SharedLoad:
         """Normal loads of all tooth pairs while one of them is at a phase."""
-        first = -floor((phase + BEYOND) / self.pitch)
-        last = floor((1 + BEYOND - phase) / self.pitch)
+        first = -floor((phase + EDGE_CONTACT_PHASES) / self.pitch)
+        last = floor((1 + EDGE_CONTACT_PHASES - phase) / self.pitch)
         phases = phase + self.pitch * np.arange(first, last + 1, dtype=np.float64)
         if not isinstance(self.load, Transmission):
             forces = np.where((phases >= 0) & (phases <= 1), self.load, 0.0)
@@ -209,7 +215,7 @@ class WormMesh(WormGears, Lubricated):
         return isinstance(self.load, Transmission) and self.normal_load(phase) == 0
 
     @cached_property
-    def unlifted(self) -> Self | None:
+    def without_film_lift(self) -> Self | None:
         """The mesh with load sharing as without films; None where no lift of films is known."""
         if not isinstance(self.load, Transmission) or not self.load.lifts:
             return None
@@ -280,14 +286,14 @@ class WormMesh(WormGears, Lubricated):
         table = getattr(self, part)
         return replace(self, **{part: replace(table, **{key: getattr(table, key) + change})})
 
-    def oiled_teeth(self) -> OiledTeeth:
+    def lubricated_teeth(self) -> LubricatedTeeth:
         """Worm and wheel as they carry oil."""
         depth = self.worm.tip_radius - self.worm.root_radius
         wheel_speed = self.speed * self.ratio
-        return OiledTeeth(
+        return LubricatedTeeth(
             bodies={
-                "worm": OiledBody(self.worm.tip_radius, depth, self.speed),
-                "wheel": OiledBody(self.wheel.throat_radius, depth, wheel_speed),
+                "worm": LubricatedBody(self.worm.tip_radius, depth, self.speed),
+                "wheel": LubricatedBody(self.wheel.throat_radius, depth, wheel_speed),
             },
             face_width=self.wheel.face_width,
             rate=self.speed * self.worm.threads / (2 * pi),

@@ -10,7 +10,7 @@ friction of asperities where roughness is simulated; P_other is given, or that o
 
 from dataclasses import dataclass, replace
 
-from pyworm.drives.besides_teeth import BesidesTeeth
+from pyworm.drives.other_losses import NonMeshLosses
 from pyworm.formulas.worm_standard import bulk_temperature
 from pyworm.io import units
 from pyworm.io.plain_values import PositiveNumber
@@ -37,7 +37,7 @@ class Housing:
 class Cooling(Housing):
     """Cooling of a worm drive, and its losses outside the teeth."""
 
-    other: BesidesTeeth
+    other: NonMeshLosses
     """Losses of bearings, seals and churning."""
 
 

@@ -15,10 +15,10 @@ from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.hertz import hertz
 from pyworm.scene.point import Gap
 
-BEYOND = 0.24
+EDGE_CONTACT_PHASES = 0.24
 """Range of phases before and after the mesh cycle in which a loaded pair may touch at an edge of a tooth."""
 
-_END = np.array([-BEYOND, -0.18, -0.12, -0.08, *np.arange(-0.06, 0.09, 0.02)])
+_END = np.array([-EDGE_CONTACT_PHASES, -0.18, -0.12, -0.08, *np.arange(-0.06, 0.09, 0.02)])
 
 SPRING_PHASES = np.array([*_END, *np.arange(0.1, 0.95, 0.1), *(1 - _END[::-1])])
 """Phases at which dry contacts are solved, dense where an edge comes into the contact."""
@@ -171,7 +171,7 @@ class MeshedTeeth:
     """The design table."""
     distance: float
     """Distance of worm and wheel axes [m]."""
-    mounted: Assembly
+    assembly_under_load: Assembly
     """Where the worm runs."""
     gears: WormGears = field(compare=False)
     """The gears of them, whatever their load and oil."""
@@ -180,7 +180,7 @@ class MeshedTeeth:
     def of(cls, gears: WormGears) -> "MeshedTeeth":
         """The teeth of gears, or of a drive."""
         parts = gears.worm, gears.wheel, gears.hob
-        return cls(parts, gears.centre_distance, gears.mounted, gears)
+        return cls(parts, gears.centre_distance, gears.assembly_under_load, gears)
 
 
 @lru_cache(maxsize=2)

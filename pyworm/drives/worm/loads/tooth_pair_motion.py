@@ -20,7 +20,7 @@ import scipy
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.worm.loads.load_sharing import Transmission
 from pyworm.drives.worm.loads.mesh import WormMesh
-from pyworm.drives.worm.loads.tooth_compliance import BEYOND
+from pyworm.drives.worm.loads.tooth_compliance import EDGE_CONTACT_PHASES
 from pyworm.drives.worm.teeth.mesh_cycle import ToothContact
 from pyworm.io.present import present
 from pyworm.scene.point import Scene
@@ -64,14 +64,16 @@ class _Pair:
         return TOUCH * float(self.mesh.springs.loads[-1])
 
     @cached_property
-    def met(self) -> float | None:
+    def engaged(self) -> float | None:
         """Part that is past when the pair reaches the load `touch`; None where it does so far outside."""
-        return self._where(self._excess, -BEYOND, LATE)
+        return self._where(self._excess, -EDGE_CONTACT_PHASES, LATE)
 
     @property
     def approaches(self) -> bool:
         """True if there are flanks that come together before the pair carries load."""
-        return self.met is not None and self._touches(self.met) and self._touches(self.begin)
+        return (
+            self.engaged is not None and self._touches(self.engaged) and self._touches(self.begin)
+        )
 
     def _touches(self, past: float) -> bool:
         """False where the flanks would cross each other: beyond a cusp of the wheel's flank."""
@@ -79,12 +81,12 @@ class _Pair:
 
     @property
     def _first(self) -> float:
-        return present(self.met, "the place where the flanks meet")
+        return present(self.engaged, "the place where the flanks meet")
 
     @cached_property
     def parted(self) -> float:
         """Part that is past when the pair falls below the load `touch`, at least the whole mesh cycle."""
-        found = self._where(self._excess, 1 - LATE, 1 + BEYOND)
+        found = self._where(self._excess, 1 - LATE, 1 + EDGE_CONTACT_PHASES)
         return max(found, 1.0) if found is not None and self._touches(found) else 1.0
 
     @cached_property

@@ -81,7 +81,7 @@ class ContactPattern:
 
 
 @dataclass(frozen=True)
-class Met:
+class PointsInMesh:
     """Places of a flank that lie over the worm's at an instant."""
 
     which: Array
@@ -94,7 +94,7 @@ class Met:
     """Gap along the common normal with both reliefs [m], (met,)."""
 
 
-def met(gears: WormGears, grid: FlankGrid, contact: ToothContact) -> Met:
+def points_in_mesh(gears: WormGears, grid: FlankGrid, contact: ToothContact) -> PointsInMesh:
     """The places of a grid that lie over the worm's flank at a contact."""
     point = gears.wheel_flank.point(*grid.q, wheel_angle=contact.wheel_angle)
     near = np.flatnonzero(_inside(gears, point) > -NEAR)
@@ -102,16 +102,16 @@ def met(gears: WormGears, grid: FlankGrid, contact: ToothContact) -> Met:
     x, y, height = contact.axes @ (point - contact.point[:, None])
     worm, _, exists = contact.worm_height.solve(x, y)
     on_worm = surface_points(contact, x, y, worm)
-    gap = height - worm + gears.worm_tooth.taken_off(on_worm) + gears.wheel_tooth.taken_off(point)
+    gap = height - worm + gears.worm_tooth.removed(on_worm) + gears.wheel_tooth.removed(point)
     over = exists & (_inside(gears, on_worm) > 0)
-    return Met(near[over], x[over], y[over], gap[over])
+    return PointsInMesh(near[over], x[over], y[over], gap[over])
 
 
 def contact_pattern(gears: WormGears, grid: FlankGrid) -> ContactPattern:
     """The pattern without load of the flank that the worm drives, at places of its wheel."""
     least = np.full(grid.found.shape, np.inf)
     for phase, lag in zip(PHASES, _behind(gears), strict=True):
-        points = met(gears, grid, gears.cycle.contact(float(phase)))
+        points = points_in_mesh(gears, grid, gears.cycle.contact(float(phase)))
         least[points.which] = np.minimum(least[points.which], points.gap + lag)
     return ContactPattern.of_least(grid, least)
 

@@ -74,7 +74,7 @@ class Setting(Generic[MeshT]):
     @classmethod
     def of(cls, mesh: MeshT) -> "Setting[MeshT]":
         """The present set-up of a mesh."""
-        rigid = mesh.rigid
+        rigid = mesh.with_rigid_shaft
         return cls(mesh, mark_of(contact_pattern(rigid, rigid.flank_grid)))
 
 
@@ -98,25 +98,25 @@ def found_setting(mesh: MeshT, wanted: dict[str, float]) -> Setting[MeshT]:
             [(getattr(setting.mark, name) - to) / TOLERANCES[name] for name, to in wanted.items()]
         )
 
-    now = Setting.of(mesh)
+    current = Setting.of(mesh)
     for _ in range(MOST_STEPS):
-        if np.abs(misses(now)).max() <= 1:
-            return replace(now, reached=True)
-        better = _nearer(now, _newton_step(now, misses), misses)
+        if np.abs(misses(current)).max() <= 1:
+            return replace(current, reached=True)
+        better = _nearer(current, _newton_step(current, misses), misses)
         if better is None:
             break
-        now = better
-    return now
+        current = better
+    return current
 
 
-def _newton_step(now: Setting[MeshT], misses: Misses[MeshT]) -> Change:
+def _newton_step(current: Setting[MeshT], misses: Misses[MeshT]) -> Change:
     """The least change of the set-up by which the misses would vanish if they were linear in it."""
-    missed = misses(now)
+    missed = misses(current)
     columns = []
     for entry in USUAL_CHANGES:
-        aside = ((step, _changed(now, {entry: step})) for step in (DIFFERENCE, -DIFFERENCE))
+        aside = ((step, _changed(current, {entry: step})) for step in (DIFFERENCE, -DIFFERENCE))
         step, beside = next(
-            ((s, candidate) for s, candidate in aside if candidate is not None), (1.0, now)
+            ((s, candidate) for s, candidate in aside if candidate is not None), (1.0, current)
         )
         columns.append((misses(beside) - missed) / step)
     change = -np.linalg.lstsq(np.array(columns).T, missed, rcond=None)[0]
@@ -124,14 +124,16 @@ def _newton_step(now: Setting[MeshT], misses: Misses[MeshT]) -> Change:
     return dict(zip(USUAL_CHANGES, change, strict=True))
 
 
-def _nearer(now: Setting[MeshT], change: Change, misses: Misses[MeshT]) -> Setting[MeshT] | None:
+def _nearer(
+    current: Setting[MeshT], change: Change, misses: Misses[MeshT]
+) -> Setting[MeshT] | None:
     """The set-up a part of the change away that misses by less; None without.
 
     The worm must not cut in, and a pair of teeth not part before the next one meets.
     """
-    least = np.linalg.norm(misses(now))
+    least = np.linalg.norm(misses(current))
     for part in (1.0, 0.5, 0.25, 0.1):
-        tried = _changed(now, {entry: part * by for entry, by in change.items()})
+        tried = _changed(current, {entry: part * by for entry, by in change.items()})
         if tried is None or not np.linalg.norm(misses(tried)) < least:
             continue
         if tried.mesh.pitch <= 1 and tried.mesh.edge_contact is None:
@@ -139,19 +141,19 @@ def _nearer(now: Setting[MeshT], change: Change, misses: Misses[MeshT]) -> Setti
     return None
 
 
-def _changed(now: Setting[MeshT], change: Change) -> Setting[MeshT] | None:
+def _changed(current: Setting[MeshT], change: Change) -> Setting[MeshT] | None:
     """A changed set-up; None where worm and wheel do not touch."""
-    hob = now.mesh.hob
+    hob = current.mesh.hob
     entries = {
         entry: getattr(hob, entry) + by * USUAL_CHANGES[entry] for entry, by in change.items()
     }
     try:
-        return Setting.of(replace(now.mesh, hob=replace(hob, **entries)))
+        return Setting.of(replace(current.mesh, hob=replace(hob, **entries)))
     except ValueError:
         return None
 
 
-def set_up(mesh: WormMesh, wanted: dict[str, float]) -> HobSetup:
+def hob_for_pattern(mesh: WormMesh, wanted: dict[str, float]) -> HobSetup:
     """The hob's set-up of a drive, and the one found for a wanted pattern; arguments of `found_setting`."""
     if not wanted:
         return HobSetup(_row(Setting.of(mesh)))

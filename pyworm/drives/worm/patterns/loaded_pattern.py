@@ -14,13 +14,13 @@ from pyworm import kernel
 from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.loads.load_sharing import SharedLoad
 from pyworm.drives.worm.loads.mesh import WormMesh
-from pyworm.drives.worm.loads.tooth_compliance import BEYOND, PlacedGap, placed_gap
-from pyworm.drives.worm.patterns.contact_pattern import ContactPattern, Met, met
+from pyworm.drives.worm.loads.tooth_compliance import EDGE_CONTACT_PHASES, PlacedGap, placed_gap
+from pyworm.drives.worm.patterns.contact_pattern import ContactPattern, PointsInMesh, points_in_mesh
 from pyworm.drives.worm.teeth.flank_grid import FlankGrid
 from pyworm.drives.worm.teeth.mesh_cycle import ToothContact
 from pyworm.materials.body import reduced_modulus
 
-PHASES = np.linspace(-BEYOND, 1 + BEYOND, 38)
+PHASES = np.linspace(-EDGE_CONTACT_PHASES, 1 + EDGE_CONTACT_PHASES, 38)
 """Phases at which the pair is looked at; contacts under load are wider than what they move between two."""
 
 CELLS = 48, 24
@@ -35,13 +35,15 @@ def loaded_pattern(mesh: WormMesh, grid: FlankGrid) -> ContactPattern:
     least = np.full(grid.found.shape, np.inf)
     for phase in PHASES:
         contact, shared = mesh.cycle.contact(float(phase)), mesh.shared(float(phase))
-        points = met(mesh, grid, contact)
+        points = points_in_mesh(mesh, grid, contact)
         nearer = _nearer(mesh, contact, shared, points)
         least[points.which] = np.minimum(least[points.which], points.gap - nearer)
     return ContactPattern.of_least(grid, least)
 
 
-def _nearer(mesh: WormMesh, contact: ToothContact, shared: SharedLoad, points: Met) -> Array:
+def _nearer(
+    mesh: WormMesh, contact: ToothContact, shared: SharedLoad, points: PointsInMesh
+) -> Array:
     """How much nearer the flanks are at places than without load [m]; -inf where they do not approach."""
     load, modulus = shared.force(contact.phase), reduced_modulus(*mesh.bodies)
     if load > 0:

@@ -21,7 +21,7 @@ class EdgeContact:
     depth: float
     """Depth by which the flanks would cross there if they touched at their contact point [m]; 0 where they
     have none on the teeth."""
-    mounted: Assembly
+    assembly_under_load: Assembly
     """Where the worm runs."""
 
     @property
@@ -42,7 +42,7 @@ class EdgeContact:
     @property
     def warning(self) -> str:
         """The contact at the edge, as a warning that begins with the table at fault."""
-        table = "hob" if self.mounted == AS_DESIGNED else "assembly"
+        table = "hob" if self.assembly_under_load == AS_DESIGNED else "assembly"
         return (
             f"{table}: worm and wheel touch at an edge ({self.boundary}), where the pressure is higher than "
             f"on the flank; {self._remedy}"
@@ -50,7 +50,7 @@ class EdgeContact:
 
     @property
     def _why(self) -> str:
-        errors = self.mounted
+        errors = self.assembly_under_load
         if errors == AS_DESIGNED:
             return "As the hob is set up"
         return (
@@ -61,6 +61,6 @@ class EdgeContact:
 
     @property
     def _remedy(self) -> str:
-        if self.mounted == AS_DESIGNED:
+        if self.assembly_under_load == AS_DESIGNED:
             return "another swivel, a larger hob or a smaller wheel.face_width is needed"
         return "pyworm check prints the errors that the teeth allow, pyworm setup --shim the wheel's shift"

@@ -35,7 +35,7 @@ class ToothGap:
         """Gap [m], continued beyond the teeth, and where both teeth exist."""
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         covered = np.ones(x.shape, dtype=bool)
-        heights, taken_off = [], np.zeros(x.shape)
+        heights, removed = [], np.zeros(x.shape)
         for flank, tooth in (
             (self.contact.worm_height, self.worm_tooth),
             (self.contact.wheel_height, self.wheel_tooth),
@@ -47,8 +47,8 @@ class ToothGap:
                 # a contact point at a tooth's very edge still lies on it
                 covered &= margin > -1e-12
             heights.append(height)
-            taken_off = taken_off + tooth.taken_off(surface)
-        return heights[1] - heights[0] + taken_off, covered
+            removed = removed + tooth.removed(surface)
+        return heights[1] - heights[0] + removed, covered
 
 
 @dataclass(frozen=True)

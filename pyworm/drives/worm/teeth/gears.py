@@ -111,19 +111,19 @@ class WormGears:
         return 2 * pi / self.worm.threads / abs(self.cycle.worm_rotation)
 
     @property
-    def mounted(self) -> Assembly:
+    def assembly_under_load(self) -> Assembly:
         """Where the worm runs: the errors of the assembly, of a drive with what its shaft bends."""
         return self.assembly
 
     @property
     def axes_distance(self) -> float:
         """Distance of worm and wheel axes as assembled [m]."""
-        return self.centre_distance + self.mounted.centre_distance
+        return self.centre_distance + self.assembly_under_load.centre_distance
 
     @cached_property
     def worm_flank(self) -> WormSurface:
         """The worm's helicoid as assembled."""
-        return self._worm_with(self.mounted)
+        return self._worm_with(self.assembly_under_load)
 
     def _worm_with(self, errors: Assembly) -> WormSurface:
         """The worm's helicoid with errors of the assembly."""
@@ -188,7 +188,7 @@ class WormGears:
     @property
     def aligned(self) -> bool:
         """Whether the worm runs where it is designed to."""
-        return self.mounted == AS_DESIGNED
+        return self.assembly_under_load == AS_DESIGNED
 
     @cached_property
     def aligned_cycle(self) -> MeshCycle:
@@ -206,7 +206,7 @@ class WormGears:
     @property
     def errors_in_words(self) -> str:
         """Where the worm runs, as differences from the design."""
-        errors = self.mounted
+        errors = self.assembly_under_load
         return (
             f"the worm {errors.centre_distance * 1e3:.4g} mm farther from the wheel, "
             f"{errors.axial_shift * 1e3:.4g} mm along the wheel's axis and "
@@ -349,7 +349,7 @@ class WormGears:
                 if isinstance(self.cycle.path, SeenPath) or self.interference is None
                 else self.interference.depth
             ),
-            mounted=self.mounted,
+            assembly_under_load=self.assembly_under_load,
         )
 
     def touching_place(self, contact: ToothContact) -> tuple[float, float]:

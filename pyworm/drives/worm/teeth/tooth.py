@@ -43,15 +43,15 @@ class WormTooth:
         radius = self.worm.radius(point)
         return {"worm tip": self.tip_radius - radius, "worm root": radius - self.start_radius}
 
-    def taken_off(self, point: Array) -> Array:
+    def removed(self, point: Array) -> Array:
         """What the flank is below the highest place of the helicoid, at its points (3, ...) [m]."""
         radius, off = self.worm.radius(point), np.zeros(point.shape[1:])
         if self.tip_relief != NO_RELIEF:
             off = self.tip_relief(self.tip_radius - radius)
         if self.deviations is None:
             return off
-        taken_off: Array = off + self.deviations.taken_off(self.worm.along_axis(point), radius)
-        return taken_off
+        removed: Array = off + self.deviations.removed(self.worm.along_axis(point), radius)
+        return removed
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ class WheelTooth:
     deviations: FlankDeviations | None = None
     """Deviations of the flank from the one that the hob cuts."""
 
-    def taken_off(self, point: Array) -> Array:
+    def removed(self, point: Array) -> Array:
         """What the flank is below the highest place of the hobbed one, at its points (3, ...) [m]."""
         off = np.zeros(point.shape[1:])
         if self.tip_relief != NO_RELIEF:
@@ -93,8 +93,8 @@ class WheelTooth:
             off = self.tip_relief(np.minimum(margins["wheel tip"], margins["wheel throat"]))
         if self.deviations is None:
             return off
-        taken_off: Array = off + self.deviations.taken_off(point[1], wheel_radius(point))
-        return taken_off
+        removed: Array = off + self.deviations.removed(point[1], wheel_radius(point))
+        return removed
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it."""

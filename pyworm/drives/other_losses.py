@@ -7,7 +7,7 @@ from pyworm.formulas.worm_losses import OtherLosses
 
 
 @dataclass(frozen=True)
-class BesidesTeeth:
+class NonMeshLosses:
     """Losses of a worm drive besides its teeth: by the worm standard, or one number that is given."""
 
     standard: OtherLosses | None = None
