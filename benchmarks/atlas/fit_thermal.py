@@ -111,7 +111,7 @@ def fitted(
 def errors(read: np.ndarray, heat: HeatGroups, aims: np.ndarray, constants: dict) -> np.ndarray:
     """Errors of ln of both factors, (contacts, 2)."""
     kept = film_reduction.scaled(read, constants)
-    return aims - film_reduction.lost(kept, heat, constants["films"])
+    return aims - film_reduction.heat_reduction(kept, heat, constants["films"])
 
 
 def heat_part(heat: HeatGroups, which: np.ndarray) -> HeatGroups:

@@ -124,7 +124,9 @@ SCUFFING = Chapter(
     "AGMA 925-A03, AGMA 2001-B88, ISO/TS 6336-20",
     {
         "FLASH_CONSTANT": Clause("AGMA 925: constant of Blok's formula", MEMORY),
-        "SPREAD": Clause("AGMA 2001-B88: standard deviation over mean, degF", MEMORY),
+        "TEMPERATURE_DEVIATION": Clause(
+            "AGMA 2001-B88: standard deviation over mean, degF", MEMORY
+        ),
         "LOW_RISK, HIGH_RISK": Clause("AGMA 925: bounds of the risk", MEMORY),
         "_SCUFFING": Clause("AGMA 925: a + b ln nu40, without and with additives", READ),
         "scuffing_temperature_of_stage": Clause("ISO/TS 6336-20, eqs 27, 99", READ),

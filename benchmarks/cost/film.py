@@ -19,7 +19,7 @@ from statistics import median
 import pyworm
 from pyworm.planning.grid import nest
 from pyworm.planning.plan import Plan
-from pyworm.planning.window import FAR, near_reach, windows
+from pyworm.planning.window import OUTERMOST_REACH, near_reach, windows
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 from pyworm.solver.solution import Solution
@@ -50,7 +50,7 @@ PARTS = ("convolution_seconds", "flow_seconds", "cycle_seconds", "vector_seconds
 def on_window(scene: Scene, effects: str) -> Plan:
     """Grids of the scene's own window, from COARSEST cells along each direction; the window is not judged."""
     size = scales(scene)
-    inner, outer = windows(scene, size, near_reach(size), FAR)
+    inner, outer = windows(scene, size, near_reach(size), OUTERMOST_REACH)
     spacing = ((inner[1] - inner[0]) / COARSEST, (inner[3] - inner[2]) / COARSEST)
     return replace(
         pyworm.plan(scene, effects=effects),

@@ -12,7 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from pyworm.kernel.levels import BASE, WANTED, built, processor, supported
+from pyworm.kernel.levels import BASE, LEVEL_VARIABLE, built, processor, supported
 
 CASES = Path(__file__).parents[2] / "cases"
 
@@ -45,7 +45,7 @@ def solved(level: str, what: tuple) -> dict:
     one_thread = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     done = subprocess.run(
         [sys.executable, "-c", SOLVE, json.dumps([str(CASES / case), *how])],
-        env=os.environ | one_thread | {WANTED: level},
+        env=os.environ | one_thread | {LEVEL_VARIABLE: level},
         capture_output=True,
         text=True,
         check=True,

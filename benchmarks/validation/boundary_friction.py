@@ -36,7 +36,7 @@ from pyworm.materials.roughness_assumptions import Variation, other_laws, presse
 from pyworm.result.contact_loss import contact_losses
 from pyworm.solver.level import Level
 from pyworm.solver.roughness_uncertainty import (
-    PART,
+    VARIED_FRACTION,
     NeglectedWaves,
     changes_by,
     roughness_uncertainty,
@@ -63,12 +63,14 @@ def watched(
     """Uncertainty of figures; notes that of the power lost by mu_b, by laws of contact and by all else."""
     curves, thickness = pair.curves(), level.film.thickness()
     laws = other_laws(pair, curves)
-    varied = {law: Variation(pressed(curves, laws[law], PART), mu_b, True) for law in LAWS}
-    varied["rubbing"] = Variation(curves, mu_b * (1 + PART))
+    varied = {
+        law: Variation(pressed(curves, laws[law], VARIED_FRACTION), mu_b, True) for law in LAWS
+    }
+    varied["rubbing"] = Variation(curves, mu_b * (1 + VARIED_FRACTION))
     changes = changes_by(level, pair, mu_b, varied)
     found |= {name: change["power_loss"] for name, change in changes.items()}
     uncertainty = roughness_uncertainty(level, pair, mu_b, waves, fitted_spread)
-    assumed = dict(variations(pair, mu_b, PART, thickness, waves.film, fitted_spread))
+    assumed = dict(variations(pair, mu_b, VARIED_FRACTION, thickness, waves.film, fitted_spread))
     fitted = {name: assumed[name] for name in ("contact", "slope", "boundary friction")}
     parts = [change["power_loss"] for change in changes_by(level, pair, mu_b, fitted).values()]
     found["others"] = sqrt(uncertainty["power_loss"] ** 2 - hypot(*parts) ** 2)

@@ -26,8 +26,8 @@ from pyworm.formulas.worm_curves import OilKind
 from pyworm.formulas.worm_gear import REFERENCE_FILM, REFERENCE_GEAR
 from pyworm.formulas.worm_standard import tooth_friction
 from pyworm.formulas.worm_wheel_material import FAMILIES, WHEEL_MATERIALS, Family
-from pyworm.materials.roughness_assumptions import REFITTED, STEEPER
-from pyworm.solver.roughness_uncertainty import PART, whole_change
+from pyworm.materials.roughness_assumptions import REFITTED, SLOPE_POWER
+from pyworm.solver.roughness_uncertainty import VARIED_FRACTION, whole_change
 
 TABLE = Path(__file__).parents[2] / "tests/data/boundary_friction.csv"
 
@@ -218,9 +218,13 @@ def over_the_mesh(row: Row, phases: tuple[float, ...] = PHASES) -> OverTheMesh:
 def contact_model(contact: dict, family: Family) -> float:
     """Model uncertainty of a contact: by mu_b, the law of contact that changes it most, and others [-]."""
     rubbing, law = contact["rubbing"], max(LAWS, key=lambda law: abs(contact[law]))
-    steeper = (1 + contact["stiffer"]) ** STEEPER, REFITTED["stiffer"] ** STEEPER
+    steeper = (1 + contact["stiffer"]) ** SLOPE_POWER, REFITTED["stiffer"] ** SLOPE_POWER
     tied = [
-        whole_change(1.0, changed**PART * (1 + rubbing * (refitted**PART - 1)), by_factor=True)
+        whole_change(
+            1.0,
+            changed**VARIED_FRACTION * (1 + rubbing * (refitted**VARIED_FRACTION - 1)),
+            by_factor=True,
+        )
         for changed, refitted in ((1 + contact[law], REFITTED[law]), steeper)
     ]
     return hypot(contact["others"], *tied, FITTED_SPREADS[family] * rubbing)

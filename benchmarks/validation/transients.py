@@ -142,8 +142,8 @@ def marched(
     present = replace(contact(end), past=Past(life, end))
     plan = pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",))
     found = integrate_in_time(time_grid_of(life, plan), refinement, 0.0, [0.95 * end])
-    if found.lost is not None:
-        raise RuntimeError(found.lost)
+    if found.failure is not None:
+        raise RuntimeError(found.failure)
     return found
 
 

@@ -123,11 +123,12 @@ def _processor() -> str:
 
 def _steps_of(level: str) -> list[float]:
     """Processor times of a Newton step at a level [s], isothermal and with heat, in a process of its own."""
-    from pyworm.kernel.levels import WANTED
+    from pyworm.kernel.levels import LEVEL_VARIABLE
 
     done = subprocess.run(
         [sys.executable, "-c", _STEP.format(nodes=_NODES)],
-        env=os.environ | {WANTED: level, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
+        env=os.environ
+        | {LEVEL_VARIABLE: level, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"},
         capture_output=True,
         text=True,
     )

@@ -22,7 +22,7 @@ from pyworm.formulas.arrays import Array, Flags, Values
 from pyworm.formulas.hertz import hertz
 from pyworm.formulas.regimes import flattening, thickening
 
-PART = 4096
+CONTACTS_PER_BLOCK = 4096
 """Contacts computed together: what fits into a processor's cache."""
 
 LEAST_NORMAL, TURNS = 0.02, 3
@@ -83,7 +83,7 @@ class AtlasGroups:
         a circle, with the curvature of the spin over the longer semi-axis: on a slender contact entrained
         along, a spin of a tenth leads it from a side.
         """
-        aspect, cos, sin = np.exp(np.polyval(_ellipses()[0], self.slender)), *self._course
+        aspect, cos, sin = np.exp(np.polyval(_ellipses()[0], self.slender)), *self._path
         half = self._arc(aspect, 1.0)  # of the angle by which the course turns
         x, y = aspect * (cos + half * sin), sin - half * cos
         normal = (x * (cos + 2 * half * sin) * aspect + y * (sin - 2 * half * cos)) / np.sqrt(
@@ -94,14 +94,14 @@ class AtlasGroups:
     @cached_property
     def outlet(self) -> Values:
         """The part of the long side where that oil leaves, as of `inlet`."""
-        aspect, cos, sin = np.exp(np.polyval(_ellipses()[0], self.slender)), *self._course
+        aspect, cos, sin = np.exp(np.polyval(_ellipses()[0], self.slender)), *self._path
         half = self._arc(aspect, -1.0)
         x, y = aspect * (cos - half * sin), sin + half * cos
         outlet: Values = x**2 / (x**2 + y**2)
         return outlet
 
     @cached_property
-    def _course(self) -> tuple[Values, Values]:
+    def _path(self) -> tuple[Values, Values]:
         return np.cos(self.angle), np.sin(self.angle)
 
     def _arc(self, aspect: Values, sense: float) -> Values:
@@ -109,7 +109,7 @@ class AtlasGroups:
 
         Upstream for `sense` 1, downstream for -1; by iteration, enough for what is fitted to it.
         """
-        cos, sin = self._course
+        cos, sin = self._path
         half: Values = 0.0
         for _ in range(TURNS):
             x = aspect * (cos + sense * half * sin)
@@ -398,8 +398,8 @@ def films(groups: AtlasGroups) -> AtlasFilms:
     out = np.empty((4, count))
     inside = np.empty(count, dtype=bool)
     constants = _constants()
-    for first in range(0, count, PART):
-        part = slice(first, first + PART)
+    for first in range(0, count, CONTACTS_PER_BLOCK):
+        part = slice(first, first + CONTACTS_PER_BLOCK)
         out[:, part], inside[part] = _films(
             AtlasGroups(*(values[part] for values in flat)), constants
         )

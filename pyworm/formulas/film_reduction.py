@@ -102,7 +102,7 @@ def reduction(groups: AtlasGroups, central: Values, heat: HeatGroups) -> FilmRed
     read = features(groups, central, heat)
     inside = np.all((constants["low"] <= read) & (read <= constants["high"]), axis=-1)
     kept = scaled(read, constants)
-    factors = np.exp(-lost(kept, heat, constants["films"]))
+    factors = np.exp(-heat_reduction(kept, heat, constants["films"]))
     errors = bars(kept, constants)
     return FilmReduction(factors[..., 0], factors[..., 1], errors[..., 0], errors[..., 1], inside)
 
@@ -159,10 +159,12 @@ def scaled(read: Array, constants: HeatConstants) -> Array:
     return scaled
 
 
-def lost(kept: Array, heat: HeatGroups, constants: Mapping[str, Array]) -> Array:
+def heat_reduction(kept: Array, heat: HeatGroups, constants: Mapping[str, Array]) -> Array:
     """-ln of both factors, (..., 2)."""
-    lost: Array = (terms(heat)[..., None, :] * np.exp(exponents(kept, constants))).sum(axis=-1)
-    return lost
+    heat_reduction: Array = (terms(heat)[..., None, :] * np.exp(exponents(kept, constants))).sum(
+        axis=-1
+    )
+    return heat_reduction
 
 
 def terms(heat: HeatGroups) -> Array:

@@ -42,7 +42,7 @@ FITTED, ASYMPTOTIC = 4.0, 5.0
 """Gaps over roughness up to which the fits, and from which the asymptotes hold; between them both are
 blended."""
 
-CLOSED = 0.5
+MIN_FITTED_GAP = 0.5
 """Gap over roughness below which the fits, that would diverge or be negative, go on as constants."""
 
 
@@ -57,7 +57,7 @@ def pressure_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
         Peklenik number: correlation length along the flow over that across it [-].
     """
     gap = np.asarray(gap, dtype=float)
-    near, far = np.maximum(gap, CLOSED), np.maximum(gap, FITTED)
+    near, far = np.maximum(gap, MIN_FITTED_GAP), np.maximum(gap, FITTED)
     fits = np.array(
         [
             1 + c * near**-r if fitted_aspect > 1 else 1 - c * np.exp(-r * np.maximum(gap, 0.0))
@@ -76,9 +76,9 @@ def shear_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
     the mean thickness. Fits that vanish with the gap would let the valleys stand still.
     """
     gap = np.asarray(gap, dtype=float)
-    near = np.clip(gap, CLOSED, ASYMPTOTIC)
+    near = np.clip(gap, MIN_FITTED_GAP, ASYMPTOTIC)
     fits = np.array([a * near**b * np.exp(-c * near + d * near**2) for a, b, c, d in SHEAR_FACTORS])
-    part = open_gap(np.minimum(gap, CLOSED)) / open_gap(CLOSED)
+    part = open_gap(np.minimum(gap, MIN_FITTED_GAP)) / open_gap(MIN_FITTED_GAP)
     asymptote = 3 / ((1 + aspect) * np.maximum(gap, FITTED))
     shear_flow_factor: Array = part * _blend(gap, _between(fits, aspect), asymptote)
     return shear_flow_factor

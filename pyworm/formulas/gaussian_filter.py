@@ -11,7 +11,7 @@ from pyworm.formulas.arrays import Array
 ALPHA = sqrt(log(2) / pi)
 """Constant of the weights exp(-pi (x/(ALPHA index))^2): 50 % of a wave as long as the nesting index pass."""
 
-REACH = 1.2
+HALF_WIDTH_RATIO = 1.2
 """Half width of the weights over the nesting index: beyond, they are below 1e-8 of the largest."""
 
 
@@ -34,7 +34,7 @@ def smoothed(
         Whether heights repeat themselves.
     """
     for axis, index in zip(axes, steps, strict=True):
-        reach = int(np.ceil(REACH * index))
+        reach = int(np.ceil(HALF_WIDTH_RATIO * index))
         places = np.arange(-reach, reach + 1) / (ALPHA * index)
         weights = np.exp(-pi * places**2)
         weights /= weights.sum()

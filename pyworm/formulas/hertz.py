@@ -140,14 +140,14 @@ def _axis_ratio(radius_ratio: float) -> float:
     It is the fixed point of (b/a)^2 = B / (D R_long / R_short); a step leaves a quarter of the error at most.
     """
     axis_ratio, step = 1.0, inf
-    while abs(step) > CLOSE:
+    while abs(step) > ELLIPTICITY_TOLERANCE:
         k, d = _elliptic_integrals(axis_ratio)
         step = log((k - d) / d / radius_ratio) / 2 - log(axis_ratio)
         axis_ratio *= exp(step)
     return axis_ratio
 
 
-CLOSE = 1e-14
+ELLIPTICITY_TOLERANCE = 1e-14
 """Relative change of the ratio of the semi-axes at which it is found."""
 
 

@@ -192,8 +192,8 @@ def bulk_rise(
     within("centre distance", centre_distance, 1e-3, 10, "m")
     within("face width", face_width, 1e-4, 10, "m")
     positive("power", power, "W")
-    lost = power * 1e-3 * friction * loss_factor / (centre_distance * face_width * 1e6)
-    bulk_rise: float = 7400 * lost**0.72
+    specific_loss = power * 1e-3 * friction * loss_factor / (centre_distance * face_width * 1e6)
+    bulk_rise: float = 7400 * specific_loss**0.72
     return bulk_rise
 
 

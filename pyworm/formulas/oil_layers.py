@@ -10,7 +10,7 @@ GRAVITY = 9.80665
 SURFACE_TENSION = 0.03
 """Surface tension of lubricating oils [N/m]: 0.028 to 0.036, of which a layer takes the sixth root."""
 
-FASTEST = 1.0
+MAX_LAYER_RATIO = 1.0
 """Largest layer over sqrt(eta U / (rho g)) [-]: at high speed gravity alone holds the oil back."""
 
 
@@ -33,7 +33,7 @@ def dragged_layer(viscosity: float, density: float, speed: float) -> float:
     within("density", density, 100, 5000, "kg/m3")
     positive("speed", speed, "m/s")
     capillary_number = viscosity * speed / SURFACE_TENSION
-    part = min(0.944 * capillary_number ** (1 / 6), FASTEST)
+    part = min(0.944 * capillary_number ** (1 / 6), MAX_LAYER_RATIO)
     dragged_layer: float = part * sqrt(viscosity * speed / (density * GRAVITY))
     return dragged_layer
 

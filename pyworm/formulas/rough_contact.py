@@ -29,7 +29,7 @@ has an area of 1.6, and C. Akarapu, T. Sharp and M. O. Robbins, PRL 106 (2011) 2
 memory)."""
 
 
-HIGHEST = 35.0
+MAX_GAP_RATIO = 35.0
 """Gap over the roughness that no height reaches: the normal distribution beyond it is less than 1e-260."""
 
 
@@ -44,11 +44,11 @@ def overlap_moment(order: float, gap: npt.ArrayLike) -> Array:
         Gap between mean planes over the composite roughness [-].
     """
     gap = np.asarray(gap, dtype=float)
-    near = np.minimum(gap, HIGHEST)
+    near = np.minimum(gap, MAX_GAP_RATIO)
     # D_-n-1(H) exp(-H^2/4) is the integral times sqrt(2 pi)/Gamma(n + 1) (Abramowitz and Stegun, 19.5.3)
     cylinder = scipy.special.pbdv(-order - 1, near)[0]
     moment = scipy.special.gamma(order + 1) / sqrt(2 * pi) * np.exp(-(near**2) / 4) * cylinder
-    return np.where(gap < HIGHEST, moment, 0.0)
+    return np.where(gap < MAX_GAP_RATIO, moment, 0.0)
 
 
 def open_gap(gap: npt.ArrayLike) -> Array:

@@ -20,7 +20,7 @@ FLASH_CONSTANT = 0.80
 A semi-elliptic heat source on a fast half-space has 0.786, a uniform one sqrt(2/pi) = 0.798.
 """
 
-SPREAD = 0.15
+TEMPERATURE_DEVIATION = 0.15
 """Standard deviation of the scuffing temperature over its mean in degrees Fahrenheit (AGMA 2001-B88)."""
 
 LOW_RISK, HIGH_RISK = 0.10, 0.30
@@ -177,7 +177,7 @@ def scuffing_probability(contact: Values, scuffing: Values) -> Values:
     within("scuffing temperature", scuffing, 300, 1000, "K")
     mean = (np.asarray(scuffing) - ZERO_CELSIUS) * 1.8 + 32
     excess = (np.asarray(contact) - np.asarray(scuffing)) * 1.8
-    scuffing_probability: Values = scipy.special.ndtr(excess / (SPREAD * mean))
+    scuffing_probability: Values = scipy.special.ndtr(excess / (TEMPERATURE_DEVIATION * mean))
     return scuffing_probability
 
 

@@ -11,7 +11,7 @@ from pyworm.formulas.ranges import positive, within
 
 SOURCE = "Wellauer and Holloway 1976, as fitted in AGMA 925-A03"
 
-FINEST, ROUGHEST = 1e-10, 1e-4
+MIN_ROUGHNESS, MAX_ROUGHNESS = 1e-10, 1e-4
 """Root mean square heights of surfaces in contact [m]; what lies beyond is in a wrong unit."""
 
 # pitch line velocity [m/s] up to which a row holds, mean and standard deviation of lambda
@@ -20,14 +20,14 @@ _DISTRESS = ((5.0, 0.47767, 0.21525), (60.0, 0.86072, 0.33124), (np.inf, 1.07624
 
 def composite_roughness(roughness_1: float, roughness_2: float) -> float:
     """Composite roughness [m], the root of the sum of the squares of both rms roughnesses [m]."""
-    within("roughness", [roughness_1, roughness_2], FINEST, ROUGHEST, "m")
+    within("roughness", [roughness_1, roughness_2], MIN_ROUGHNESS, MAX_ROUGHNESS, "m")
     return float(np.hypot(roughness_1, roughness_2))
 
 
 def specific_film(film_min: Values, roughness: Values) -> Values:
     """lambda [-], minimum film over composite roughness, both in metres; NaN where there is no film."""
     within("minimum film", np.nan_to_num(film_min, nan=0.0), 0, 1e-3, "m")
-    within("composite roughness", roughness, FINEST, np.sqrt(2) * ROUGHEST, "m")
+    within("composite roughness", roughness, MIN_ROUGHNESS, np.sqrt(2) * MAX_ROUGHNESS, "m")
     return np.asarray(film_min) / roughness
 
 

@@ -15,6 +15,6 @@ def whole(values: Array) -> Indices:
     """
     values = np.asarray(values)
     if not np.isfinite(values).all():
-        lost = values.size - int(np.isfinite(values).sum())
-        raise ValueError(f"{lost} of {values.size} places are not finite numbers")
+        count = values.size - int(np.isfinite(values).sum())
+        raise ValueError(f"{count} of {values.size} places are not finite numbers")
     return values.astype(int)

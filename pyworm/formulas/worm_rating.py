@@ -187,24 +187,24 @@ class WormRating:
         )
 
     @cached_property
-    def lost(self) -> TeethLoss:
+    def teeth_loss(self) -> TeethLoss:
         """Friction, efficiency and loss of the teeth."""
         return self._lost_at()
 
     @property
     def friction(self) -> float:
         """Mean coefficient of tooth friction mu_zm [-]."""
-        return self.lost.friction
+        return self.teeth_loss.friction
 
     @property
     def forward_efficiency(self) -> float:
         """Efficiency of the teeth, worm driving [-]."""
-        return self.lost.forward_efficiency
+        return self.teeth_loss.forward_efficiency
 
     @property
     def backward_efficiency(self) -> float:
         """Efficiency of the teeth, wheel driving [-]; zero or less where the wheel cannot drive."""
-        return self.lost.backward_efficiency
+        return self.teeth_loss.backward_efficiency
 
     @property
     def self_locking_margin(self) -> float:
@@ -265,7 +265,7 @@ class WormRating:
     @property
     def tooth_loss(self) -> float:
         """Power lost between the teeth as the drive runs [W]."""
-        return self.lost.driven_by(self.under.driver)
+        return self.teeth_loss.driven_by(self.under.driver)
 
     @cached_property
     def standard_losses(self) -> OtherLosses:
@@ -287,7 +287,7 @@ class WormRating:
     @property
     def gearbox_efficiency(self) -> float:
         """Power at the wheel over power at the worm, which drives, with all losses [-]."""
-        return self.output / (self.output + self.lost.power + self.other_power)
+        return self.output / (self.output + self.teeth_loss.power + self.other_power)
 
     @property
     def gearbox_efficiency_back(self) -> float:

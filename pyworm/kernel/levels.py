@@ -16,14 +16,14 @@ from pyworm.io.present import present
 
 BASE = "x86-64"
 
-NEEDED = {
+CPU_FLAGS = {
     "x86-64-v2": ("cx16", "lahf_lm", "popcnt", "sse4_1", "sse4_2", "ssse3"),
     "x86-64-v3": ("abm", "avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "movbe", "xsave"),
     "x86-64-v4": ("avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"),
 }
 """Level -> what it asks of a processor beyond the level before, in the words of Linux."""
 
-WANTED = "PYWORM_LEVEL"
+LEVEL_VARIABLE = "PYWORM_LEVEL"
 """Environment variable that names a level in place of the processor's highest, for comparisons."""
 
 _FOLDER = Path(__file__).parents[1] / "levels"
@@ -40,7 +40,7 @@ def features(text: str) -> set[str]:
 def supported(has: set[str]) -> list[str]:
     """Levels that a processor with some features runs, the lowest first."""
     found = [BASE]
-    for level, needed in NEEDED.items():
+    for level, needed in CPU_FLAGS.items():
         if not has.issuperset(needed):
             break
         found.append(level)
@@ -49,8 +49,8 @@ def supported(has: set[str]) -> list[str]:
 
 def built(folder: Path = _FOLDER) -> dict[str, Path]:
     """Level -> kernel beside the one for the base level; empty where there is a single kernel."""
-    found = (next(iter((folder / level).glob("_core_*.so")), None) for level in NEEDED)
-    return {level: file for level, file in zip(NEEDED, found, strict=True) if file is not None}
+    found = (next(iter((folder / level).glob("_core_*.so")), None) for level in CPU_FLAGS)
+    return {level: file for level, file in zip(CPU_FLAGS, found, strict=True) if file is not None}
 
 
 def chosen(others: dict[str, Path], has: set[str], wanted: str | None) -> str:
@@ -65,7 +65,9 @@ def chosen(others: dict[str, Path], has: set[str], wanted: str | None) -> str:
     if wanted is None:
         return runs[-1]
     if wanted not in runs:
-        raise ImportError(f"{WANTED}={wanted}: this kernel on this processor has {', '.join(runs)}")
+        raise ImportError(
+            f"{LEVEL_VARIABLE}={wanted}: this kernel on this processor has {', '.join(runs)}"
+        )
     return wanted
 
 
@@ -83,7 +85,7 @@ def taken() -> tuple[str | None, Path | None]:
     There is no file of `pyworm._core` itself, which the single kernel and that of the base level are.
     """
     others = built()
-    level = chosen(others, processor(), os.environ.get(WANTED)) if others else None
+    level = chosen(others, processor(), os.environ.get(LEVEL_VARIABLE)) if others else None
     return level, None if level is None else others.get(level)
 
 

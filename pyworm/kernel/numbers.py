@@ -101,13 +101,13 @@ def _shape_tables(law: FlowLaw) -> tuple[Array, Array]:
 def _factor_table(ratio: Array, logarithm: Array) -> Array:
     """Coefficients of the cubic spline of a logarithm over ln(1 + ratio^2), shape (4, cells)."""
     places, chosen = np.unique(np.log1p(ratio**2), return_index=True)
-    course = scipy.interpolate.PchipInterpolator(
+    curve = scipy.interpolate.PchipInterpolator(
         np.concatenate([[0.0], places]),
         np.concatenate([[0.0], logarithm[chosen]]),
         extrapolate=False,
     )
     nodes = np.arange(LOG_CELLS + 1) / CELLS_PER_LOG
-    values = course(np.minimum(nodes, places[-1]))
-    beyond = np.maximum(nodes - places[-1], 0.0) * float(course(places[-1], nu=1))
+    values = curve(np.minimum(nodes, places[-1]))
+    beyond = np.maximum(nodes - places[-1], 0.0) * float(curve(places[-1], nu=1))
     spline = scipy.interpolate.CubicSpline(nodes * CELLS_PER_LOG, values + beyond)
     return np.asfortranarray(spline.c[::-1])

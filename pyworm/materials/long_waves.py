@@ -10,7 +10,7 @@ import scipy
 from pyworm.formulas.arrays import Array
 from pyworm.materials.topography import Topography
 
-FULL = 0.5
+MIN_TRACK_FRACTION = 0.5
 """Length of a track over the longest one from which on it counts for the mean along tracks."""
 
 LEAST_VARIANCE = 1e-40
@@ -118,7 +118,7 @@ def _ridges(waves: LongWaves, direction: float) -> Ridges:
     halves = [inside & half for half in (along < 0, along > 0)]
     counts = [half.sum(axis=1) for half in halves]
     least = np.minimum(*counts)
-    held = least >= FULL * least.max()
+    held = least >= MIN_TRACK_FRACTION * least.max()
     heights = waves.at(x, y)
     first, second = (
         (heights * half).sum(axis=1)[held] / count[held]

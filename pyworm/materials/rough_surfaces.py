@@ -16,11 +16,11 @@ from pyworm.formulas.rough_contact import greenwood_tripp, open_gap, self_affine
 from pyworm.io.present import present
 from pyworm.materials.body import ASPERITY_DENSITY, Body, reduced_modulus
 
-NARROWEST = 0.05
+MIN_GAP_RATIO = 0.05
 """Mean thickness of the gap between surfaces pressed together, over their roughness: oil is left in the
 valleys, and its equations stay regular."""
 
-ROWS, DEEPEST, WIDEST = 500, -6.0, 1e4
+TABLE_ROWS, MIN_TABLE_GAP, MAX_TABLE_GAP = 500, -6.0, 1e4
 """Rows of the tables, and their least and largest gap over the composite roughness; heights beyond are not
 found."""
 
@@ -152,7 +152,7 @@ class RoughPair:
 
     def mean_thickness(self, gap: npt.ArrayLike) -> Array:
         """Mean thickness of the gap where surfaces overlap nowhere, over the composite roughness [-]."""
-        return (open_gap(gap) ** 4 + NARROWEST**4) ** 0.25
+        return (open_gap(gap) ** 4 + MIN_GAP_RATIO**4) ** 0.25
 
     def flow_factors(self, gap: npt.ArrayLike) -> tuple[Array, Array]:
         """Pressure flow factors of the gap's cube [-] and shear flow factors [-]: tensors xx, yy, xy.
@@ -219,14 +219,14 @@ def _curves(pair: RoughPair) -> GapCurves:
         pressure=pressure,
         area=area,
         surplus=(thickness - gap) * pair.height,
-        flow=(flow * cube + NARROWEST**3 * isotropic) / thickness**3,
+        flow=(flow * cube + MIN_GAP_RATIO**3 * isotropic) / thickness**3,
         shear=shear * pair.height,
     )
 
 
 def gap_rows() -> tuple[Array, Array]:
     """Rows of the tables for the kernel, and their gap over the composite roughness [-]."""
-    row = np.linspace(np.arcsinh(DEEPEST), np.arcsinh(WIDEST), ROWS)
+    row = np.linspace(np.arcsinh(MIN_TABLE_GAP), np.arcsinh(MAX_TABLE_GAP), TABLE_ROWS)
     return row, np.sinh(row)
 
 

@@ -41,7 +41,7 @@ REFITTED = {"stiffer": 0.743, "one radius": 0.99, "elastic": 0.951}
 """Other law of contact -> factor of a fitted friction coefficient of asperities if it had been fitted by that
 law (`benchmarks/validation/boundary_friction.py`): where asperities bear more, they rub less."""
 
-STEEPER = log(SLOPE_FACTOR) / log(STIFFNESS_FACTOR)
+SLOPE_POWER = log(SLOPE_FACTOR) / log(STIFFNESS_FACTOR)
 """Power of the stiffer law's factor that is the factor by steeper slopes: pressures are as the slopes."""
 
 
@@ -126,7 +126,7 @@ def variations(
     }
     for name, other in others.items():
         if other.scale != curves.scale or not np.array_equal(other.values, curves.values):
-            refitted = {"contact": REFITTED[law], "slope": REFITTED["stiffer"] ** STEEPER}.get(
+            refitted = {"contact": REFITTED[law], "slope": REFITTED["stiffer"] ** SLOPE_POWER}.get(
                 name, 1.0
             )
             factor = 1.0 if fitted_spread is None else refitted**part

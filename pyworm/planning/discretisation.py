@@ -8,7 +8,7 @@ from typing import Any
 from pyworm.planning import error_budget
 from pyworm.planning.expected_work import (
     AUXILIARY_CHANGE,
-    COARSEST,
+    MAX_SPACING_FACTOR,
     Work,
     expected_work,
     first_change,
@@ -19,7 +19,14 @@ from pyworm.planning.expected_work import (
 from pyworm.planning.grid import Grid, led_up_to, nest
 from pyworm.planning.line_grid import LineGrid, first_grids
 from pyworm.planning.model import Model
-from pyworm.planning.window import FAR, Reach, grown, near_reach, supplied_reach, windows
+from pyworm.planning.window import (
+    OUTERMOST_REACH,
+    Reach,
+    grown,
+    near_reach,
+    supplied_reach,
+    windows,
+)
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -80,7 +87,9 @@ class _Sized:
     auxiliary: bool
 
 
-def _sized(scene: Scene, accuracy: float, model: Model, coarsest: float = COARSEST) -> _Sized:
+def _sized(
+    scene: Scene, accuracy: float, model: Model, coarsest: float = MAX_SPACING_FACTOR
+) -> _Sized:
     """Reach of the window and spacing of the first grid, at most `coarsest` times the usual one."""
     drawn = with_auxiliary_entrainment(scene) if model.heated else scene
     size = scales(drawn)
@@ -100,7 +109,9 @@ def _sized(scene: Scene, accuracy: float, model: Model, coarsest: float = COARSE
 def _plan_point(scene: Scene, accuracy: float, model: Model) -> _Numerics:
     sized = _sized(scene, accuracy, model)
     near, starved = sized.near, scene.oil.supply is not None
-    inner, outer, wider, far = windows(scene, sized.size, near, FAR, near.doubled(), FAR.doubled())
+    inner, outer, wider, far = windows(
+        scene, sized.size, near, OUTERMOST_REACH, near.doubled(), OUTERMOST_REACH.doubled()
+    )
     wider = grown(scene, inner, wider)
     # what heat alone carries ends with the heat: nothing lies beyond the window of the figures; nor has oil
     # pressure beyond the meniscus, so that one window holds it all

@@ -47,11 +47,11 @@ ratios of isothermal films two of five worm contacts at 1 % needed a halving mor
 MOST_BEYOND = 2.5
 """Factor beyond these ratios up to which a finer first grid is cheaper than one more halving."""
 
-COARSEST, NEARLY = 2.0, 0.85
+MAX_SPACING_FACTOR, MIN_SPACING_SHARE = 2.0, 0.85
 """Factor of the first grid's spacing where little accuracy is asked for, eight cells over the contact's
 shorter half-width, and the share of it from which it is worth a try."""
 
-WORTHLESS = 0.1
+MAX_FILM_ERROR = 0.1
 """Relative error of the films beyond which figures are worthless, whatever accuracy was asked for."""
 
 IN_VAIN = 0.8
@@ -116,7 +116,7 @@ class Work:
     stages: tuple[Stage, ...]
     """Grids, finer ones last, whose number is the expected one."""
     needed: float = 0.0
-    """Expected number of nodes for an error of `WORTHLESS`."""
+    """Expected number of nodes for an error of `MAX_FILM_ERROR`."""
     in_vain: bool = False
     """Whether that number exceeds the largest grid so far that no grid is refined."""
 
@@ -182,7 +182,11 @@ def first_refinement(change: float, accuracy: float, heated: bool) -> float:
     for enough in SUFFICIENT_OF_HEATED if heated else SUFFICIENT:
         if ratio <= enough * MOST_BEYOND:
             factor = float((enough / ratio) ** (1 / SHARPNESS_POWER))
-            return COARSEST if factor >= NEARLY * COARSEST else min(1.0, factor)
+            return (
+                MAX_SPACING_FACTOR
+                if factor >= MIN_SPACING_SHARE * MAX_SPACING_FACTOR
+                else min(1.0, factor)
+            )
     return 1.0
 
 
@@ -237,7 +241,7 @@ def expected_work(
         stages.append(Stage(nest[-1], cold * steps.cold, stiffness * steps.full * full))
     growth = 4.0 if kind == "point" else 2.0
     most = max(1.0, log(largest / nests[0][-1]) / log(growth))
-    least = _halvings(change / max(accuracy, WORTHLESS))
+    least = _halvings(change / max(accuracy, MAX_FILM_ERROR))
     needed = nests[0][-1] * growth**least
     if least > most + IN_VAIN:
         return Work(kind, tuple(stages), needed, in_vain=True)

@@ -239,7 +239,7 @@ def planned(
     told = simple.oil.flow is not None or simple.oil.heat is not None
     _require_any(quantities, asked, {FILM: True, FRICTION: told and law, TEMPERATURE: model.heated})
     rubs = told and law and prediction.sliding > 0
-    target = _aim(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
+    target = _target(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
     return Plan(
         accuracy,
         quantities,
@@ -283,7 +283,7 @@ def effects_for(scene: Scene | LineScene, plan: Plan, prediction: Prediction) ->
     return frozenset(judgement.name for judgement in judged if judgement.on)
 
 
-def _aim(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> AccuracyTarget:
+def _target(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> AccuracyTarget:
     """The figures of the quantities asked for that the model has."""
     figures = {
         FILM: FILMS,

@@ -13,7 +13,7 @@ from pyworm.scene.scales import Scales
 SAMPLES = 65
 """Number of points along each side at which the gap is sampled."""
 
-GROWTH = 1.4
+WINDOW_GROWTH = 1.4
 """Factor by which the distance of a side grows at a time."""
 
 MOST_GROWTHS = 40
@@ -46,7 +46,7 @@ class Reach:
         return Reach(2 * self.inlet, 2 * self.exit)
 
 
-FAR = Reach.around(600.0)
+OUTERMOST_REACH = Reach.around(600.0)
 """The outermost window; pressure beyond it is that of a rigid film (`pyworm.solver.point.far_field`)."""
 
 NEAR_ELASTIC = 12.0
@@ -106,7 +106,7 @@ def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
             open_[enough] = ~_leaves(scene, np.nonzero(enough)[1], boxes[enough])
         if not open_.any():
             return tuple(tuple(box) for box in boxes.tolist())
-        boxes = np.where(open_, GROWTH * boxes, boxes)
+        boxes = np.where(open_, WINDOW_GROWTH * boxes, boxes)
     last = int(open_.any(axis=1).argmax())
     raise ValueError(
         f"{scene.name}: the gap does not rise above {reaches[last].inlet:g} films within "
@@ -119,7 +119,7 @@ def grown(scene: Scene, inner: Box, wider: Box) -> Box:
 
     Beside a thin film the gap may rise beyond both reaches within one step, on one side or on all.
     """
-    beyond, least = np.array(wider), np.array(enlarged(scene, inner, GROWTH))
+    beyond, least = np.array(wider), np.array(enlarged(scene, inner, WINDOW_GROWTH))
     west, east, south, north = np.where(np.abs(beyond) > np.abs(least), beyond, least).tolist()
     return west, east, south, north
 

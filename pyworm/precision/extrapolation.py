@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf, log2
 
-LOWEST, HIGHEST = 1.0, 2.0
+MIN_ORDER, MAX_ORDER = 1.0, 2.0
 """Bounds of the order in an extrapolation; the schemes are of second order."""
 
-SURE = 0.1
+MIN_RELATIVE_ERROR = 0.1
 """Least error of an extrapolation, as a fraction of its step."""
 
 
@@ -35,8 +35,8 @@ def limit(values: Sequence[float]) -> Limit:
     """Richardson's extrapolation of values on grids of halving spacing.
 
     The step beyond the finest grid is d/(2^p - 1), d the last change and p the observed order, limited to
-    `LOWEST` and `HIGHEST`. Its error is half the error of the same step one grid earlier, at least a tenth of
-    the step; half the step on three grids, the whole step where no order is observed.
+    `MIN_ORDER` and `MAX_ORDER`. Its error is half the error of the same step one grid earlier, at least a
+    tenth of the step; half the step on three grids, the whole step where no order is observed.
     """
     if len(values) == 1:
         return Limit(values[0], inf, None)
@@ -47,12 +47,14 @@ def limit(values: Sequence[float]) -> Limit:
     if len(values) == 3:
         return Limit(value, abs(step) / 2, order)
     earlier, _ = _beyond(values[:-1])
-    return Limit(value, max(SURE * abs(step), min(abs(step), abs(value - earlier) / 2)), order)
+    return Limit(
+        value, max(MIN_RELATIVE_ERROR * abs(step), min(abs(step), abs(value - earlier) / 2)), order
+    )
 
 
 def _beyond(values: Sequence[float]) -> tuple[float, float]:
     """The extrapolated value, and the step to it from the last."""
     order = observed_order(values)
-    believed = HIGHEST if order is None else min(max(order, LOWEST), HIGHEST)
+    believed = MAX_ORDER if order is None else min(max(order, MIN_ORDER), MAX_ORDER)
     step = (values[-1] - values[-2]) / (2**believed - 1)
     return values[-1] + step, step

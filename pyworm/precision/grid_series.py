@@ -21,7 +21,7 @@ FIRST_ERROR = 0.02
 """Algebraic accuracy of the first grid: about its discretisation error, so that limits can be
 extrapolated."""
 
-FALL = 4.0
+ACCURACY_FALL = 4.0
 """Factor by which that accuracy falls from grid to grid."""
 
 LEAST_ERROR = 5e-4
@@ -85,7 +85,7 @@ class _Stopwatch:
 
 def _wanted(number: int) -> float:
     """Error to which the algebra of a grid is converged."""
-    return max(FIRST_ERROR / FALL**number, LEAST_ERROR)
+    return max(FIRST_ERROR / ACCURACY_FALL**number, LEAST_ERROR)
 
 
 def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:

@@ -43,7 +43,7 @@ TOLERANCES = (1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5)
 LEVELS = (5, 7, 9)
 """Levels across the film, beside the parabola's three and the model's own."""
 
-FINEST = 2e-4
+REFERENCE_ACCURACY = 2e-4
 """Accuracy of solves that end on about the same grids."""
 
 LEAST_GRIDS = 3
@@ -63,7 +63,7 @@ def expected_seconds(scene: Scene | LineScene, quantities: tuple[str, ...] | Non
 
     All models and, about as expensive as the most complete one, its window and its numerical parameters.
     """
-    models, _ = fidelities(scene, quantities, FINEST)
+    models, _ = fidelities(scene, quantities, REFERENCE_ACCURACY)
     seconds = [expectation(model.scene, model.plan).seconds for model in models]
     return sum(seconds) + seconds[-1]
 

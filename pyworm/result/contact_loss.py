@@ -19,13 +19,13 @@ def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
             model=present(solution.figures.power_loss, "power_loss").model,
             section=solution.section,
             station=solution.station,
-            course=_course(solution),
+            course=_loss_over_phase(solution),
         )
         for solution in solutions
     ]
 
 
-def _course(solution: Solution) -> tuple[tuple[float, float], ...]:
+def _loss_over_phase(solution: Solution) -> tuple[tuple[float, float], ...]:
     """Phases and power lost over load at each instant of a film in motion."""
     life = solution.held("life")
     if life is None or "life_phase" not in life:

@@ -41,7 +41,7 @@ LOADED_FRACTION = 0.05
 FAILURE = 0.2
 """Speed at which oil enters, over the mean entrainment, below which the entrainment fails."""
 
-_LARGEST = (
+_MAXIMUM_FIELDS = (
     "pressure",
     "temperature_body_2",
     "temperature_middle",
@@ -49,7 +49,7 @@ _LARGEST = (
     "asperity_rubbing",
 )
 
-_LEAST = ("film", "entry")
+_MINIMUM_FIELDS = ("film", "entry")
 
 
 def flank_map(result: Result) -> "xr.Dataset | None":
@@ -75,10 +75,12 @@ def flank_map(result: Result) -> "xr.Dataset | None":
         return None
     x, y = common_grid(solved)
     layers = [layer_of(solution, x, y) for solution in solved]
-    names = [name for name in (*_LARGEST, *_LEAST) if name in layers[0]]
+    names = [name for name in (*_MAXIMUM_FIELDS, *_MINIMUM_FIELDS) if name in layers[0]]
     face, radius = _axes(layers)
     shape = len(radius), len(face)
-    extremes = {name: np.full(shape, np.inf if name in _LEAST else -np.inf) for name in names}
+    extremes = {
+        name: np.full(shape, np.inf if name in _MINIMUM_FIELDS else -np.inf) for name in names
+    }
     loaded = LOADED_FRACTION * max(float(layer["pressure"].max()) for layer in layers)
     for before, after in _neighbours(
         solved, layers, [phase_of(solution) for solution in result.unsound]
@@ -89,7 +91,7 @@ def flank_map(result: Result) -> "xr.Dataset | None":
             row = whole(np.rint((now["radius"][inside] - radius[0]) / CELL))
             column = whole(np.rint((now["face"][inside] - face[0]) / CELL))
             for name in names:
-                keep = np.minimum if name in _LEAST else np.maximum
+                keep = np.minimum if name in _MINIMUM_FIELDS else np.maximum
                 keep.at(extremes[name], (row, column), now[name][inside])
     on_tooth = _on_tooth(result, face, radius)
     return describe(
@@ -151,7 +153,7 @@ def common_grid(solved: list[Solution]) -> tuple[Array, Array]:
 def layer_of(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
     """A solution's fields and places of the flank on the common grid, (y, x)."""
     fields = solution.fields
-    names = [name for name in ("pressure", "film", *_LARGEST[1:]) if name in fields]
+    names = [name for name in ("pressure", "film", *_MAXIMUM_FIELDS[1:]) if name in fields]
     there = fields[names].interp(x=x, y=y, assume_sorted=True).transpose("y", "x")
     layer = {name: there[name].values for name in names}
     layer["pressure"] = np.nan_to_num(layer["pressure"])
@@ -192,7 +194,7 @@ def entry(solution: Solution, x: Array, y: Array) -> Array:
         np.nan_to_num(there["dry_pressure"].values) ** 2, SMOOTHING
     )
     normal_y, normal_x = np.gradient(square, dy, dx)
-    inflow = (u * normal_x + v * normal_y) / np.maximum(np.hypot(normal_x, normal_y), TINY)
+    inflow = (u * normal_x + v * normal_y) / np.maximum(np.hypot(normal_x, normal_y), MIN_FLOAT)
     within = inside.astype(float)
     result = np.ones(inside.shape)
     if not inside.any():
@@ -201,7 +203,7 @@ def entry(solution: Solution, x: Array, y: Array) -> Array:
     nodes, place = np.flatnonzero(inside), np.array(np.nonzero(inside), float)
     steps = [v / dy, u / dx]
     longest = 0.5 / max(np.abs(step).max() for step in steps) * speed.max()
-    steps = [longest * step / np.maximum(speed, SLOWEST * speed.max()) for step in steps]
+    steps = [longest * step / np.maximum(speed, MIN_SPEED_RATIO * speed.max()) for step in steps]
     inflow = np.maximum(inflow, 0.0) / speed[inside].mean()
     for _ in range(MOST_STEPS):
         place = place - np.array([_at(step, place) for step in steps])
@@ -216,9 +218,9 @@ def entry(solution: Solution, x: Array, y: Array) -> Array:
 SMOOTHING = 2.0
 """Width [nodes] over which the outline of the dry contact is smoothed for its normal."""
 
-TINY = np.finfo(float).tiny
+MIN_FLOAT = np.finfo(float).tiny
 
-SLOWEST = 1e-3
+MIN_SPEED_RATIO = 1e-3
 """Speed, over the largest, below which oil is followed as if it had that."""
 
 MOST_STEPS = 4 * sum(NODES)

@@ -28,7 +28,7 @@ Array = np.ndarray
 CELL = 0.5e-3
 """Side of a cell of worn flanks [m]."""
 
-MARGIN = 6e-3
+FLANK_MARGIN = 6e-3
 """Flank beyond the contacts as cut that a map holds [m]: in 1000 h they grow by some 3 mm to each side."""
 
 
@@ -125,8 +125,8 @@ def flank_grid(result: Result, side: Side = "wheel") -> FlankGrid:
     stations = _whole_mesh([phase_of(solution) for solution in solved], layers, _tooth_load(result))
     axes = []
     for name in ("face", "radius"):
-        low = min(float(_loaded(layer, name).min()) for _, layer in stations) - MARGIN
-        high = max(float(_loaded(layer, name).max()) for _, layer in stations) + MARGIN
+        low = min(float(_loaded(layer, name).min()) for _, layer in stations) - FLANK_MARGIN
+        high = max(float(_loaded(layer, name).max()) for _, layer in stations) + FLANK_MARGIN
         axes.append(low + CELL * np.arange(np.ceil((high - low) / CELL) + 1))
     return FlankGrid(*axes)
 
@@ -246,7 +246,7 @@ def _in_motion(
     ]
     known, whole = (
         np.array(column)
-        for column in zip(*((instant[0], instant[2].sum()) for instant in between), strict=True)
+        for column in zip(*((row[0], row[2].sum()) for row in between), strict=True)
     )
     solved = [float(layer["asperity_rubbing"].sum()) for layer in layers]
     coarse = np.interp(phases, known, whole)
@@ -290,7 +290,7 @@ def _tooth_load(result: Result) -> Load | None:
     return cycle["load_phase"].values, cycle["tooth_load"].values
 
 
-ENDS = 6
+PHASES_PER_END = 6
 """Phases to each end of the mesh at which a solved contact is taken to go on."""
 
 
@@ -306,8 +306,8 @@ def _whole_mesh(
     if load is None:
         return solved
     touching = load[0][load[1] > 0]
-    early = np.linspace(touching[0], phases[0], ENDS, endpoint=False)
-    late = np.linspace(touching[-1], phases[-1], ENDS, endpoint=False)[::-1]
+    early = np.linspace(touching[0], phases[0], PHASES_PER_END, endpoint=False)
+    late = np.linspace(touching[-1], phases[-1], PHASES_PER_END, endpoint=False)[::-1]
     before = [
         (phase, _moved(phase, solved[0], solved[1], load)) for phase in early if phase < phases[0]
     ]

@@ -45,7 +45,7 @@ PROVENANCE = {"plans": list, "keys": list, "failed": dict}
 MOST_NAMED = 4
 """Contacts without a converged solution that are named in a line; of others the number alone."""
 
-LARGEST = 2**31
+MAX_ARRAY_BYTES = 2**31
 """Size beyond which arrays are not read [bytes], some twenty times the largest scene of the solver."""
 
 
@@ -215,7 +215,7 @@ def _load(path: Path) -> "dict[str, xr.Dataset]":
     # Times are numbers of seconds here, not dates to be decoded.
     groups = xr.open_groups(path, engine="netcdf4", decode_times=False)
     try:
-        if max(group.nbytes for group in groups.values()) > LARGEST:
+        if max(group.nbytes for group in groups.values()) > MAX_ARRAY_BYTES:
             raise ValueError("an array is larger than any of a result")
         return {name: group.load() for name, group in groups.items()}
     finally:

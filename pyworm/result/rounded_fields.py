@@ -22,7 +22,7 @@ OF_ERROR_BAR = 0.1
 OF_GIVEN = 1e-4
 """Largest relative change of what the scene gives, gap and velocities, which have no error bar."""
 
-COARSEST = 2.0**-10
+MAX_RELATIVE_ROUNDING = 2.0**-10
 """Largest relative change of any field, so that contour lines stay smooth where error bars are wide."""
 
 _SINGLE_DIGITS = 23
@@ -88,7 +88,7 @@ def _allowed(figure: Estimate | None) -> float:
     if figure is None or isnan(figure.bar) or not figure.value > 0:
         return 0.0
     # the error bar of a temperature is that of the rise, and its field is in kelvin
-    return min(OF_ERROR_BAR * figure.bar / figure.value, COARSEST)
+    return min(OF_ERROR_BAR * figure.bar / figure.value, MAX_RELATIVE_ROUNDING)
 
 
 def _digits(change: float) -> int:

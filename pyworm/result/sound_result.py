@@ -24,7 +24,7 @@ _HEAT = ("temperature_body_1", "temperature_body_2", "temperature_middle")
 _LIFE = ("life_seconds", "life_load", "life_film_min", "life_film_min_error")
 _ACROSS = ("level_position", "profile_temperature", "profile_velocity_x", "profile_x")
 
-NEEDED = {
+NEEDED_FIELDS = {
     "point": (*_SURFACES, "dry_pressure", "entrainment_y", "sliding_y"),
     "line": _SURFACES,
 }
@@ -129,7 +129,7 @@ def _flaws_of_fields(solution: Solution) -> Iterator[str]:
     for axis in axes:
         if axis not in fields.coords or not _rises(fields[axis]):
             yield f"its fields have no increasing {axis}"
-    needed = NEEDED[solution.kind]
+    needed = NEEDED_FIELDS[solution.kind]
     # a Newtonian film of one temperature has friction, but no fields of it (`solver.newtonian_shear`)
     needed += _SHEAR * any(name in fields for name in _SHEAR)
     needed += _HEAT * (figures.temperature_max_film is not None)

@@ -24,14 +24,20 @@ from pyworm.io.bounded_number import read_json
 from pyworm.io.number_with_unit import parse_in
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.shown import Shown
-from pyworm.result.result import LARGEST, plain_attributes
+from pyworm.result.result import MAX_ARRAY_BYTES, plain_attributes
 from pyworm.result.sound_result import from_json
-from pyworm.solver.neglected_effects import LAMBDAS, MIXED_ABOVE, SHARE, NeglectedEffects, worst
+from pyworm.solver.neglected_effects import (
+    ASPERITY_SHARE,
+    LAMBDAS,
+    MIXED_ABOVE,
+    NeglectedEffects,
+    worst,
+)
 
 FORMAT = "pyworm sweep"
 FORMAT_VERSION = 1
 
-LEFT_OUT = "left_out_"
+NEGLECTED_PREFIX = "left_out_"
 """Prefix of variables that hold an effect's influence."""
 
 
@@ -76,8 +82,8 @@ class SweepResult(Shown):
         influences = {
             str(name): column.values[self.converged].tolist()
             for name, column in self.table.items()
-            if str(name).startswith(LEFT_OUT)
-            or name in ("lubrication", *LAMBDAS, SHARE, MIXED_ABOVE)
+            if str(name).startswith(NEGLECTED_PREFIX)
+            or name in ("lubrication", *LAMBDAS, ASPERITY_SHARE, MIXED_ABOVE)
         }
         rows = (
             dict(zip(influences, row, strict=True))
@@ -160,7 +166,7 @@ def _loaded(path: Path) -> "xr.Dataset | None":
     """The content of a NetCDF file; None if it is not one, or too large for a table."""
     try:
         with xr.open_dataset(path, engine="netcdf4", decode_times=False) as table:
-            return table.load() if table.nbytes <= LARGEST else None
+            return table.load() if table.nbytes <= MAX_ARRAY_BYTES else None
     except Exception:  # whatever a damaged file makes the library stumble over
         return None
 
@@ -227,9 +233,9 @@ def _neglected_effects(row: Mapping[str, float | str]) -> NeglectedEffects:
         if isinstance(number, float) and not np.isnan(number)
     }
     influence = {
-        name.removeprefix(LEFT_OUT): number
+        name.removeprefix(NEGLECTED_PREFIX): number
         for name, number in numbers.items()
-        if name.startswith(LEFT_OUT)
+        if name.startswith(NEGLECTED_PREFIX)
     }
     regime = row.get("lubrication")
     lubrication = regime if regime in BY_SEVERITY else "unknown"

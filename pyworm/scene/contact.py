@@ -22,10 +22,10 @@ from pyworm.scene.oil_arrival import arriving, bulk_temperature
 if TYPE_CHECKING:
     from pyworm.materials.roughness_assumptions import RoughSurfaces
 
-SAME = 0.01
+RADIUS_TOLERANCE = 0.01
 """Largest relative difference between the radii of a contact and those of its gap."""
 
-STILL = 1e-30
+MIN_ENTRAINMENT = 1e-30
 """Entrainment [m/s] that has no direction."""
 
 FROM_GAP: Any = None
@@ -155,7 +155,7 @@ class Contact(Shown, ABC):
             0.0,
         )[:2]
         x, y = (*as_arrays(*places), np.zeros(np.shape(places[0])))[:2]
-        return self.oil.layer_at((u * y - v * x) / max(hypot(u, v), STILL))
+        return self.oil.layer_at((u * y - v * x) / max(hypot(u, v), MIN_ENTRAINMENT))
 
     @property
     def bending_modulus(self) -> float:
@@ -238,7 +238,7 @@ def _given_radii(given: tuple[Any, ...], of_gap: tuple[float, ...] | None) -> tu
     if of_gap is None:
         return radii
     if len(radii) != len(of_gap) or any(
-        abs(given - gap_radius) > SAME * gap_radius
+        abs(given - gap_radius) > RADIUS_TOLERANCE * gap_radius
         for given, gap_radius in zip(radii, of_gap, strict=True)
     ):
         theirs, its = (

@@ -13,7 +13,7 @@ import numpy as np
 from pyworm.formulas.arrays import Array
 from pyworm.scene.point import Motion, Scene
 
-SCARCE = 0.02
+MIN_ENTRAINMENT_RATIO = 0.02
 """Entrainment over sliding speed at the contact point below which auxiliary entrainment is added."""
 
 AUXILIARY = 0.1
@@ -41,7 +41,7 @@ def with_auxiliary_entrainment(scene: Scene, fraction: float = 1.0) -> Scene:
         [float(component) for component in velocity_at(np.array(0.0), np.array(0.0))]
         for velocity_at in (scene.entrainment, scene.sliding)
     )
-    if hypot(*entrained) >= SCARCE * hypot(*slid):
+    if hypot(*entrained) >= MIN_ENTRAINMENT_RATIO * hypot(*slid):
         return scene
     velocity = (fraction * AUXILIARY * slid[0], fraction * AUXILIARY * slid[1])
     body_1, body_2 = scene.motions

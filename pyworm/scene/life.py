@@ -11,7 +11,7 @@ from pyworm.formulas.arrays import Array
 
 Contact = TypeVar("Contact")
 
-INSTANT = 1e-5
+TIME_STEP_RATIO = 1e-5
 """Part of a life over which the turning of its axes is differenced."""
 
 
@@ -42,8 +42,8 @@ class Life(Generic[Contact]):
 
     def turning(self, seconds: float) -> float:
         """Angular velocity of the axes about the normal [rad/s], positive from x to y."""
-        before = max(seconds - INSTANT * self.duration, 0.0)
-        after = min(seconds + INSTANT * self.duration, self.duration)
+        before = max(seconds - TIME_STEP_RATIO * self.duration, 0.0)
+        after = min(seconds + TIME_STEP_RATIO * self.duration, self.duration)
         x_before, x_after = self.axes_at(before)[0], self.axes_at(after)[0]
         return float((x_after - x_before) @ self.axes_at(seconds)[1]) / (after - before)
 

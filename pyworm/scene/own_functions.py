@@ -7,7 +7,7 @@ import numpy as np
 from pyworm.formulas.arrays import Array
 from pyworm.scene.contact import Contact
 
-NEAR = 1e-3
+TRIAL_DISTANCE = 1e-3
 """Distance of the places where a function is tried, over the radii: within any contact's reach."""
 
 _EXAMPLE = {
@@ -24,7 +24,7 @@ def require_functions(scene: Contact) -> None:
     ValueError
         The function fails, or gives something else.
     """
-    steps = [NEAR * radius * np.linspace(-1, 1, 3) for radius in scene.radii_along]
+    steps = [TRIAL_DISTANCE * radius * np.linspace(-1, 1, 3) for radius in scene.radii_along]
     places = tuple(np.meshgrid(*steps, indexing="ij"))
     names = ", ".join("xy"[: len(places)])
     example = _EXAMPLE[len(places)]

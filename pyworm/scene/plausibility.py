@@ -19,7 +19,7 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales, scales
 
-BEARABLE = (
+BEARABLE_PRESSURES = (
     (150e9, "hard steel", 4e9, 1 / 20),
     (30e9, "bronze, cast iron and light metals", 1e9, 1 / 20),
     (0.5e9, "polymers", 0.15e9, 1 / 10),
@@ -33,7 +33,7 @@ Contact Mechanics, 1985, sections 4.2 and 6.3): at 4 GPa of bearing steel, as in
 of 180 HB. At a twentieth of its modulus the mean pressure is the hardness of the hardest steel; rubber does
 not yield, but at a quarter the contact is as large as the radius."""
 
-LARGEST = 1 / 4
+MAX_PRESSURE_RATIO = 1 / 4
 """Hertz pressure over the modulus of the softer body beyond which a contact is wide as its radius: a
 half-width over the radius is 4 p / E' of a line contact and pi p / E' of a point contact (Johnson, eqs 4.22,
 4.24, 4.43 and 4.45). Model contacts of given Moes parameters stay below, real ones far below."""
@@ -42,7 +42,7 @@ THICK = 1 / 20
 """Film over the radius along the entrainment from which a film is reported as thick; thin-film theory takes
 it as small, and beyond 1 the surfaces do not make a contact."""
 
-LIGHT = 1 / 4000
+MIN_PRESSURE_RATIO = 1 / 4000
 """Hertz pressure over the reduced modulus below which a contact is reported as light: 57 MPa of steel on
 steel, where gears and bearings bear some hundred and more."""
 
@@ -157,14 +157,15 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
             f"{radius * 1e3:.3g} mm; "
             + ("films are thin against it as a rule" if possible else _DISPROPORTION),
         )
-    elif pressure < LIGHT * scene.reduced_modulus:
+    elif pressure < MIN_PRESSURE_RATIO * scene.reduced_modulus:
         yield Doubt(
             "lightness",
-            LIGHT * scene.reduced_modulus / pressure,
+            MIN_PRESSURE_RATIO * scene.reduced_modulus / pressure,
             True,
             True,
             f"the bodies are pressed together with {pressure / 1e6:.3g} MPa only by Hertz{where}, where the "
-            f"radii are {_radii(scene)}; from {LIGHT * scene.reduced_modulus / 1e6:.0f} MPa on as a rule",
+            f"radii are {_radii(scene)}; "
+            f"from {MIN_PRESSURE_RATIO * scene.reduced_modulus / 1e6:.0f} MPa on as a rule",
         )
     if film < MOLECULE:
         yield Doubt(
@@ -221,7 +222,7 @@ def _sizes(scene: Scene | LineScene) -> tuple[float, float, float]:
 
 def _of_pressure(scene: Scene | LineScene, pressure: float, where: str) -> Iterator[Doubt]:
     softer = min(body.youngs_modulus for body in scene.bodies)
-    name, usual, fraction = next(row[1:] for row in BEARABLE if softer >= row[0])
+    name, usual, fraction = next(row[1:] for row in BEARABLE_PRESSURES if softer >= row[0])
     if pressure <= usual:
         return
     possible = pressure <= fraction * softer
@@ -236,7 +237,7 @@ def _of_pressure(scene: Scene | LineScene, pressure: float, where: str) -> Itera
             f"; nothing with a modulus of {softer / 1e9:.3g} GPa, as the softer body has, bears more than "
             f"{fraction * softer / 1e9:.3g} GPa"
         )
-    conceivable = pressure <= LARGEST * softer
+    conceivable = pressure <= MAX_PRESSURE_RATIO * softer
     yield Doubt("pressure", pressure / usual, possible, conceivable, sentence)
 
 

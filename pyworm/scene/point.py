@@ -27,7 +27,7 @@ Motion = Callable[[Array, Array], tuple[Array, Array]]
 """(x, y) [m] -> velocity components (u, v) [m/s] of one surface."""
 
 
-LARGEST = 1e12
+MAX_SPEED = 1e12
 """Largest speed [m/s] or speed of rotation [rad/s] that is no slip."""
 
 
@@ -71,7 +71,7 @@ class RigidMotion(ShownFields):
     def __post_init__(self) -> None:
         """Refuse velocities that there are not."""
         take(self)
-        within("u, v, spin", (self.u, self.v, self.spin), -LARGEST, LARGEST, "")
+        within("u, v, spin", (self.u, self.v, self.spin), -MAX_SPEED, MAX_SPEED, "")
 
     def __call__(self, x: Given, y: Given) -> tuple[Array, Array]:
         """Velocity components [m/s] at (x, y) [m]."""

@@ -11,7 +11,7 @@ from pyworm.io import units
 from pyworm.io.given import Given, in_si
 from pyworm.scene.contact import as_arrays
 
-SMALLEST = 5
+MIN_SAMPLES = 5
 """Fewest samples along each side: a cubic spline and the second differences of the filling need them."""
 
 FIT_FRACTION = 0.1
@@ -21,7 +21,7 @@ OFF_CENTRE = 0.25
 """Distance of the least gap from the contact point beyond which a gap is refused, in half sides of the window
 in which the radii are fitted."""
 
-FLATTEST = 1e-3
+MIN_CURVATURE_RATIO = 1e-3
 """Curvature along the flatter direction is taken as at least this fraction of the other one, so that a
 straight roller has radii too; they only set the scale of the contact."""
 
@@ -58,9 +58,9 @@ class SampledGap:
                 f"gap has the shape {self.gap.shape}, but y and x have {self.y.size} and "
                 f"{self.x.size} entries"
             )
-        if min(self.gap.shape) < SMALLEST:
+        if min(self.gap.shape) < MIN_SAMPLES:
             raise ValueError(
-                f"gap has the shape {self.gap.shape}; at least {SMALLEST} samples a side are needed"
+                f"gap has the shape {self.gap.shape}; at least {MIN_SAMPLES} samples a side are needed"
             )
         for name, axis in (("x", self.x), ("y", self.y)):
             if not (np.all(np.isfinite(axis)) and np.all(np.diff(axis) > 0)):
@@ -152,7 +152,7 @@ class SampledGap:
         curvatures = [2 * float(self._near_fit[term]) for term in (3, 5)]
         if max(curvatures) <= 0:
             raise ValueError("gap must open away from the contact point x = y = 0")
-        floor = FLATTEST * max(curvatures)
+        floor = MIN_CURVATURE_RATIO * max(curvatures)
         return max(curvatures[0], floor), max(curvatures[1], floor)
 
     @property

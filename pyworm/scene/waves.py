@@ -16,7 +16,7 @@ from pyworm.materials.long_waves import LongWaves
 from pyworm.scene.contact import Contact
 from pyworm.scene.line import LineScene
 
-TURNED = 1e-9
+ANGLE_TOLERANCE = 1e-9
 """Angle [rad] by which a direction may be off what it is but for rounding."""
 
 
@@ -61,7 +61,7 @@ def _known(scene: Contact) -> list[tuple[LongWaves, float, int]]:
     if scene.smooth or scene.composite_roughness is None:
         return []
     return [
-        (body.long_waves, (angle + TURNED) % pi, number)
+        (body.long_waves, (angle + ANGLE_TOLERANCE) % pi, number)
         for number, (body, angle) in enumerate(zip(scene.bodies, scene.motion_angles, strict=True))
         if body.long_waves is not None
     ]

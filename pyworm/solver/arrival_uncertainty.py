@@ -19,7 +19,7 @@ ENOUGH, WARMED, MOST_STEPS = 1e-4, 1e-3, 20
 """Residual and last change of temperature, over its largest rise, of a film that has followed the change,
 and the most Newton steps to it."""
 
-SLOWEST = 1e-3
+MIN_SPEED_RATIO = 1e-3
 """Speed of a surface over that of the faster one that it counts with at least: one at rest carries no oil."""
 
 
@@ -39,7 +39,9 @@ def other_bodies(level: Level) -> tuple[Body, Body]:
         replace(
             body,
             bulk_temperature=bulk_temperature(body)
-            + nearer_to_supply(scene.oil, body, max(speed, SLOWEST * max(speeds)), film, distance),
+            + nearer_to_supply(
+                scene.oil, body, max(speed, MIN_SPEED_RATIO * max(speeds)), film, distance
+            ),
         )
         for body, speed in zip(scene.bodies, speeds, strict=True)
     )

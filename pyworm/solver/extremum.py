@@ -15,7 +15,7 @@ SEARCHES = ((8, 2.0), (128, 0.125))
 """Searches about a low node, then about the lowest place of the search before: places to a cell, and cells to
 each side. The error is 1e-4 of that of the lowest node; places do not depend on which node is the lowest."""
 
-MARGIN = 6
+MARGIN_NODES = 6
 """Nodes to each side on which the surface depends: one beyond its cell, and three more from which that one is
 extrapolated where it has no value."""
 
@@ -77,7 +77,7 @@ def _four(places: Array, count: int) -> tuple[Array, Array]:
 def _near(within: Array) -> slice:
     """The nodes along one direction on which the surface about some of them depends."""
     nodes = np.flatnonzero(within)
-    return slice(max(int(nodes[0]) - MARGIN, 0), int(nodes[-1]) + MARGIN + 1)
+    return slice(max(int(nodes[0]) - MARGIN_NODES, 0), int(nodes[-1]) + MARGIN_NODES + 1)
 
 
 def _surface_minimum(
@@ -165,7 +165,7 @@ def _about(
 
 def _around(node: int, count: int) -> tuple[Array, Array]:
     """Nodes about one along x or y, clipped to the grid, and whether each is on the grid."""
-    nodes = np.arange(node - MARGIN, node + MARGIN + 1)
+    nodes = np.arange(node - MARGIN_NODES, node + MARGIN_NODES + 1)
     on_grid = np.clip(nodes, 0, count - 1)
     return on_grid, on_grid == nodes
 
@@ -180,13 +180,15 @@ def _corners(combine: np.ufunc, nodes: Array) -> Array:
 
 def _cells_of(places: Array) -> Array:
     """Whether places, counted from the middle node, are in each cell between nodes."""
-    cells_of: Array = np.abs(places[:, None] - (np.arange(-MARGIN, MARGIN) + 0.5)) <= 0.5
+    cells_of: Array = (
+        np.abs(places[:, None] - (np.arange(-MARGIN_NODES, MARGIN_NODES) + 0.5)) <= 0.5
+    )
     return cells_of
 
 
 def _weights(places: Array) -> Array:
     """Weights of the nodes' values at places, counted from the middle node."""
-    return _keys(np.abs(places[:, None] - np.arange(-MARGIN, MARGIN + 1)))
+    return _keys(np.abs(places[:, None] - np.arange(-MARGIN_NODES, MARGIN_NODES + 1)))
 
 
 def _keys(s: Array) -> Array:

@@ -92,7 +92,7 @@ FINE_LEVELS = 201
 higher."""
 
 
-ABOUT = 12
+SEARCHED_NODES = 12
 """Nodes to each side of the hottest one whose columns are searched: those on which the surface depends."""
 
 
@@ -114,7 +114,9 @@ def maximum_across(field: Array, positions: Array, within: Array, highest: Array
     """
     nodal = np.where(within, highest, -np.inf)
     node = np.unravel_index(np.argmax(nodal), nodal.shape)
-    about = tuple(slice(max(index - ABOUT, 0), index + ABOUT + 1) for index in node)
+    about = tuple(
+        slice(max(index - SEARCHED_NODES, 0), index + SEARCHED_NODES + 1) for index in node
+    )
     between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
     columns = (field[about] @ between.T).max(axis=-1)
     return maximum(columns, within[about])
@@ -132,7 +134,7 @@ def _lagrange(nodes: Array, places: Array) -> Array:
     return weights
 
 
-SIDE = 0.35
+SIDE_LOBE_DISTANCE = 0.35
 """Distance from the entrainment line beyond which a minimum is in a side lobe, in half extents of the
 contact."""
 
@@ -153,9 +155,9 @@ def minimum_kind(place: Sequence[float], angle: float, half_extents: tuple[float
     cosine, sine = np.cos(angle), np.sin(angle)
     along = (x * cosine + y * sine) / _half_width(a, b, cosine, sine)
     across = (y * cosine - x * sine) / _half_width(a, b, -sine, cosine)
-    if abs(across) > SIDE:
+    if abs(across) > SIDE_LOBE_DISTANCE:
         return "side lobe"
-    return "exit" if along > SIDE else "middle"
+    return "exit" if along > SIDE_LOBE_DISTANCE else "middle"
 
 
 def _half_width(a: float, b: float, cosine: float, sine: float) -> float:

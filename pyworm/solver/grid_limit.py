@@ -13,7 +13,7 @@ from pyworm.solver.error_estimate import (
     largest_of_films,
 )
 
-REGULAR = (2.0, 8.0)
+SECOND_ORDER_FALLS = (2.0, 8.0)
 """Falls of a figure's change from grid to grid at which its convergence is believed to be of second order, a
 fall by 4: of 118 central films 116 fell by 3 to 5; minimum films fall by up to 8 while their place
 settles. Where changes fell by 2 to 3 the limit was off by 0.02 to 0.17 of the last one in all of 13 pairs,
@@ -102,7 +102,7 @@ def _limit(
             limit, unknown_order + left.of_changes(moved[name], largest_of_films(moved))
         )
     before = values[-2] - values[-3]
-    least, most = min(REGULAR[0], REGULAR_SHARE * falls[0]), REGULAR[1]
+    least, most = min(SECOND_ORDER_FALLS[0], REGULAR_SHARE * falls[0]), SECOND_ORDER_FALLS[1]
     if not least * abs(change) <= before * np.sign(change) <= most * abs(change):
         return plain
     earlier = mixed_order_limit(values[:-1], falls)

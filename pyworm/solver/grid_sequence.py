@@ -24,15 +24,21 @@ from pyworm.solver.error_estimate import Reading, change, changes, largest_of_fi
 from pyworm.solver.estimates import estimates
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.levels_across import MOVED, UNJUDGED, EnoughLevels, enough_levels, is_hot
+from pyworm.solver.levels_across import (
+    MAX_FILM_CHANGE,
+    UNJUDGED_LEVEL_ERROR,
+    EnoughLevels,
+    enough_levels,
+    is_hot,
+)
 from pyworm.solver.memory import NoMemoryError, shortage
 from pyworm.solver.newton import Iteration, NewtonStep, converge, convergence_history
 from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import (
     CURE,
     MAX_DIVERGED_ON_EDGE,
+    MAX_JUDGED_RESIDUAL,
     MAX_UNCONVERGED_GRIDS,
-    TELLING,
     bound_by_conduction,
     film_is_sound,
     refusal,
@@ -120,7 +126,7 @@ class GridSequence:
             self._level, self._steps = self._solver.warm_started(warm_start)
         else:
             self._level, self._steps = self._solver.begin(plan.grids)
-        self._settle()
+        self._converge()
         return self._level
 
     @property
@@ -141,7 +147,7 @@ class GridSequence:
             stop = self._refine() or self._stop()
         return self._solution(stop)
 
-    def _settle(self) -> None:
+    def _converge(self) -> None:
         """Settle the film on its grid and keep its figures."""
         self._settle_on_grid()
         self._keep_reading()
@@ -154,7 +160,7 @@ class GridSequence:
     def _keep_reading(self) -> None:
         """Keep the figures of a grid whose film tells something of the limit."""
         plan, balance = self._plan, self._level.film.balance
-        if balance.worst <= max(plan.tolerance, TELLING):
+        if balance.worst <= max(plan.tolerance, MAX_JUDGED_RESIDUAL):
             self._readings.append(self._iteration.reading)
         self._unconverged += balance.worst > plan.tolerance
 
@@ -191,7 +197,7 @@ class GridSequence:
         """Whether the error by the levels across the film is known, on a grid whose film is like this one."""
         if self._levels_errors is None or self._judged is None:
             return self._levels_errors is not None
-        return largest_of_films(change(self._judged, self._iteration.reading)) <= MOVED
+        return largest_of_films(change(self._judged, self._iteration.reading)) <= MAX_FILM_CHANGE
 
     @property
     def _max_unconverged(self) -> int:
@@ -214,7 +220,9 @@ class GridSequence:
         if found is None:
             if self._judged is None:
                 self._unjudged = self._refinements < MOST_RETRIES
-                known = None if self._unjudged else dict.fromkeys(here.figures, UNJUDGED)
+                known = (
+                    None if self._unjudged else dict.fromkeys(here.figures, UNJUDGED_LEVEL_ERROR)
+                )
                 self._levels_errors = known
             self._judged = None if self._unjudged else here
             return

@@ -17,10 +17,10 @@ from pyworm.scene.any_contact import AnyContact
 from pyworm.solver import figures
 from pyworm.solver.error_estimate import Peak, Reading
 
-FLOOR = 1e-3
+MIN_MOBILITY_FILM = 1e-3
 """Film over the expected central film below which the mobility is constant."""
 
-TRACE = 1e-6
+START_PRESSURE_RATIO = 1e-6
 """Pressure that a film starts with outside its dry contact, over the largest dry pressure.
 
 A rupture line that starts too far out is found in a few Newton steps; one that starts too near moves by one
@@ -38,7 +38,7 @@ RUBBED = ("friction_coefficient", "power_loss", "friction_boundary")
 LEAST_LOAD = 1e-30
 """Load that friction is relative to where surfaces that are held apart press on nothing."""
 
-STILL = 1e-30
+MIN_SLIDING_SPEED = 1e-30
 """Sliding speed [m/s] that has no direction."""
 
 MAX_GUESS_RESIDUAL = 1e-2
@@ -165,7 +165,7 @@ class Level(ABC):
     def borne(self) -> Flags:
         """Nodes with pressure, of rough surfaces more than the trace that asperities bear far outside."""
         pressure = self.film.pressure
-        return pressure > (TRACE * pressure.max() if self.film.rough else 0.0)
+        return pressure > (START_PRESSURE_RATIO * pressure.max() if self.film.rough else 0.0)
 
     def flowing(self) -> Flags:
         """Nodes where the oil has not ruptured."""
@@ -292,7 +292,7 @@ class Level(ABC):
         bearing = self.film.asperities().pressure if self.film.rough else np.zeros(speed.shape)
         stress = self.film.boundary_friction * bearing
         return tuple(
-            -stress * component / np.maximum(speed, STILL) for component in sliding
+            -stress * component / np.maximum(speed, MIN_SLIDING_SPEED) for component in sliding
         ), stress * speed
 
     def _temperature_fields(self) -> dict[str, tuple[Array, Flags | bool]]:

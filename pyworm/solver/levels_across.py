@@ -17,25 +17,25 @@ from pyworm.solver.error_estimate import change
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import Iteration, converge
-from pyworm.solver.stop_reason import TELLING, film_is_sound
+from pyworm.solver.stop_reason import MAX_JUDGED_RESIDUAL, film_is_sound
 from pyworm.solver.transient.transient import Transient
 
-WARM = 0.25
+MIN_VISCOSITY_DECAY = 0.25
 """Decay of ln eta from the walls to the hottest oil from which levels are judged by a film with more of them:
 of 16 thermal lines (`tests/hard/draws.py`, seed 7) those below have errors of at most 0.1 %."""
 
-MORE, MOST = 2, 13
+ADDED_LEVELS, MAX_LEVELS = 2, 13
 """Levels added at a time, and the most there are."""
 
-LEAST = 0.2
+MIN_ERROR_SHARE = 0.2
 """Least error of a figure, as a share of the largest change of any: one may stand still by chance."""
 
 
-MOVED = 0.1
+MAX_FILM_CHANGE = 0.1
 """Change of a film since the grid on which its levels were judged from which on they are judged again: on a
 first grid, whose film was 22 % too thin, two levels changed it by 0.09 %, on finer ones by 0.26 %."""
 
-UNJUDGED = 0.02
+UNJUDGED_LEVEL_ERROR = 0.02
 """Error of hot films of which none with more levels is found, above the largest seen, 1.2 % with 7."""
 
 
@@ -60,7 +60,7 @@ def is_hot(scene: Contact, figures: Mapping[str, float]) -> bool:
     first, second, film = (
         figures[f"temperature_max_{place}"] for place in ("body_1", "body_2", "film")
     )
-    return scene.oil.beta * (film - (first + second) / 2) > WARM
+    return scene.oil.beta * (film - (first + second) / 2) > MIN_VISCOSITY_DECAY
 
 
 def enough_levels(
@@ -83,13 +83,13 @@ def enough_levels(
     """
     found, last = None, start
     before = dict.fromkeys(start.iteration.reading.figures, 0.0)
-    while last.plan.model.levels < MOST:
+    while last.plan.model.levels < MAX_LEVELS:
         further = _with_more_levels(last, transient)
         changed = change(last.iteration.reading, further.iteration.reading)
         target, figures = last.plan.target, further.iteration.reading.figures
         worst = target.worst(changed, figures)
         errors = {
-            name: max(relative, before[name] / 2, LEAST * worst)
+            name: max(relative, before[name] / 2, MIN_ERROR_SHARE * worst)
             for name, relative in changed.items()
         }
         if not film_is_sound(further.level, further.iteration, further.plan):
@@ -111,7 +111,7 @@ def _as_judged_by(further: EnoughLevels, last: EnoughLevels) -> EnoughLevels | N
     algebra, figures = further.iteration.algebra, further.iteration.reading.figures
     figures_converged = last.plan.target.worst(algebra, figures) <= last.plan.accuracy
     if figures["film_min"] <= 0 or not (
-        further.level.film.balance.worst <= TELLING and figures_converged
+        further.level.film.balance.worst <= MAX_JUDGED_RESIDUAL and figures_converged
     ):
         return None
     return replace(
@@ -122,7 +122,7 @@ def _as_judged_by(further: EnoughLevels, last: EnoughLevels) -> EnoughLevels | N
 def _with_more_levels(film: EnoughLevels, transient: Transient | None) -> EnoughLevels:
     """The film with some more levels, whose errors are not known yet."""
     plan, scene = film.plan, film.level.scene
-    plan = replace(plan, model=replace(plan.model, levels=plan.model.levels + MORE))
+    plan = replace(plan, model=replace(plan.model, levels=plan.model.levels + ADDED_LEVELS))
     rate = None if transient is None else transient.rate
     solver = SOLVERS[type(scene)](scene, plan, rate)
     level = solver.with_rate(film.level)

@@ -11,7 +11,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.model import Model
 
-NUMBER = 8
+NUMBER_BYTES = 8
 """Bytes of a number."""
 
 FILM_ARRAYS = 51
@@ -27,7 +27,7 @@ levels, within 6 %; 1025 x 1025 nodes without levels need as many."""
 ROUGH_ARRAYS = 24
 """Further arrays of roughness, measured on 577 x 641 nodes with heat and 5 levels."""
 
-MARGIN = 1.1
+MEMORY_SAFETY_FACTOR = 1.1
 """Safety factor of the estimate, for the prolongation of the grid before and fragmentation."""
 
 
@@ -51,7 +51,7 @@ def needed(nodes: int, model: Model, stores: bool = False) -> float:
         )  # rates of pressure and temperature, in the order of two sweeps
     if model.rough:
         arrays += ROUGH_ARRAYS
-    return MARGIN * NUMBER * arrays * nodes
+    return MEMORY_SAFETY_FACTOR * NUMBER_BYTES * arrays * nodes
 
 
 def shortage(grid: Grid | LineGrid, model: Model, stores: bool = False) -> str | None:

@@ -25,16 +25,19 @@ from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
 from pyworm.scene.any_contact import AnyContact
 
-WHOLE = 1.0
+MAX_SHOWN_INFLUENCE = 1.0
 """Influence as large as the figure itself, the largest that is shown."""
 
 LAMBDAS = ("lambda_central", "lambda_min")
 """Central and least film over composite roughness."""
 
-CARRYING = ("mixed", "boundary")
+ROUGHNESS_REGIMES = ("mixed", "boundary")
 """Regimes in which roughness carries load."""
 
-SHARE, SHARE_MODEL_ERROR = "asperity_load_fraction", "asperity_load_fraction_model_error"
+ASPERITY_SHARE, ASPERITY_SHARE_MODEL_ERROR = (
+    "asperity_load_fraction",
+    "asperity_load_fraction_model_error",
+)
 """Share of the load that asperities carry, and its relative uncertainty by the model of roughness."""
 
 MIXED_ABOVE = "mixed_above_roughness_m"
@@ -53,7 +56,7 @@ class NeglectedEffects:
 
     influence: dict[str, float] = field(default_factory=dict)
     """Effects that are off though they may change what is asked for by more than the accuracy: name ->
-    largest influence over the quantities asked for [-], at most `WHOLE`; the largest first."""
+    largest influence over the quantities asked for [-], at most `MAX_SHOWN_INFLUENCE`; the largest first."""
     lubrication: Lubrication = "unknown"
     """Lubrication: "full", "mixed", "boundary" or "unknown"."""
     lambda_central: float | None = None
@@ -77,7 +80,7 @@ class NeglectedEffects:
     @property
     def as_if_smooth(self) -> bool:
         """Whether roughness carries load in a simulation without it: friction and loss are `AS_IF_SMOOTH`."""
-        return self.lubrication in CARRYING and not self.rough and not self.by_formula
+        return self.lubrication in ROUGHNESS_REGIMES and not self.rough and not self.by_formula
 
     @property
     def words(self) -> str:
@@ -98,7 +101,7 @@ class NeglectedEffects:
         """The regime of lubrication in one sentence, or why it is not judged; empty of separated surfaces."""
         if self.mixed_above_roughness_m is not None:
             return self._not_judged
-        if self.lubrication not in CARRYING:
+        if self.lubrication not in ROUGHNESS_REGIMES:
             return ""
         which = "This contact" if self.contacts == 1 else f"The worst of {self.contacts} contacts"
         if self.by_formula:
@@ -148,10 +151,15 @@ class NeglectedEffects:
         """Read from the object that `summary` made."""
         given = {
             name: summary[name]
-            for name in (*LAMBDAS, SHARE, SHARE_MODEL_ERROR, MIXED_ABOVE)
+            for name in (*LAMBDAS, ASPERITY_SHARE, ASPERITY_SHARE_MODEL_ERROR, MIXED_ABOVE)
             if name in summary
         }
-        return cls(dict(summary["left_out"]), summary["lubrication"], rough=SHARE in given, **given)
+        return cls(
+            dict(summary["left_out"]),
+            summary["lubrication"],
+            rough=ASPERITY_SHARE in given,
+            **given,
+        )
 
     def summary(self) -> dict[str, Any]:
         """Influences and lubrication as an object for JSON; without a roughness that of a full film."""
@@ -166,7 +174,7 @@ class NeglectedEffects:
 def beyond(effects: Iterable[Judgement], accuracy: float) -> dict[str, float]:
     """Effects that are off, with an influence larger than an accuracy, as `NeglectedEffects.influence`."""
     largest = {
-        effect.name: min(max(effect.influence.values(), default=0.0), WHOLE)
+        effect.name: min(max(effect.influence.values(), default=0.0), MAX_SHOWN_INFLUENCE)
         for effect in effects
         if not effect.on
     }

@@ -17,9 +17,9 @@ from pyworm.solver.level import Level
 MOST_STEPS = 30
 """Largest number of Newton steps on a grid."""
 
-MOST_SLOW_STEPS, NEAR = 60, 6.0
-"""Largest number on a grid of the figures whose balance is within `NEAR` times the tolerance: local slip
-slows the last steps."""
+MOST_SLOW_STEPS, SLOW_BALANCE_RATIO = 60, 6.0
+"""Largest number on a grid of the figures whose balance is within `SLOW_BALANCE_RATIO` times the tolerance:
+local slip slows the last steps."""
 
 UNRECOVERABLE_RESIDUAL = 1e6
 """Residual from which Newton's iteration does not recover, as where a flow law is evaluated far beyond the
@@ -132,7 +132,11 @@ def converge(
 
 def _most_steps(level: Level, tolerance: float) -> int:
     """Largest number of Newton steps on a grid of the figures."""
-    return MOST_SLOW_STEPS if level.film.balance.worst <= NEAR * tolerance else MOST_STEPS
+    return (
+        MOST_SLOW_STEPS
+        if level.film.balance.worst <= SLOW_BALANCE_RATIO * tolerance
+        else MOST_STEPS
+    )
 
 
 def convergence_history(steps: Sequence[NewtonStep], grid: Grid | LineGrid) -> PlainDataset:

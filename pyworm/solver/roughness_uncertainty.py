@@ -21,7 +21,7 @@ from pyworm.scene.waves import MovingWaves
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.newton import newton_step
 
-PART = 0.1
+VARIED_FRACTION = 0.1
 """Part of an uncertainty by which an assumption is changed."""
 
 FORCING = 1e-2
@@ -31,7 +31,7 @@ ENOUGH, WARMED, MOST_STEPS = 5e-4, 2e-3, 12
 """Residual and last change of temperature, over its largest rise, of a film that has followed a change, and
 the most Newton steps to it: one to three, more only where asperities carry much of the load."""
 
-DEEPEST = 2.0
+WAVE_HEIGHT_RATIO = 2.0
 """Height of the highest of some dozen waves over their root mean square."""
 
 SHEARED = ("friction_coefficient", "power_loss")
@@ -50,9 +50,9 @@ class NeglectedWaves:
     def changes(self, figures: Mapping[str, float]) -> dict[str, float]:
         """Relative changes of figures while they roll through."""
         return {
-            "film_min": DEEPEST * self.film / figures["film_min"],
+            "film_min": WAVE_HEIGHT_RATIO * self.film / figures["film_min"],
             "film_central": self.film / figures["film_central"],
-            "pressure_max": DEEPEST * self.pressure / figures["pressure_max"],
+            "pressure_max": WAVE_HEIGHT_RATIO * self.pressure / figures["pressure_max"],
         }
 
 
@@ -106,7 +106,9 @@ def roughness_uncertainty(
         Relative uncertainty of a friction coefficient that was fitted [-] (`variations`).
     """
     figures, thickness = level.read().figures, level.film.thickness()
-    varied = variations(pair, boundary_friction, PART, thickness, waves.film, fitted_spread)
+    varied = variations(
+        pair, boundary_friction, VARIED_FRACTION, thickness, waves.film, fitted_spread
+    )
     changes = changes_by(level, pair, boundary_friction, dict(varied)).values()
     others = _of_stress(figures, pair.height), waves.changes(figures)
     return {
@@ -120,7 +122,7 @@ def roughness_uncertainty(
 def changes_by(
     level: Level, pair: RoughSurfaces, boundary_friction: float, varied: Mapping[str, Variation]
 ) -> dict[str, dict[str, float]]:
-    """Relative change of each figure [-] by the whole of each assumption, of which a `PART` is changed.
+    """Relative change of each figure [-] by the whole of each assumption, changed by a `VARIED_FRACTION`.
 
     Parameters are those of `roughness_uncertainty`; the level is left as there.
     """
@@ -153,16 +155,16 @@ def _follow(level: Level) -> bool:
 
 
 def whole_change(before: float, after: float, by_factor: bool) -> float:
-    """Relative change of a figure by a whole uncertainty, from that by a `PART`.
+    """Relative change of a figure by a whole uncertainty, from that by a `VARIED_FRACTION`.
 
     A fall compounds, as of pressures that fall exponentially with the gap: no figure changes its sign. So
     does a rise by what is known to a factor.
     """
     ratio = after / before if before else 1.0
-    compounded: float = max(ratio, 0.0) ** (1 / PART)
+    compounded: float = max(ratio, 0.0) ** (1 / VARIED_FRACTION)
     if ratio <= 1:
         return 1 - compounded
-    return compounded - 1 if by_factor else (ratio - 1) / PART
+    return compounded - 1 if by_factor else (ratio - 1) / VARIED_FRACTION
 
 
 def _start(level: Level, guess: InitialGuess) -> None:

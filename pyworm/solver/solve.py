@@ -15,11 +15,11 @@ from pyworm.scene.point import Scene
 from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.solution import Solution
-from pyworm.solver.stop_reason import WIDEST
+from pyworm.solver.stop_reason import MAX_USED_ERROR
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient.transient import Rates, finer, rates_at_present
 
-COARSER = 0.05, 0.2
+COARSER_ACCURACIES = 0.05, 0.2
 """Accuracies of coarser requests, of which the next one is tried where a finer one ends with more error."""
 
 
@@ -98,7 +98,7 @@ def _no_worse(
     may be larger in the end, or its film be lost. A film in motion keeps its rates of change.
     """
     error = _error(solution, plan)
-    coarser = next((accuracy for accuracy in COARSER if accuracy > plan.accuracy), None)
+    coarser = next((accuracy for accuracy in COARSER_ACCURACIES if accuracy > plan.accuracy), None)
     if solution.accurate or coarser is None or error <= coarser:
         return solution
     usual = with_accuracy(scene, plan, plan.accuracy)
@@ -130,7 +130,11 @@ def _error(solution: Solution, plan: Plan) -> float:
     errors = {name: estimate.error for name, estimate in found.items()}
     rises = {name: estimate.value - estimate.datum for name, estimate in found.items()}
     worst = plan.target.worst(errors, rises)
-    return worst if worst <= WIDEST else plan.target.without(*HEAT_FIGURES).worst(errors, rises)
+    return (
+        worst
+        if worst <= MAX_USED_ERROR
+        else plan.target.without(*HEAT_FIGURES).worst(errors, rises)
+    )
 
 
 def _required(scene: Scene | LineScene, plan: Plan | None) -> Plan:

@@ -12,7 +12,7 @@ import numpy as np
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.quantity_text import percent
 from pyworm.planning import error_budget
-from pyworm.planning.expected_work import WORTHLESS
+from pyworm.planning.expected_work import MAX_FILM_ERROR
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import Plan
@@ -23,12 +23,12 @@ from pyworm.solver.estimate import Estimate
 from pyworm.solver.level import Level
 from pyworm.solver.newton import UNRECOVERABLE_RESIDUAL, Iteration
 
-WIDEST = 0.5
+MAX_USED_ERROR = 0.5
 """Largest error of the figures asked for with which a film is used: in means and losses over a mesh cycle it
 is better than none, and its error bar is that of the whole. Temperatures may be less accurate: at a sharp
 edge they grow from grid to grid where films and friction have settled."""
 
-TELLING = 1e-2
+MAX_JUDGED_RESIDUAL = 1e-2
 """Residual beyond which the figures of a grid have no error estimate, unless the tolerance is larger."""
 
 MAX_UNCONVERGED_GRIDS = 3
@@ -61,12 +61,12 @@ def with_wider_bars(
         target.worst(errors, figures)
         for target in (plan.target, plan.target.without(*HEAT_FIGURES))
     )
-    if stop.ending.accurate or not cold <= WIDEST:
+    if stop.ending.accurate or not cold <= MAX_USED_ERROR:
         return stop
-    if worst <= WIDEST:
+    if worst <= MAX_USED_ERROR:
         return Ending.WIDER_BARS.stop(error=percent(worst), reason=stop.reason)
     return Ending.WIDER_BARS_OF_HEAT.stop(
-        error=percent(cold), widest=percent(WIDEST), reason=stop.reason
+        error=percent(cold), widest=percent(MAX_USED_ERROR), reason=stop.reason
     )
 
 
@@ -248,7 +248,7 @@ def refusal(
         else plan.target.without("temperature_max_film")
     )
     least = target.worst(least_errors(readings, orders), readings[-1].figures)
-    if least <= max(plan.accuracy, WORTHLESS):
+    if least <= max(plan.accuracy, MAX_FILM_ERROR):
         return None
     return Ending.OUT_OF_REACH.stop(error=percent(least))
 

@@ -53,7 +53,7 @@ def in_wider_window(
     return _limits(change, convergence, algebra, seen=1.0)
 
 
-SLOWEST = 0.85
+MAX_CHANGE_RATIO = 0.85
 """Largest ratio of changes from window to window that is believed to go on: later ones fall faster."""
 
 
@@ -74,7 +74,7 @@ def with_falls(convergence: Convergence, falls: Mapping[str, float]) -> Converge
     window = dict(convergence.window)
     for name, fall in falls.items():
         least, most = window[name]
-        window[name] = least, max(most, 1 / (1 - min(fall, SLOWEST)))
+        window[name] = least, max(most, 1 / (1 - min(fall, MAX_CHANGE_RATIO)))
     return replace(convergence, window=window)
 
 

@@ -15,7 +15,7 @@ LENGTHS = 24.0
 """Correlation lengths, down to 0.5, along each side of a cell, as far as the area has them: the pressure of
 its highest summits scatters by a tenth at a gap of twice the roughness."""
 
-BLENDED = 8
+PARTS_PER_BLEND = 8
 """One part in so many of a cell, at its low sides, is blended with what lies beyond its high sides."""
 
 
@@ -30,7 +30,7 @@ def periodic_cell(surface: Topography) -> Topography:
     lengths = correlation_lengths(surface, np.array([0.0, np.pi / 2]), (PEKLENIK,))[0]
     nodes, spacing = [], []
     for count, step, length in zip(surface.height.shape, surface.spacing, lengths, strict=True):
-        held = int(count / (1 + 1 / BLENDED))
+        held = int(count / (1 + 1 / PARTS_PER_BLEND))
         wanted = min(held, max(NODES, round(LENGTHS * length / step)))
         stride = -(-wanted // NODES)
         nodes.append(_even(min(held // stride, NODES)))
@@ -70,9 +70,9 @@ def _sampled(
             for n, a, b in zip(nodes, spacing, surface.extent, strict=True)
         ]
         if not all(whole):
-            margins = nodes[0] // BLENDED, nodes[1] // BLENDED
+            margins = nodes[0] // PARTS_PER_BLEND, nodes[1] // PARTS_PER_BLEND
     else:
-        margins, mode = (nodes[0] // BLENDED, nodes[1] // BLENDED), "nearest"
+        margins, mode = (nodes[0] // PARTS_PER_BLEND, nodes[1] // PARTS_PER_BLEND), "nearest"
     places = []
     for n, margin, step, surface_step, count in zip(
         nodes, margins, spacing, surface.spacing, surface.height.shape, strict=True

@@ -21,10 +21,10 @@ Array = np.ndarray
 SEPARATIONS = np.geomspace(8.0, 0.2, 20)
 """Separations from the mean plane over the roughness, the widest first."""
 
-CLOSER = np.array([0.0, -0.25, -0.5, -1.0, -1.5, -2.0])
+CROSSED_SEPARATIONS = np.array([0.0, -0.25, -0.5, -1.0, -1.5, -2.0])
 """Further ones of surfaces that yield, whose mean planes can cross."""
 
-CLOSED = 0.9
+MAX_CONTACT_AREA = 0.9
 """Real area of contact over the nominal one at which a table ends."""
 
 LEAST_ROWS = 10
@@ -33,10 +33,10 @@ LEAST_ROWS = 10
 GAP_TOLERANCE = 1e-5
 """Gap left in the contact over the roughness, root mean square."""
 
-SHALLOWEST = 0.02
+MIN_GAP_RATIO = 0.02
 """Gap over the roughness that remains for the flow where surfaces touch, with 1e-5 of the conductance of one
 as wide as the roughness: its equations stay regular, and the film's are left with ten times that
-(`rough_surfaces.NARROWEST`)."""
+(`rough_surfaces.MIN_GAP_RATIO`)."""
 
 FORMAT = 2
 """Number of what is in the files that are kept; another makes them anew."""
@@ -57,7 +57,7 @@ class CellTable:
     thickness: Array
     """Mean gap [m]."""
     flowing: Array
-    """Mean gap with what remains for the flow where surfaces touch (`SHALLOWEST`) [m]."""
+    """Mean gap with what remains for the flow where surfaces touch (`MIN_GAP_RATIO`) [m]."""
     conducted: Array
     """Cube of the gap that conducts as much as the cell [m3]: tensors xx, yy, xy, shape (3, separations)."""
     dragged: Array
@@ -106,7 +106,7 @@ def _of_arrays(arrays: dict[str, Array]) -> CellTable:
 def solve_cell(cell: Topography, reduced_modulus: float, hardness: float | None) -> CellTable:
     """Contact and flow of a periodic cell; arguments and errors as of `cell_table`."""
     rms, most = cell.rms, inf if hardness is None else hardness
-    separations = SEPARATIONS if hardness is None else np.append(SEPARATIONS, CLOSER)
+    separations = SEPARATIONS if hardness is None else np.append(SEPARATIONS, CROSSED_SEPARATIONS)
     rows: list[dict[str, Any]] = []
     for separation in separations * rms:
         try:
@@ -120,7 +120,7 @@ def solve_cell(cell: Topography, reduced_modulus: float, hardness: float | None)
                     "give a shortest_wave that its points resolve"
                 ) from error
             break
-        if row["area"] >= CLOSED:
+        if row["area"] >= MAX_CONTACT_AREA:
             break
         rows.append(row)
     columns = {name: np.array([row[name] for row in rows]) for name in rows[0]}
@@ -144,7 +144,7 @@ def _at(cell: Topography, separation: float, modulus: float, hardness: float) ->
         cell.height, cell.spacing, modulus, separation, bound, GAP_TOLERANCE * rms
     )
     gap = np.maximum(gap, 0.0)
-    open_gap = np.maximum(gap, SHALLOWEST * rms)
+    open_gap = np.maximum(gap, MIN_GAP_RATIO * rms)
     conducted, carried = conduct(open_gap, cell.spacing)
     flowing = float(open_gap.mean())
     return {
@@ -166,7 +166,7 @@ def _key(cell: Topography, reduced_modulus: float, hardness: float | None) -> st
         reduced_modulus,
         hardness,
         tuple(SEPARATIONS),
-        tuple(CLOSER),
+        tuple(CROSSED_SEPARATIONS),
         sha256(EXTENSION.read_bytes()).hexdigest(),
     )
     return sha256(repr(parts).encode()).hexdigest()[:24]

@@ -149,12 +149,12 @@ def correlation_lengths(
                 centre, (np.cos(angle), np.sin(angle)), surface.spacing, strict=True
             )
         ]
-        course = scipy.ndimage.map_coordinates(correlation, place, order=1, mode="nearest")
+        profile = scipy.ndimage.map_coordinates(correlation, place, order=1, mode="nearest")
         for found, level in zip(lengths, levels, strict=True):
-            below = np.flatnonzero(course <= level)
+            below = np.flatnonzero(profile <= level)
             if below.size:
                 i = below[0]
-                rest = (course[i - 1] - level) / (course[i - 1] - course[i])
+                rest = (profile[i - 1] - level) / (profile[i - 1] - profile[i])
                 found[k] = distance[i - 1] + rest * (distance[i] - distance[i - 1])
     return lengths
 

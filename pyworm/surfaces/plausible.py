@@ -12,13 +12,13 @@ Array = np.ndarray
 SIDES = 1e-8, 1.0
 """Shortest and longest side [m]: a scan of an atomic force microscope, a large part on a table."""
 
-HIGHEST = 1e3
+MAX_HEIGHT = 1e3
 """Size of a height [m] beyond which it is none, in whatever unit: a mark of a missing point, or damage."""
 
-LOWEST = 1e-11
+MIN_RMS_HEIGHT = 1e-11
 """Least root mean square height [m]: a tenth of an atom; cleaved mica has some 0.05 nm."""
 
-STEEPEST = radians(60)
+MAX_RMS_SLOPE = radians(60)
 """Largest root mean square slope [rad]: optics and styli measure no steeper ones."""
 
 
@@ -89,16 +89,16 @@ def require_plausible(surface: Topography) -> None:
     ValueError
         They are too low or too steep.
     """
-    if surface.rms < LOWEST:
+    if surface.rms < MIN_RMS_HEIGHT:
         raise ValueError(
-            f"has heights of {surface.rms * 1e9:.2g} nm root mean square, less than {LOWEST * 1e9:g} nm, a "
-            "tenth of an atom; check the unit of its heights, height_unit"
+            f"has heights of {surface.rms * 1e9:.2g} nm root mean square, less than "
+            f"{MIN_RMS_HEIGHT * 1e9:g} nm, a tenth of an atom; check the unit of its heights, height_unit"
         )
     steepness = hypot(*slopes(surface))
-    if steepness > tan(STEEPEST):
+    if steepness > tan(MAX_RMS_SLOPE):
         raise ValueError(
             f"has a root mean square slope of {degrees(atan(steepness)):.3g} degrees, more than "
-            f"{degrees(STEEPEST):g}, with heights of {surface.rms * 1e6:.3g} um and points "
+            f"{degrees(MAX_RMS_SLOPE):g}, with heights of {surface.rms * 1e6:.3g} um and points "
             f"{float(np.min(surface.spacing)) * 1e6:.3g} um apart; check the units of both, height_unit "
             "and spacing"
         )
@@ -107,7 +107,7 @@ def require_plausible(surface: Topography) -> None:
 def require_possible_heights(heights: Array) -> None:
     """Refuse heights [m] that are infinite or larger than any unit makes them; NaN are missing points."""
     highest = float(np.nanmax(np.abs(heights), initial=0.0))
-    if highest > HIGHEST:
+    if highest > MAX_HEIGHT:
         raise ValueError(
             f"has a height of {highest:.3g} m, which no surface has; points that are missing must be NaN"
         )

@@ -14,7 +14,7 @@ Array = np.ndarray
 MOST_MISSING = 0.1
 """Largest fraction of points that are missing, and filled from those around them."""
 
-FARTHEST = 15.0
+MAX_HEIGHT_DEVIATION = 15.0
 """Distance of a height from the median, over the normal deviation of the middle half, from which on it may be
 an outlier: deep valleys of a plateau surface come to about 10, spikes of instruments to tens."""
 
@@ -32,7 +32,7 @@ LEAST_WEIGHT = 1e-3
 NORMAL_OVER_MIDDLE = 1.4826
 """Standard deviation over the median distance from the median, of heights spread normally."""
 
-SHORTEST = 4.0
+MIN_NESTING_RATIO = 4.0
 """Shortest nesting index over the distance of points that a filter can resolve."""
 
 Outliers = Literal["refuse", "fill", "keep"]
@@ -157,10 +157,10 @@ def _require_index(
     """Refuse a filter whose waves the points do not resolve or the area does not hold."""
     if index is None:
         return
-    if index < SHORTEST * max(spacing):
+    if index < MIN_NESTING_RATIO * max(spacing):
         raise ValueError(
             f"{name} of {index * 1e6:.4g} um is too short for points {max(spacing) * 1e6:.3g} um apart, "
-            f"at least {SHORTEST * max(spacing) * 1e6:.4g} um is needed"
+            f"at least {MIN_NESTING_RATIO * max(spacing) * 1e6:.4g} um is needed"
         )
     if index > min(extent):
         raise ValueError(
@@ -202,7 +202,7 @@ def outlying(level: Array) -> Array:
     of an instrument stands alone, or in a small group of which most points do.
     """
     distance = np.abs(level - np.nanmedian(level))
-    far: Array = distance > FARTHEST * NORMAL_OVER_MIDDLE * np.nanmedian(distance)
+    far: Array = distance > MAX_HEIGHT_DEVIATION * NORMAL_OVER_MIDDLE * np.nanmedian(distance)
     if not far.any():
         return far
     padded = np.pad(level, AROUND, constant_values=np.nan)

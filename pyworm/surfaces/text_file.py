@@ -18,7 +18,7 @@ MISSING = (
 )  # fmt: skip
 """What stands for a point that was not measured, in small letters."""
 
-SHOWN = 30
+SHOWN_CHARACTERS = 30
 """Characters of a wrong entry that a sentence shows."""
 
 HEADER_LINES = 1000
@@ -111,7 +111,7 @@ def _require_words(above: list[tuple[int, str]], separator: str | None, count: i
 
 def _no_number(line: int, entry: str) -> ValueError:
     return ValueError(
-        f'cannot be read as rows of numbers (line {line + 1} has "{entry[:SHOWN]}", which is none)'
+        f'cannot be read as rows of numbers (line {line + 1} has "{entry[:SHOWN_CHARACTERS]}", which is none)'
     )
 
 

@@ -31,7 +31,7 @@ _Y_STEP = ("scale y", "dy", "y-step")
 
 _LABELLED = re.compile(r"[#%;/*!\s]*(?P<label>[^=:：]+?)\s*[=:：]\s*(?P<value>.*?)\s*")
 
-_FACTOR = re.compile(r"height conversion factor\s*\(->\s*(?P<unit>[^)]*)\)", re.IGNORECASE)
+_HEIGHT_FACTOR = re.compile(r"height conversion factor\s*\(->\s*(?P<unit>[^)]*)\)", re.IGNORECASE)
 """Label of the factor by which values become heights in a unit."""
 
 _VALUES_IN = re.compile(
@@ -102,7 +102,7 @@ def _with_units(said: dict[str, str]) -> Header:
     heights, along_x, along_y = (
         _said(said, labels + _ALL_UNITS) for labels in (_VALUE_UNIT, _X_UNIT, _Y_UNIT)
     )
-    factor = next((found for found in map(_FACTOR.fullmatch, said) if found), None)
+    factor = next((found for found in map(_HEIGHT_FACTOR.fullmatch, said) if found), None)
     if factor is not None:
         metres = metres_of(factor["unit"])
         number = _number(said[factor[0]])

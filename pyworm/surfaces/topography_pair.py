@@ -8,7 +8,7 @@ import scipy
 
 from pyworm.io.present import present
 from pyworm.materials.body import Body, reduced_modulus
-from pyworm.materials.rough_surfaces import NARROWEST, GapCurves, gap_rows, tabulated
+from pyworm.materials.rough_surfaces import MIN_GAP_RATIO, GapCurves, gap_rows, tabulated
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.cell import common_cell, periodic_cell
 from pyworm.surfaces.cell_table import CellTable, cell_table
@@ -77,8 +77,8 @@ class TopographyPair:
         gap = gap * self.height
         contact = self.contact()
         pressure, area = contact_beyond(contact, gap, self.hardness)
-        open_gap = gap + _course(contact, contact.thickness - contact.separation, gap)
-        least = NARROWEST * self.height
+        open_gap = gap + _interpolated(contact, contact.thickness - contact.separation, gap)
+        least = MIN_GAP_RATIO * self.height
         thickness = (np.maximum(open_gap, 0.0) ** 4 + least**4) ** 0.25
         cube, shear = np.zeros((3, gap.size)), np.zeros((3, gap.size))
         for (direction, table), height, side in zip(
@@ -125,17 +125,17 @@ def flow_beyond(table: CellTable, gap: Array) -> tuple[Array, Array]:
     smooth = np.array([1.0, 1.0, 0.0])[:, None]
     widest = table.separation[0]
     ratio = widest / np.maximum(gap, widest)
-    roughening = _course(table, table.conducted / table.flowing**3 - smooth, gap)
-    return smooth + roughening * ratio**2, _course(
+    roughening = _interpolated(table, table.conducted / table.flowing**3 - smooth, gap)
+    return smooth + roughening * ratio**2, _interpolated(
         table, table.dragged / table.flowing, gap
     ) * ratio**2
 
 
-def _course(table: CellTable, values: Array, gap: Array) -> Array:
+def _interpolated(table: CellTable, values: Array, gap: Array) -> Array:
     """Values of a table at gaps [m], constant beyond its ends."""
     curve = scipy.interpolate.PchipInterpolator(table.separation[::-1], values[..., ::-1], axis=-1)
-    course: Array = curve(np.clip(gap, table.separation[-1], table.separation[0]))
-    return course
+    interpolated: Array = curve(np.clip(gap, table.separation[-1], table.separation[0]))
+    return interpolated
 
 
 def _continued(place: Array, values: Array, gap: Array) -> Array:

@@ -53,7 +53,10 @@ OLD_WORDS = {
 iterate, converge, converged, diverged, unusable start, stress factor, neglected effects, qualified, accuracy
 target, residual rise."""
 
-FIELD_WORDS = {("formulas", "lead"): "lead of a thread"}
+FIELD_WORDS = {
+    ("formulas", "lead"): "lead of a thread",
+    ("formulas", "moment"): "moment of a force, or of a distribution",
+}
 """Room and old word that is the field's own there -> its meaning."""
 
 BARE_WORDS = {
@@ -76,10 +79,12 @@ NAMED = tuple(FLOORS)
 STANDING_ALONE = NAMED
 """Rooms whose docstrings can be read alone."""
 
-TRANSLATED = ()
+TRANSLATED = (
+    "solver", "planning", "scene", "kernel", "precision", "surfaces", "formulas", "materials", "result",
+)  # fmt: skip
 """Rooms without `OLD_WORDS` as names, of modules too."""
 
-QUANTIFIED = ()
+QUANTIFIED = TRANSLATED
 """Rooms whose constants name a quantity."""
 
 

@@ -21,7 +21,7 @@ FAILURES = {
     *("UNRECOVERABLE_RESIDUAL", "MAX_GUESS_RESIDUAL", "MAX_TRANSIENT_RESIDUAL"),
     *("MAX_TEMPERATURE_RESIDUAL", "MAX_UNCONVERGED_GRIDS", "MAX_STRESS_FACTOR", "unconverged"),
     *("film_is_sound", "converged", "_converged", "status", "COARSE_TOLERANCE", "HEATED_TOLERANCE"),
-    *("MOST_HALVINGS", "MOST_RETRIES", "MOST_SOLVES"),
+    *("MOST_HALVINGS", "MOST_RETRIES", "MAX_SOLVES"),
     *("shear_tolerance", "rests_on_edge", "short", "refusal", "in_vain", "carried_by_heat"),
     *("rates", "solved", "followed", "unread", "held"),
 }

@@ -121,17 +121,17 @@ def unlike(prediction: Prediction, other: FlowLaw) -> Influence:
     return Influence(film, max(friction, film), HOT_FRICTION * friction * prediction.warmth)
 
 
-UNREACHED = 1e12
+UNREACHED_STRESS = 1e12
 """Eyring stress of an oil without shear thinning [Pa]."""
 
 
 def unthinned(flow: FlowLaw) -> FlowLaw:
     """A flow law without its thinning."""
-    return replace(flow, stress=UNREACHED) if flow.limited and flow.stress > 0 else NEWTONIAN
+    return replace(flow, stress=UNREACHED_STRESS) if flow.limited and flow.stress > 0 else NEWTONIAN
 
 
 def _unlimited(flow: FlowLaw) -> FlowLaw:
-    if flow.law == "bair-winer" or flow.stress == UNREACHED:
+    if flow.law == "bair-winer" or flow.stress == UNREACHED_STRESS:
         return NEWTONIAN
     law = "eyring" if flow.law == "eyring-limited" else flow.law
     return replace(flow, law=law, limit=0.0, limit_pressure=0.0)

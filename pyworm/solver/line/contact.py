@@ -54,11 +54,13 @@ ORDERS = {
 # Error of figures extrapolated from two grids, over the larger of their own change and the films'. Central
 # films are of second order from the first grids on, but for light loads and thick oils (M 1.4, L 19), whose
 # spike lies at the centre: 0.54. Behind a spike films and temperatures are not regular.
-LEFT = dict.fromkeys(("film_central", "friction_coefficient", "power_loss"), Left(0.6, 0.6))
+TWO_GRID_ERRORS = dict.fromkeys(
+    ("film_central", "friction_coefficient", "power_loss"), Left(0.6, 0.6)
+)
 
 # A window's error falls with the square of its reach: 1 / (1 - 2^-2) = 1.33. In 400 random scenes it was 1.1
 # to 1.7 times what doubling that changes (90 % of them).
-CONVERGENCE = Convergence(ORDERS, LEFT, dict.fromkeys(ORDERS, (1.0, 1.7)))
+CONVERGENCE = Convergence(ORDERS, TWO_GRID_ERRORS, dict.fromkeys(ORDERS, (1.0, 1.7)))
 
 # That of a film that warms falls with the reach itself, or up to its power 1.4: 1 / (1 - 2^-1) = 2 and 1.61.
 # Temperatures rise far before the contact and are not extrapolated: of 24 lines, warm or not, up to 2.4 times
@@ -66,7 +68,7 @@ CONVERGENCE = Convergence(ORDERS, LEFT, dict.fromkeys(ORDERS, (1.0, 1.7)))
 # window shows it (`window_limit.with_falls`).
 HEATED_CONVERGENCE = Convergence(
     ORDERS,
-    LEFT,
+    TWO_GRID_ERRORS,
     dict.fromkeys(ORDERS, (1.3, 2.0)) | dict.fromkeys(HEAT_FIGURES, (1.3, 2.6)),
 )
 

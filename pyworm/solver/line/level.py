@@ -12,7 +12,13 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import LineScales
 from pyworm.scene.waves import opening
-from pyworm.solver.level import FLOOR, TRACE, InitialGuess, Level, TransientTerm
+from pyworm.solver.level import (
+    MIN_MOBILITY_FILM,
+    START_PRESSURE_RATIO,
+    InitialGuess,
+    Level,
+    TransientTerm,
+)
 from pyworm.solver.line.far_field import LineFarField, line_far_field
 
 SMOOTHINGS = 2
@@ -64,7 +70,7 @@ def first_level(
     dry *= scene.load / (dry.sum() * grid.dx)
     level.film.start(dry, 0.0)
     deflected = level.film.thickness()
-    pressure = np.where(level.covered, dry + TRACE * dry.max(), 0.0)
+    pressure = np.where(level.covered, dry + START_PRESSURE_RATIO * dry.max(), 0.0)
     level.film.start(pressure, lift - float(deflected[-grid.first]))
     return level
 
@@ -127,7 +133,7 @@ def _level(
         scene.bending_modulus,
         load,
         scene.oil,
-        FLOOR * size.film,
+        MIN_MOBILITY_FILM * size.film,
     )
     if scene.separation is not None:
         film.hold()

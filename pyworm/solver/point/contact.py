@@ -53,7 +53,7 @@ ORDERS = dict.fromkeys(ALL, 2.0)
 # the median of 24 isothermal contacts, 0.12 at 95 of 100, and 0.17 and 0.18 in two side lobes at M > 400. The
 # largest pressure, where it is no spike, is of second order too, but keeps its value; that of the shear rate
 # promises no limit.
-LEFT = {
+TWO_GRID_ERRORS = {
     "film_min": Left(0.25, 0.125, limit=0.7, least=0.18),
     "film_central": Left(0.1, 0.05, limit=0.5),
     "friction_coefficient": Left(0.17, 0.085, limit=0.7),
@@ -61,7 +61,7 @@ LEFT = {
     **dict.fromkeys(ROUGH_FIGURES, Left(0.25, 0.125)),
     **dict.fromkeys(HEAT_FIGURES, Left(0.3, 0.15)),
 }
-KEPT = {"pressure_max": Left(0.5, 0.05)}
+PRESSURE_ERRORS = {"pressure_max": Left(0.5, 0.05)}
 
 # A window's error falls with the power -3/2 of its reach: 1 / (1 - 2^-1.5) = 1.55, and 1.6 to 1.8 were
 # measured against a reach 15 times larger, under light loads (M 0.5 to 2) up to 2.1. Oil warms long before
@@ -69,9 +69,9 @@ KEPT = {"pressure_max": Left(0.5, 0.05)}
 # times larger), most where they rise by little.
 CONVERGENCE = Convergence(
     ORDERS,
-    LEFT,
+    TWO_GRID_ERRORS,
     window=dict.fromkeys(ALL, (1.3, 2.1)) | dict.fromkeys(HEAT_FIGURES, (1.6, 2.5)),
-    kept=KEPT,
+    kept=PRESSURE_ERRORS,
 )
 
 # Oil that comes in a layer is transported upwind to the meniscus, at first order; the film behind it is of

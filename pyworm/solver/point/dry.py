@@ -12,7 +12,7 @@ from pyworm.scene.scales import scales
 from pyworm.solver import figures
 from pyworm.solver.point.level import dry_contact as solved_on
 
-REACH = 1.5
+HALF_WINDOW_RATIO = 1.5
 """Half window over the semi-axes of Hertz' ellipse, with which is begun."""
 
 MOST_GROWTHS = 6
@@ -66,7 +66,7 @@ def dry_contact(scene: Scene, nodes: int = 129) -> DryPressure:
         raise ValueError(f"nodes = {nodes!r:.40}: must be a whole number from 9")
     require_functions(scene)
     hertz = scales(scene).hertz
-    a, b = REACH * hertz.semi_axis_x, REACH * hertz.semi_axis_y
+    a, b = HALF_WINDOW_RATIO * hertz.semi_axis_x, HALF_WINDOW_RATIO * hertz.semi_axis_y
     for _ in range(MOST_GROWTHS):
         grid = Grid(-a, -b, 2 * a / (nodes - 1), 2 * b / (nodes - 1), nodes, nodes)
         x, y = grid.mesh()

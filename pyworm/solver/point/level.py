@@ -17,7 +17,13 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales
 from pyworm.scene.waves import opening
-from pyworm.solver.level import FLOOR, TRACE, InitialGuess, Level, TransientTerm
+from pyworm.solver.level import (
+    MIN_MOBILITY_FILM,
+    START_PRESSURE_RATIO,
+    InitialGuess,
+    Level,
+    TransientTerm,
+)
 from pyworm.solver.point.far_field import far_field
 
 MENISCUS_RISE = 4.0
@@ -105,7 +111,9 @@ def _set_back(level: PointLevel, size: Scales) -> None:
     """
     height = (1 + MENISCUS_RISE * size.supply_ratio) * level.scene.supply_at(*level.grid.mesh())
     pressure = level.film.pressure
-    near = (level.film.thickness() <= height) | (pressure > 2 * TRACE * pressure.max())
+    near = (level.film.thickness() <= height) | (
+        pressure > 2 * START_PRESSURE_RATIO * pressure.max()
+    )
     level.film.start(np.asfortranarray(np.where(near, pressure, 0.0)), level.film.rigid_film)
 
 
@@ -121,8 +129,8 @@ def lone_level(
 
 
 def _with_trace(pressure: Array, covered: Flags) -> Array:
-    """A dry pressure with a small pressure wherever both surfaces exist (`TRACE`)."""
-    return pressure + np.where(covered, TRACE * pressure.max(), 0.0)
+    """A dry pressure with a small pressure wherever both surfaces exist (`START_PRESSURE_RATIO`)."""
+    return pressure + np.where(covered, START_PRESSURE_RATIO * pressure.max(), 0.0)
 
 
 def guess_on(level: PointLevel, grid: Grid) -> InitialGuess:
@@ -239,7 +247,7 @@ def _level(
         scene.bending_modulus,
         load,
         scene.oil,
-        FLOOR * size.film,
+        MIN_MOBILITY_FILM * size.film,
     )
     if scene.separation is not None:
         film.hold()

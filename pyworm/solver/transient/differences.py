@@ -29,7 +29,7 @@ def weights(times: Sequence[float], time: float) -> tuple[Array, Array]:
     return coefficients[0], rates
 
 
-BLEND = 0.48
+DIFFERENCE_SHARE = 0.48
 """Share of the difference through four values in that by which films are integrated."""
 
 
@@ -45,4 +45,4 @@ def backward_weights(times: Sequence[float]) -> Array:
     if len(times) < 4:
         return rates
     _, fewer = weights(times[:3], times[0])
-    return BLEND * rates + (1 - BLEND) * np.append(fewer, 0.0)
+    return DIFFERENCE_SHARE * rates + (1 - DIFFERENCE_SHARE) * np.append(fewer, 0.0)

@@ -8,7 +8,7 @@ k rho c,
 
 X(s) being where the place was a time s ago (one-dimensional conduction along a path; Carslaw and Jaeger 1959,
 section 2.9, and Sharif et al. 2001, Part 1, eq. 19). The flux q, seen from the contact, is linear in time
-between instants of which each is about `RATIO` times as long ago as the one before, or a part of the
+between instants of which each is about `AGE_RATIO` times as long ago as the one before, or a part of the
 surface's passage through the grid longer. The bracket, zero at s = 0, is linear along the path over `CELLS`
 of the grid: read at the instants only, where a fast surface has gone on by many cells, fluxes of that
 wavelength would add up as those of a body at rest. Of the time before the first film the present flux is
@@ -30,10 +30,10 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.transient.moving_grid import at_places
 
-RATIO = 1.4
+AGE_RATIO = 1.4
 """Ratio of successive ages."""
 
-PARTS = 16
+AGES_PER_PASSAGE = 16
 """Instants at least, in a passage of a surface through the grid: some six on its way through the contact."""
 
 CELLS = 2.0
@@ -178,7 +178,7 @@ def _ages(
         last = seconds - chosen[-1].seconds
         if last > passage:
             break
-        if seconds - time_level.seconds >= min(RATIO * last, last + passage / PARTS):
+        if seconds - time_level.seconds >= min(AGE_RATIO * last, last + passage / AGES_PER_PASSAGE):
             chosen.append(time_level)
     return chosen
 

@@ -26,17 +26,17 @@ KNOTS = 17
 HALVINGS = 10
 """Bisections between two of them for the first and the last time under load."""
 
-STRIDE = 2
+KNOT_STRIDE = 2
 """Every which of these has its window drawn, beside the first of each direction of flow."""
 
-LIGHT = 0.05
+MIN_LOAD_FRACTION = 0.05
 """Load, over the largest, below which a contact does not count for the size of the grids: under light loads
 windows are wide, and films thick."""
 
-DEGREE = 4
+SPACING_DEGREE = 4
 """Degree of the polynomials in time that the logarithm of the grids' spacing follows."""
 
-KEPT = 1.5
+MAX_SPACING_RATIO = 1.5
 """Ratio of the spacing of a written course to that of each time up to which it stays the same.
 
 A polynomial does not follow a blow, and swings before and after it: where a load rose fourfold and fell back,
@@ -52,7 +52,7 @@ while oil passes, and as they come together it grows from nothing. With 2 the fi
 `cases/zi_drive.toml` differ by 10 % in the least film at phase 0.06, with 1 by 8 %, at the same number of
 Newton steps, since each begins nearer to its end."""
 
-COMMON = 0.6
+COVERED_KNOT_SHARE = 0.6
 """Share of the knots whose windows the grid covers on each side, of those of each direction of flow.
 
 The inlet reaches several times as far as the exit, and where the entrainment reverses each side is the inlet
@@ -79,7 +79,7 @@ leaves 19, 10 and 2 % less than the least film of 144 steps a transit with 18, 3
 order 11 and 5 % more with 18 and 36 (`FOLDS` = 2). Where they come together on their flanks both are as good:
 4 % less and 8 % more at phase 0.02 of the first solve of `cases/zi_drive.toml`."""
 
-WIDER = 3.0
+APPROACH_WINDOW_RATIO = 3.0
 """That window, over the one of a steady film at the first touch.
 
 While surfaces come together oil is pressed out of all of their gap. At phase 0.02 of `cases/zi_drive.toml`
@@ -197,7 +197,8 @@ def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
     counted = [
         (seconds, contact, prediction)
         for seconds, contact in zip(times, contacts, strict=True)
-        if contact.load >= LIGHT * heaviest and (prediction := _predicted(contact)) is not None
+        if contact.load >= MIN_LOAD_FRACTION * heaviest
+        and (prediction := _predicted(contact)) is not None
     ]
     if not counted:
         raise ValueError("its surfaces carry no load in motion")
@@ -244,7 +245,7 @@ def _approach(time_grid: TimeGrid) -> Approach:
     grid = moving_grid(contact, time_grid.plan.accuracy, time_grid.plan.model)
     if isinstance(contact, LineScene) or isinstance(grid, LineGrid):
         raise TypeError("the surfaces of a line contact do not come together")
-    window = enlarged(contact, grid.box, WIDER)
+    window = enlarged(contact, grid.box, APPROACH_WINDOW_RATIO)
     cells = 2 * np.array(time_grid.grid(touch, 0).spacing)
     reaches = np.abs(np.reshape(window, (2, 2))) / cells[:, None]
     return Approach(until, _whole_cells(np.maximum(reaches, np.array(time_grid.sides) / 2)))
@@ -332,7 +333,7 @@ def _flow(contact: AnyContact) -> tuple[int, ...]:
 def _drawn(flows: Sequence[tuple[int, ...]]) -> list[int]:
     """Numbers of the knots whose windows are drawn, at least one of each direction of flow."""
     # windows cost more than predictions
-    return sorted({*range(0, len(flows), STRIDE), *(flows.index(flow) for flow in set(flows))})
+    return sorted({*range(0, len(flows), KNOT_STRIDE), *(flows.index(flow) for flow in set(flows))})
 
 
 def _sides(
@@ -348,7 +349,8 @@ def _sides(
             reach = -places[0] / step, places[-1] / step
             reaches.setdefault(flow[direction], []).append(reach)
         of_flows = [
-            np.quantile(reaches_of_flow, COMMON, axis=0) for reaches_of_flow in reaches.values()
+            np.quantile(reaches_of_flow, COVERED_KNOT_SHARE, axis=0)
+            for reaches_of_flow in reaches.values()
         ]
         sides.append(np.max(of_flows, axis=0).tolist())
     return _whole_cells(sides)
@@ -397,12 +399,12 @@ def _covering(
 def _spacings(
     times: Sequence[float], grids: Sequence[Grid | LineGrid], coarsening: float, written: bool
 ) -> tuple[np.polynomial.Polynomial, ...]:
-    """Logarithm of the spacing along each direction over time, smooth; constant if it can be (`KEPT`)."""
+    """Logarithm of the spacing along each direction over time; constant if possible (`MAX_SPACING_RATIO`)."""
     logs = np.log([[coarsening * step for step in grid.spacing] for grid in grids])
-    if written and np.all(np.ptp(logs, axis=0) <= 2 * log(KEPT)):
+    if written and np.all(np.ptp(logs, axis=0) <= 2 * log(MAX_SPACING_RATIO)):
         middle = (logs.max(axis=0) + logs.min(axis=0)) / 2
         return tuple(np.polynomial.Polynomial([values]) for values in middle)
-    degree = min(DEGREE, len(times) - 1)
+    degree = min(SPACING_DEGREE, len(times) - 1)
     return tuple(np.polynomial.Polynomial.fit(times, values, degree) for values in logs.T)
 
 

@@ -45,7 +45,7 @@ from pyworm.solver.transient.time_level import TimeLevel, extrapolated, time_lev
 from pyworm.solver.transient.time_records import TimeRecord, time_record
 from pyworm.solver.transient.time_steps import Step, steps_of
 
-BEFORE = 3
+EARLIER_FILMS = 3
 """Films before an instant from which its rate of change follows."""
 
 TOLERANCE = 0.06
@@ -61,11 +61,11 @@ transit (M = 1000) such films were off by 5 % with the whole tolerance, by 0.5 %
 time. Where surfaces come together films are thick for long, and tell no difference beyond their bars: up to
 phase 0.3 the first solve of `cases/zi_drive.toml` moves by 6 %."""
 
-WARMING = 1e-2
+TEMPERATURE_CHANGE = 1e-2
 """Last change of their temperatures over the largest rise. The heat of the instants is steady and keeps no
 errors; in a rate of change they are divided by a time step, but the oil follows within microseconds."""
 
-TRACE = 1.0
+REST_PRESSURE = 1.0
 """Pressure of oil at rest [Pa], by which the velocities of surfaces are weighted in their conduction."""
 
 MAX_TRANSIENT_RESIDUAL = 1e-2
@@ -76,7 +76,7 @@ MAX_TEMPERATURE_RESIDUAL = 0.1
 together and part, one node's may swing by some per cent of the largest rise from step to step, while flow and
 load balance to the last digit."""
 
-FORGOTTEN = 2.0
+MEMORY_TRANSITS = 2.0
 """Transits after which films no longer depend on how the life began."""
 
 MOST_STEPS, TRIAL_STEPS = 15, 4
@@ -211,7 +211,7 @@ def integrate_in_time(
 
 def _long_after(time_grid: TimeGrid, found: TimeIntegration) -> bool:
     """Whether films were found for so long after the first touch that another beginning changes nothing."""
-    return _since_touch(time_grid, found.records[-1].seconds) > FORGOTTEN
+    return _since_touch(time_grid, found.records[-1].seconds) > MEMORY_TRANSITS
 
 
 def _since_touch(time_grid: TimeGrid, seconds: float) -> float:
@@ -247,7 +247,7 @@ def _through(
             level = present(level, "the first film")
             now = time_level_of(level, step.seconds)
             heat = [*_heated(level, step.seconds), *heat]
-            before = [now, *before[: BEFORE - 1]]
+            before = [now, *before[: EARLIER_FILMS - 1]]
             if on.refinement < refinement:
                 continue
             frame = time_grid.grid_of_contact(step.seconds, 0) if step.seconds in framed else None
@@ -358,7 +358,7 @@ def _at_rest(time_grid: TimeGrid, step: Step) -> TimeLevel:
     gap, _ = contact.gap(*grid.mesh())
     separation = present(contact.separation, "separation")
     film = separation + gap
-    pressure = np.full(film.shape, TRACE)
+    pressure = np.full(film.shape, REST_PRESSURE)
     return TimeLevel(seconds, film, InitialGuess(pressure, separation, None, pressure))
 
 
@@ -401,7 +401,7 @@ def _reached(
         return level, before, heat, taken
     middle = Step((before[0].seconds + step.seconds) / 2, step.refinement)
     level, before, heat, first = _reached(time_grid, middle, before[:1], heat, held, halvings + 1)
-    before = [time_level_of(level, middle.seconds), *before[: BEFORE - 1]]
+    before = [time_level_of(level, middle.seconds), *before[: EARLIER_FILMS - 1]]
     heat = [*_heated(level, middle.seconds), *heat]
     level, before, heat, second = _reached(time_grid, step, before, heat, held, halvings + 1)
     return level, before, heat, first + second
@@ -464,7 +464,7 @@ def _begun_from(
     surfaces came together a film that does not follow asks for shorter time steps instead.
     """
     latest, guesses = before[0].state, [extrapolated(before, seconds)]
-    if time_grid.approach is None or _since_touch(time_grid, seconds) > FORGOTTEN:
+    if time_grid.approach is None or _since_touch(time_grid, seconds) > MEMORY_TRANSITS:
         guesses += [latest, replace(latest, oil=None)]
     levels: list[Level] = []
     for guess in guesses:
@@ -491,7 +491,7 @@ def contact_at(time_grid: TimeGrid, seconds: float) -> Scene | LineScene:
 def _tolerances(time_grid: TimeGrid, step: Step) -> tuple[float, float]:
     """Residual and warming to which films are solved."""
     share = 1.0 if time_grid.approach is not None else TOLERANCE_RATIO_WITHOUT_APPROACH
-    return share * TOLERANCE * time_grid.step(step.refinement) ** 2, WARMING
+    return share * TOLERANCE * time_grid.step(step.refinement) ** 2, TEMPERATURE_CHANGE
 
 
 def _beside(

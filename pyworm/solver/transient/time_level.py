@@ -12,7 +12,7 @@ from pyworm.io.present import present
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.transient.differences import weights
 
-FALL = 0.5
+MIN_PRESSURE_RATIO = 0.5
 """Least pressure of a first guess, over the last one. Where a smaller window cuts off the oil that flanks
 press out, pressures extrapolated to nothing rupture the film, and Newton's iteration wets it again node by
 node."""
@@ -50,8 +50,8 @@ def time_level_of(level: Level, seconds: float) -> TimeLevel:
 def extrapolated(before: Sequence[TimeLevel], seconds: float) -> InitialGuess:
     """A film extrapolated from those at earlier times, the latest first; only where that bears pressure.
 
-    Pressures fall to no less than `FALL` of the latest. Temperatures are the latest: those of far nodes
-    settle slowly, and extrapolated they run away.
+    Pressures fall to no less than `MIN_PRESSURE_RATIO` of the latest. Temperatures are the latest: those of
+    far nodes settle slowly, and extrapolated they run away.
     """
     latest = before[0].state
     coefficients, _ = weights([time_level.seconds for time_level in before], seconds)
@@ -64,7 +64,7 @@ def extrapolated(before: Sequence[TimeLevel], seconds: float) -> InitialGuess:
 
     oil = present(latest.oil, "pressure of the oil")
     pressure, oil = (
-        np.where(last > 0, np.maximum(onward(name), FALL * last), 0.0)
+        np.where(last > 0, np.maximum(onward(name), MIN_PRESSURE_RATIO * last), 0.0)
         for name, last in (("pressure", latest.pressure), ("oil", oil))
     )
     return InitialGuess(pressure, float(onward("rigid_film")), latest.rise, oil)

@@ -22,7 +22,7 @@ AXES = "xy"
 FOR_EACH_LENGTH = ("life_load", "life_power_loss")
 """Variables that are for each length of a line contact."""
 
-TINY = 1e-300
+MIN_FIGURE = 1e-300
 """Least size of a figure to which its change is relative."""
 
 
@@ -188,7 +188,7 @@ def curves(
     for name in records[0].figures:
         values = np.array([record.figures[name] for record in records])
         then = float(np.interp(present_seconds, [record.seconds for record in records], values))
-        off = abs(present[name] - then) / max(abs(then), TINY)
+        off = abs(present[name] - then) / max(abs(then), MIN_FIGURE)
         error = np.abs(values) * np.maximum(
             max(least, off), share * _changes(solves, records, name)
         )
@@ -223,7 +223,8 @@ def _changes(
     if not both:
         return np.full(len(seconds), np.inf)
     changes = [
-        abs(record.figures[name] - before[record.seconds]) / max(abs(record.figures[name]), TINY)
+        abs(record.figures[name] - before[record.seconds])
+        / max(abs(record.figures[name]), MIN_FIGURE)
         for record in both
     ]
     return np.interp(seconds, [record.seconds for record in both], changes)

@@ -41,28 +41,29 @@ What that leaves is the same in all solves, so that their differences do not sho
 swings by 40 % in four transits 1.1 % of a thick film of a line after two transits, 0.01 % after four. Errors
 of points are larger, and so is the cost of their transits."""
 
-PART = 4.0
+MAX_PART_TRANSITS = 4.0
 """Most transits of a part of a life whose films are wanted, so that several processes may work on a life."""
 
-LONGEST, RECENT = 30.0, 6.0
+MAX_WHOLE_TRANSITS, RECENT_TRANSITS = 30.0, 6.0
 """Transits of the present contact from which on a life is not solved as a whole, and how many of them are
 then before the present."""
 
-LEFT: dict[Kind, float] = {"point": 0.5, "line": 1.0}
+ERROR_SHARE: dict[Kind, float] = {"point": 0.5, "line": 1.0}
 """Error of the figures by the last rate of change, over the largest of what they and the films change with it
 from the one before. At second order a third of that is left; where a kink of the load or an edge passes, the
-order is lower, and where the load of a gear pair jumps, or the entrainment has turned round (`TURNED`), it is
-one or less: what is left of the film of that time is a dip as narrow as the grid."""
+order is lower, and where the load of a gear pair jumps, or the entrainment has turned round
+(`REVERSAL_ERROR_SHARE`), it is one or less: what is left of the film of that time is a dip as narrow as the
+grid."""
 
-TURNED: dict[Kind, float] = {"point": 1.5, "line": 1.0}
-"""Error of the figures over their last change, as `LEFT`, where the entrainment has turned round
+REVERSAL_ERROR_SHARE: dict[Kind, float] = {"point": 1.5, "line": 1.0}
+"""Error of the figures over their last change, as `ERROR_SHARE`, where the entrainment has turned round
 (`_turned_round`): of 14 random balls after two solves two
 minimum or central films of 28 differ by 1.2 and 1.5 times the last change from those of three."""
 
-REGULAR = 0.5
+MAX_CHANGE_RATIO = 0.5
 """Largest ratio of successive changes at which the films settle; else the error is the sum of both."""
 
-MOST_SOLVES, ANYHOW = 4, 3
+MAX_SOLVES, MIN_SOLVES = 4, 3
 """Maximum number of transient solves (each costs eight times the previous one); the first three are always
 made."""
 
@@ -70,7 +71,7 @@ MOST_WORK = 1.2e8
 """Nodes times time steps of a further one: two and a half minutes of a point contact without heat. Balls and
 ellipses whose entrainment turns round or starts from rest come by it from 12 to 43 % to 1 to 3 %."""
 
-HEAVIER = 5.0
+HEAT_TIME_RATIO = 5.0
 """Time of a node's time step with heat over that without: 5.6 us of `cases/zi_drive.toml`, 1.2 us of an
 ellipse."""
 
@@ -90,18 +91,18 @@ class Least:
     def of(self, difference: float, far: bool = False) -> float:
         """The least error for a difference from steady films, which may be far from these."""
         least = self.share * difference
-        return max(least if far else min(least, self.most), SMALLEST)
+        return max(least if far else min(least, self.most), MIN_TRANSIENT_ERROR)
 
 
-SMALLEST = 5e-4
+MIN_TRANSIENT_ERROR = 5e-4
 """Smallest error by transient solves: where motion hardly changes a film, a steady beginning two or more
 transits ago and Newton's iteration leave up to 0.04 %."""
 
-FAR = 0.5
+MAX_STEADY_DIFFERENCE = 0.5
 """Difference from steady films, over those in motion, from which on a first solve errs by a share of it,
 without bound; so it does after a reversal (`_turned_round`)."""
 
-LEAST: dict[Kind, tuple[Least, ...]] = {
+MIN_ERRORS: dict[Kind, tuple[Least, ...]] = {
     "point": (Least(0.6, 0.06), Least(0.15, 0.015), Least(0.08, 0.0075)),
     "line": (Least(0.7, 0.06), Least(0.08, 0.005), Least(0.02, 0.003)),
 }
@@ -133,7 +134,7 @@ def parts_of(time_grid: TimeGrid) -> tuple[Part, ...]:
     """The parts of a life, which share instants; a written course, which no other contact shares, is one."""
     whole, step = time_grid.transits(time_grid.end), time_grid.step(0)
     warm_up = WARM_UP[time_grid.plan.work.kind]
-    count = 1 if time_grid.life.kinks else max(1, ceil((whole - warm_up) / PART))
+    count = 1 if time_grid.life.kinks else max(1, ceil((whole - warm_up) / MAX_PART_TRANSITS))
     length = (whole - warm_up) / count
     firsts = [step * round((warm_up + length * number) / step) for number in range(1, count)]
     return tuple(
@@ -153,9 +154,9 @@ def recent(scene: Scene | LineScene) -> Past:
     """The past of a contact, without what is so long ago that it is forgotten."""
     past = present_in_life(scene)
     transit = predicted(scene).transit
-    if past.life.duration <= LONGEST * transit:
+    if past.life.duration <= MAX_WHOLE_TRANSITS * transit:
         return past
-    start = max(past.seconds - RECENT * transit, 0.0)
+    start = max(past.seconds - RECENT_TRANSITS * transit, 0.0)
     end = min(past.seconds + transit, past.life.duration)
     life = Life(
         end - start,
@@ -197,14 +198,18 @@ def begin_of_one(time_grid: TimeGrid, seconds: float) -> float:
 
 def begin_of_further(time_grid: TimeGrid, seconds: float, solves: int) -> float | None:
     """Where one more transient solve for one contact begins [transits]; None where it is one too many."""
-    if solves >= MOST_SOLVES:
+    if solves >= MAX_SOLVES:
         return None
     begin = begin_of_one(time_grid, seconds)
-    if solves < ANYHOW:
+    if solves < MIN_SOLVES:
         return begin
     steps = places_of(time_grid, solves, begin, time_grid.place(seconds))
     work = sum(time_grid.grid_of_contact(seconds, on).nodes for on, _ in steps)
-    return begin if work * (HEAVIER if time_grid.plan.model.heated else 1) <= MOST_WORK else None
+    return (
+        begin
+        if work * (HEAT_TIME_RATIO if time_grid.plan.model.heated else 1) <= MOST_WORK
+        else None
+    )
 
 
 @dataclass(frozen=True)
@@ -317,7 +322,7 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     # finer grids of the present film would not mend that
     if not left <= error_budget.TIME * plan.accuracy:
         flaw = f"the transient solve through the contact's life leaves an error of {percent(left)}"
-    coarse = flaw is not None and not rates.finest and len(rates.found) < MOST_SOLVES
+    coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
     life = _life(scene, plan, rates, readings, turned)
     return Transient(rates.found[-1], level, errors, flaw, coarse, life)
 
@@ -376,17 +381,17 @@ def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, 
 
 
 def _share(kind: Kind, turned: bool) -> float:
-    """Error by the last rate over the last change (`LEFT`, `TURNED`)."""
-    return (TURNED if turned else LEFT)[kind]
+    """Error by the last rate over the last change (`ERROR_SHARE`, `REVERSAL_ERROR_SHARE`)."""
+    return (REVERSAL_ERROR_SHARE if turned else ERROR_SHARE)[kind]
 
 
 def _least(readings: Sequence[Reading], kind: Kind, turned: bool) -> float:
     """Least relative error of the figures, from the same readings."""
     steady, *moving = readings
     difference = largest_of_films(change(steady, moving[-1]))
-    far = len(moving) == 1 and (turned or difference > FAR)
-    number = min(len(moving), len(LEAST[kind]))
-    return LEAST[kind][number - 1].of(difference, far)
+    far = len(moving) == 1 and (turned or difference > MAX_STEADY_DIFFERENCE)
+    number = min(len(moving), len(MIN_ERRORS[kind]))
+    return MIN_ERRORS[kind][number - 1].of(difference, far)
 
 
 def _left(readings: Sequence[Reading], share: float) -> dict[str, float]:
@@ -396,6 +401,8 @@ def _left(readings: Sequence[Reading], share: float) -> dict[str, float]:
         return {name: share * relative for name, relative in last.items()}
     before = change(*readings[-3:-1])
     return {
-        name: share * relative if relative <= REGULAR * before[name] else relative + before[name]
+        name: share * relative
+        if relative <= MAX_CHANGE_RATIO * before[name]
+        else relative + before[name]
         for name, relative in last.items()
     }

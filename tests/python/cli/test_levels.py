@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from pyworm.kernel.levels import BASE, NEEDED, built, chosen, features, supported
+from pyworm.kernel.levels import BASE, CPU_FLAGS, built, chosen, features, supported
 
 CPUINFO = """processor	: 0
 model name	: some
@@ -16,9 +16,9 @@ processor	: 1
 flags		: fpu
 """
 
-V2 = set(NEEDED["x86-64-v2"])
-V3 = V2 | set(NEEDED["x86-64-v3"])
-V4 = V3 | set(NEEDED["x86-64-v4"])
+V2 = set(CPU_FLAGS["x86-64-v2"])
+V3 = V2 | set(CPU_FLAGS["x86-64-v3"])
+V4 = V3 | set(CPU_FLAGS["x86-64-v4"])
 
 
 def test_features_are_those_of_the_first_processor():

@@ -14,7 +14,7 @@ from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED
 from pyworm.result.result import open_result
 from pyworm.result.rounded_fields import (
-    COARSEST,
+    MAX_RELATIVE_ROUNDING,
     OF_ERROR_BAR,
     OF_GIVEN,
     is_rounded,
@@ -74,7 +74,7 @@ def test_fields_change_by_a_tenth_of_the_error_bar_at_most(solved):
     for name, error in allowed.items():
         exact, stored = (of.fields[name].values.astype(float) for of in (solution, found))
         change = np.abs(stored - exact)[exact > 0] / exact[exact > 0]
-        limit = min(OF_ERROR_BAR * error, COARSEST)
+        limit = min(OF_ERROR_BAR * error, MAX_RELATIVE_ROUNDING)
         assert limit / 5 < change.max() <= limit
     heated = {"temperature_middle": figures.temperature_max_film}
     for name, figure in heated.items() if figures.temperature_max_film else ():

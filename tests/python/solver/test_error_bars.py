@@ -17,7 +17,7 @@ from pyworm.io.json import as_json
 from pyworm.io.quantities import QUANTITIES
 from pyworm.planning.grid import nest
 from pyworm.planning.target import HEAT_FIGURES
-from pyworm.planning.window import FAR, near_reach, windows
+from pyworm.planning.window import OUTERMOST_REACH, near_reach, windows
 from pyworm.report.console.scenes import figures_table
 from pyworm.result.result import Result, open_result
 from pyworm.scene.index import ContactIndex
@@ -185,7 +185,7 @@ def test_the_window_s_bar_of_a_contact_that_warms_little_holds():
     hot = Task(case_of(drawn.tables, "hot", Path()), ContactIndex(), 0.1, "all")
     plan, scene = hot.plan, hot.plan.simplified(hot.scene)
     size = scales(scene)
-    far = [reach.doubled().doubled().doubled() for reach in (near_reach(size), FAR)]
+    far = [reach.doubled().doubled().doubled() for reach in (near_reach(size), OUTERMOST_REACH)]
     farthest = nest(*windows(scene, size, *far), *plan.grids[-1].spacing)
     solver = PointContactSolver(scene, plan)
     target = replace(plan.target, warmth=0.0)

@@ -92,7 +92,7 @@ def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, made):
 
 
 def test_where_no_further_solve_is_to_be_had_the_film_goes_on_with_the_last(monkeypatch):
-    monkeypatch.setattr(transient_module, "ANYHOW", 0)
+    monkeypatch.setattr(transient_module, "MIN_SOLVES", 0)
     monkeypatch.setattr(transient_module, "MOST_WORK", 0.0)
     scene, plan, _ = moving(LINE, 0.5)
     rates = transient_module.rates_at_present(scene, plan)

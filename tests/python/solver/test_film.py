@@ -13,7 +13,7 @@ from pyworm.kernel.core import KernelError
 from pyworm.materials.oil import Oil
 from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.grid import Grid, nest
-from pyworm.planning.window import FAR, Reach, near_reach, windows
+from pyworm.planning.window import OUTERMOST_REACH, Reach, near_reach, windows
 from pyworm.scene.point import Paraboloid, RigidMotion
 from pyworm.scene.sampled_gap import SampledGap
 from pyworm.scene.scales import scales
@@ -164,7 +164,7 @@ def test_the_error_by_the_window_of_light_contacts_holds_against_a_much_larger_o
     scene = circular(m, lubricant)
     size = scales(scene)
     plan = replace(pyworm.plan(scene, accuracy=0.01), largest_grid=1)
-    near, far = (Reach.around(4 * reach.inlet) for reach in (near_reach(size), FAR))
+    near, far = (Reach.around(4 * reach.inlet) for reach in (near_reach(size), OUTERMOST_REACH))
     inner, outer = windows(scene, size, near, far)
     wide = replace(plan, grids=nest(inner, outer, *plan.grids[-1].spacing), wider_grids=())
     figures, truth = (pyworm.solve(scene, of).figures for of in (plan, wide))

@@ -9,7 +9,7 @@ from circular_contact import circular
 
 import pyworm
 from pyworm.cli.shared import warn_of_refusals
-from pyworm.planning.expected_work import WORTHLESS, expected_work
+from pyworm.planning.expected_work import MAX_FILM_ERROR, expected_work
 from pyworm.planning.target import FIGURES
 from pyworm.report.console.scenes import plan_table
 from pyworm.solver.cost.expected_time import Expectation
@@ -56,9 +56,9 @@ def test_an_accuracy_beyond_reach_costs_no_grid_that_a_worse_one_would_have():
     assert not fine.in_vain
     assert not rough.in_vain
     assert fine.needed == rough.needed
-    hard = expected_work("point", [[1e4]], 1e2 * WORTHLESS, 0.05, 4e6, full=False)
+    hard = expected_work("point", [[1e4]], 1e2 * MAX_FILM_ERROR, 0.05, 4e6, full=False)
     assert not hard.in_vain
-    assert expected_work("point", [[1e4]], 1e5 * WORTHLESS, 0.05, 4e6, full=False).in_vain
+    assert expected_work("point", [[1e4]], 1e5 * MAX_FILM_ERROR, 0.05, 4e6, full=False).in_vain
 
 
 def slow():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pyworm.solver.level import InitialGuess
-from pyworm.solver.transient.time_level import FALL, TimeLevel, extrapolated
+from pyworm.solver.transient.time_level import MIN_PRESSURE_RATIO, TimeLevel, extrapolated
 
 
 def time_level(seconds, *pressure):
@@ -21,5 +21,5 @@ def test_pressures_that_change_evenly_go_on():
 
 def test_a_place_under_pressure_stays_so_and_one_without_has_none():
     guess = extrapolated([time_level(2.0, 2.0, 0.0), time_level(1.0, 9.0, 5.0)], 3.0)
-    assert guess.pressure == pytest.approx(np.array([[FALL * 2.0, 0.0]]))
+    assert guess.pressure == pytest.approx(np.array([[MIN_PRESSURE_RATIO * 2.0, 0.0]]))
     assert guess.oil == pytest.approx(guess.pressure)

@@ -92,7 +92,7 @@ def test_a_kept_contact_is_what_the_solver_finds(row):
     assert scene.oil.boundary_friction_spread == FITTED_SPREADS["tin bronze"]
     # its first grid had the usual cells
     with (
-        patch("pyworm.planning.expected_work.COARSEST", 1.0),
+        patch("pyworm.planning.expected_work.MAX_SPACING_FACTOR", 1.0),
         patch("pyworm.solver.contact.roughness_uncertainty", partial(watched, changes)),
     ):
         solution = pyworm.solve(scene, pyworm.plan(scene, 0.2, "auto,-squeeze"))

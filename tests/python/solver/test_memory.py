@@ -66,7 +66,9 @@ def test_the_estimate_is_what_a_film_takes(levels, heated):
 def test_oil_that_stores_heat_takes_two_arrays_a_level_more():
     model = Model(7, True)
     more = memory.needed(100, model, stores=True) - memory.needed(100, model)
-    assert more == pytest.approx(memory.MARGIN * memory.NUMBER * 2 * (7 + 1) * 100)
+    assert more == pytest.approx(
+        memory.MEMORY_SAFETY_FACTOR * memory.NUMBER_BYTES * 2 * (7 + 1) * 100
+    )
     assert memory.needed(100, Model(7, False), stores=True) == memory.needed(100, Model(7, False))
 
 

@@ -13,7 +13,7 @@ from pyworm.materials.roughness_assumptions import (
     BOUNDARY_FRICTION_SPREAD,
     HEIGHT_SPREAD,
     REFITTED,
-    STEEPER,
+    SLOPE_POWER,
     STIFFNESS_FACTOR,
     flow_scatter,
     variations,
@@ -217,7 +217,7 @@ def test_a_fitted_friction_is_smaller_by_a_law_of_contact_by_which_asperities_be
         np.testing.assert_array_equal(varied.curves.values, given[name].curves.values)
     changed = {name: varied.boundary_friction / MU_B for name, varied in fitted.items()}
     assert changed.pop("contact") == pytest.approx(REFITTED["stiffer"] ** 0.5)
-    assert changed.pop("slope") == pytest.approx(REFITTED["stiffer"] ** (0.5 * STEEPER))
+    assert changed.pop("slope") == pytest.approx(REFITTED["stiffer"] ** (0.5 * SLOPE_POWER))
     assert changed.pop("boundary friction") == pytest.approx(1 + 0.5 * spread)
     assert set(changed.values()) == {1.0}
     assert REFITTED["stiffer"] < 1

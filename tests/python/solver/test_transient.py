@@ -378,7 +378,9 @@ def test_as_the_load_of_a_tooth_pair_falls_by_an_e_fold_a_time_step_s_share_of_a
     assert falling(0.01) == pytest.approx(8.0, rel=0.05)
 
 
-@pytest.mark.parametrize(("ago", "share"), [(1.0, 1.5), (3.0, transient_module.LEFT["point"])])
+@pytest.mark.parametrize(
+    ("ago", "share"), [(1.0, 1.5), (3.0, transient_module.ERROR_SHARE["point"])]
+)
 def test_after_a_reversal_the_error_is_one_and_a_half_of_the_last_change(ago, share):
     """Some lengths of a ball's contact ago, oil carries a dip as narrow as the grid; it leaves after two."""
     transit = predicted(ball()).transit

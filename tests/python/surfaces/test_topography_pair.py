@@ -7,7 +7,7 @@ import pytest
 
 from pyworm.io.input_error import CaseError
 from pyworm.materials.body import Body
-from pyworm.materials.rough_surfaces import NARROWEST, RoughPair, RoughSurface, gap_rows
+from pyworm.materials.rough_surfaces import MIN_GAP_RATIO, RoughPair, RoughSurface, gap_rows
 from pyworm.materials.topography import Topography
 from pyworm.surfaces import cell_table as tables
 from pyworm.surfaces.generated import gaussian
@@ -85,7 +85,7 @@ def test_curves_are_smooth_and_monotone():
     assert np.all(np.diff(found.values[0]) <= 0)
     thickness = found.values[1] + GAP * found.scale
     assert np.all(np.diff(thickness) >= -1e-12 * found.scale)
-    assert thickness.min() == pytest.approx(NARROWEST * found.scale, rel=1e-6)
+    assert thickness.min() == pytest.approx(MIN_GAP_RATIO * found.scale, rel=1e-6)
     steps = np.abs(np.diff(found.values[0]))
     assert np.all(steps[GAP[1:] < 6] < 1.5)
 
@@ -135,7 +135,7 @@ def test_a_table_is_solved_once_and_damaged_ones_again(cache, monkeypatch):
 
     monkeypatch.setattr(tables, "solve_cell", counted)
     monkeypatch.setattr(tables, "SEPARATIONS", np.array([4.0, 2.0, 1.0]))
-    monkeypatch.setattr(tables, "CLOSER", np.array([]))
+    monkeypatch.setattr(tables, "CROSSED_SEPARATIONS", np.array([]))
     kept = []
     for _ in range(2):
         tables.cell_table.cache_clear()
