@@ -44,8 +44,8 @@ def found(scenes: Sequence[Scene | LineScene], plan: Plan, solves: int) -> dict[
             integrate_in_time(time_grid, number, begin, wanted)
             for number, begin in enumerate(begins)
         ]
-        for diverged in filter(None, (one.diverged for one in solved)):
-            raise NoFilmError(diverged)
+        for failure in filter(None, (one.failure for one in solved)):
+            raise NoFilmError(failure)
         for scene in some:
             at = scene.past.seconds
             rates[scene.name] = Rates(

@@ -73,8 +73,8 @@ def main(numbers: Sequence[int], seed: int) -> None:
         plan = pyworm.plan(scene, ACCURACY, "isothermal,squeeze", ("film",))
         try:
             rates = found([scene], plan, 3)[scene.name]
-        except (NoFilmError, ValueError) as diverged:
-            print(f"{scene.name:>24} {diverged}", flush=True)
+        except (NoFilmError, ValueError) as error:
+            print(f"{scene.name:>24} {error}", flush=True)
             continue
         tally.show(scene, plan, rates)
     tally.end()
