@@ -52,7 +52,7 @@ def early_films(life_of: Callable) -> np.ndarray:
 def beginnings() -> None:
     """Print what other beginnings change."""
     usual = early_films(lambda drive: drive.life)
-    touch, apart = tooth_pair_motion.TOUCH, tooth_pair_motion.APART
+    touch, apart = tooth_pair_motion.TOUCH, tooth_pair_motion.FIRST_SEPARATION
     rows = {
         "steady at phase 0": early_films(
             lambda drive: ToothLife(drive._scene, drive.phases_per_second, drive._axes)

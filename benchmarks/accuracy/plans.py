@@ -22,7 +22,7 @@ from matplotlib.figure import Figure
 from plan_scenes import TRIALS, Trial
 
 import pyworm
-from pyworm.io.quantity import SHARE, parse
+from pyworm.io.quantity import SHARE_KIND, parse
 from pyworm.kernel.core import KernelError
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.planning.effects.judgement import Judgement
@@ -235,7 +235,7 @@ def main() -> None:
     parser.add_argument("words", nargs="*", help="accuracies and names of scenes")
     parser.add_argument("--out", type=Path, default=Path("results/plan"))
     options = parser.parse_args()
-    accuracies = [parse(word, SHARE) for word in options.words if word.endswith("%")]
+    accuracies = [parse(word, SHARE_KIND) for word in options.words if word.endswith("%")]
     names = [word for word in options.words if not word.endswith("%")] or list(TRIALS)
     rows, ones = [], []
     first = TRIALS["gear, tip"].scene()

@@ -16,7 +16,7 @@ from pyworm.batch.drive_iteration import run_balanced
 from pyworm.batch.task import Task
 from pyworm.batch.wear_run import EFFECTS
 from pyworm.formulas.wear_law import RUN_IN, WEAR_COEFFICIENT
-from pyworm.io.quantity import SHARE, parse
+from pyworm.io.quantity import SHARE_KIND, parse
 from pyworm.ratings.worm_loads import rated_loads
 from pyworm.result.flank_wear import asperity_pass, flank_grid
 
@@ -55,7 +55,7 @@ def main() -> None:
     """Print a row for each oil and speed."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--accuracy", default="10 %")
-    accuracy = parse(parser.parse_args().accuracy, SHARE)
+    accuracy = parse(parser.parse_args().accuracy, SHARE_KIND)
     print(
         "| oil | 1/min | standard's film µm | asperities | standard nm/h | simulated nm/h | ratio |"
     )

@@ -26,7 +26,7 @@ PATIENCE = 30
 LOOK = 2
 """How often to look whether there are workers [s]."""
 
-ON = "scenes already solved are kept, the same command continues from there"
+RESUME_HINT = "scenes already solved are kept, the same command continues from there"
 
 
 @contextmanager
@@ -71,7 +71,7 @@ def cluster(address: str, print_message: Callable[[str], None]) -> Iterator[Exec
         try:
             yield client.get_executor()
         except CancelledError:  # of calls that nobody here has cancelled
-            raise ConnectionError(f"--scheduler {address}: was lost; {ON}") from None
+            raise ConnectionError(f"--scheduler {address}: was lost; {RESUME_HINT}") from None
         finally:
             ended.set()
 
@@ -87,5 +87,5 @@ def _watch(
         except Exception:  # the scheduler is gone, which its calls tell
             return
         if workers == 0 and not told:
-            print_message(f"--scheduler {address}: has no workers, waiting for some; {ON}")
+            print_message(f"--scheduler {address}: has no workers, waiting for some; {RESUME_HINT}")
         told = workers == 0

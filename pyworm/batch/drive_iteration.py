@@ -5,7 +5,7 @@ each other, the temperatures of its oil and bodies from the loss between the tee
 films under these loads and temperatures. Where roughness carries load and is not simulated, a standard's
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
-temperatures are found with every `STRIDE`-th phase and steady films, lifts by first transient solves
+temperatures are found with every `PHASE_STRIDE`-th phase and steady films, lifts by first transient solves
 (`films_in_motion.lifts_of`), or, for an accuracy below `GLANCE`, by steady films at that one in one window
 and what motion changes in them: all that is solved last is solved in full.
 """
@@ -37,7 +37,7 @@ PASSES = 3
 WARM_PASSES = 8
 """Most passes with some of the phases, until temperatures are found."""
 
-STRIDE = 4
+PHASE_STRIDE = 4
 """Every which phase is solved while temperatures are sought."""
 
 GLANCE = 0.1
@@ -93,7 +93,7 @@ def run_balanced(
         case = case.with_found(earlier)
     else:
         if "cooling" in open_:
-            some = [steady(task) for task in every(STRIDE, tasks)]
+            some = [steady(task) for task in every(PHASE_STRIDE, tasks)]
             case, _, _ = search.settle(case, some, how, WARM_PASSES)
         if "lifts" in open_.get("operation", ()):
             case = search.lifted(case, tasks, how)

@@ -6,13 +6,13 @@ It goes by what `drive_iteration` usually does.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pyworm.batch.drive_iteration import GLANCE, GLANCES, STRIDE, every, steady
+from pyworm.batch.drive_iteration import GLANCE, GLANCES, PHASE_STRIDE, every, steady
 from pyworm.batch.films_in_motion import in_motion
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
 from pyworm.solver.cost.expected_time import Expectation, expectations, together
 
-WARM = 2
+TEMPERATURE_PASSES = 2
 """Usual number of passes until temperatures are found: that of `cases/zi_cooled.toml`."""
 
 USUAL_PASSES = 2
@@ -23,7 +23,7 @@ MARCHES = 2
 """Work of the search for lifts in motion, in first transient solves of the life: one, and the steady films
 beside it, which cost about as much."""
 
-BESIDES = 2.5
+OVERHEAD_SECONDS = 2.5
 """Processor time of a run besides its solves: start, results file and pictures [s]; 2.4 to 3.0 of steel gear
 pairs, five contacts each, whose solves take tenths of a second."""
 
@@ -42,7 +42,7 @@ class ExpectedRun:
     @property
     def seconds(self) -> float:
         """Processor time of the run, but for that search [s]."""
-        return self.once + BESIDES
+        return self.once + OVERHEAD_SECONDS
 
 
 def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
@@ -50,7 +50,9 @@ def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
     each, once = _solved(tasks)
     open_, search = case.left_open, 0.0
     if "cooling" in open_:
-        search += WARM * _solved([steady(task) for task in every(STRIDE, tasks)])[1]
+        search += (
+            TEMPERATURE_PASSES * _solved([steady(task) for task in every(PHASE_STRIDE, tasks)])[1]
+        )
     if "lifts" in open_.get("operation", ()):
         search += _lifts(tasks, once)
     return ExpectedRun(each, once, search)
@@ -66,7 +68,9 @@ def _solved(tasks: Sequence[Task]) -> tuple[tuple[Expectation, ...], float]:
 def _lifts(tasks: Sequence[Task], once: float) -> float:
     """Processor time of the search for lifts, from some of the tasks and that of all solved once [s]."""
     accuracy = tasks[0].accuracy
-    some = [replace(task, accuracy=GLANCE, wider_window=False) for task in every(STRIDE, tasks)]
+    some = [
+        replace(task, accuracy=GLANCE, wider_window=False) for task in every(PHASE_STRIDE, tasks)
+    ]
     all_of_them = len(tasks) / len(some)
     moving = [task for task in some if in_motion(task)]
     if not moving and accuracy < GLANCE:

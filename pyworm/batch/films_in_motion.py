@@ -31,7 +31,7 @@ from pyworm.solver.transient.time_integration import NoFilmError, RateOfChange, 
 from pyworm.solver.transient.time_records import TimeRecord, as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, present_in_life, recent
 
-FEWEST = 2
+MIN_SHARED_TASKS = 2
 """Number of tasks of one life from which they share its transient solve."""
 
 
@@ -189,9 +189,9 @@ def _lives(tasks: Sequence[Task], directory: Path) -> list[list[Task]]:
     lives = (
         [task for task in some if in_motion(task) and rates_for(task, directory) is None]
         for some in by_life.values()
-        if len(some) >= FEWEST
+        if len(some) >= MIN_SHARED_TASKS
     )
-    return [life for life in lives if len(life) >= FEWEST]
+    return [life for life in lives if len(life) >= MIN_SHARED_TASKS]
 
 
 def in_motion(task: Task) -> bool:

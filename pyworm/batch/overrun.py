@@ -14,13 +14,13 @@ from pyworm.result.result import Result
 from pyworm.solver.cost.expected_time import Expectation
 from pyworm.solver.solution import Solution
 
-FACTOR = 2.0
+MAX_TIME_RATIO = 2.0
 """Processor time over that expected from which a run says why it took so long."""
 
-SHORTEST = 30.0
+MIN_SECONDS = 30.0
 """Processor time of a run up to which nothing is said [s]: start, writing and pictures are not expected."""
 
-MORE = 1.5
+MIN_WORK_RATIO = 1.5
 """Nodes of a contact's finest grid, and Newton steps, over those expected from which they are named: grids
 are refined fourfold, and numbers expected are means."""
 
@@ -68,11 +68,11 @@ def overrun(case: Case, tasks: Sequence[Task], result: Result, taken: float) -> 
     taken : float
         Its processor time [s].
     """
-    if taken <= SHORTEST:
+    if taken <= MIN_SECONDS:
         return None
     expected = expected_run(case, tasks)
     whole = expected.seconds + expected.search
-    if taken <= FACTOR * whole:
+    if taken <= MAX_TIME_RATIO * whole:
         return None
     return Overrun(taken, whole, tuple(_reasons(tasks, result, expected)))
 
@@ -84,7 +84,7 @@ def _reasons(tasks: Sequence[Task], result: Result, expected: ExpectedRun) -> li
         (solution.cost.processor_seconds - expectation.seconds, task, solution, expectation)
         for task, expectation in zip(tasks, expected.each, strict=True)
         if (solution := solved.get(task.scene.name)) is not None
-        and solution.cost.processor_seconds > FACTOR * expectation.seconds
+        and solution.cost.processor_seconds > MAX_TIME_RATIO * expectation.seconds
     ]
     beyond.sort(key=lambda entry: -entry[0])
     return [_reason(task, solution, expectation) for _, task, solution, expectation in beyond]
@@ -101,10 +101,10 @@ def _reason(task: Task, solution: Solution, expected: Expectation) -> str:
     nodes = prod(
         int(history[name].values[-1]) for name in ("points_x", "points_y") if name in history
     )
-    if nodes > MORE * task.plan.work.finest:
+    if nodes > MIN_WORK_RATIO * task.plan.work.finest:
         more.append(f"a finest grid of {nodes:,} nodes, {task.plan.work.finest:,.0f} expected")
     steps = history.sizes["iteration"]
-    if steps > MORE * task.plan.work.steps:
+    if steps > MIN_WORK_RATIO * task.plan.work.steps:
         more.append(f"{steps} Newton steps, {task.plan.work.steps:.0f} expected")
     more = more or ["each Newton step took longer than when this machine was measured"]
     return f"{solution.name} ({times}: {', '.join(more)})"

@@ -12,13 +12,13 @@ import numpy as np
 
 Array = np.ndarray
 
-GROWTH = 2.0
+MAX_STEP_GROWTH = 2.0
 """Most by which a step is longer than the one before."""
 
 SAFETY = 0.8
 """Step over the one that would just meet the tolerance."""
 
-LEAST = 1e-3
+MIN_STEP = 1e-3
 """Shortest step, over the time to march, that is still halved."""
 
 
@@ -85,7 +85,7 @@ def march(
     """
     _finite(start.rate)
     worn = start
-    shortest = LEAST * (until - start.hours)
+    shortest = MIN_STEP * (until - start.hours)
     while worn.hours < until * (1 - 1e-12):
         step = min(worn.step, until - worn.hours)
         if float((worn.depth + worn.rate * step).max()) > deepest:
@@ -104,7 +104,7 @@ def march(
             worn = Worn(worn.hours, worn.depth, worn.rate, max(wanted, step / 5))
             continue
         depth = worn.depth + (worn.rate + rate) / 2 * step
-        worn = Worn(worn.hours + step, depth, rate, min(wanted, GROWTH * step))
+        worn = Worn(worn.hours + step, depth, rate, min(wanted, MAX_STEP_GROWTH * step))
         keep(worn, error)
     return worn
 

@@ -54,7 +54,7 @@ PHASES = (0.2, 0.4, 0.55, 0.7, 0.9)
 """Phases to be solved where a tooth pair carries load all along. None in the first fifth: a film in motion
 begins steady where the flanks meet, and what that beginning leaves fades with the way that they have gone."""
 
-LIGHT = 0.1
+MIN_LOAD_SHARE = 0.1
 """Load of a tooth pair over its largest one below which no phase is proposed: there tips and roots barely
 touch, and a film says nothing about the drive."""
 
@@ -72,7 +72,7 @@ def loaded_phases(load: Callable[[float], float]) -> tuple[float, ...]:
     """
     phases = np.linspace(0, 1, _SOUGHT)
     loads = np.array([load(phase) for phase in phases])
-    carrying = phases[loads > LIGHT * loads.max()]
+    carrying = phases[loads > MIN_LOAD_SHARE * loads.max()]
     first, last = float(carrying[0]), float(carrying[-1])
     return tuple(round(first + (last - first) * part, 3) for part in PHASES)
 

@@ -12,7 +12,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
-from pyworm.io.quantity import SHARE, Kind, parse
+from pyworm.io.quantity import SHARE_KIND, Kind, parse
 from pyworm.io.stage import stage
 from pyworm.io.terminal import print_message, print_result
 
@@ -145,7 +145,7 @@ def _wanted(options: argparse.Namespace) -> dict[str, float]:
     wanted = {}
     for name, option, kind in (
         ("face", "place", PLACE),
-        ("size", "size", SHARE),
+        ("size", "size", SHARE_KIND),
         ("shim", "shim", PLACE),
     ):
         text = getattr(options, option)

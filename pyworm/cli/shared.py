@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from pyworm.case.case import Case
 from pyworm.io.atomic import atomic_directory
 from pyworm.io.input_error import CaseError
-from pyworm.io.quantity import SHARE, parse
+from pyworm.io.quantity import SHARE_KIND, parse
 from pyworm.io.reason import reason_of
 from pyworm.io.stage import stage
 from pyworm.io.terminal import print_message
@@ -127,7 +127,7 @@ def planned_tasks(case: Case, options: argparse.Namespace) -> list:
     accuracy = case.accuracy
     if options.accuracy is not None:
         try:
-            accuracy = parse(options.accuracy, SHARE)
+            accuracy = parse(options.accuracy, SHARE_KIND)
         except ValueError as error:
             raise CaseError(f"--accuracy {options.accuracy}: {error}") from None
 

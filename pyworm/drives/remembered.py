@@ -5,7 +5,7 @@ from collections.abc import Callable
 from functools import wraps
 from typing import Concatenate, ParamSpec, TypeVar
 
-MOST = 1000
+MAX_KEPT_VALUES = 1000
 """Number of values that an object keeps; beyond it those used least recently go."""
 
 
@@ -32,7 +32,7 @@ def remembered(
         key = method.__name__, *arguments, *named.items()
         if key not in found:
             found[key] = method(self, *arguments, **named)
-            if len(found) > MOST:
+            if len(found) > MAX_KEPT_VALUES:
                 found.popitem(last=False)
         found.move_to_end(key)
         value: Kept = found[key]

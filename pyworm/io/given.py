@@ -19,7 +19,7 @@ from pyworm.io.quantity import Kind, doubt, parse
 Given = float | str | Sequence[float | str] | np.ndarray
 """What stands for numbers with a dimension: numbers in SI, texts with units, or rows of both."""
 
-LONGEST = 40
+MAX_VALUE_LENGTH = 40
 """Characters of a value that a sentence shows."""
 
 
@@ -94,7 +94,7 @@ def _several(name: str, value: object, kind: Kind, *, sizes: bool = True) -> tup
 def text(name: str, value: object) -> str:
     """A text; ValueError of anything else."""
     if not isinstance(value, str):
-        raise ValueError(f"{name} = {value!r:.{LONGEST}}: must be a text in quotes")
+        raise ValueError(f"{name} = {value!r:.{MAX_VALUE_LENGTH}}: must be a text in quotes")
     return value
 
 
@@ -102,7 +102,7 @@ def row(name: str, value: Any) -> Sequence[Any] | np.ndarray:
     """Several values in a row; ValueError of a single one."""
     if isinstance(value, str) or not isinstance(value, Sequence | np.ndarray) or not np.ndim(value):
         raise ValueError(
-            f"{name} = {value!r:.{LONGEST}}: must be several values, such as (1.0, 2.0)"
+            f"{name} = {value!r:.{MAX_VALUE_LENGTH}}: must be several values, such as (1.0, 2.0)"
         )
     return value
 
@@ -160,17 +160,17 @@ def number(name: str, value: object, kind: Kind, *, sizes: bool = True) -> float
         try:
             return parse(value, kind)
         except ValueError as error:
-            raise ValueError(f'{name} = "{value:.{LONGEST}}": {error}') from None
+            raise ValueError(f'{name} = "{value:.{MAX_VALUE_LENGTH}}": {error}') from None
     if isinstance(value, bool) or not isinstance(value, Real):
         raise ValueError(
-            f"{name} = {value!r:.{LONGEST}}: must be {kind.noun} as a number in {_si(kind)}, or a text "
-            f'such as "{kind.example}"'
+            f"{name} = {value!r:.{MAX_VALUE_LENGTH}}: must be {kind.noun} as a number in {_si(kind)}, or a "
+            f'text such as "{kind.example}"'
         )
     try:
         given = float(value)
     except OverflowError:  # of a whole number or a fraction that has no float
         raise ValueError(
-            f"{name} = {value!r:.{LONGEST}}: must be {kind.noun} of a possible size"
+            f"{name} = {value!r:.{MAX_VALUE_LENGTH}}: must be {kind.noun} of a possible size"
         ) from None
     if sizes and isfinite(given) and given > 0:
         try:

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
-_WANTED = {
+_EXPECTED_TYPES = {
     "missing": "is missing",
     "float_type": "must be a number without unit",
     "finite_number": "must be finite",
@@ -74,7 +74,9 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     if problem["type"] == "union_tag_invalid":
         key = context["discriminator"].strip("'")
         name, value = f"{name}.{key}", value[key]
-    wanted = _WANTED.get(problem["type"], problem["msg"]).format(**context).replace("'", '"')
+    wanted = (
+        _EXPECTED_TYPES.get(problem["type"], problem["msg"]).format(**context).replace("'", '"')
+    )
     if not keys:  # what two tables have to agree on; the message names them
         return wanted
     if isinstance(value, dict):
@@ -144,13 +146,17 @@ def _right_key(key: str, choices: list[type[BaseModel]]) -> str:
     return f"valid keys are {', '.join(valid)}"
 
 
-LONGEST = 80
+MAX_VALUE_LENGTH = 80
 """Characters of a value that a sentence shows."""
 
 
 def shortened(text: str) -> str:
     """A text, or its beginning where it is long."""
-    return text if len(text) <= LONGEST else f"{text[:LONGEST]}... ({len(text)} characters)"
+    return (
+        text
+        if len(text) <= MAX_VALUE_LENGTH
+        else f"{text[:MAX_VALUE_LENGTH]}... ({len(text)} characters)"
+    )
 
 
 def toml(value: object) -> str:

@@ -13,13 +13,13 @@ _COMMA = re.compile(r"\s*([+-]?\d+(?:[. ']\d{3})*),(\d+)(?![\d,.])\s*(.*?)\s*")
 
 _BLANKS = re.compile(r"\s*([+-]?\d{1,3}(?:[ ']\d{3})+(?:\.\d+)?)\s*([^\d\s].*?)\s*")
 
-LONGEST = 200
+MAX_QUANTITY_LENGTH = 200
 """Characters of the longest quantity that is read."""
 
 
 def number_and_unit(text: str) -> tuple[str, str] | None:
     """Number and unit of a quantity, both as they are written; None where there are no such two."""
-    match = _QUANTITY.fullmatch(text) if len(text) <= LONGEST else None
+    match = _QUANTITY.fullmatch(text) if len(text) <= MAX_QUANTITY_LENGTH else None
     return None if match is None else (match[1], match[2])
 
 
@@ -95,7 +95,7 @@ def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
 
 def number_hint(text: object) -> str:
     """The hint about a comma or blanks in a number, to be added to a message; empty where there are none."""
-    if not isinstance(text, str) or len(text) > LONGEST:
+    if not isinstance(text, str) or len(text) > MAX_QUANTITY_LENGTH:
         return ""
     comma, blanks = _COMMA.fullmatch(text), _BLANKS.fullmatch(text)
     if blanks is not None:

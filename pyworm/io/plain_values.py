@@ -6,12 +6,12 @@ from pydantic import Field
 
 from pyworm.io.bounded_number import LARGEST_INTEGER
 
-LARGEST = 1e6
+MAX_NUMBER = 1e6
 """Largest plain number: exponents, ratios and fractions are far smaller."""
 
-Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-LARGEST, le=LARGEST)]
-PositiveNumber = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=LARGEST)]
-NumberOrZero = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=LARGEST)]
+Number = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=-MAX_NUMBER, le=MAX_NUMBER)]
+PositiveNumber = Annotated[float, Field(strict=True, allow_inf_nan=False, gt=0, le=MAX_NUMBER)]
+NumberOrZero = Annotated[float, Field(strict=True, allow_inf_nan=False, ge=0, le=MAX_NUMBER)]
 MOST_COUNTED = 10_000
 """Largest number of teeth, threads, rollers, jets or values: the largest gears have some hundred teeth."""
 

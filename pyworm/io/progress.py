@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 Progress = Callable[[str, float], None]
 
-PARTS = 10
+LOG_LINES = 10
 """Lines from start to end."""
 
 
@@ -25,7 +25,7 @@ def log_lines(print_message: Callable[[str], None], name: str) -> Progress:
 
     def tell(message: str, fraction: float) -> None:
         nonlocal reached
-        part = int(PARTS * fraction + 1e-9)
+        part = int(LOG_LINES * fraction + 1e-9)
         if part > reached or (part == 0 and reached != 0):
             reached = part
             print_message(f"{name}: {100 * fraction:.0f} %, {message}")
@@ -35,4 +35,4 @@ def log_lines(print_message: Callable[[str], None], name: str) -> Progress:
 
 def marks_tenth(number: int, count: int) -> bool:
     """Whether one of some scenes, counted from 1, is the first, the last, or completes a tenth of all."""
-    return number == 1 or PARTS * number // count > PARTS * (number - 1) // count
+    return number == 1 or LOG_LINES * number // count > LOG_LINES * (number - 1) // count

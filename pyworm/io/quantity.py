@@ -67,7 +67,7 @@ class Kind:
     none."""
 
 
-SHARE = Kind("a share", "", "1 %", possible=("1e-12 %", "1000 %"))
+SHARE_KIND = Kind("a share", "", "1 %", possible=("1e-12 %", "1000 %"))
 
 
 def parse(text: object, kind: Kind) -> float:

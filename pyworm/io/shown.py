@@ -7,7 +7,7 @@ from pyworm.io.given import quantities
 from pyworm.io.quantity import Kind
 from pyworm.io.quantity_text import as_text
 
-LONGEST = 160
+MAX_LINE_LENGTH = 160
 """Characters of the line of an object."""
 
 
@@ -21,7 +21,7 @@ class Shown:
     def __repr__(self) -> str:
         heading, rows = self.shown()
         line = f"<{heading}: {', '.join(f'{name} {value}' for name, value in rows.items())}>"
-        return line if len(line) <= LONGEST else f"{line[: LONGEST - 4]}...>"
+        return line if len(line) <= MAX_LINE_LENGTH else f"{line[: MAX_LINE_LENGTH - 4]}...>"
 
     def _repr_html_(self) -> str:
         heading, rows = self.shown()

@@ -11,7 +11,7 @@ from pyworm.io.terminal import print_message
 PATIENCE = 3.0
 """Time after which a stage is said [s]."""
 
-STILL = "still"
+STILL_WORKING = "still"
 """First word of what is said of a stage."""
 
 
@@ -60,4 +60,4 @@ def _watch(ended: Event, patience: float) -> None:
         for running in innermost:
             if running not in said and monotonic() - running.begun > patience:
                 said.append(running)
-                print_message(f"{STILL} {running.work}")
+                print_message(f"{STILL_WORKING} {running.work}")

@@ -10,11 +10,11 @@ from typing import Any
 from pyworm.io.bounded_number import fault_of
 from pyworm.io.input_error import CaseError, dotted, shortened, toml
 
-LARGEST = 2**20
+MAX_FILE_BYTES = 2**20
 """Bytes of the largest file that is read: what people write has a hundredth of it."""
 
 
-DEEPEST = 100
+MAX_KEY_DOTS = 100
 """Dots of the longest key that is read; the time that Python's reader takes grows with their square."""
 
 _KEYS_END = re.compile(r"[=,{}\[\]\n]")
@@ -48,7 +48,7 @@ def _require_bounded(value: object, keys: list[str | int]) -> None:
 
 def _parsed(path: Path) -> dict[str, Any]:
     text = _text(path)
-    if max(part.count(".") for part in _KEYS_END.split(text)) > DEEPEST:
+    if max(part.count(".") for part in _KEYS_END.split(text)) > MAX_KEY_DOTS:
         raise CaseError(f"{path}: not a TOML file: too many tables within each other")
     try:
         return tomllib.loads(text)
@@ -76,7 +76,7 @@ def _content(path: Path) -> bytes:
     """The bytes of a file; a path that is no file, or a file too large for a case, is not opened."""
     try:
         about = path.stat()
-        if stat.S_ISREG(about.st_mode) and about.st_size <= LARGEST:
+        if stat.S_ISREG(about.st_mode) and about.st_size <= MAX_FILE_BYTES:
             return path.read_bytes()
     except FileNotFoundError:
         raise CaseError(f"{path}: no such file") from None
@@ -85,7 +85,7 @@ def _content(path: Path) -> bytes:
     if not stat.S_ISREG(about.st_mode):
         raise CaseError(f"{path}: is no file but a {_kind(about.st_mode)}")
     raise CaseError(
-        f"{path}: has {about.st_size / 1e6:.1f} MB, a case file has {LARGEST / 1e6:.1f} MB at most"
+        f"{path}: has {about.st_size / 1e6:.1f} MB, a case file has {MAX_FILE_BYTES / 1e6:.1f} MB at most"
     )
 
 

@@ -9,7 +9,7 @@ the text and with nothing else.
 
 import re
 
-LONGEST = 60
+MAX_UNIT_LENGTH = 60
 """Characters of the longest unit that is read."""
 
 _TOKEN = re.compile(
@@ -83,7 +83,7 @@ def factors(text: str) -> tuple[tuple[str, int], ...]:
     ValueError
         What follows no such grammar.
     """
-    if len(text) > LONGEST:
+    if len(text) > MAX_UNIT_LENGTH:
         raise ValueError(f"a unit of {len(text)} characters")
     text = plain(text)
     if text in _RENAMED or text in DIVISORS_ONLY:

@@ -10,7 +10,7 @@ from typing import Annotated, TypedDict
 from pydantic import GetCoreSchemaHandler, PlainValidator, ValidationInfo
 from pydantic_core import CoreSchema
 
-from pyworm.io.quantity import SHARE, Kind, Range, Sign, parse
+from pyworm.io.quantity import SHARE_KIND, Kind, Range, Sign, parse
 
 SI = "SI"
 """Context of validation in which values are plain numbers in SI, as a checked case leaves them."""
@@ -364,13 +364,14 @@ ScuffingTemperature = Annotated[
         usual=("80 degC", "700 degC"),
     ),
 ]
-_APART: _Sizes = {"possible": ("1e-12 K", "1000 K"), "usual": ("0.01 K", "150 K")}
+_DIFFERENCE_SIZES: _Sizes = {"possible": ("1e-12 K", "1000 K"), "usual": ("0.01 K", "150 K")}
 TemperatureDifference = Annotated[
-    float, quantity("a temperature difference", "delta_degC", "15 K", "not negative", **_APART)
+    float,
+    quantity("a temperature difference", "delta_degC", "15 K", "not negative", **_DIFFERENCE_SIZES),
 ]
 """15 degrees are 15 kelvin, however they are written."""
 TemperatureRise = Annotated[
-    float, quantity("a temperature difference", "delta_degC", "15 K", "any", **_APART)
+    float, quantity("a temperature difference", "delta_degC", "15 K", "any", **_DIFFERENCE_SIZES)
 ]
 """A temperature above or below another one."""
 ThermalConductance = Annotated[
@@ -403,4 +404,4 @@ Instant = Annotated[
         "a time", "s", "2 ms", "not negative", possible=("1e-12 s", "1 h"), usual=("1 us", "10 s")
     ),
 ]
-Share = Annotated[float, Quantity(**asdict(SHARE))]
+Share = Annotated[float, Quantity(**asdict(SHARE_KIND))]

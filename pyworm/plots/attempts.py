@@ -67,10 +67,10 @@ def _by_reason(failed: dict[str, str]) -> Iterable[tuple[str, list[str]]]:
     return reasons.items()
 
 
-SHOWN = 3
+MAX_NAMED_PICTURES = 3
 """Largest number of pictures that a sentence names; of more it gives the number."""
 
 
 def _listed(names: list[str]) -> str:
-    more = len(names) - SHOWN
-    return ", ".join(names[:SHOWN]) + (f" and {more} more" if more > 0 else "")
+    more = len(names) - MAX_NAMED_PICTURES
+    return ", ".join(names[:MAX_NAMED_PICTURES]) + (f" and {more} more" if more > 0 else "")

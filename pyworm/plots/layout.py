@@ -21,7 +21,7 @@ from pyworm.solver.solution import Solution
 MILLI, MICRO, KILO, MEGA = 1e3, 1e6, 1e-3, 1e-6
 """From SI to what the axes show: mm, um, kN and MPa."""
 
-WIDEST = 4.5
+MAX_PANEL_ASPECT = 4.5
 """Panels longer than this many times their height are stretched across."""
 
 LONG_SIDE = 7.0
@@ -31,7 +31,7 @@ SHORTEST_SIDE = 1.7
 """Least length of the shorter side of a panel [inch], for its labels' sake."""
 
 
-LEFT, RIGHT, BOTTOM, TOP = 0.9, 1.1, 0.6, 0.4
+LEFT_ROOM, RIGHT_ROOM, BOTTOM_ROOM, TOP_ROOM = 0.9, 1.1, 0.6, 0.4
 """Room around a panel for its labels, its colour bar and its title [inch]."""
 
 LINE = 0.22
@@ -80,8 +80,8 @@ class Window:
         """Scale of y over scale of x: 1, or a whole number or its inverse for slender windows."""
         ratio = self.width / self.height
         if ratio >= 1:
-            return float(ceil(ratio / WIDEST))
-        return 1 / ceil(1 / ratio / WIDEST)
+            return float(ceil(ratio / MAX_PANEL_ASPECT))
+        return 1 / ceil(1 / ratio / MAX_PANEL_ASPECT)
 
     @property
     def panel_size(self) -> tuple[float, float]:
@@ -159,10 +159,10 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
     columns = 1 if width >= 1.3 * height else len(titles)
     shrunk = min(1, 1.5 * LONG_SIDE / (columns * width)) if columns > 1 else 1
     width, height = width * shrunk, height * shrunk
-    cell_width = LEFT + width + RIGHT
+    cell_width = LEFT_ROOM + width + RIGHT_ROOM
     titles = [fill(title, int(TITLE_LETTERS_PER_INCH * cell_width)) for title in titles]
-    top = TOP + TITLE_LINE * max(title.count("\n") for title in titles)
-    cell_height = BOTTOM + height + top
+    top = TOP_ROOM + TITLE_LINE * max(title.count("\n") for title in titles)
+    cell_height = BOTTOM_ROOM + height + top
     rows = len(titles) // columns
     heading = fill(heading, int(LETTERS_PER_INCH * columns * cell_width))
     head = LINE * (heading.count("\n") + 1) + 0.1
@@ -172,8 +172,8 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
     panels = []
     for number, title in enumerate(titles):
         row, column = divmod(number, columns)
-        left = column * cell_width + LEFT
-        bottom = (rows - 1 - row) * cell_height + BOTTOM
+        left = column * cell_width + LEFT_ROOM
+        bottom = (rows - 1 - row) * cell_height + BOTTOM_ROOM
         panel = figure.add_axes(
             (
                 left / total_width,

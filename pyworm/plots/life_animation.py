@@ -25,13 +25,13 @@ RATE = 12
 
 DOTS_PER_INCH = 90
 
-SHOWN = 0.01
+SHOWN_PRESSURE_RATIO = 0.01
 """Pressure, over the largest of all, down to which places are within the picture."""
 
 THICKEST = 3.0
 """Thickest film shown, over the median central one."""
 
-MARGIN = 0.15
+MARGIN_FRACTION = 0.15
 """Room around them, over their extent."""
 
 
@@ -111,7 +111,7 @@ class Points:
                 old.remove()
             self._drawn(panel, frame, values, colours, top)
             x, y = frame.x * MILLI, present(frame.y, "y") * MILLI
-            outline = SHOWN * self._pressure
+            outline = SHOWN_PRESSURE_RATIO * self._pressure
             if fields[0].max() > outline:
                 panel.contour(x, y, fields[0].T, levels=[outline], colors="white", linewidths=0.8)
         self._note.set_text(_told(self._life, frame))
@@ -168,7 +168,7 @@ def _told(life: ContactLife, frame: Fields) -> str:
 
 def _window(life: ContactLife) -> tuple[float, float, float, float]:
     """Ends of the picture along x and y [mm]: wherever there is pressure at any time."""
-    least = SHOWN * max(float(frame.pressure.max()) for frame in life.frames)
+    least = SHOWN_PRESSURE_RATIO * max(float(frame.pressure.max()) for frame in life.frames)
     ends = []
     for frame in life.frames:
         axes = (frame.x,) if frame.y is None else (frame.x, frame.y)
@@ -184,6 +184,6 @@ def _window(life: ContactLife) -> tuple[float, float, float, float]:
     for direction in range(len(ends[0])):
         low = min(end[direction][0] for end in ends) * MILLI
         high = max(end[direction][1] for end in ends) * MILLI
-        room = MARGIN * (high - low)
+        room = MARGIN_FRACTION * (high - low)
         spans += [low - room, high + room]
     return (*spans, 0.0, 0.0)[:4]

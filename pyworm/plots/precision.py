@@ -31,7 +31,7 @@ PARAMETER_COLOURS = "0.35", "tab:purple", "tab:cyan"
 HOLLOW: dict[str, Any] = {"markersize": 4.5, "fillstyle": "none", "linewidth": 0.8, "zorder": 5}
 """Style of figures extrapolated from two grids."""
 
-FLOOR = 1e-6
+MIN_SHOWN_ERROR = 1e-6
 """Least error shown."""
 
 PANEL_WIDTH, PANEL_HEIGHT = 7.4, 4.3
@@ -84,7 +84,7 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
     handles: list[Artist] = []
     for curve in study.curves:
         drawn = [
-            (point.seconds, max(error, FLOOR))
+            (point.seconds, max(error, MIN_SHOWN_ERROR))
             for point in curve.points
             if point.converged and (error := study.error(point, name)) is not None
         ]
@@ -100,12 +100,14 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
             )
         else:
             handles.append(_draw_model(panel, study, curve, name, drawn))
-    panel.axhspan(FLOOR / 10, max(reference.band, FLOOR), color="0.88", zorder=0)
+    panel.axhspan(
+        MIN_SHOWN_ERROR / 10, max(reference.band, MIN_SHOWN_ERROR), color="0.88", zorder=0
+    )
     handles.append(Patch(color="0.88", label=f"reference: ± {percent(reference.band)}"))
     for target in (0.1, 0.01, 0.001):
         panel.axhline(target, color="0.8", linewidth=0.8, zorder=1)
     low, high = panel.get_ylim()
-    panel.set_ylim(max(low, FLOOR, reference.band / 5), min(max(high, 1.5), 1e4))
+    panel.set_ylim(max(low, MIN_SHOWN_ERROR, reference.band / 5), min(max(high, 1.5), 1e4))
     panel.yaxis.set_major_formatter(FuncFormatter(lambda fraction, _: percent(fraction)))
     panel.yaxis.set_minor_formatter(NullFormatter())
     panel.set_title(QUANTITIES[name].title(), fontsize="medium")
@@ -121,7 +123,7 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
     colour = COLOURS[curve.name]
     panel.plot(*zip(*drawn, strict=True), "o-", color=colour, markersize=4.5, zorder=5)
     limits = [
-        (point.seconds, max(error, FLOOR))
+        (point.seconds, max(error, MIN_SHOWN_ERROR))
         for point in curve.points
         if point.converged and (error := study.limit_error(point, name)) is not None
     ]
@@ -131,13 +133,13 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
     left = study.model_error(curve, name)
     if left is not None:
         grid = [
-            (point.seconds, max(error, FLOOR))
+            (point.seconds, max(error, MIN_SHOWN_ERROR))
             for point in curve.points
             if point.converged and (error := study.grid_error(curve, point, name)) is not None
         ]
         panel.plot(*zip(*grid, strict=True), ":", color=colour, linewidth=1.2, zorder=2)
         last = drawn[-1][0]
-        panel.plot([last, 6 * last], [max(left, FLOOR)] * 2, color=colour, linewidth=0.8)
+        panel.plot([last, 6 * last], [max(left, MIN_SHOWN_ERROR)] * 2, color=colour, linewidth=0.8)
         order = curve.limits[name].order
         observed = "no order seen" if order is None else f"order {order:.1f}"
         label += f"\n   {observed}, then {percent(left)} left"

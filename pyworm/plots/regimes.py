@@ -61,7 +61,7 @@ LEAST_FRACTION = 0.02
 RIGHT_PART = 0.65
 """Part of a chart's width beyond which the name of a contact stands on its left."""
 
-MARGIN = 10.0
+MARGIN_FACTOR = 10.0
 """Factor by which a chart reaches beyond the places of its contacts."""
 
 USUAL = (0.1, 300.0), (0.1, 30.0)
@@ -70,7 +70,7 @@ USUAL = (0.1, 300.0), (0.1, 30.0)
 CLEAR = 0.05
 """Distance of the names of regimes from lines of either number, in decades of it."""
 
-SIDE = 0.09
+SIDE_CLEARANCE = 0.09
 """Part of a chart's width at each side that the middle of a name stays clear of."""
 
 LEGEND = 0.5, 0.28
@@ -118,7 +118,7 @@ def draw_chart(axes: Axes, middle: Regime, moes_m: np.ndarray, moes_l: np.ndarra
         Entries of a legend: published borders, where the chart has them, and the band of doubt.
     """
     ends = [
-        (min(low, np.nanmin(values) / MARGIN), max(high, np.nanmax(values) * MARGIN))
+        (min(low, np.nanmin(values) / MARGIN_FACTOR), max(high, np.nanmax(values) * MARGIN_FACTOR))
         for values, (low, high) in zip((moes_m, moes_l), USUAL, strict=True)
     ]
     m, el = np.meshgrid(*(np.geomspace(low, high, NODES) for low, high in ends))
@@ -194,7 +194,7 @@ def _roomiest(area: np.ndarray) -> tuple[int, int]:
     """Row and column of an area that are farthest from its outside, names being wider than high."""
     padded = np.pad(area, 1)
     padded[: int(LEGEND[1] * len(padded)), : int(LEGEND[0] * len(padded))] = False
-    side = int(SIDE * len(padded))
+    side = int(SIDE_CLEARANCE * len(padded))
     padded[:, :side] = padded[:, -side:] = False
     distance = distance_transform_edt(padded, sampling=(1.0, 0.5))
     row, column = np.unravel_index(int(np.argmax(distance)), padded.shape)

@@ -14,7 +14,7 @@ from pyworm.surfaces.parameters import Texture, abbott
 MOST_DRAWN = 600
 """Points of the map along its longer side."""
 
-EXTREME = 0.001
+EXTREME_FRACTION = 0.001
 """Fraction of heights beyond either end of the map's colours."""
 
 
@@ -27,7 +27,7 @@ def draw_heights(name: str, surface: Topography, texture: Texture) -> Figure:
     figure = new_figure(11, 5, heading)
     map_axes, curve_axes = figure.subplots(1, 2, width_ratios=(1.25, 1))
     stride = max(1, -(-max(surface.height.shape) // MOST_DRAWN))
-    low, high = np.quantile(surface.height, (EXTREME, 1 - EXTREME)) * MICRO
+    low, high = np.quantile(surface.height, (EXTREME_FRACTION, 1 - EXTREME_FRACTION)) * MICRO
     x_side, y_side = (side * MICRO for side in surface.extent)
     mapped = map_axes.imshow(
         np.where(surface.known, surface.height, np.nan)[::stride, ::stride].T * MICRO,

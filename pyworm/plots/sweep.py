@@ -23,7 +23,7 @@ COLOURS = colormaps["viridis"]
 MOST_LINES = 6
 """Largest number of values of a second axis drawn as lines of one picture."""
 
-WIDE = 4.0
+LOGARITHMIC_RATIO = 4.0
 """Ratio of largest to smallest value beyond which a scale is logarithmic."""
 
 MOST_DECADES = 4
@@ -301,7 +301,7 @@ def _edges(centres: np.ndarray, logarithmic: bool) -> np.ndarray:
 def _is_wide(values: np.ndarray) -> bool:
     """Whether values are better seen on a logarithmic scale."""
     finite = values[np.isfinite(values)]
-    return bool(finite.min() > 0 and finite.max() > WIDE * finite.min())
+    return bool(finite.min() > 0 and finite.max() > LOGARITHMIC_RATIO * finite.min())
 
 
 def _name(axis: _Axis, value: float) -> str:

@@ -28,7 +28,7 @@ CLAUSES = {
 }
 """Symbol of a safety -> its clause, from memory."""
 
-SMALLEST, FASTEST, SLOWEST_WEAR, LEAST_RATIO = 0.05, 25.0, 0.1, 2.1
+MIN_CENTRE_DISTANCE, MAX_SLIDING_SPEED, MIN_WEAR_SPEED, MIN_CONTACT_RATIO = 0.05, 25.0, 0.1, 2.1
 """Scope of the standard: centre distance from [m], sliding speed up to, and of wear from [m/s], and contact
 ratio above [-]."""
 
@@ -46,14 +46,16 @@ def outside_scope(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> tuple[str, ..
     speeds = [load.rated.sliding_speed for load in loads]
     ratio, distance = duty.contact_ratio, duty.gear.centre_distance
     found = []
-    if distance < SMALLEST:
-        found.append(f"a centre distance of {distance * 1e3:.4g} mm, below {SMALLEST * 1e3:g} mm")
-    if max(speeds) > FASTEST:
-        found.append(f"a sliding speed of {max(speeds):.3g} m/s, above {FASTEST:g} m/s")
-    if min(speeds) < SLOWEST_WEAR:
+    if distance < MIN_CENTRE_DISTANCE:
         found.append(
-            f"for wear a sliding speed of {min(speeds):.2g} m/s, below {SLOWEST_WEAR:g} m/s"
+            f"a centre distance of {distance * 1e3:.4g} mm, below {MIN_CENTRE_DISTANCE * 1e3:g} mm"
         )
-    if ratio is not None and ratio <= LEAST_RATIO:
-        found.append(f"a contact ratio of {ratio:.3g}, not above {LEAST_RATIO:g}")
+    if max(speeds) > MAX_SLIDING_SPEED:
+        found.append(f"a sliding speed of {max(speeds):.3g} m/s, above {MAX_SLIDING_SPEED:g} m/s")
+    if min(speeds) < MIN_WEAR_SPEED:
+        found.append(
+            f"for wear a sliding speed of {min(speeds):.2g} m/s, below {MIN_WEAR_SPEED:g} m/s"
+        )
+    if ratio is not None and ratio <= MIN_CONTACT_RATIO:
+        found.append(f"a contact ratio of {ratio:.3g}, not above {MIN_CONTACT_RATIO:g}")
     return tuple(f"Outside the scope of {STANDARD}: {reason}." for reason in found)

@@ -9,7 +9,7 @@ from pyworm.formulas.unknown import Unknown, attempt
 from pyworm.ratings.worm_loads import RatedLoad
 from pyworm.ratings.worm_safeties import standard_sump
 
-SAME = 1.0
+TEMPERATURE_TOLERANCE = 1.0
 """Difference of bulk temperatures that is none [K]."""
 
 TOO_COLD = 10.0
@@ -45,7 +45,11 @@ def _bulk(duty: WormDuty, load: RatedLoad) -> tuple[str, ...]:
     """Bulk temperatures of the wheel that differ."""
     simulated = duty.simulated_wheel_temperature
     rated = attempt(lambda: load.rated.bulk_temperature)
-    if simulated is None or isinstance(rated, Unknown) or abs(rated - simulated) < SAME:
+    if (
+        simulated is None
+        or isinstance(rated, Unknown)
+        or abs(rated - simulated) < TEMPERATURE_TOLERANCE
+    ):
         return ()
     return (
         f"The wheel is simulated at {simulated - ZERO_CELSIUS:.0f} °C and rated at "

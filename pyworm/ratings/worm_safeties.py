@@ -76,7 +76,7 @@ def safeties(
     gear_set = _Rated(table, duty, loads, directory)
     made = []
     for symbol, rate in _RATES.items():
-        lacking = _missing(table, *_NEEDED.get(symbol, ()))
+        lacking = _missing(table, *_REQUIRED_KEYS.get(symbol, ()))
         found = Unknown(lacking) if lacking else attempt(partial(rate, gear_set))
         made.append(_unrated(symbol, found.why) if isinstance(found, Unknown) else found)
     if duty.wheel_limit is not None:
@@ -293,7 +293,7 @@ _RATES: dict[str, Callable[[_Rated], Safety]] = {
 }
 """Symbol of a safety -> how it is rated."""
 
-_NEEDED = {
+_REQUIRED_KEYS = {
     "S_W": ("wheel_material", "life"),
     "S_H": ("wheel_material", "life"),
     "S_F": ("wheel_material",),

@@ -27,7 +27,7 @@ from draws import Drawn
 from pyworm.batch.provenance import program_digest
 from pyworm.cli.shared import BAD_INPUT, CONVERGED, FAILED, NOT_CONVERGED
 from pyworm.io.atomic import whole_file
-from pyworm.io.stage import STILL
+from pyworm.io.stage import STILL_WORKING
 
 ACCURACIES = ("5 %", "10 %")
 """Accuracies at which drives are run."""
@@ -131,7 +131,7 @@ def _called(words: Sequence[str], case: Path, out: Path, limit: float) -> Called
         code, processor = _waited(process, begun + LONGEST)
     wall = monotonic() - begun
     lines = said.read_text(errors="replace").splitlines(keepends=True)
-    error = "".join(line for line in lines if not line.startswith(f"pyworm: {STILL} "))
+    error = "".join(line for line in lines if not line.startswith(f"pyworm: {STILL_WORKING} "))
     flaws = list(_flaws(code, error, limit))
     figures = {}
     if not flaws and "--json" in words and code in (CONVERGED, NOT_CONVERGED):

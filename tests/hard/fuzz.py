@@ -27,7 +27,7 @@ from trial import flaws as flaws_of_solution
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED, NOT_CONVERGED
 from pyworm.io.input_error import toml
-from pyworm.io.stage import STILL
+from pyworm.io.stage import STILL_WORKING
 from pyworm.result.result import open_result
 
 CASES = Path(__file__).parents[2] / "cases"
@@ -102,7 +102,7 @@ def outcome(
     sentence = "".join(
         line
         for line in said.getvalue().splitlines(keepends=True)
-        if not line.startswith(f"pyworm: {STILL} ")
+        if not line.startswith(f"pyworm: {STILL_WORKING} ")
     )
     left = {*directory.rglob("*")} - before
     flaws = []

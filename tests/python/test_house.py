@@ -84,7 +84,7 @@ TRANSLATED = (
 )  # fmt: skip
 """Rooms without `OLD_WORDS` as names, of modules too."""
 
-QUANTIFIED = TRANSLATED
+QUANTIFIED = tuple(FLOORS)
 """Rooms whose constants name a quantity."""
 
 

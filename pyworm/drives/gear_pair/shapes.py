@@ -30,10 +30,10 @@ TEETH = 9
 RIM = 1.5
 """Thickness of the rim below the roots in normal modules."""
 
-SHOWN = 20
+SHOWN_LENGTH = 20
 """Length shown in normal modules."""
 
-DRAWN = (
+DRAWN_PARTS = (
     "Red: line of contact of this pair of teeth. Drawn are teeth without fillets, relief and crowning; the "
     "hand of a helix is not given, the pinion is drawn as right-hand."
 )
@@ -57,8 +57,8 @@ def in_space(teeth: InvolutePair, lengths: Sequence[float]) -> Space:
             _gear(teeth, 1, along / base[1]),
         ),
         view=np.eye(3),
-        size=SHOWN * teeth.system.module,
-        drawn=DRAWN,
+        size=SHOWN_LENGTH * teeth.system.module,
+        drawn=DRAWN_PARTS,
         lines=tuple(contact_line(teeth, length) for length in lengths),
     )
 

@@ -7,7 +7,7 @@ import numpy as np
 from pyworm.drives.roller_worm.gears import RollerGears
 from pyworm.drives.roller_worm.section import WormSection
 
-FARTHEST = 80.0
+MAX_END_ANGLE = 80.0
 """Largest wheel angle at which a section may end [deg]."""
 
 
@@ -36,10 +36,10 @@ def _check_sizes(gears: RollerGears) -> None:
             f"worm.throat_coefficient is {worm.throat_coefficient:g}; the throat must lie between the axes, "
             "from 0 to 2"
         )
-    if not worm.throat_angle < worm.outer_angle <= np.radians(FARTHEST):
+    if not worm.throat_angle < worm.outer_angle <= np.radians(MAX_END_ANGLE):
         raise ValueError(
             f"worm.outer_angle is {degrees(worm.outer_angle):.4g} deg; it must lie from worm.throat_angle, "
-            f"{degrees(worm.throat_angle):.4g} deg, to {FARTHEST:g} deg"
+            f"{degrees(worm.throat_angle):.4g} deg, to {MAX_END_ANGLE:g} deg"
         )
     for name in ("addendum", "dedendum"):
         if getattr(worm, name) > profile.length / 2:

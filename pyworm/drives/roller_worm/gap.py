@@ -10,7 +10,7 @@ from pyworm.drives.roller_worm.section import WormSection
 NEWTON_STEPS = 12
 """Largest number of Newton steps for a flank's parameters; five or six are typical."""
 
-SETTLED = 1e-13
+DISTANCE_TOLERANCE = 1e-13
 """Residual distance in the tangent plane [m] at convergence; the error of a height is it times a slope."""
 
 BLOCK = 8192
@@ -66,7 +66,7 @@ class ContactFrame:
             new = (-b - np.sqrt(np.maximum(root, 0.0))) / a
             change = np.max(np.abs(new - height), initial=0.0)
             height = new
-            if change < SETTLED:
+            if change < DISTANCE_TOLERANCE:
                 break
         return height, place, met
 
@@ -110,10 +110,10 @@ class ContactFrame:
                 place = place + np.clip((d * miss[0] - b * miss[1]) / determinant, -5e-3, 5e-3)
                 angle = angle + np.clip((a * miss[1] - c * miss[0]) / determinant, -0.05, 0.05)
                 left = np.hypot(*miss)
-                if np.nanmax(left) < SETTLED:
+                if np.nanmax(left) < DISTANCE_TOLERANCE:
                     break
             height = dot(point - origin, _wide(self.z_axis, x))
-            sound = (left < 1e3 * SETTLED) & (contact.limit > 0)
+            sound = (left < 1e3 * DISTANCE_TOLERANCE) & (contact.limit > 0)
         return height, place, sound
 
 

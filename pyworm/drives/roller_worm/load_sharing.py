@@ -35,7 +35,7 @@ _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(SLICES)
 ROUNDS = 30
 """Largest number of Newton steps for a load, and of steps for the deflection of the pins."""
 
-SETTLED = 1e-12
+RELATIVE_TOLERANCE = 1e-12
 """Relative change at which the iteration ends."""
 
 
@@ -69,7 +69,7 @@ class Compliance:
                 new = (pressed - fall * load) / (per_load - fall)
                 change = np.max(np.abs(new - load)[pressed > 0] / new[pressed > 0], initial=0.0)
                 load = np.where(pressed > 0, new, 0.0)
-                if change < SETTLED:
+                if change < RELATIVE_TOLERANCE:
                     break
         return load
 
@@ -189,7 +189,7 @@ def share(
             slope = np.sum(loads / pressed * lengths, axis=0) / compliance.stiffness
             step = (yields - yielding) / (1 + slope)
             yielding = yielding + step
-            if np.max(np.abs(step)) < SETTLED * turn * np.max(arm):
+            if np.max(np.abs(step)) < RELATIVE_TOLERANCE * turn * np.max(arm):
                 break
         return _load(shared, contact, turn, yielding, length), yielding
 

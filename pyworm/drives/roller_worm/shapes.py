@@ -22,7 +22,7 @@ ANGLES = 30
 ALONG = 41
 """Points of a line of contact."""
 
-DRAWN = (
+DRAWN_PARTS = (
     "Red: line of contact of this roller. Drawn are the flanks of the worm that rollers touch, and the "
     "rollers on the worm's side, without their crown."
 )
@@ -48,7 +48,7 @@ def in_space(mesh: RollerMesh, places: Sequence[ContactIndex]) -> Space:
         shapes=(*flanks, _rollers(mesh, np.array(angles))),
         view=np.eye(3),
         size=1.5 * mesh.centre_distance,
-        drawn=DRAWN,
+        drawn=DRAWN_PARTS,
         lines=tuple(
             section.line(np.array(angle), np.linspace(0, 1, ALONG)).point.T
             for section, angle in zip(sections, angles, strict=True)

@@ -25,7 +25,7 @@ THREAD_TURNS = 1.5
 TEETH = 3
 """Teeth of the wheel on each side of the one in contact."""
 
-DRAWN = (
+DRAWN_PARTS = (
     "Colours: pressure of this contact, seen through the worm. Drawn are only the flanks that drive and are "
     "driven."
 )
@@ -53,7 +53,7 @@ def in_space(gears: WormGears, phases: Sequence[float]) -> Space:
     wheel = _wheel(gears, np.array([contact.wheel_angle for contact in contacts]))
     # the worm, which lies at negative x, comes above the wheel
     view = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-    return Space((worm, wheel), view, 0.5 * gears.centre_distance, DRAWN)
+    return Space((worm, wheel), view, 0.5 * gears.centre_distance, DRAWN_PARTS)
 
 
 def thread(gears: WormGears) -> Array:

@@ -20,7 +20,7 @@ RISE = 1.2
 """Allowed pressure over that without errors [-], assumed without a source: that of the same contact under a
 load larger by 70 %."""
 
-FIRST, LARGEST = 1 / 80, 1 / 4
+FIRST_ERROR, MAX_ERROR = 1 / 80, 1 / 4
 """First error that is tried and the largest, over the axial module."""
 
 ROUGHLY = 0.05
@@ -107,7 +107,7 @@ def _allowed(sign: int, pressure: Excess, jammed: Excess) -> tuple[float, Limit]
     """Largest allowed size of an error with a sign, and what limits it."""
     size = _first_beyond(lambda error: pressure(sign * error))
     limit: Limit = "pressure"
-    if size == LARGEST:
+    if size == MAX_ERROR:
         limit = "none within reach"
     if jammed(sign * size) > 0:
         return _root(lambda error: jammed(sign * error), 0.0, size), "backlash"
@@ -115,12 +115,12 @@ def _allowed(sign: int, pressure: Excess, jammed: Excess) -> tuple[float, Limit]
 
 
 def _first_beyond(excess: Excess) -> float:
-    """Size up to which an excess is negative, `LARGEST` at most."""
-    inside, beyond = 0.0, FIRST
+    """Size up to which an excess is negative, `MAX_ERROR` at most."""
+    inside, beyond = 0.0, FIRST_ERROR
     while excess(beyond) <= 0:
-        if beyond >= LARGEST:
-            return LARGEST
-        inside, beyond = beyond, min(2 * beyond, LARGEST)
+        if beyond >= MAX_ERROR:
+            return MAX_ERROR
+        inside, beyond = beyond, min(2 * beyond, MAX_ERROR)
     return _root(excess, inside, beyond)
 
 

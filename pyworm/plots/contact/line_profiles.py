@@ -13,10 +13,10 @@ from pyworm.plots.contact.profiles import draw_profile
 from pyworm.plots.layout import MICRO, MILLI, heading, placed_panels
 from pyworm.solver.solution import Solution
 
-SHOWN = 0.01
+SHOWN_PRESSURE_RATIO = 0.01
 """Pressure, over the largest, down to which the inlet is shown."""
 
-MARGIN = 0.1
+MARGIN_FRACTION = 0.1
 """What is shown beyond the contact and the pressure, as a fraction of their width."""
 
 
@@ -43,8 +43,10 @@ def shown(fields: AnyDataset) -> tuple[float, float]:
     """Ends of pictures [mm]: the dry contact and all but the faintest pressure, within the grid."""
     x, pressure = fields["x"].values, fields["pressure"].values
     half_width = hertz_of(fields).half_width
-    loaded = np.append(x[pressure > SHOWN * pressure.max()], [-half_width, half_width])
-    margin = MARGIN * np.ptp(loaded)
+    loaded = np.append(
+        x[pressure > SHOWN_PRESSURE_RATIO * pressure.max()], [-half_width, half_width]
+    )
+    margin = MARGIN_FRACTION * np.ptp(loaded)
     return (
         max(x[0], loaded.min() - margin) * MILLI,
         min(x[-1], loaded.max() + margin) * MILLI,

@@ -40,7 +40,7 @@ DIRECTIONS = {
 }
 """Driving member -> how the line of action is run through."""
 
-NEAR = 0.05
+MIN_MARK_DISTANCE = 0.05
 """Distance of two marks, as a fraction of the axis, below which the second one's name stands higher."""
 
 STEEP_SLIDING = 5.0
@@ -194,7 +194,7 @@ def _finished(figure: Figure, panels: Iterable[Axes], cycle: "xr.Dataset") -> Fi
     names: list[str] = []
     before = -np.inf
     for name, place in sorted(places.items(), key=lambda mark: mark[1]):
-        near = place - before < NEAR * (places["EAP"] - places["SAP"])
+        near = place - before < MIN_MARK_DISTANCE * (places["EAP"] - places["SAP"])
         names.append(f"{name}\n" if near and not names[-1].endswith("\n") else name)
         before = place
     top = panels[0].secondary_xaxis("top")

@@ -20,7 +20,7 @@ _PANELS = (
 )  # fmt: skip
 """Fields that are shown."""
 
-SEEN = 0.01
+SHOWN_RATIO = 0.01
 """That product over the largest above which a place is shown."""
 
 MARKS = (0.0, 0.25, 0.5, 0.75, 1.0)
@@ -36,7 +36,7 @@ def draw_flank(result: Result) -> Figure | None:
     if work is not None:
         field["asperity_work"] = (
             ("radius", "face"),
-            np.where(work > SEEN * work.max(), work, np.nan),
+            np.where(work > SHOWN_RATIO * work.max(), work, np.nan),
         )
     cycle = result.cycle_data
     shown = [QUANTITIES[name] for name in _PANELS if name in field]

@@ -14,7 +14,7 @@ from pyworm.report.explore.packed import packed
 from pyworm.result.flank_map import flank_map
 from pyworm.result.result import Result
 
-SHARE = 0.02
+TOUCHED_PRESSURE_RATIO = 0.02
 """Pressure over the contact's largest within which a place of the flank counts as touched."""
 
 
@@ -60,7 +60,7 @@ def _places(grid: "xr.Dataset") -> dict[str, Any] | None:
     """Places on the flank of a contact's nodes [mm], and those that it loads."""
     if "face" not in grid:
         return None
-    loaded = grid["pressure"].values > SHARE * float(grid["pressure"].max())
+    loaded = grid["pressure"].values > TOUCHED_PRESSURE_RATIO * float(grid["pressure"].max())
     return {
         "face": packed(grid["face"].values * MILLI),
         "radius": packed(grid["radius"].values * MILLI),

@@ -14,7 +14,7 @@ from pyworm.report.page.pictures import signed_pictures
 from pyworm.result.result import Result
 from pyworm.result.result_case import value_shown
 
-FEWEST, MOST = 2, 6
+MIN_VARIANTS, MAX_VARIANTS = 2, 6
 """Numbers of variants that stand side by side."""
 
 
@@ -33,8 +33,10 @@ def variants_page(results: Sequence[Result], names: Sequence[str]) -> Variants:
     CaseError
         Fewer or more, or a case that this version does not know.
     """
-    if not FEWEST <= len(results) <= MOST:
-        raise CaseError(f"{len(results)} results: {FEWEST} to {MOST} stand side by side")
+    if not MIN_VARIANTS <= len(results) <= MAX_VARIANTS:
+        raise CaseError(
+            f"{len(results)} results: {MIN_VARIANTS} to {MAX_VARIANTS} stand side by side"
+        )
     variants = [findings(result) for result in results]
     titles = tuple(dict.fromkeys(variant.case.title for variant in variants))
     return Variants(

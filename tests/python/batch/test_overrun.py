@@ -6,7 +6,7 @@ import pytest
 from cheap_tasks import TRACTION, some_tasks
 
 from pyworm.batch.expected_run import expected_run
-from pyworm.batch.overrun import FACTOR, SHORTEST, overrun
+from pyworm.batch.overrun import MAX_TIME_RATIO, MIN_SECONDS, overrun
 from pyworm.cli import run as command
 from pyworm.cli.main import main
 
@@ -36,9 +36,9 @@ def taking(solution, seconds, **cost):
 def test_a_run_of_the_usual_time_says_nothing(run, monkeypatch):
     case, tasks, solutions = run
     whole = expected_run(case, tasks).seconds
-    assert overrun(case, tasks, Solved(solutions), SHORTEST) is None
-    monkeypatch.setattr("pyworm.batch.overrun.SHORTEST", 0.0)
-    assert overrun(case, tasks, Solved(solutions), FACTOR * whole) is None
+    assert overrun(case, tasks, Solved(solutions), MIN_SECONDS) is None
+    monkeypatch.setattr("pyworm.batch.overrun.MIN_SECONDS", 0.0)
+    assert overrun(case, tasks, Solved(solutions), MAX_TIME_RATIO * whole) is None
 
 
 def test_the_contact_that_took_longest_is_named_first(run):

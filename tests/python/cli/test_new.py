@@ -9,7 +9,7 @@ from refusals import refusal
 from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
 import pyworm
-from pyworm.case.new_worm import LIGHT, PHASES, loaded_phases
+from pyworm.case.new_worm import MIN_LOAD_SHARE, PHASES, loaded_phases
 from pyworm.cli.main import main
 from pyworm.ratings.rated_case import load_rating_request, ratings
 
@@ -83,13 +83,13 @@ def test_phases_are_proposed_where_tooth_pairs_carry_load(tmp_path):
     late = loaded_phases(lambda phase: 0.0 if phase < 0.4 else 1.0)
     assert late == pytest.approx([0.4 + 0.6 * part for part in PHASES])
     assert min(PHASES) >= 0.2 and max(PHASES) < 1
-    edges = loaded_phases(lambda phase: 1.0 if 0.2 <= phase <= 0.8 else 0.9 * LIGHT)
+    edges = loaded_phases(lambda phase: 1.0 if 0.2 <= phase <= 0.8 else 0.9 * MIN_LOAD_SHARE)
     assert 0.2 < min(edges) and max(edges) < 0.8
     path = tmp_path / "unit.toml"
     main(words(path))
     case = pyworm.load(path)
     loads = [case.drive.normal_load(phase) for phase in case.tables.operation.phases]
-    assert len(loads) == 5 and min(loads) > LIGHT * max(loads)
+    assert len(loads) == 5 and min(loads) > MIN_LOAD_SHARE * max(loads)
     assert case.warnings == ()
 
 

@@ -42,7 +42,7 @@ def test_another_object_keeps_its_own_and_a_copy_starts_empty():
 
 
 def test_the_least_recently_used_goes(monkeypatch):
-    monkeypatch.setattr(module, "MOST", 2)
+    monkeypatch.setattr(module, "MAX_KEPT_VALUES", 2)
     asked = Asked(0.0)
     for one in (1, 2, 1, 3, 1, 2):
         asked.sum(one, 0)

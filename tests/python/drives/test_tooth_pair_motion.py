@@ -12,7 +12,7 @@ import pyworm
 from pyworm.case.case import case_of
 from pyworm.cli.shared import wanted_places
 from pyworm.drives.tooth_life import ToothLife
-from pyworm.drives.worm.loads.tooth_pair_motion import APART, TOUCH
+from pyworm.drives.worm.loads.tooth_pair_motion import FIRST_SEPARATION, TOUCH
 from pyworm.drives.worm.sensitivity import sensitivity_data
 from pyworm.io.input_error import CaseError
 from pyworm.scene.scales import scales
@@ -46,7 +46,9 @@ def test_flanks_come_together_before_the_pair_is_given_its_load(drive, driver):
     distances = [least_distance(one) for one in of_life[:given]]
     film = scales(of_life[given - 1]).film
     # or as far as their separation is known
-    assert (APART if driver == "worm" else 2.0) * film == pytest.approx(distances[0], rel=0.5)
+    assert (FIRST_SEPARATION if driver == "worm" else 2.0) * film == pytest.approx(
+        distances[0], rel=0.5
+    )
     assert np.all(np.diff(distances) < 0)
     # then the load rises from next to nothing, without a jump
     touch = TOUCH * float(drive.springs.loads[-1])

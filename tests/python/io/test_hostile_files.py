@@ -11,7 +11,7 @@ import pytest
 
 from pyworm.case.case import load
 from pyworm.io.input_error import CaseError
-from pyworm.io.toml import LARGEST, read_toml
+from pyworm.io.toml import MAX_FILE_BYTES, read_toml
 from pyworm.scene.gap_file import read_gap
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -69,7 +69,10 @@ def test_a_byte_order_mark_is_no_part_of_a_case(tmp_path):
         (changed('load = "1 kN/m**(9**9**9)"'), '"1 kN/m**(9**9**9)": must be a force with its un'),
         (changed(f'load = "1{" " * 100_000}x"'), "must be a force with its unit"),
         (f"{'k' * 100_000} = 1\n{CASE}", "no such key"),
-        (f'title = "{"a" * 50_000_000}"\n', f"has 50.0 MB, a case file has {LARGEST / 1e6:.1f} MB"),
+        (
+            f'title = "{"a" * 50_000_000}"\n',
+            f"has 50.0 MB, a case file has {MAX_FILE_BYTES / 1e6:.1f} MB",
+        ),
     ],
     ids=lambda of: None if len(of) > 100 else of,
 )

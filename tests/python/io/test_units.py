@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pyworm.io.number_with_unit import converted, parse_any
-from pyworm.io.quantity import SHARE, Kind, parse
+from pyworm.io.quantity import SHARE_KIND, Kind, parse
 
 FORCE = Kind("a force", "N", "14 kN")
 LENGTH = Kind("a length", "m", "305 mm", "any")
@@ -66,8 +66,8 @@ CONDUCTIVITY = Kind("a thermal conductivity", "W/(m K)", "47 W/(m K)")
         ("42 W/m K", CONDUCTIVITY, 42.0),
         ("460 J/kgK", HEAT, 460.0),
         ("460 J/(kg K)", HEAT, 460.0),
-        ("1%", SHARE, 0.01),
-        ("0.01", SHARE, 0.01),
+        ("1%", SHARE_KIND, 0.01),
+        ("0.01", SHARE_KIND, 0.01),
     ],
 )
 def test_quantities_are_read_into_si(text, kind, value):
@@ -104,8 +104,8 @@ def test_quantities_are_read_into_si(text, kind, value):
         ("182 kN/m 2", LINE_LOAD),
         ("182 kN//m", LINE_LOAD),
         ("182 (kN/m", LINE_LOAD),
-        ("1 pi", SHARE),
-        ("5 1", SHARE),
+        ("1 pi", SHARE_KIND),
+        ("5 1", SHARE_KIND),
     ],
 )
 def test_what_does_not_measure_the_right_thing_is_refused(value, kind):

@@ -16,7 +16,7 @@ _SCREW = (
 OF_HOB = tuple(f"hob_{name}" for name in _SCREW)
 """Numbers of a hob that follow from a module where one is given."""
 
-_WANTED = (
+_REQUIRED_NUMBERS = (
     *("threads", "teeth", "centre_distance", "face_width"),
     *(*(f"worm_{name}" for name in _SCREW), "wheel_outside_diameter", "wheel_throat_diameter"),
     *(*OF_HOB, "hob_centre_distance", "hob_swivel", "hob_axial_shift"),
@@ -102,18 +102,18 @@ def _check(profile: Profile, given: Mapping[str, Any]) -> None:
     if given["worm_base_diameter"] is given["hob_base_diameter"] is None:
         raise ValueError(
             "module is missing (axial, m); or give the base cylinders of worm and hob, "
-            f"{', '.join(map(key_of, _WANTED[2:]))}"
+            f"{', '.join(map(key_of, _REQUIRED_NUMBERS[2:]))}"
         )
     if profile != "ZI":
         raise ValueError(
             f'profile is "{profile}"; without module the flanks are those of base cylinders, profile "ZI"'
         )
-    for name in sorted(given.keys() - {*_WANTED, *_ALLOWED}):
+    for name in sorted(given.keys() - {*_REQUIRED_NUMBERS, *_ALLOWED}):
         if given[name] is not None:
             raise ValueError(
                 f"{key_of(name)} means nothing without module, where the flanks are those of base cylinders"
             )
-    for name in _WANTED:
+    for name in _REQUIRED_NUMBERS:
         if given[name] is None:
             raise ValueError(
                 f"{key_of(name)} is missing; without module the flanks are those of base cylinders, which "

@@ -21,13 +21,13 @@ from pyworm.drives.worm.flanks.helicoid import Array, Components
 from pyworm.drives.worm.flanks.swept_helicoid import SweptHelicoid
 from pyworm.drives.worm.flanks.swept_wheel import SweptWheel
 
-TINY = 1e-30
+COMPLEX_STEP = 1e-30
 """Step of derivatives by complex step."""
 
-SETTLED = 1e-11
+MIN_NEWTON_STEP = 1e-11
 """Newton step beyond which nothing is gained."""
 
-LONGEST = 0.2
+MAX_NEWTON_STEP = 0.2
 """Longest Newton step that is taken whole."""
 
 MOST_STEPS = 60
@@ -35,7 +35,7 @@ MOST_STEPS = 60
 STEP = 0.1
 """Step of the worm's rotation along the path, as a fraction of the rotation for one wheel tooth."""
 
-FARTHEST = 2.5
+MAX_ROTATIONS = 2.5
 """Rotation of the worm to either side that the path is followed over, as a multiple of that."""
 
 
@@ -115,13 +115,13 @@ class ContactCurve(ContactPath):
         found = []
         for angle_step in (-step, step):
             side, here, unknown = [], angle, start
-            while abs(here - angle) < FARTHEST * 2 * pi / self.threads:
+            while abs(here - angle) < MAX_ROTATIONS * 2 * pi / self.threads:
                 _, slopes, pace = self._residual(unknown[:, None], np.array([here]))
                 rate = -_solved(slopes, pace)[:, 0]
                 side.append((here, unknown, rate))
                 here, guess = here + angle_step, unknown + angle_step * rate
                 solved = self._solved_at(guess, here)
-                if solved is None or np.abs(solved - guess).max() > LONGEST:
+                if solved is None or np.abs(solved - guess).max() > MAX_NEWTON_STEP:
                     break
                 unknown = solved
             found.append(side)
@@ -162,22 +162,22 @@ class ContactCurve(ContactPath):
             except np.linalg.LinAlgError:
                 return None
             size = np.abs(step).max()
-            unknown = unknown - step * min(1.0, LONGEST / size)
+            unknown = unknown - step * min(1.0, MAX_NEWTON_STEP / size)
             if not (
                 within(self.worm.bounds, unknown[0]) > 0
                 and within(self.flank.hob.bounds, unknown[2]) > 0
             ):
                 return None
-            if size < SETTLED:
+            if size < MIN_NEWTON_STEP:
                 return np.asarray(unknown)
         return None
 
     def _residual(self, unknown: Array, angle: Array) -> tuple[Array, Array, Array]:
         """Equations at places, (6, places), derivatives by unknowns (6, 6, places) and by the angle."""
         moved = np.repeat(np.vstack([unknown, angle])[:, None].astype(complex), 7, axis=1)
-        moved[np.arange(7), np.arange(7)] += TINY * 1j
+        moved[np.arange(7), np.arange(7)] += COMPLEX_STEP * 1j
         value = self._equations(*moved)
-        slopes = value.imag / TINY
+        slopes = value.imag / COMPLEX_STEP
         return value[:, 0].real, slopes[:, :6], slopes[:, 6]
 
     def _equations(

@@ -21,19 +21,19 @@ EDGE = 0.1
 It falls to zero at the flank's edge of regression (of the involute the base helix), where curvature grows
 without bound; the flank is continued from a little before it."""
 
-SETTLED = 1e-6
+MIN_NEWTON_STEP = 1e-6
 """Newton step [rad] below which the height, whose error is the step's cube, is right to rounding."""
 
 MOST_STEPS = 8
 """Largest number of Newton steps for a plane."""
 
-LONGEST = 0.3
+MAX_NEWTON_STEP = 0.3
 """Newton step [rad] at which the iteration fails; larger ones led to other parts of the flank."""
 
 STENCIL = np.array([[0, 1, -1, 0, 0, 1], [0, 0, 0, 1, -1, 1]])
 """Places from which q as a quadratic of x and y is determined."""
 
-SPREAD = 0.01
+START_DISTANCE = 0.01
 """Distance of these places, as the change of q from one to the next [rad]."""
 
 ENDED = 1e-8
@@ -43,7 +43,7 @@ on the ray from there as a fraction of its length."""
 MOST_TRIES = 64
 """Largest number of places tried on a ray for the flank's end."""
 
-REACH = np.pi / 2
+MAX_PARAMETER_CHANGE = np.pi / 2
 """Largest change of a plane's parameter [rad] from the contact point's: beyond lie other windings."""
 
 BLOCK = 4096
@@ -120,7 +120,7 @@ class FlankHeight:
         rates = np.array(
             [self.surface.rates(start, self.origin, self.axes, axis) for axis in self.axes[:2]]
         )
-        x, y = SPREAD / np.abs(rates).max() * STENCIL
+        x, y = START_DISTANCE / np.abs(rates).max() * STENCIL
         q = [value + a * x + b * y for value, (a, b) in zip(start, rates.T, strict=True)]
         _, q, _ = self._settled(q, self._line(x, y))
         return np.linalg.solve(_powers(x, y).T, np.array(q).T).T
@@ -134,14 +134,14 @@ class FlankHeight:
         for _ in range(MOST_STEPS):
             height, step, determinant = self.surface.newton(q, line, self.axes)
             size = np.max(np.abs(step), axis=0)
-            near = size < LONGEST
+            near = size < MAX_NEWTON_STEP
             q = [np.where(near, value - h, np.nan) for value, h in zip(q, step, strict=True)]
-            if np.all(size < SETTLED):
+            if np.all(size < MIN_NEWTON_STEP):
                 break
         part = determinant / self._contact_determinant
-        left = np.where((size < SETTLED) & (part > 0), part * part - EDGE**2, np.nan)
+        left = np.where((size < MIN_NEWTON_STEP) & (part > 0), part * part - EDGE**2, np.nan)
         for value, start in zip(q, self.start, strict=True):
-            left = np.minimum(left, 1 - np.abs(value - start) / REACH)
+            left = np.minimum(left, 1 - np.abs(value - start) / MAX_PARAMETER_CHANGE)
         left = np.minimum(left, self.surface.margin(q))
         return height, q, left
 

@@ -19,7 +19,7 @@ THROUGH = 10
 LONGER_SIDE = 120
 """Least number of intervals between such nodes along the longer side."""
 
-FALL = 100.0
+MIN_ERROR_RATIO = 100.0
 """Error of the polynomials through every second of these nodes, over that of those through all, at least:
 2 to the power of THROUGH far from singularities."""
 
@@ -55,7 +55,7 @@ def on_mesh(
     coarse = sides[0][chosen[0]], sides[1][chosen[1]]
     every_second = [np.append(np.arange(0, nodes.size - 1, 2), nodes.size - 1) for nodes in coarse]
     seen = _interpolated(values[0][np.ix_(*every_second)], coarse, every_second)
-    sound = smooth & (np.abs(seen - values[0]) <= FALL * tolerance)
+    sound = smooth & (np.abs(seen - values[0]) <= MIN_ERROR_RATIO * tolerance)
     found = np.ones((len(values), *x.shape))
     found[:-1] = _interpolated(values[:-1], sides, chosen)
     if not sound.all():

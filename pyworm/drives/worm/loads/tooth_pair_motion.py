@@ -29,11 +29,11 @@ from pyworm.scene.scales import scales
 TOUCH = 0.01
 """Load of a pair from which on it is given, over that of all pairs."""
 
-APART = 6.0
+FIRST_SEPARATION = 6.0
 """Least distance of the flanks at which a life begins, over the film expected at `TOUCH`; there they carry
 a tenth of that load."""
 
-LATE = 0.25
+MAX_PHASE_DELAY = 0.25
 """Phases after the beginning of the mesh cycle, and before its end, within which a pair comes to `TOUCH` and
 goes from it."""
 
@@ -66,7 +66,7 @@ class _Pair:
     @cached_property
     def engaged(self) -> float | None:
         """Part that is past when the pair reaches the load `touch`; None where it does so far outside."""
-        return self._where(self._excess, -EDGE_CONTACT_PHASES, LATE)
+        return self._where(self._excess, -EDGE_CONTACT_PHASES, MAX_PHASE_DELAY)
 
     @property
     def approaches(self) -> bool:
@@ -86,19 +86,19 @@ class _Pair:
     @cached_property
     def parted(self) -> float:
         """Part that is past when the pair falls below the load `touch`, at least the whole mesh cycle."""
-        found = self._where(self._excess, 1 - LATE, 1 + EDGE_CONTACT_PHASES)
+        found = self._where(self._excess, 1 - MAX_PHASE_DELAY, 1 + EDGE_CONTACT_PHASES)
         return max(found, 1.0) if found is not None and self._touches(found) else 1.0
 
     @cached_property
     def begin(self) -> float:
-        """Part that is past when the approaching flanks are `APART`."""
+        """Part that is past when the approaching flanks are `FIRST_SEPARATION`."""
         first = self.mesh.springs.phases[0 if self._turned(0.0) == 0 else -1]
         film = scales(self.mesh.scene_of(self._contact(self._first), self.touch)).film
 
         def nearer(past: float) -> float:
             phase = self._turned(past)
             spring = self.mesh.springs.at(phase)
-            return spring.separation + self._separation(phase) - APART * film
+            return spring.separation + self._separation(phase) - FIRST_SEPARATION * film
 
         earliest = self._turned(float(first))
         return self._where(nearer, earliest, self._first) or earliest

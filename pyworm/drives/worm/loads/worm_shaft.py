@@ -16,7 +16,7 @@ from pyworm.drives.worm.teeth.gears import WormGears
 from pyworm.formulas.beam import bending, second_moment
 from pyworm.io import units
 
-LARGEST = 0.1
+MAX_DEFLECTION = 0.1
 """Deflection over the module above which worm and wheel no longer mesh as designed."""
 
 
@@ -146,7 +146,7 @@ def bent_shaft(
             hypot(radial.reactions[1], lateral.reactions[1]),
         ),
     )
-    if bent.deflection > LARGEST * gears.module:
+    if bent.deflection > MAX_DEFLECTION * gears.module:
         by_shaft = bent.deflection
         if shaft.bearing_stiffness < inf:
             stiff = replace(shaft, bearing_stiffness=inf)
@@ -175,7 +175,7 @@ def _too_soft(
     The deflections [m] are that of the mesh and that by the shaft itself.
     """
     deflection, by_shaft = deflections
-    most = f"worms of this module may move {LARGEST * gears.module * 1e3:.2g} mm at most"
+    most = f"worms of this module may move {MAX_DEFLECTION * gears.module * 1e3:.2g} mm at most"
     if shaft.bearing_stiffness < inf:
         return (
             f"shaft.bearing_stiffness is {shaft.bearing_stiffness * 1e-6:.3g} N/um, with which the mesh "

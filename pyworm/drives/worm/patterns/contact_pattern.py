@@ -27,16 +27,16 @@ PHASES = np.linspace(-0.3, 1.3, 61)
 
 Between two of them the contact moves by some 0.2 mm, which leaves 0.2 um of gap half way."""
 
-NEAR = 1e-3
+MAX_CYLINDER_DISTANCE = 1e-3
 """Distance from the worm's cylinders [m] within which a place may lie over its flank."""
 
 FINER = 17
 """Places along each side of the flank, and again between its nearest ones, at which it may touch first."""
 
-STRIDE = 3
+PHASE_STRIDE = 3
 """One of so many `PHASES` for which that place is found; it moves slowly."""
 
-FAR = 1.0
+OPEN_GAP = 1.0
 """Gap of teeth that do not face each other [m]."""
 
 
@@ -97,7 +97,7 @@ class PointsInMesh:
 def points_in_mesh(gears: WormGears, grid: FlankGrid, contact: ToothContact) -> PointsInMesh:
     """The places of a grid that lie over the worm's flank at a contact."""
     point = gears.wheel_flank.point(*grid.q, wheel_angle=contact.wheel_angle)
-    near = np.flatnonzero(_inside(gears, point) > -NEAR)
+    near = np.flatnonzero(_inside(gears, point) > -MAX_CYLINDER_DISTANCE)
     point = point[:, near]
     x, y, height = contact.axes @ (point - contact.point[:, None])
     worm, _, exists = contact.worm_height.solve(x, y)
@@ -185,15 +185,15 @@ def _first_gaps(gears: WormGears) -> Array:
     """
     if gears.edge_contact is not None:
         touches = [
-            gears.first_touch(gears.cycle.contact(float(phase))) for phase in PHASES[::STRIDE]
+            gears.first_touch(gears.cycle.contact(float(phase))) for phase in PHASES[::PHASE_STRIDE]
         ]
-        gaps = [FAR if touch is None else touch.gap for touch in touches]
-        return np.interp(PHASES, PHASES[::STRIDE], gaps)
+        gaps = [OPEN_GAP if touch is None else touch.gap for touch in touches]
+        return np.interp(PHASES, PHASES[::PHASE_STRIDE], gaps)
     if not gears.deviating:
         return np.zeros(PHASES.size)
     least = []
     sides = gears.wheel.face_width / 2, 2 * gears.module
-    for phase in PHASES[::STRIDE]:
+    for phase in PHASES[::PHASE_STRIDE]:
         gap = gears.gap(gears.cycle.contact(float(phase)))
         place = 0.0, 0.0
         for part in (1.0, 2 / FINER):
@@ -206,5 +206,5 @@ def _first_gaps(gears: WormGears) -> Array:
             i, j = np.unravel_index(np.argmin(opening), opening.shape)
             place = x[i], y[j]
         least.append(opening[i, j])
-    first_gaps: Array = np.interp(PHASES, PHASES[::STRIDE], least)
+    first_gaps: Array = np.interp(PHASES, PHASES[::PHASE_STRIDE], least)
     return first_gaps

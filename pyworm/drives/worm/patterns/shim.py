@@ -16,7 +16,7 @@ from pyworm.drives.worm.teeth.gears import WormGears
 DIFFERENCE = 0.02e-3
 """Shift of the wheel for the first slope [m]."""
 
-LONGEST = 0.5e-3
+MAX_SHIFT_STEP = 0.5e-3
 """Longest step of a shift [m]."""
 
 MOST_STEPS = 10
@@ -55,7 +55,7 @@ def found_shim(
     for _ in range(MOST_STEPS):
         if abs(face - wanted) <= TOLERANCES["face"]:
             break
-        step = max(-LONGEST, min(LONGEST, (wanted - face) / slope))
+        step = max(-MAX_SHIFT_STEP, min(MAX_SHIFT_STEP, (wanted - face) / slope))
         tried = at(shift + step)
         if tried is None:
             break

@@ -9,17 +9,17 @@ import numpy as np
 
 from pyworm.drives.worm.teeth.gears import WormGears
 
-LARGEST = 0.05
+MAX_DEVIATION_DIFFERENCE = 0.05
 """Maximum difference of deviations on a flank over the module."""
 
-LARGEST_WORN = 0.3
+MAX_WORN_DIFFERENCE = 0.3
 """Maximum difference of deviations on a worn flank over the module, as the worm standard allows
 (0.3 m_x cos gamma)."""
 
 SHORT = 0.5
 """Distance from the ends of a mesh cycle over the module within which deviations of the worm may end."""
 
-REACH = 0.9
+MIN_FACE_COVERAGE = 0.9
 """Part of half of the face that deviations must reach over; those of the ends are hard to measure."""
 
 
@@ -34,9 +34,9 @@ def check_deviations(gears: WormGears) -> None:
     for name, deviations in gears.deviating.items():
         spread = deviations.spread
         if deviations.worn:
-            if spread > LARGEST_WORN * gears.module:
+            if spread > MAX_WORN_DIFFERENCE * gears.module:
                 raise ValueError(f"{name} is worn by {_mm(spread)}, more than 0.3 of the module")
-        elif spread > LARGEST * gears.module:
+        elif spread > MAX_DEVIATION_DIFFERENCE * gears.module:
             raise ValueError(
                 f"{name}.deviations differ by {_mm(spread)}, more than a twentieth of the module; are they "
                 "in other units? deviation_um is in micrometres"
@@ -51,7 +51,7 @@ def _check_wheel(gears: WormGears) -> None:
     if wheel.deviations is None:
         return
     half, face = wheel.face_width / 2, wheel.deviations.along
-    if face[0] > -REACH * half or face[-1] < REACH * half:
+    if face[0] > -MIN_FACE_COVERAGE * half or face[-1] < MIN_FACE_COVERAGE * half:
         raise ValueError(
             f"wheel.deviations reach along the face from {_mm(face[0])} to {_mm(face[-1])}; they must reach "
             f"from {_mm(-half)} to {_mm(half)}, from the middle of face_width"

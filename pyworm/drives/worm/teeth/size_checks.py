@@ -12,7 +12,7 @@ from pyworm.drives.worm.teeth.gears import WormGears
 TALLEST = 4.0
 """Largest height of a thread or a tooth over the axial module; usual ones have 2.2."""
 
-LOWEST = 1.8
+MIN_TOOTH_HEIGHT = 1.8
 """Least height of a usual one over the axial module."""
 
 
@@ -47,9 +47,9 @@ def _check_threads(gears: WormGears) -> None:
         tip, root = screw.tip_radius, screw.root_radius
         key = f"{name}.tip_diameter"
         if tip <= root:
-            if LOWEST * module < tip - root / 2 < tallest:
+            if MIN_TOOTH_HEIGHT * module < tip - root / 2 < tallest:
                 raise ValueError(_twice(f"{name}.root_diameter", root, "above tip_diameter"))
-            if LOWEST * module < 2 * tip - root < tallest:
+            if MIN_TOOTH_HEIGHT * module < 2 * tip - root < tallest:
                 raise ValueError(_half(key, tip, f"below root_diameter, {_mm(2 * root)}"))
             continue  # refused with both
         if tip - root > tallest and root < tip / 2 < root + tallest:

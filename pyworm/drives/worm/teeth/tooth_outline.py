@@ -30,7 +30,7 @@ ENDED = 1e-5
 
 MOST_STEPS, MOST_NEWTON = 64, 10
 
-LONGEST = 0.5
+MAX_NEWTON_STEP = 0.5
 """Newton step of a parameter at which the iteration leaves the flank."""
 
 
@@ -125,6 +125,6 @@ def _at(flank: WheelSurface, q: Array, aim: Array, sign: Array) -> tuple[Array, 
             break
         sound = np.where((determinant != 0)[:, None, None], slope, np.eye(len(place)))
         change = np.linalg.solve(sound, miss.T[..., None])[..., 0].T
-        near &= (determinant != 0) & (np.abs(change).max(axis=0) < LONGEST)
+        near &= (determinant != 0) & (np.abs(change).max(axis=0) < MAX_NEWTON_STEP)
         q = np.where(near & ~found, q - change, q)
     return q, found & near
