@@ -61,7 +61,7 @@ def beginnings() -> None:
     for name, constant, value in (
         ("half the load", "TOUCH", touch / 2),
         ("twice the load", "TOUCH", 2 * touch),
-        ("twice the distance", "APART", 2 * apart),
+        ("twice the distance", "FIRST_SEPARATION", 2 * apart),
     ):
         with patch.object(tooth_pair_motion, constant, value):
             rows[name] = early_films(lambda drive: drive.life)
