@@ -100,7 +100,7 @@ def _sized(
     change = AUXILIARY_CHANGE
     if drawn is scene:
         change = _first_change(scene, size, spacing)
-        factor = min(first_refinement(change, accuracy, model.heated), coarsest)
+        factor = min(first_refinement(change, accuracy, model.heated, model.rough), coarsest)
         spacing = spacing[0] * factor, spacing[1] * factor
         change = _first_change(scene, size, spacing)
     return _Sized(size, near, spacing, change, drawn is not scene)

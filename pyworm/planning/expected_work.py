@@ -171,22 +171,20 @@ def first_change(
     return first_change
 
 
-def first_refinement(change: float, accuracy: float, heated: bool) -> float:
+def first_refinement(change: float, accuracy: float, heated: bool, rough: bool) -> float:
     """Factor of the first grid's spacing by which the last one most probably just suffices.
 
     Where the films' expected change is a little too large for a number of halvings, a somewhat finer first
     grid saves the last of them, which has four times the nodes. Where it is far less than one halving needs,
-    twice the spacing does: if not, the last grid is what it would have been.
+    twice the spacing does between rough surfaces, whose asperities leave no pressure spikes: if not, the last
+    grid is what it would have been.
     """
     ratio = change / accuracy
     for enough in SUFFICIENT_OF_HEATED if heated else SUFFICIENT:
         if ratio <= enough * MOST_BEYOND:
             factor = float((enough / ratio) ** (1 / SHARPNESS_POWER))
-            return (
-                MAX_SPACING_FACTOR
-                if factor >= MIN_SPACING_SHARE * MAX_SPACING_FACTOR
-                else min(1.0, factor)
-            )
+            coarser = rough and factor >= MIN_SPACING_SHARE * MAX_SPACING_FACTOR
+            return MAX_SPACING_FACTOR if coarser else min(1.0, factor)
     return 1.0
 
 

@@ -156,6 +156,8 @@ def curves(
     """Figures over time with their error bars, and frames of pressure and film.
 
     A bar is never less than what the curve is off from the present film on the finer grid of the figures.
+    Figures that the present film does not have, whose heat is not simulated though other times of its life
+    call for it, have no curve.
 
     Parameters
     ----------
@@ -185,7 +187,7 @@ def curves(
     entrainment = tuple(zip(*(record.entrainment for record in records), strict=True))
     for axis, component in zip(AXES[: len(entrainment)], entrainment, strict=True):
         variables[f"life_entrainment_{axis}"] = ("instant",), np.array(component)
-    for name in records[0].figures:
+    for name in (name for name in records[0].figures if name in present):
         values = np.array([record.figures[name] for record in records])
         then = float(np.interp(present_seconds, [record.seconds for record in records], values))
         off = abs(present[name] - then) / max(abs(then), MIN_FIGURE)

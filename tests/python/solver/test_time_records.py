@@ -34,6 +34,12 @@ def test_the_larger_of_both_differences_counts():
     assert _bars(solves, 2.2) == pytest.approx([0.125, 0.1, 0.1])
 
 
+def test_a_figure_that_the_present_film_does_not_have_has_no_curve():
+    """At other times of the life heat was called for."""
+    life = curves([_moments([2.0, 2.0])], -1.0, "line", 0.25, 0.01, 2e-3, {}, None)
+    assert "life_film_min" not in life and "life_load" in life
+
+
 @pytest.mark.parametrize("rough", [False, True])
 def test_time_records_are_kept_with_their_fields(rough):
     x, y = np.linspace(-1, 1, 3), np.linspace(-2, 2, 5)
