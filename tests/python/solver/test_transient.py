@@ -68,14 +68,14 @@ def test_a_contact_without_change_is_steady_in_rotating_axes_too(turn):
 
     contact = lived(lambda back: ball(angle=-rate * back), axes)
     transient = solved(contact, "isothermal,squeeze")
-assert films(transient) == pytest.approx(films(solved(ball())), rel=0.004)
+    assert films(transient) == pytest.approx(films(solved(ball())), rel=0.004)
 
 
 def test_the_start_of_a_transient_is_forgotten():
     transit = predicted(ball()).transit
     contact = lived(lambda back: ball(1.0 if back < 1.5 * transit else 0.8))
     transient = solved(contact, "isothermal,squeeze")
-assert films(transient) == pytest.approx(films(solved(ball())), rel=0.01)
+    assert films(transient) == pytest.approx(films(solved(ball())), rel=0.01)
 
 
 @pytest.mark.parametrize(
