@@ -94,10 +94,10 @@ def run_balanced(
     else:
         if "cooling" in open_:
             some = [steady(task) for task in every(PHASE_STRIDE, tasks)]
-            case, _, _ = search.settle(case, some, how, WARM_PASSES)
+            case, _, _ = search.iterate(case, some, how, WARM_PASSES)
         if "lifts" in open_.get("operation", ()):
             case = search.lifted(case, tasks, how)
-    case, result, tasks = search.settle(case, tasks, how, PASSES)
+    case, result, tasks = search.iterate(case, tasks, how, PASSES)
     return result, tasks
 
 
@@ -187,7 +187,7 @@ class _Search:
         """Whether what a change of loads leaves to the next one is within the accuracy."""
         return leaves * load_change(case, new, phases) <= LOAD_SHARE * self.accuracy
 
-    def settle(
+    def iterate(
         self, case: Case, tasks: Sequence[Task], how: dict[str, Any], passes: int
     ) -> tuple[Case, Result, Sequence[Task]]:
         """The case as last solved, its result and tasks, after at most `passes` passes."""

@@ -19,7 +19,7 @@ USUAL_PASSES = 2
 """Usual number of passes until loads are found by steady films of the accuracy asked for, where it is no
 higher than the one of the search."""
 
-MARCHES = 2
+TRANSIENT_PASSES = 2
 """Work of the search for lifts in motion, in first transient solves of the life: one, and the steady films
 beside it, which cost about as much."""
 
@@ -81,4 +81,4 @@ def _lifts(tasks: Sequence[Task], once: float) -> float:
     life = seconds - sum(expectation.seconds - expectation.past for expectation in each)
     if accuracy >= GLANCE:
         return life
-    return all_of_them * _solved([steady(task) for task in some])[1] + MARCHES * life
+    return all_of_them * _solved([steady(task) for task in some])[1] + TRANSIENT_PASSES * life

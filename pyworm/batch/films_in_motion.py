@@ -59,7 +59,7 @@ class LifePart:
         return None
 
     def _solve_into(self, directory: Path) -> None:
-        if self.refinement > 0 and self._lost(directory):
+        if self.refinement > 0 and self._diverged(directory):
             return
         time_grid = self.task.time_grid
         wanted = {task.key: present_in_life(task.scene).seconds for task in self.tasks}
@@ -85,7 +85,7 @@ class LifePart:
                 known = {name: rate for name, rate in figures.items() if rate is not None}
                 keep(file, grid=grid, since=since[seconds], **known, **arrays)
 
-    def _lost(self, directory: Path) -> bool:
+    def _diverged(self, directory: Path) -> bool:
         """Whether the solve of twice the spacing has ended already and found no film of any task."""
         coarser = [directory / _file(task.key, self.refinement - 1) for task in self.tasks]
         return all(_has_flaw(file) for file in coarser)

@@ -19,7 +19,7 @@ SAFETY = 0.8
 """Step over the one that would just meet the tolerance."""
 
 MIN_STEP = 1e-3
-"""Shortest step, over the time to march, that is still halved."""
+"""Shortest step, over the time to integrate, that is still halved."""
 
 
 class UnsolvedError(ValueError):
@@ -50,7 +50,7 @@ def first_step(rate: Array, tolerance: float) -> float:
     return np.inf if fastest <= 0 else 2 * tolerance / fastest
 
 
-def march(
+def integrate_wear(
     start: Worn,
     until: float,
     rates: Rates,
@@ -64,7 +64,7 @@ def march(
     Parameters
     ----------
     start : Worn
-        Where to begin; with what `keep` was given a march goes on as if it had not been stopped.
+        Where to begin; with what `keep` was given an integration goes on as if it had not been stopped.
     until : float
         [h].
     rates : callable
@@ -74,7 +74,7 @@ def march(
     keep : callable, optional
         Given each step's end and its error [m] before the next begins.
     deepest : float, optional
-        The march ends before a step that would go deeper [m].
+        The integration ends before a step that would go deeper [m].
     relative : float, optional
         By how much that error may be larger, over the largest depth [-].
 
@@ -118,6 +118,8 @@ def _finite(rate: Array) -> Array:
         It is not; any comparison with its error would be false, and accept the step.
     """
     if not np.isfinite(rate).all():
-        lost = rate.size - int(np.isfinite(rate).sum())
-        raise UnsolvedError(f"the rate of wear is not known in {lost} of {rate.size} cells")
+        unknown_cells = rate.size - int(np.isfinite(rate).sum())
+        raise UnsolvedError(
+            f"the rate of wear is not known in {unknown_cells} of {rate.size} cells"
+        )
     return rate

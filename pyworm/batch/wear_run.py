@@ -11,7 +11,7 @@ import numpy as np
 
 from pyworm.batch.drive_iteration import run_balanced
 from pyworm.batch.task import Task, key_of
-from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, march
+from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, integrate_wear
 from pyworm.case.case import Case
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.wear_law import (
@@ -207,7 +207,9 @@ class WearRun:
         worn = self._restored() or self._begun()
         allowed = self.duty.gear.wear_limit
         plan = self.plan
-        march(worn, plan.hours, self._rates, plan.tolerance, self._keep, allowed, plan.relative)
+        integrate_wear(
+            worn, plan.hours, self._rates, plan.tolerance, self._keep, allowed, plan.relative
+        )
         return tuple(self.steps)
 
     @property

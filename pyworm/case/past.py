@@ -23,7 +23,7 @@ Factors = Annotated[tuple[Number, ...], Field(min_length=2)]
 class LoadHistory:
     """Factors of the load and of the surfaces' velocities at some times, straight between them."""
 
-    times: Annotated[tuple[units.Instant, ...], Field(min_length=2)]
+    times: Annotated[tuple[units.TimeOrZero, ...], Field(min_length=2)]
     """Times since the beginning [s]; the last one is the present."""
     load: Factors | None = None
     """Factors of the load [-]; None where it is always the present one."""
@@ -45,7 +45,7 @@ class PastTable(Table, LoadHistory):
         if self.times[0] != 0 or any(after <= before for before, after in pairwise(self.times)):
             raise ValueError('times begin at "0 s" and rise')
         given = {
-            key: course for key in ("load", "speed") if (course := getattr(self, key)) is not None
+            key: factors for key in ("load", "speed") if (factors := getattr(self, key)) is not None
         }
         if not given:
             raise ValueError("give the factors of load, of speed, or both")
@@ -85,9 +85,9 @@ class PastTable(Table, LoadHistory):
 
     def of(self, scene: AnyContact) -> AnyContact:
         """The contact with this past."""
-        course = _WrittenLife(present=scene, **vars(plain(self, LoadHistory)))
-        life = Life(self.times[-1], course, unturned, self.times[1:-1])
-        return replace(course(self.times[-1]), past=Past(life, self.times[-1]))
+        history = _WrittenLife(present=scene, **vars(plain(self, LoadHistory)))
+        life = Life(self.times[-1], history, unturned, self.times[1:-1])
+        return replace(history(self.times[-1]), past=Past(life, self.times[-1]))
 
 
 @dataclass(frozen=True, kw_only=True)

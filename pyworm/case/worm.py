@@ -274,8 +274,8 @@ class WormCase(RatedCase):
         else:
             load = drive.transmission
             torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
-            lost = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
-            other = NonMeshLosses(lost, table.bearings)
+            losses = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
+            other = NonMeshLosses(losses, table.bearings)
         return Cooling(other=other, **vars(plain(table, Housing)))
 
     @property

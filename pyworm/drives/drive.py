@@ -79,13 +79,15 @@ class Drive(Lubricated, ABC):
     @property
     def all_assumptions(self) -> tuple[str, ...]:
         """Its assumptions, those of softening bodies, and that of the oil which its contacts get."""
-        return (*self.assumptions, *self._softened, self._oil_words)
+        return (*self.assumptions, *self._softening_warnings, self._oil_words)
 
     @property
-    def _softened(self) -> tuple[str, ...]:
+    def _softening_warnings(self) -> tuple[str, ...]:
         """Moduli of bodies that soften, at their bulk temperatures."""
         pairs = zip(self.body_names, self.bodies, strict=True)
-        return tuple(sentence for name, body in pairs if (sentence := _softened(name, body)))
+        return tuple(
+            sentence for name, body in pairs if (sentence := _softening_warnings(name, body))
+        )
 
     @property
     def _oil_words(self) -> str:
@@ -168,7 +170,7 @@ class Drive(Lubricated, ABC):
         return None
 
 
-def _softened(name: str, body: Body) -> str:
+def _softening_warnings(name: str, body: Body) -> str:
     """The modulus of a body that softens, in a sentence; empty of one that does not."""
     if not body.modulus_by_temperature or body.bulk_temperature is None:
         return ""

@@ -24,7 +24,7 @@ class ContactLoss:
     """Section of a worm that has two."""
     station: float | None = None
     """Place along a contact line, 0 to 1; None where the contact is solved as a whole."""
-    course: tuple[tuple[float, float], ...] = ()
+    loss_history: tuple[tuple[float, float], ...] = ()
     """Phases since the contact before, and the power lost over the load at each [m/s], of a transient solve;
     empty where films are steady."""
 

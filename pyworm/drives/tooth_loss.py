@@ -89,8 +89,8 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
         return float(np.trapezoid(values, phases) / cycle.attrs["pitch"])
 
     found, of_half, spread = _friction(phases, sliding, contacts)
-    lost = found * load * sliding
-    power = over_pitch(lost)
+    lost_power = found * load * sliding
+    power = over_pitch(lost_power)
     turn = -1.0 if cycle.attrs["driver"] == "wheel" else 1.0
     levers = cycle["lever"].values, cycle["sliding_lever"].values
     wheel, reversed_ = (
@@ -100,7 +100,7 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     worm = (wheel * wheel_speed + turn * power) / worm_speed
     scale = _to_torque(cycle, wheel, worm)
     power, wheel, worm, reversed_ = (scale * value for value in (power, wheel, worm, reversed_))
-    lost, load = scale * lost, scale * load
+    lost_power, load = scale * lost_power, scale * load
     forward = wheel if turn > 0 else reversed_
     back = reversed_ if turn > 0 else wheel
     efficiencies = (
@@ -109,9 +109,9 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     )
     return Loss(
         power=power,
-        scene_error=over_pitch(_uncertain(lost, _interpolated(phases, contacts, "error"))),
+        scene_error=over_pitch(_uncertain(lost_power, _interpolated(phases, contacts, "error"))),
         phase_error=abs(over_pitch(of_half * load * sliding) - power),
-        end_error=over_pitch(lost * spread),
+        end_error=over_pitch(lost_power * spread),
         friction=power / over_pitch(load * sliding),
         wheel_torque=wheel,
         worm_torque=worm,
@@ -120,7 +120,7 @@ def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
         model_error=(
             None
             if all(contact.model is None for contact in contacts)
-            else over_pitch(_uncertain(lost, _interpolated(phases, contacts, "model")))
+            else over_pitch(_uncertain(lost_power, _interpolated(phases, contacts, "model")))
         ),
     )
 
@@ -140,7 +140,7 @@ def _friction(
     solved = np.array([contact.phase for contact in contacts])
     friction = np.array([contact.power / contact.load for contact in contacts])
     friction /= np.interp(solved, phases, sliding)
-    reference, known = _course(contacts, phases, sliding)
+    reference, known = _friction_history(contacts, phases, sliding)
     ratio = friction / reference(solved)
 
     def along(chosen: Array) -> Array:
@@ -156,14 +156,14 @@ def _friction(
     return along(all_of_them), along(half), beyond * spread
 
 
-def _course(
+def _friction_history(
     contacts: Sequence[ContactLoss], phases: Array, sliding: Array
 ) -> tuple[Callable[[Array], Array], Array]:
     """Friction over phase by transient solves, 1 where there are none, and at which phases it is known."""
-    course = np.array(sorted(pair for contact in contacts for pair in contact.course))
-    if not len(course):
+    loss_history = np.array(sorted(pair for contact in contacts for pair in contact.loss_history))
+    if not len(loss_history):
         return np.ones_like, np.zeros(len(phases), bool)
-    phase, over_load = course.T
+    phase, over_load = loss_history.T
     friction = over_load / np.interp(phase, phases, sliding)
     return lambda here: np.interp(here, phase, friction), (phases >= phase[0]) & (
         phases <= phase[-1]
@@ -183,8 +183,8 @@ def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> 
     return interpolated
 
 
-def _uncertain(lost: Array, error: Array) -> Array:
+def _uncertain(lost_power: Array, error: Array) -> Array:
     """Power lost times its relative error; nothing where no power is lost."""
-    uncertain = np.zeros_like(lost)
-    np.multiply(lost, error, out=uncertain, where=lost != 0)
+    uncertain = np.zeros_like(lost_power)
+    np.multiply(lost_power, error, out=uncertain, where=lost_power != 0)
     return uncertain

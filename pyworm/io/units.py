@@ -398,7 +398,7 @@ Duration = Annotated[
     float,
     quantity("a duration", "s", "25000 h", possible=("1e-6 s", "1e7 h"), usual=("1 h", "3e5 h")),
 ]
-Instant = Annotated[
+TimeOrZero = Annotated[
     float,
     quantity(
         "a time", "s", "2 ms", "not negative", possible=("1e-12 s", "1 h"), usual=("1 us", "10 s")

@@ -228,12 +228,12 @@ def _simulated(drive: Drive, duty: GearPairDuty, result: Result) -> dict[str, fl
         **_wear(duty, film, simulated_spots(solutions)),
         "hertz_pressure_Pa": max(solution.figures.pressure_max.value for solution in solutions),
     }
-    lost = mesh_loss(drive, result)
-    if lost is not None:
+    loss = mesh_loss(drive, result)
+    if loss is not None:
         values |= {
-            "friction": lost.friction,
-            "loss_W": lost.loss,
-            "efficiency": lost.efficiency,
+            "friction": loss.friction,
+            "loss_W": loss.loss,
+            "efficiency": loss.efficiency,
         }
     if all(solution.figures.temperature_max_body_1 is not None for solution in solutions):
         hottest, phase = max((_surface(solution), solution.phase) for solution in solutions)

@@ -366,14 +366,14 @@ def _simulated(duty: WormDuty, drive: Drive, result: Result) -> dict[str, float 
     if None not in duty.roughness:
         ratio = float(specific_film(film, duty.composite_roughness))
         values |= {"specific_film": ratio, "regime": regime(ratio)}
-    lost = mesh_loss(drive, result)
-    if lost is not None:
+    loss = mesh_loss(drive, result)
+    if loss is not None:
         values |= {
-            "friction": lost.friction,
-            "efficiency": lost.efficiency,
-            "efficiency_back": 1 - lost.loss / (lost.power - lost.loss),
-            "locking": lost.friction / duty.gear.tan_lead,
-            "loss_W": lost.loss,
+            "friction": loss.friction,
+            "efficiency": loss.efficiency,
+            "efficiency_back": 1 - loss.loss / (loss.power - loss.loss),
+            "locking": loss.friction / duty.gear.tan_lead,
+            "loss_W": loss.loss,
         }
     hot = [
         temperature.value

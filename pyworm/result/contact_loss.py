@@ -19,7 +19,7 @@ def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
             model=present(solution.figures.power_loss, "power_loss").model,
             section=solution.section,
             station=solution.station,
-            course=_loss_over_phase(solution),
+            loss_history=_loss_over_phase(solution),
         )
         for solution in solutions
     ]

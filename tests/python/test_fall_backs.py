@@ -74,7 +74,7 @@ MADE_BY = {
         "batch/test_sweep.py::test_a_bad_sweep_is_refused_in_one_sentence",
     "batch/sweep.py load_sweep CaseError":
         "batch/test_sweep.py::test_a_bad_sweep_is_refused_in_one_sentence",
-    "batch/wear_march.py march UnsolvedError":
+    "batch/wear_march.py integrate_wear UnsolvedError":
         "batch/test_wear_march.py::test_a_rate_that_is_not_known_is_no_step",
     "batch/wear_run.py WearRun._restored DamagedError":
         "batch/test_wear_run.py::test_a_damaged_state_is_not_gone_on_with",

@@ -55,7 +55,10 @@ target, residual rise."""
 
 FIELD_WORDS = {
     ("formulas", "lead"): "lead of a thread",
+    ("drives", "lead"): "lead of a thread",
+    ("case", "lead"): "lead of a thread",
     ("formulas", "moment"): "moment of a force, or of a distribution",
+    ("drives", "moment"): "moment of a force",
 }
 """Room and old word that is the field's own there -> its meaning."""
 
@@ -79,9 +82,7 @@ NAMED = tuple(FLOORS)
 STANDING_ALONE = NAMED
 """Rooms whose docstrings can be read alone."""
 
-TRANSLATED = (
-    "solver", "planning", "scene", "kernel", "precision", "surfaces", "formulas", "materials", "result",
-)  # fmt: skip
+TRANSLATED = tuple(FLOORS)
 """Rooms without `OLD_WORDS` as names, of modules too."""
 
 QUANTIFIED = tuple(FLOORS)

@@ -17,7 +17,7 @@ ROOMS = ("batch", "planning", "solver")
 """Rooms whose fall-backs are all to be made happen by a test."""
 
 FAILURES = {
-    *("diverged", "failure", "_lost", "taken", "flaw", "UNUSABLE_START_RESIDUAL", "unsolved"),
+    *("diverged", "failure", "_diverged", "taken", "flaw", "UNUSABLE_START_RESIDUAL", "unsolved"),
     *("UNRECOVERABLE_RESIDUAL", "MAX_GUESS_RESIDUAL", "MAX_TRANSIENT_RESIDUAL"),
     *("MAX_TEMPERATURE_RESIDUAL", "MAX_UNCONVERGED_GRIDS", "MAX_STRESS_FACTOR", "unconverged"),
     *("film_is_sound", "converged", "_converged", "status", "COARSE_TOLERANCE", "HEATED_TOLERANCE"),

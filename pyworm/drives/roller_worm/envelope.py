@@ -158,9 +158,9 @@ class RollerEnvelope:
         turn = _wide(self.worm_turn + E_Z, axis)
         b = np.cos(gamma) * velocity - radius * np.sin(gamma) * cross(axis, turn)
         b_going, b_side = dot(b, going), dot(b, side)
-        aim = np.sin(gamma) * dot(axis, velocity) / np.hypot(b_going, b_side)
+        cosine = np.sin(gamma) * dot(axis, velocity) / np.hypot(b_going, b_side)
         with np.errstate(invalid="ignore"):
-            spread = np.arccos(aim)
+            spread = np.arccos(cosine)
         towards = np.arctan2(b_side, b_going)
         # of both roots the one on the wanted side of the roller
         roots = [towards - spread, towards + spread]

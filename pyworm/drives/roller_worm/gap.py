@@ -102,7 +102,8 @@ class ContactFrame:
                 by_place = rotated(contact.along * contact.stretch, spun)
                 by_angle = rotated(drift, spun)
                 miss = [
-                    aim - dot(point - origin, axis) for aim, axis in zip((x, y), axes, strict=True)
+                    place - dot(point - origin, axis)
+                    for place, axis in zip((x, y), axes, strict=True)
                 ]
                 a, c = (dot(by_place, axis) for axis in axes)
                 b, d = (dot(by_angle, axis) for axis in axes)

@@ -177,7 +177,7 @@ def share(
     if torque == 0:
         return shared
 
-    def settled(turn: float, yielding: Array) -> tuple[Array, Array]:
+    def shared_loads(turn: float, yielding: Array) -> tuple[Array, Array]:
         """Loads of the slices, and deflection of pin and thread, at Theta."""
         if np.isinf(compliance.stiffness):
             return _load(shared, contact, turn, none, length), none
@@ -193,11 +193,11 @@ def share(
                 break
         return _load(shared, contact, turn, yielding, length), yielding
 
-    def moment(turn: float) -> float:
-        return float(np.sum(arm * settled(turn, none)[0] * lengths)) - torque
+    def excess_torque(turn: float) -> float:
+        return float(np.sum(arm * shared_loads(turn, none)[0] * lengths)) - torque
 
-    turn = rising_root(moment, torque / (np.sum(arm**2 * lengths) * _stiffness(compliance)))
-    loads, yielding = settled(turn, none)
+    turn = rising_root(excess_torque, torque / (np.sum(arm**2 * lengths) * _stiffness(compliance)))
+    loads, yielding = shared_loads(turn, none)
     forces = np.sum(loads * lengths, axis=0)
     return replace(shared, turn=turn, yielding=yielding, forces=forces)
 

@@ -121,9 +121,9 @@ class WormSection:
         with np.errstate(divide="ignore", invalid="ignore"):
             for _ in range(SECANTS):
                 new = other - off_other * (other - first) / (off_other - off_one)
-                settled = ~np.isfinite(new)
+                parallel = ~np.isfinite(new)
                 first, off_one = other, off_other
-                other = np.clip(np.where(settled, other, new), low, high)
+                other = np.clip(np.where(parallel, other, new), low, high)
                 off_other = self.along(other, wheel_angle) - face
                 if np.all(np.abs(off_other) <= ROUNDING):
                     break

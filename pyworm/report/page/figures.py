@@ -140,13 +140,13 @@ def _loss_rows(loss: MeshLoss, found: Findings) -> list[Row]:
     power, friction, efficiency = (
         QUANTITIES[name] for name in ("mesh_loss", "mesh_friction", "mesh_efficiency")
     )
-    lost = loss.loss / loss.power
+    loss_share = loss.loss / loss.power
     rows = [
         (qualified(friction.title()), f"{friction.text(loss.friction)} {bar}", "mesh cycle"),
         (qualified(power.title()), f"{power.text(loss.loss)} {bar}", "mesh cycle"),
         (
             qualified(f"{efficiency.title()}, forward"),
-            f"{efficiency.text(loss.efficiency)} {bars(loss.error, loss.model, 100 * lost)}",
+            f"{efficiency.text(loss.efficiency)} {bars(loss.error, loss.model, 100 * loss_share)}",
             f"of {loss.power / 1e3:.4g} kW; without bearings, seals and churning"
             + (f"; {loss.missing}" if loss.missing else ""),
         ),

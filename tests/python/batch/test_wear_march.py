@@ -7,7 +7,7 @@ import time
 import numpy as np
 import pytest
 
-from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, march
+from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, integrate_wear
 
 SLOW = np.array([[1.0, 0.5], [0.2, 0.0]]) * 1e-6
 """Rate of a flank as cut [m/h]."""
@@ -27,14 +27,14 @@ def begun(tolerance):
 
 
 def test_a_rate_that_stays_is_worn_exactly():
-    found = march(begun(1e-7), 100.0, lambda depth: SLOW, 1e-7)
+    found = integrate_wear(begun(1e-7), 100.0, lambda depth: SLOW, 1e-7)
     assert found.hours == 100
     assert found.depth == pytest.approx(SLOW * 100, rel=1e-12)
 
 
 @pytest.mark.parametrize("tolerance", [1e-7, 0.5e-7])
 def test_depth_follows_the_closed_form(tolerance):
-    found = march(begun(tolerance), 200.0, rates, tolerance)
+    found = integrate_wear(begun(tolerance), 200.0, rates, tolerance)
     assert found.depth == pytest.approx(worn_exactly(200.0), rel=0.03)
 
 
@@ -43,7 +43,7 @@ def test_half_the_steps_change_the_depth_by_less_than_3_percent():
     counts, depths = [], []
     for tolerance in (1e-7, 0.25e-7):
         ends = []
-        found = march(
+        found = integrate_wear(
             begun(tolerance), 200.0, rates, tolerance, lambda w, e, ends=ends: ends.append(w)
         )
         counts.append(len(ends))
@@ -54,7 +54,7 @@ def test_half_the_steps_change_the_depth_by_less_than_3_percent():
 
 def test_steps_keep_their_tolerance():
     errors = []
-    march(begun(1e-7), 200.0, rates, 1e-7, lambda worn, error: errors.append(error))
+    integrate_wear(begun(1e-7), 200.0, rates, 1e-7, lambda worn, error: errors.append(error))
     assert max(errors) <= 1e-7
     assert len(errors) > 5
 
@@ -63,7 +63,7 @@ def test_a_part_of_the_depth_may_be_allowed_beside_the_tolerance():
     """Steps grow with the depth, and the whole stays by the closed form."""
     steps = {0.0: [], 0.02: []}
     for relative, ends in steps.items():
-        found = march(
+        found = integrate_wear(
             begun(0.25e-7), 400.0, rates, 0.25e-7, lambda w, e, to=ends: to.append((w, e)),
             relative=relative,
         )  # fmt: skip
@@ -75,8 +75,8 @@ def test_a_part_of_the_depth_may_be_allowed_beside_the_tolerance():
 
 def test_a_march_goes_on_as_if_it_had_not_been_stopped():
     ends = []
-    whole = march(begun(1e-7), 50.0, rates, 1e-7, lambda worn, error: ends.append(worn))
-    again = march(ends[2], 50.0, rates, 1e-7)
+    whole = integrate_wear(begun(1e-7), 50.0, rates, 1e-7, lambda worn, error: ends.append(worn))
+    again = integrate_wear(ends[2], 50.0, rates, 1e-7)
     assert again.depth == pytest.approx(whole.depth, rel=1e-12)
 
 
@@ -84,7 +84,7 @@ STOPPED = """
 import sys, time
 import numpy as np
 from pathlib import Path
-from pyworm.batch.wear_march import Worn, march
+from pyworm.batch.wear_march import Worn, integrate_wear
 from pyworm.io.atomic import whole_file
 
 file = Path(sys.argv[1])
@@ -99,7 +99,7 @@ def rates(depth):
     time.sleep(0.1)
     return rate * np.exp(-depth / 5e-6)
 
-march(Worn(0.0, np.zeros((3, 3)), rate, 0.2), 1e6, rates, 1e-7, keep)
+integrate_wear(Worn(0.0, np.zeros((3, 3)), rate, 0.2), 1e6, rates, 1e-7, keep)
 """
 
 
@@ -116,7 +116,7 @@ def test_killing_a_march_loses_one_step_at_most(tmp_path):
         # the file is written before it is told; a step may be kept that was not
         assert float(held["hours"]) >= told[-1]
         begin = Worn(float(held["hours"]), held["depth"], held["rate"], float(held["step"]))
-    found = march(
+    found = integrate_wear(
         begin, begin.hours + 5, lambda depth: np.full((3, 3), 1e-6) * np.exp(-depth / 5e-6), 1e-7
     )
     assert found.depth.max() == pytest.approx(5e-6 * np.log1p(found.hours / 5), rel=0.03)
@@ -131,11 +131,13 @@ def test_a_rate_that_is_not_known_is_no_step():
 
     start = Worn(0.0, np.array([0.0, 1e-6, 0.0]), np.full(3, 1e-7), 40.0)
     with pytest.raises(UnsolvedError, match="not known in 1 of 3 cells"):
-        march(start, 100.0, rates, 1e-6, lambda worn, error: kept.append(worn))
+        integrate_wear(start, 100.0, rates, 1e-6, lambda worn, error: kept.append(worn))
     assert 4e-6 < kept[-1].depth.max() <= 5e-6
     assert np.isfinite(kept[-1].depth).all()
     with pytest.raises(UnsolvedError, match="not known in 2 of 3 cells"):
-        march(Worn(0.0, np.zeros(3), np.array([1.0, np.nan, np.inf]), 1.0), 1.0, rates, 1e-6)
+        integrate_wear(
+            Worn(0.0, np.zeros(3), np.array([1.0, np.nan, np.inf]), 1.0), 1.0, rates, 1e-6
+        )
 
 
 def test_a_step_whose_contacts_cannot_be_solved_is_tried_shorter():
@@ -149,5 +151,5 @@ def test_a_step_whose_contacts_cannot_be_solved_is_tried_shorter():
 
     with pytest.raises(UnsolvedError, match=r"phase 0\.8"):
         start = Worn(0.0, np.zeros(3), np.full(3, 1e-7), 40.0)
-        march(start, 100.0, rates, 1e-6, lambda worn, error: kept.append(worn))
+        integrate_wear(start, 100.0, rates, 1e-6, lambda worn, error: kept.append(worn))
     assert 4e-6 < kept[-1].depth.max() <= 5e-6

@@ -122,10 +122,10 @@ class FlankHeight:
         )
         x, y = START_DISTANCE / np.abs(rates).max() * STENCIL
         q = [value + a * x + b * y for value, (a, b) in zip(start, rates.T, strict=True)]
-        _, q, _ = self._settled(q, self._line(x, y))
+        _, q, _ = self._converged(q, self._line(x, y))
         return np.linalg.solve(_powers(x, y).T, np.array(q).T).T
 
-    def _settled(self, q: list[Array], line: Components) -> tuple[Array, list[Array], Array]:
+    def _converged(self, q: list[Array], line: Components) -> tuple[Array, list[Array], Array]:
         """Height and q by Newton's method, and the margin to the flank's end; NaN where no plane is found.
 
         The margin is the square of the determinant over the contact point's, less that of EDGE, or the
@@ -174,14 +174,14 @@ class FlankHeight:
     def _solve_each(self, x: Array, y: Array) -> Array:
         """Rows as of `_solve_block`, also where the flank is continued."""
         found = _in_blocks(self._solve_block, x, y)
-        lost = np.flatnonzero(found[-1] == 0)
-        if lost.size:
-            found[:, lost] = _in_blocks(self._continued, x[lost], y[lost])
+        failed = np.flatnonzero(found[-1] == 0)
+        if failed.size:
+            found[:, failed] = _in_blocks(self._continued, x[failed], y[failed])
         return found
 
     def _solve_block(self, x: Array, y: Array) -> Array:
         """Rows: height, q and 1 where the flank is found from the contact point, else 0."""
-        height, q, left = self._settled(list(self._guess @ _powers(x, y)), self._line(x, y))
+        height, q, left = self._converged(list(self._guess @ _powers(x, y)), self._line(x, y))
         return np.array([height, *q, left > 0])
 
     def _continued(self, x: Array, y: Array) -> Array:
@@ -245,5 +245,5 @@ class FlankHeight:
         ray = along(along((0.0, 0.0, 0.0), x, self.axes[0]), y, self.axes[1])
         rates = self.surface.rates(q, along(self.origin, here, ray), self.axes, ray)
         q = [value + (there - here) * rate for value, rate in zip(q, rates, strict=True)]
-        _, q, left = self._settled(q, along(self.origin, there, ray))
+        _, q, left = self._converged(q, along(self.origin, there, ray))
         return q, left

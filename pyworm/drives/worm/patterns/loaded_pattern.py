@@ -84,7 +84,7 @@ def deflection(placed: PlacedGap, pressure: Array, modulus: float, x: Array, y: 
     within: Array = scipy.interpolate.RegularGridInterpolator(
         (placed.x, placed.y), inside, bounds_error=False, fill_value=np.nan
     )(np.stack([x, y], axis=-1))
-    lost = np.flatnonzero(np.isnan(within))
+    unknown_places = np.flatnonzero(np.isnan(within))
     i, j = np.nonzero(pressure > 0)
     lumps, which = np.unique(np.stack([i // LUMP, j // LUMP]), axis=1, return_inverse=True)
     force = np.bincount(which.ravel(), pressure[i, j], lumps.shape[1]) * dx * dy
@@ -92,6 +92,6 @@ def deflection(placed: PlacedGap, pressure: Array, modulus: float, x: Array, y: 
         np.bincount(which.ravel(), pressure[i, j] * side, lumps.shape[1]) * dx * dy / force
         for side in (placed.x[i], placed.y[j])
     )
-    away = np.hypot(x[lost, None] - at_x, y[lost, None] - at_y)
-    within[lost] = (2 / (np.pi * modulus)) * (force / away).sum(axis=1)
+    away = np.hypot(x[unknown_places, None] - at_x, y[unknown_places, None] - at_y)
+    within[unknown_places] = (2 / (np.pi * modulus)) * (force / away).sum(axis=1)
     return within

@@ -74,8 +74,8 @@ def flank_outline(rimmed: RimmedFlank, count: int) -> Array:
         Points on each of the four sides.
     """
     tooth = rimmed.tooth
-    aim = np.stack(tooth.rim(count))
-    places = flank_places(rimmed.flank, rimmed.start, aim, tooth.hob_form_radius)
+    target = np.stack(tooth.rim(count))
+    places = flank_places(rimmed.flank, rimmed.start, target, tooth.hob_form_radius)
     places.flags.writeable = False
     return places
 
@@ -97,12 +97,12 @@ def flank_places(
     q = np.repeat(np.array(start)[:, None], target.shape[1], axis=1)
     first, slope = flank.place(q)
     # what the flank asks for beside radius and place along the axis is zero, the condition of cutting
-    aim = np.concatenate([target, np.zeros((len(first) - 2, target.shape[1]))])
+    target = np.concatenate([target, np.zeros((len(first) - 2, target.shape[1]))])
     sign = np.sign(np.linalg.det(np.moveaxis(slope, -1, 0)))
     reach, step = np.zeros(target.shape[1]), np.full(target.shape[1], FIRST_STEP)
     for _ in range(MOST_STEPS):
         there = np.minimum(reach + step, 1.0)
-        tried, found = _at(flank, q, first + there * (aim - first), sign)
+        tried, found = _at(flank, q, first + there * (target - first), sign)
         found &= flank.hob.radius(flank.cut_point(*tried)) < hob_form_radius
         q = np.where(found, tried, q)
         reach = np.where(found, there, reach)
@@ -112,14 +112,14 @@ def flank_places(
     return q
 
 
-def _at(flank: WheelSurface, q: Array, aim: Array, sign: Array) -> tuple[Array, Array]:
+def _at(flank: WheelSurface, q: Array, target: Array, sign: Array) -> tuple[Array, Array]:
     """Newton's method from parameters near a place, and whether it stayed on the same side of the edge."""
     near = np.ones(q.shape[1], dtype=bool)
     for _ in range(MOST_NEWTON):
         place, slope = flank.place(q)
         slope = np.moveaxis(slope, -1, 0)
         determinant = np.linalg.det(slope)
-        miss = place - aim
+        miss = place - target
         found = (np.abs(miss).max(axis=0) < FOUND) & (determinant * sign > 0)
         if np.all(found | ~near):
             break
