@@ -192,7 +192,7 @@ def test_on_a_large_wheel_a_radial_cylinder_cuts_the_offset_of_a_straight_sided_
     rollers = 10**6
     wheel = rollers * pitch / (2 * pi)
     worm = RollerEnvelope(
-        RollerProfile("cylinder", radius, 14e-3),
+        RollerProfile(radius, 14e-3),
         rollers / threads,
         wheel + throat,
         wheel,
