@@ -2,7 +2,13 @@
 
 import sys
 
-from pyworm.cli.stopping import end_at_once, end_if_stopped, end_in_order, exit_code
+from pyworm.cli.stopping import (
+    end_at_once,
+    end_if_stopped,
+    end_in_order,
+    exit_code,
+    report_stopped,
+)
 
 
 def main() -> int:
@@ -18,6 +24,7 @@ def main() -> int:
         end_in_order()
         code = cli.main()
     except KeyboardInterrupt as stop:  # before the command has begun, or after its end
+        report_stopped()
         code = exit_code(stop)
     finally:
         end_at_once()

@@ -55,8 +55,13 @@ def end_if_stopped(code: int) -> None:
         os._exit(code)
 
 
-def _end(number: int, frame: FrameType | None) -> None:
+def report_stopped() -> None:
+    """Report on standard error that a signal ended the program, outside a command, which reports more."""
     os.write(2, b"pyworm: stopped\n")
+
+
+def _end(number: int, frame: FrameType | None) -> None:
+    report_stopped()
     os._exit(128 + number)
 
 

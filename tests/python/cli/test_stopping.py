@@ -89,6 +89,26 @@ def test_a_signal_in_the_first_seconds_ends_all_at_once(tmp_path, end, delay):
     assert_none_left(process.pid)
 
 
+INTERRUPTED = """
+import sys
+import pyworm.cli.main as cli
+from pyworm.cli.__main__ import main
+from pyworm.cli.stopping import Stopped
+
+def interrupted():
+    raise Stopped(2)
+
+cli.main = interrupted
+sys.exit(main())
+"""
+
+
+def test_a_signal_between_the_imports_and_the_command_is_reported():
+    process = started("-c", INTERRUPTED)
+    said = process.communicate(timeout=PATIENCE)[1]
+    assert (process.returncode, said) == (130, "pyworm: stopped\n")
+
+
 @pytest.mark.parametrize("then", ["while True: pass", "raise SystemExit(0)"])
 def test_a_hanging_process_is_ended_after_a_signal(then):
     process = started("-c", WAITS.format(then=then, grace=1.5))
