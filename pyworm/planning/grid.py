@@ -139,12 +139,6 @@ def _spanning(box: Box, dx: float, dy: float) -> Grid:
     return Grid(west * dx, south * dy, dx, dy, cells_x + 1, cells_y + 1)
 
 
-def coarsened(grids: Sequence[Grid]) -> tuple[Grid, ...]:
-    """A nest over the same rectangles, or a little more, to twice the spacing."""
-    outermost, innermost = grids[0], grids[-1]
-    return nest(innermost.box, outermost.box, 2 * innermost.dx, 2 * innermost.dy)
-
-
 def _span(low: float, high: float, step: float) -> tuple[int, int]:
     """First node and number of cells of a grid around an interval.
 

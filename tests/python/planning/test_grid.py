@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pyworm.kernel.interpolation import prolong
-from pyworm.planning.grid import CELLS_MULTIPLE, Grid, coarsened, nest
+from pyworm.planning.grid import CELLS_MULTIPLE, Grid, nest
 from pyworm.planning.window import Reach, windows
 from pyworm.scene.scales import scales
 
@@ -23,7 +23,6 @@ def test_every_grid_of_a_nest_is_a_window_of_the_one_before(w, e, s, n, growth, 
     outer = tuple(growth * place for place in inner)
     grids = nest(inner, outer, dx, dy)
     check_nest(grids, inner, outer, dx, dy)
-    check_nest(coarsened(grids), grids[-1].box, grids[0].box, 2 * dx, 2 * dy)
 
 
 def check_nest(grids, inner, outer, dx, dy):
