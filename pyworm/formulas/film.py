@@ -320,7 +320,7 @@ def dowson_higginson(groups: LineGroups) -> Film:
 def dowson_toyoda(groups: LineGroups) -> Film:
     """Dowson and Toyoda's central film of a line contact, 3.06 U^0.69 G^0.56 W^-0.10.
 
-    Source: D. Dowson and A. Toyoda, Proc. 5th Leeds-Lyon Symp. on Tribology (1979) 60-65. Range:
+    Source: D. Dowson and S. Toyoda, Proc. 5th Leeds-Lyon Symp. on Tribology (1979) 60-65. Range:
     elastic and piezoviscous.
     """
     u, w, g = groups.speed, groups.load, groups.material
