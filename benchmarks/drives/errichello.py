@@ -7,12 +7,16 @@ Run from the repository's root:
 
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 from matplotlib.figure import Figure
 
 import pyworm
 from pyworm.drives.gear_pair.drive import GearPairDrive
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 CASES = {"original": "errichello_speed_increaser", "optimised": "errichello_optimised_addenda"}
 MICROINCH = 25.4e-9
@@ -51,27 +55,46 @@ def shifted(drive: GearPairDrive, shift: float) -> GearPairDrive:
 
 
 def table(drives: dict[str, GearPairDrive]) -> None:
+    """Printed figures beside ours."""
+    rows = []
     for name, drive in drives.items():
-        ours, printed = worst(drive), PRINTED[name]
-        marks = [
+        ours, (film, specific, hottest, scuffing) = worst(drive), PRINTED[name]
+        lowest, highest = (
             drive.phase_of(getattr(drive.teeth, f"{end}_single")) for end in ("lowest", "highest")
+        )
+        mean_scuffing = float(fahrenheit(drive.surfaces.scuffing_temperature))
+        rows += [
+            (
+                name,
+                "pitch-line velocity / ft/min",
+                400,
+                f"{drive.pitch_line_velocity / 0.3048 * 60:.0f}",
+            ),
+            (name, "h_min / microinch", film, f"{ours['film']:.2f}"),
+            (name, "phase of h_min (LPSTC)", f"{lowest:.3f}", f"{ours['thin at']:.3f}"),
+            (name, "specific film thickness", specific, f"{ours['specific film']:.3f}"),
+            (name, "maximum contact temperature / degF", hottest, f"{ours['hottest']:.0f}"),
+            (name, "phase of it (HPSTC)", f"{highest:.3f}", f"{ours['hot at']:.3f}"),
+            (name, "mean scuffing temperature / degF", scuffing, f"{mean_scuffing:.0f}"),
         ]
-        print(f"\n{name}: LPSTC at phase {marks[0]:.3f}, HPSTC at {marks[1]:.3f}")
-        print(
-            f"  h_min, microinch {ours['film']:.2f} at {ours['thin at']:.3f}, printed {printed[0]}"
-        )
-        print(f"  specific film         {ours['specific film']:.3f}, printed {printed[1]}")
-        print(
-            f"  hottest contact, degF {ours['hottest']:.0f} at {ours['hot at']:.3f}, printed {printed[2]}"
-        )
-        print(
-            f"  mean scuffing, degF   {fahrenheit(drive.surfaces.scuffing_temperature):.0f}, {printed[3]}"
-        )
-        print(
-            f"  Hertz pressure        {ours['Hertz GPa']:.2f} GPa; loss factor {drive.loss_factor:.4f}"
-        )
-        print(f"  pitch-line velocity   {drive.pitch_line_velocity / 0.3048 * 60:.0f} ft/min")
-        print("  simulated: phase, h_min microinch, formula, friction, surface and Blok degF")
+    record("errichello", ("addenda", "quantity", "published", "pyworm"), rows)
+
+
+SIMULATED = (
+    "addenda",
+    "phase",
+    "h_min / microinch",
+    "h_min by formula / microinch",
+    "friction",
+    "T_max of the surfaces / degF",
+    "T_max by Blok with that friction / degF",
+)
+
+
+def compare_films(drives: dict[str, GearPairDrive]) -> None:
+    """Simulated films and temperatures beside closed forms."""
+    rows = []
+    for name, drive in drives.items():
         for phase in (0.06, 0.13, 0.31, 0.5, 0.69, 0.87, 0.94):
             solved, rating = simulated(drive, phase), drive.rating(drive.contacts(phase))
             figures = solved.figures
@@ -81,11 +104,18 @@ def table(drives: dict[str, GearPairDrive]) -> None:
             )
             blok = rating.contact_temperature - rating.flash_temperature
             blok += rating.flash_temperature * friction / drive.surfaces.friction_coefficient
-            print(
-                f"    {phase:.2f}  {figures.film_min.value / MICROINCH:.2f}  "
-                f"{float(rating.film_min) / MICROINCH:.2f}  {friction:.4f}  {fahrenheit(hottest):.1f}  "
-                f"{float(fahrenheit(blok)):.1f}"
+            rows.append(
+                (
+                    name,
+                    phase,
+                    f"{figures.film_min.value / MICROINCH:.2f}",
+                    f"{float(rating.film_min) / MICROINCH:.2f}",
+                    f"{friction:.4f}",
+                    f"{fahrenheit(hottest):.1f}",
+                    f"{float(fahrenheit(blok)):.1f}",
+                )
             )
+    record("errichello_films", SIMULATED, rows)
 
 
 def simulated(drive: GearPairDrive, phase: float):
@@ -194,6 +224,7 @@ def main() -> None:
         picture(drives)
         return
     table(drives)
+    compare_films(drives)
     directions(drives)
     addenda(drives["optimised"])
     assumptions(drives["original"])

@@ -3,6 +3,7 @@
 python benchmarks/drives/roller_tables.py          # closed forms, and line contacts solved: a minute
 """
 
+import sys
 from dataclasses import replace
 from math import atan, cos, degrees, sin
 from pathlib import Path
@@ -12,6 +13,9 @@ import numpy as np
 import pyworm
 from pyworm.formulas.roller_enveloping import normal_force, printed_minimum, printed_normal_force
 from pyworm.materials.body import reduced_modulus
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 CASE = Path(__file__).parents[2] / "cases" / "roller_ref.toml"
 
@@ -40,10 +44,7 @@ SOURCE = {
 def main():
     drive = pyworm.load(CASE).drive
     forces(drive)
-    print(
-        "\n| | | source | its formula, locked | its formula, free | Dowson-Higginson | solved |"
-        "\n|---|---|---|---|---|---|---|"
-    )
+    rows = []
     for name, table in SOURCE.items():
         for value, films in table.items():
             other = drive.varied(name, value)
@@ -54,9 +55,23 @@ def main():
                     float(other.state(section, phase, [0.5]).films.minimum[0]),
                     solved(other, section, phase),
                 ]
-                shown = " | ".join(f"{one * 1e6:.3f}" for one in ours)
                 label = f"R = {value * 1e3:g} mm" if value < 0.1 else f"k = {value:g}"
-                print(f"| {label} | {section} {end} | {film:.3f} | {shown} |")
+                shown = [f"{one * 1e6:.3f}" for one in (film * 1e-6, *ours)]
+                rows.append((label, section, end, *shown))
+    record("roller_films", COLUMNS, rows)
+
+
+COLUMNS = (
+    "size",
+    "section",
+    "end",
+    "published / um",
+    "its formula with locked rollers / um",
+    "its formula with free rollers / um",
+    "Dowson-Higginson / um",
+    "solved / um",
+)
+"""Its formula is the source's, with its load; the last two have the load of the rollers in mesh."""
 
 
 def forces(drive):

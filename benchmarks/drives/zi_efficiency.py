@@ -8,11 +8,15 @@ Run from the repository's root:
 
 import sys
 from math import pi
+from pathlib import Path
 
 from pyworm.formulas.worm_gear import WormGear
 from pyworm.formulas.worm_rating import WormConditions, WormRating
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import open_result
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 GEAR = WormGear(
     centre_distance=0.3048,
@@ -24,6 +28,9 @@ GEAR = WormGear(
     profile_shift=-0.42,  # makes the centre distance
 )
 
+FIRST = "pyworm run cases/zi_drive.toml -j 2 --accuracy 2% --effects auto,-squeeze"
+"""Command that writes the result."""
+
 ROUGHNESS = (0.1e-6, 0.3e-6, 0.5e-6)
 """Ra of the worm's flanks for which the standards are asked [m]; the least they know is 0.1 um or so."""
 
@@ -31,10 +38,16 @@ ROUGHNESS = (0.1e-6, 0.3e-6, 0.5e-6)
 def main() -> None:
     result = open_result(sys.argv[1])
     loss = drive_cycle(result).loss
-    print(
-        f"simulated, smooth: {loss.power:.0f} +- {loss.error:.0f} W, friction {loss.friction:.4f}, "
-        f"{loss.efficiency:.2%} +- {loss.efficiency_error:.2%}, other way {loss.reverse_efficiency:.2%}"
-    )
+    rows = [
+        (
+            "simulated, smooth surfaces",
+            f"{loss.power:.0f} ± {loss.error:.0f}",
+            f"{loss.friction:.4f}",
+            f"{loss.efficiency * 100:.2f} ± {loss.efficiency_error * 100:.2f} %",
+            f"{loss.reverse_efficiency * 100:.2f} %",
+            "",
+        )
+    ]
     for roughness in ROUGHNESS:
         conditions = WormConditions(
             oil="PAG",
@@ -45,11 +58,19 @@ def main() -> None:
             roughness=roughness,
         )
         rated = WormRating(GEAR, conditions)
-        print(
-            f"standard, Ra {roughness * 1e6:.1f} um: {rated.tooth_loss:.0f} W, friction "
-            f"{rated.friction:.4f}, {rated.forward_efficiency:.2%}, other way "
-            f"{rated.backward_efficiency:.2%}, film {rated.film * 1e6:.2f} um"
+        rows.append(
+            (
+                f"standard, Ra {roughness * 1e6:.1f} um",
+                f"{rated.tooth_loss:.0f}",
+                f"{rated.friction:.4f}",
+                f"{rated.forward_efficiency * 100:.2f} %",
+                f"{rated.backward_efficiency * 100:.2f} %",
+                f"{rated.film * 1e6:.2f}",
+            )
         )
+    efficiencies = "efficiency with the worm driving", "efficiency with the wheel driving"
+    columns = ("", "power loss of the teeth / W", "mean friction", *efficiencies, "mean film / um")
+    record("zi_efficiency", columns, rows, first=FIRST)
 
 
 if __name__ == "__main__":

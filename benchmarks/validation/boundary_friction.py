@@ -13,6 +13,7 @@ import sys
 from collections.abc import Mapping
 from functools import partial
 from math import hypot, sqrt
+from pathlib import Path
 from unittest.mock import patch
 
 from boundary_friction_fit import (
@@ -41,6 +42,9 @@ from pyworm.solver.roughness_uncertainty import (
     changes_by,
     roughness_uncertainty,
 )
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 ACCURACY = 0.2
 """Numerical accuracy asked for; friction has less than a tenth of it."""
@@ -123,62 +127,89 @@ def solve_all() -> None:
 
 def compare_phases() -> None:
     """Mesh mean by three, five and nine phases."""
+    rows = []
     for row in COMPARED:
         means = {
             len(phases): over_the_mesh(row, phases).loss.friction
             for phases in (PHASES[::2], PHASES, MORE_PHASES)
         }
         whole = means[len(MORE_PHASES)]
-        print(
-            f"{row.oil}, {row.speed} r/min: "
-            + ", ".join(
-                f"{count} phases {of:.4f} ({of / whole - 1:+.1%})" for count, of in means.items()
+        rows += [
+            (row.oil, row.speed, count, f"{of:.4f}", f"{(of / whole - 1) * 100:+.1f} %")
+            for count, of in means.items()
+        ]
+    columns = "oil", "worm speed / rpm", "phases", "mean friction", "difference from nine"
+    record("worm_standard_phases", columns, rows)
+
+
+FIT_COLUMNS = (
+    "wheel",
+    "oil",
+    "v_g / m/s",
+    "friction by the standard",
+    "left out and predicted",
+    "difference",
+    "model uncertainty",
+    "holds",
+)
+
+
+def fit() -> None:
+    """The fit to the standard's curves of either way of lubrication; the table is of the bath."""
+    fits = []
+    for lubrication in ("injection", "bath"):
+        found = fitted(lubrication)
+        off = abs(found.predicted / found.wanted - 1)
+        fits.append(
+            (
+                lubrication,
+                len(off),
+                int(sum(off < 0.25)),
+                f"{max(off) * 100:.1f} %",
+                f"{min(found.bars) * 100:.1f} to {max(found.bars) * 100:.1f} %",
+                int(sum(found.held)),
+                *(f"{of:.4f}" for of in (found.mu_b | found.factors).values()),
+                *(f"{spread:.3f}" for spread in found.spreads.values()),
             )
         )
-
-
-def fit(lubrication: str) -> None:
-    """The fit to the standard's curves of one way of lubrication."""
-    found = fitted(lubrication)
-    numbers = ", ".join(f"{name} {of:.4f}" for name, of in (found.mu_b | found.factors).items())
-    print(f"\n{lubrication}: {numbers}")
-    print("| wheel | oil | v_g m/s | standard | left out and predicted | off | model | holds |")
-    print("|---|---|---|---|---|---|---|---|")
+    counts = "rows", "within 25 %", "largest", "model uncertainty", "held by it"
+    names = [f"mu_b of {name}" for name in found.mu_b]
+    factors = [f"factor of {name}" for name in found.factors]
+    spreads = [f"spread of mu_b with {family}" for family in found.spreads]
+    record("worm_standard_fits", ("lubrication", *counts, *names, *factors, *spreads), fits)
+    rows = []
     for index, row in enumerate(ROWS):
         wanted, predicted = found.wanted[index], found.predicted[index]
-        print(
-            f"| {row.wheel} | {row.oil} | {row.sliding:.2f} | {wanted:.4f} | {predicted:.4f} | "
-            f"{predicted / wanted - 1:+.0%} | ± {found.bars[index]:.0%} | "
-            f"{'yes' if found.held[index] else 'no'} |"
-        )
-    off = abs(found.predicted / found.wanted - 1)
-    print(
-        f"{sum(off < 0.25)} of {len(off)} rows within 25 %, largest {max(off):.1%}; model uncertainty "
-        f"{min(found.bars):.1%} to {max(found.bars):.1%}, holds {sum(found.held)}; "
-        + "mu_b of 19 of 20 rows left out is off by at most "
-        + ", ".join(f"{spread:.3f} ({family})" for family, spread in found.spreads.items())
-    )
+        cells = row.wheel, row.oil, f"{row.sliding:.2f}", f"{wanted:.4f}", f"{predicted:.4f}"
+        off, bar = f"{(predicted / wanted - 1) * 100:+.0f} %", f"{found.bars[index] * 100:.0f} %"
+        rows.append((*cells, off, bar, "yes" if found.held[index] else "no"))
+    record("worm_standard_friction", FIT_COLUMNS, rows)
 
 
 def efficiencies() -> None:
     """Friction and efficiency of the teeth of tin bronze at 1500 r/min beside the standard's."""
-    print("\n| oil | friction, standard | mesh mean | efficiency, standard | simulated |")
-    print("|---|---|---|---|---|")
+    rows = []
     for row in ROWS:
         if (row.wheel, row.speed) != ("CuSn12Ni2-C-GZ", 1500):
             continue
         loss, standard = over_the_mesh(row).loss, row.standard()
-        print(
-            f"| {row.oil} | {standard:.4f} | {loss.friction:.4f} ± {loss.friction * loss.model:.4f} | "
-            f"{forward_efficiency(REFERENCE_GEAR.tan_lead, standard):.1%} | "
-            f"{loss.efficiency:.1%} ± {(1 - loss.efficiency) * loss.model:.1%} |"
+        efficiency = forward_efficiency(REFERENCE_GEAR.tan_lead, standard)
+        rows.append(
+            (
+                row.oil,
+                f"{standard:.4f}",
+                f"{loss.friction:.4f} ± {loss.friction * loss.model:.4f}",
+                f"{efficiency * 100:.1f} %",
+                f"{loss.efficiency * 100:.1f} ± {(1 - loss.efficiency) * loss.model * 100:.1f} %",
+            )
         )
+    columns = "friction by the standard", "friction", "efficiency by the standard", "efficiency"
+    record("worm_standard_efficiency", ("oil", *columns), rows)
 
 
 def show_fits() -> None:
     """The fit to the standard's curves of either way of lubrication, and what follows."""
-    for lubrication in ("injection", "bath"):
-        fit(lubrication)
+    fit()
     print("\nrefitted:", ", ".join(f"{law} {of:.3f}" for law, of in refitted().items()))
     efficiencies()
 

@@ -3,6 +3,7 @@
 Run from the repository's root: python benchmarks/validation/convergence.py
 """
 
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +13,9 @@ import pyworm
 from pyworm.planning.grid import Grid
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 COARSEST = 48
 TOLERANCE = 1e-6
@@ -56,20 +60,43 @@ def films(scene: Scene, box: tuple[float, float, float]) -> np.ndarray:
     return np.array(rows)
 
 
+COLUMNS = (
+    "case",
+    "film",
+    "first grid",
+    "second grid",
+    "third grid",
+    "order",
+    "extrapolated",
+    "independent",
+    "difference",
+)
+
+
 def main() -> None:
+    rows = []
     for case, (box, reference) in CASES.items():
         scene = pyworm.load(Path("cases") / f"{case}.toml").scene()
         coarse, middle, fine = films(scene, box)
         order = np.log2((middle - coarse) / (fine - middle))
         limit = fine + (fine - middle) / 3
-        print(case)
-        for name, *values in zip(
-            ("central", "minimum"), coarse, middle, fine, order, limit, reference, strict=True
-        ):
-            text = "  ".join(f"{value:6.4f}" for value in values)
-            print(f"  {name}  {text}  {values[4] / values[5] - 1:+.2%}")
+        for place, name in enumerate(("central", "minimum")):
+            grids = (f"{row[place]:.4f}" for row in (coarse, middle, fine))
+            wanted = reference[place]
+            deviation = f"{(limit[place] / wanted - 1) * 100:+.2f} %"
+            rows.append(
+                (
+                    case,
+                    name,
+                    *grids,
+                    f"{order[place]:.2f}",
+                    f"{limit[place]:.4f}",
+                    wanted,
+                    deviation,
+                )
+            )
+    record("circular_films", COLUMNS, rows)
 
 
 if __name__ == "__main__":
-    print("film: three grids, order, extrapolated, reference, difference")
     main()

@@ -9,6 +9,7 @@ grids agreed on. Run from the repository's root:
 
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
@@ -18,6 +19,9 @@ from pyworm.materials.oil import Oil
 from pyworm.materials.viscosity_density import Density, Roelands
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 from pyworm.scene.scales import scales
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 STEEL = Body(205.66e9, 0.3)
 OIL = Oil(Roelands.from_alpha(0.04, 22e-9), Density.dowson_higginson_pole(870.0))
@@ -62,7 +66,7 @@ TOLERANCE = 1e-6
 
 def orders() -> None:
     """Central and minimum film on three grids of halving spacing over one window."""
-    print("     D  film       three grids                 order  extrapolated  grid")
+    table = []
     for ratio in SLENDER:
         contact = scene(ratio)
         unit = scales(contact).groups.moes_film
@@ -79,35 +83,36 @@ def orders() -> None:
         order = np.log2((middle - coarse) / (fine - middle))
         limit = fine + (fine - middle) / 3
         for number, name in enumerate(("central", "minimum")):
-            values = "  ".join(f"{row[number]:7.4f}" for row in (coarse, middle, fine))
-            print(
-                f"{ratio:6.3g}  {name}  {values}  {order[number]:5.2f}  {limit[number]:12.4f}"
-                f"  {finest.nx} x {finest.ny}",
-                flush=True,
-            )
+            grids = (f"{row[number]:.4f}" for row in (coarse, middle, fine))
+            found = f"{order[number]:.2f}", f"{limit[number]:.4f}", f"{finest.nx} x {finest.ny}"
+            table.append((ratio, name, *grids, *found))
+    grids = "first grid", "second grid", "third grid"
+    record("ellipse_orders", ("D", "film", *grids, "order", "extrapolated", "finest grid"), table)
 
 
-def main() -> None:
-    if sys.argv[1:] == ["order"]:
-        orders()
-        return
-    print("     D   central   ± %  reference    diff   minimum   ± %  reference    diff  grid")
+def compare() -> None:
+    """Films beside the independent ones."""
+    rows = []
     for ratio, reference in REFERENCE.items():
         contact = scene(ratio)
         plan = replace(pyworm.plan(contact, ACCURACY, "all"), largest_grid=LARGEST_GRID)
         solution = pyworm.solve(contact, plan)
         unit = scales(contact).groups.moes_film
-        cells = [f"{ratio:6.3g}"]
+        cells = [f"{ratio:g}" if ratio >= 1 else f"1/{round(1 / ratio)}"]
         for name, wanted in zip(("film_central", "film_min"), reference, strict=True):
             film = getattr(solution.figures, name)
-            cells.append(f"{film.value / unit:9.4f} {100 * film.error:5.2f}")
-            cells.append(
-                f"{'':>9} {'':>8}"
-                if wanted is None
-                else f"{wanted:9.3f} {film.value / unit / wanted - 1:+8.2%}"
-            )
-        size = f"{solution.fields.sizes['x']} x {solution.fields.sizes['y']}"
-        print(*cells, size, "" if solution.converged else solution.stop_reason, flush=True)
+            value = film.value / unit
+            off = "" if wanted is None else f"{(value / wanted - 1) * 100:+.2f} %"
+            cells += [f"{value:.3f}", f"{100 * film.error:.2f} %", wanted or "", off]
+        rows.append(cells)
+    titles = "{} film", "{} uncertainty", "{} independent", "{} difference"
+    columns = [title.format(film) for film in ("central", "minimum") for title in titles]
+    record("ellipse_films", ("D", *columns), rows)
+
+
+def main() -> None:
+    if sys.argv[1:] != ["order"]:
+        compare()
     orders()
 
 

@@ -6,6 +6,7 @@ Run from the repository's root:
 """
 
 import csv
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,9 @@ from pyworm.materials.oil import Oil
 from pyworm.materials.viscosity_density import Barus, Density, Roelands
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.scales import line_scales
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 ETA0, ALPHA, RADIUS = 0.04, 22e-9, 0.01
 STEEL = Body(205.66e9, 0.3)
@@ -47,35 +51,36 @@ def line(m: float, lubricant: float, oil: Oil) -> LineScene:
 
 
 def compare() -> None:
-    """Print films beside the independent ones."""
-    print(
-        f"{'oil':15} {'(M, L)':>10} {'central':>8} {'to independent':>14} {'minimum':>8} {'':>14}"
-        f" {'nodes':>6} {'ms':>5}   {'1 %: nodes':>10} {'ms':>5}"
-    )
+    """Films beside the independent ones."""
     with open(Path("tests/data/line_films.csv")) as file:
-        rows = list(csv.DictReader(row for row in file if not row.startswith("#")))
+        known = list(csv.DictReader(row for row in file if not row.startswith("#")))
+    rows = []
     for name, oil in OILS.items():
-        for row in rows:
+        for row in known:
             scene = line(float(row["M"]), float(row["L"]), oil)
             rough, fine = (
                 pyworm.solve(scene, pyworm.plan(scene, accuracy, "all")) for accuracy in ACCURACIES
             )
             unit, figures = line_scales(scene).groups.moes_film, fine.figures
-            central, minimum = figures.film_central.value / unit, figures.film_min.value / unit
-            print(
-                f"{name:15} {scene.name:>10} "
-                f"{central:8.3f} {central / float(row[f'{name}_central']) - 1:+14.2%} "
-                f"{minimum:8.3f} {minimum / float(row[f'{name}_minimum']) - 1:+14.2%} "
-                f"{fine.fields.sizes['x']:6} {fine.cost.seconds * 1e3:5.0f}   "
-                f"{rough.fields.sizes['x']:10} {rough.cost.seconds * 1e3:5.0f}"
-            )
+            cells = [name, row["M"], row["L"]]
+            for film in ("central", "minimum"):
+                value = (
+                    getattr(figures, "film_min" if film == "minimum" else "film_central").value
+                    / unit
+                )
+                cells += [
+                    f"{value:.3f}",
+                    f"{(value / float(row[f'{name}_{film}']) - 1) * 100:+.2f} %",
+                ]
+            rows.append((*cells, rough.fields.sizes["x"], fine.fields.sizes["x"]))
+    titles = "oil", "M", "L", "central", "central difference", "minimum", "minimum difference"
+    record("line_films", (*titles, "nodes at 1 %", "nodes at 0.05 %"), rows)
 
 
 def judge_error_bars() -> None:
-    """Print how many error bars of random scenes at 1 % miss the film at 0.1 %, and what the solves took."""
+    """How many error bars of random scenes at 1 % hold the film at 0.1 %."""
     random = np.random.default_rng(11)
     bars = misses = converged = 0
-    seconds = []
     for _ in range(SCENES):
         m, lubricant = 10 ** random.uniform(-2, 3.5), random.uniform(0, 25)
         scene = line(m, lubricant, OILS[random.choice(list(OILS))])
@@ -83,15 +88,13 @@ def judge_error_bars() -> None:
             pyworm.solve(scene, pyworm.plan(scene, error, "all")) for error in (0.01, 0.001)
         )
         converged += rough.converged
-        seconds.append(rough.cost.seconds)
         for name in ("film_central", "film_min"):
             estimate, truth = getattr(rough.figures, name), getattr(fine.figures, name)
             bars += 1
             misses += abs(estimate.value / truth.value - 1) > estimate.error + truth.error
-    print(
-        f"{SCENES} random scenes, M 0.01 to 3200, L to 25, at 1 %: {converged} converged, {misses} of {bars} "
-        f"error bars miss; {np.median(seconds) * 1e3:.0f} ms in the middle, {max(seconds) * 1e3:.0f} at most"
-    )
+    held = bars - misses
+    columns = "contacts", "converged", "error estimates", "hold"
+    record("line_errors", columns, [(SCENES, converged, bars, f"{held} ({held / bars:.1%})")])
 
 
 def main() -> None:

@@ -10,8 +10,10 @@ of processor):
     python benchmarks/validation/microcavity.py
 """
 
+import sys
 from collections.abc import Iterator
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -19,6 +21,9 @@ from pyworm import kernel
 from pyworm.formulas.hertz import hertz
 from pyworm.materials.oil import Oil
 from pyworm.materials.viscosity_density import Density, Roelands
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 HALF_WIDTH, RADIUS, LOAD, MODULUS, SPEED = 136.5e-6, 12.5e-3, 15.0, 110e9, 0.09
 """Hertz's half-width and the ball's radius [m], load [N], reduced modulus [Pa], mean speed [m/s]."""
@@ -151,11 +156,7 @@ def films_at(contact: Contact, cavity: Cavity) -> dict[float, np.ndarray]:
 
 
 def main() -> None:
-    """Solve and print all."""
-    print(
-        "| cavity | at / µm | place / µm | published / nm | coarser grid | finer grid | to published |"
-    )
-    print("|---|---|---|---|---|---|---|")
+    rows = []
     contacts = [Contact(cells) for cells in CELLS]
     for name, cavity in CAVITIES.items():
         solved = [films_at(contact, cavity) for contact in contacts]
@@ -165,11 +166,11 @@ def main() -> None:
                     1e9 * np.interp(1e-6 * at, contact.x[:, 0], of[place])
                     for contact, of in zip(contacts, solved, strict=True)
                 )
-                print(
-                    f"| {name} | {place} | {at} | {film} | {coarse:.1f} | {fine:.1f} | "
-                    f"{fine / film - 1:+.1%} |",
-                    flush=True,
-                )
+                off = f"{(fine / film - 1) * 100:+.1f} %"
+                rows.append((name, place, at, film, f"{coarse:.1f}", f"{fine:.1f}", off))
+                print(*rows[-1], flush=True)
+    films = "published / nm", "coarser grid / nm", "finer grid / nm", "difference"
+    record("microcavity", ("cavity", "cavity at / um", "film at / um", *films), rows)
 
 
 if __name__ == "__main__":

@@ -35,6 +35,9 @@ from pyworm.result.contact_loss import contact_losses
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.solver.solution import Solution
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 OUT = Path("results/mixed_lubrication.csv")
 
 LOAD, SPEED, MATERIAL, HARDNESS = 1e-4, 1e-11, 4500.0, 0.01
@@ -114,17 +117,27 @@ def mean_planes(scene: LineScene, solution: Solution) -> float:
     return float(np.interp(film, curves.thicknesses, curves.gaps)) / RADIUS
 
 
+LINE_COLUMNS = (
+    "asperities",
+    "sigma/R",
+    "h_c/R by formula",
+    "gap of mean planes / R",
+    "difference of gap",
+    "film / R",
+    "difference of film",
+    "model uncertainty of film",
+    "load ratio by formula",
+    "asperity load ratio",
+    "model uncertainty",
+    "difference / points",
+)
+
+
 def compare_line() -> None:
-    """Film and asperities' share of the line contact beside the formulas."""
-    print(
-        "| sigma/R | asperities | central gap, formula | gap of mean planes | film h_T | model"
-        " | share, formula | simulated | model | points |"
-    )
-    print("|---|---|---|---|---|---|---|---|---|---|")
-    print(line_row(0.0, ""))
-    for finish in FINISHES:
-        for height in HEIGHTS:
-            print(line_row(height, finish))
+    """Film and asperity load ratio of the line contact beside the formulas."""
+    rows = [line_row(0.0, "none")]
+    rows += [line_row(height, finish) for finish in FINISHES for height in HEIGHTS]
+    record("mixed_line", LINE_COLUMNS, rows)
     lighter, height = LOAD / 5, HEIGHTS[1]
     ratio = masjedi_khonsari(0.0, lighter)[0] / height
     print(
@@ -140,8 +153,6 @@ def compare_asperities() -> None:
     The gap of these is from the mean of the heights, as the formulas have it, or from that of the summits.
     """
     gaps = np.array([0.0, 0.5, 1.0, 1.5, 2.0, 3.0])
-    print("\n| pressure of asperities over E* at H = |", *(f"{gap:g} |" for gap in gaps))
-    print("|---|" + "---|" * len(gaps))
     rows = {
         "slope 0.008 of each surface": self_affine(gaps, 0.008 * sqrt(2), 1.0)[0],
         "slope 0.016": self_affine(gaps, 0.016 * sqrt(2), 1.0)[0],
@@ -151,37 +162,39 @@ def compare_asperities() -> None:
     }
     for origin, above in (("heights", SUMMITS_ABOVE), ("summits", 0.0)):
         for kind, hardness in (("elastic", None), ("yielding", 2 * HARDNESS)):
-            rows[
-                f"summits on a flat, the same numbers, {kind}, H from the mean of the {origin}"
-            ] = [summits(gap - above, 1.0, hardness)[0] for gap in gaps]
-    for name, pressures in rows.items():
-        print(f"| {name} |", *(f"{pressure:.1e} |" for pressure in pressures))
+            rows[f"summits on a flat, {kind}, H from the mean of the {origin}"] = [
+                summits(gap - above, 1.0, hardness)[0] for gap in gaps
+            ]
+    table = [(name, *(f"{of:.1e}" for of in pressures)) for name, pressures in rows.items()]
+    record("asperity_pressures", ("asperities", *(f"p_a/E* at H = {gap:g}" for gap in gaps)), table)
 
 
-def line_row(height: float, finish: str) -> str:
-    """A row of the line's table."""
+def line_row(height: float, finish: str) -> tuple[str, ...]:
+    """A row of the line's table, under `LINE_COLUMNS`."""
     pair = yielding_pair if finish == YIELDING else rough_pair
     with patch("pyworm.scene.contact.rough_pair", pair):
         return _line_row(height, finish)
 
 
-def _line_row(height: float, finish: str) -> str:
+def _line_row(height: float, finish: str) -> tuple[str, ...]:
     film, share = masjedi_khonsari(height)
     scene = rolling_line(height, FINISHES.get(finish, {}))
     effects = "isothermal,roughness" if height else "isothermal"
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, effects))
     found, borne = solution.figures.film_central, solution.figures.asperity_load_fraction
     gap, thickness = mean_planes(scene, solution), found.value / RADIUS
-    row = (
-        f"| {height:g} | {finish} | {film * 1e5:.3f}e-5 | "
-        f"{gap * 1e5:.3f}e-5 ({gap / film - 1:+.1%}) | {thickness * 1e5:.3f}e-5 "
-        f"({thickness / film - 1:+.1%}) |"
-    )
+    row = [finish, f"{height:g}", f"{film * 1e5:.3f}e-5"]
+    for of in (gap, thickness):
+        row += [f"{of * 1e5:.3f}e-5", f"{(of / film - 1) * 100:+.1f} %"]
     if borne is None:
-        return f"{row} | {0:.1%} | | | |"
+        return (*row, "", f"{0:.1f} %", "", "", "")
     return (
-        f"{row} ± {found.model:.1%} | {share:.1%} | {borne.value:.1%} | ± {borne.value * borne.model:.1%} | "
-        f"{(borne.value - share) * 100:+.1f} |"
+        *row,
+        f"{found.model * 100:.1f} %",
+        f"{share * 100:.1f} %",
+        f"{borne.value * 100:.1f} %",
+        f"{borne.value * borne.model * 100:.1f} %",
+        f"{(borne.value - share) * 100:+.1f}",
     )
 
 
@@ -244,23 +257,29 @@ def save(rows: list[dict]) -> None:
         writer.writerows(rows)
 
 
+ZI_COLUMNS = (
+    "Ra / um",
+    "friction by the standard",
+    "friction",
+    "efficiency by the standard",
+    "efficiency",
+    "friction in mid-mesh",
+    "asperity load ratio in mid-mesh",
+    "lambda in mid-mesh",
+)
+
+
 def compare_zi() -> None:
     """Friction and efficiency of the ZI drive, over the mesh, beside the standard's."""
-    print(
-        "| Ra um | friction, standard | simulated | efficiency, standard | simulated |"
-        " mid-mesh: friction | share of asperities | lambda |"
-    )
-    print("|---|---|---|---|---|---|---|---|")
-    for height in ZI_HEIGHTS:
-        print(zi_row(height), flush=True)
+    record("mixed_zi", ZI_COLUMNS, [zi_row(height) for height in ZI_HEIGHTS])
 
 
-def zi_row(height: float) -> str:
-    """A row of the ZI drive's table."""
+def zi_row(height: float) -> tuple[str, ...]:
+    """A row of the ZI drive's table, under `ZI_COLUMNS`."""
     name, case = f"ZI {height}", lambda: zi_drive(height)
     duty, found, middle = case().drive.duty(), over_the_mesh(name, case), solved(name, case)
     rated = teeth_loss(duty.gear, "PAG", duty.worm_speed, duty.torque, height * 1e-6)
-    cells = (
+    return (
         f"{height}",
         f"{rated.friction:.4f}",
         f"{found.friction:.4f} ± {found.friction * found.model:.4f}",
@@ -270,7 +289,6 @@ def zi_row(height: float) -> str:
         f"{middle['share']:.1%}",
         f"{middle['lambda']:.2f}",
     )
-    return f"| {' | '.join(cells)} |"
 
 
 def main() -> None:

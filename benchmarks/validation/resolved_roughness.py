@@ -25,6 +25,9 @@ from pyworm.surfaces.generated import gaussian
 sys.path.append(str(Path(__file__).parents[1] / "accuracy"))
 from plan_scenes import STEEL, mineral, point
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 RADIUS, LOAD, SPEED = 0.02, 50.0, 1.0
 LAMBDAS = (8.0, 5.0)
 SEEDS = range(6)
@@ -94,22 +97,30 @@ def main() -> None:
     length = hertz / WAVES
     smooth = pyworm.solve(scene, pyworm.plan(scene, ACCURACY, "isothermal", ("film",)))
     base = middle_film(smooth, MIDDLE * hertz)
-    print("| lambda | averaged | model | resolved: mean | each surface | h_min over roughness |")
-    print("|---|---|---|---|---|---|")
+    rows = []
     for ratio in LAMBDAS:
         roughness = sizes.film / ratio
         film, model = averaged(scene, roughness)
         solutions = [resolved(scene, surface(roughness, length, seed)) for seed in SEEDS]
         found = [one for one in solutions if one.converged]
         changes = [middle_film(one, MIDDLE * hertz) / base - 1 for one in found]
-        each = ", ".join(f"{change:+.1%}" for change in changes)
         lost = len(solutions) - len(found)
         least = min(one.figures.film_min.value for one in found) / roughness
-        print(
-            f"| {ratio:g} | {film / smooth.figures.film_central.value - 1:+.1%} | ± {model:.1%} | "
-            f"{np.mean(changes):+.1%} | {each}{f'; {lost} not found' if lost else ''} | {least:.2f} |",
-            flush=True,
+        change = film / smooth.figures.film_central.value - 1
+        rows.append(
+            (
+                f"{ratio:g}",
+                f"{change * 100:+.1f} %",
+                f"{model * 100:.1f} %",
+                f"{np.mean(changes) * 100:+.1f} %",
+                f"{min(changes) * 100:+.1f} to {max(changes) * 100:+.1f} %",
+                lost,
+                f"{least:.2f}",
+            )
         )
+    averaged_columns = "averaged flow", "model uncertainty of it"
+    resolved_columns = "resolved: mean", "resolved: range", "not found", "h_min / roughness"
+    record("resolved_roughness", ("lambda", *averaged_columns, *resolved_columns), rows)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,9 @@ and 1.8. Run from the repository's root:
     python benchmarks/validation/rough_cells.py
 """
 
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import scipy
@@ -19,6 +21,9 @@ from pyworm.kernel.rough_cell import conduct, press
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.generated import gaussian, self_affine
 from pyworm.surfaces.parameters import slopes
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 SURFACES = 8
 GAPS = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0)
@@ -35,28 +40,47 @@ MODULUS = 2.0
 """E' = 2 E*: pressures are over E*."""
 
 
+FACTORS = (
+    "gamma",
+    "H",
+    "phi",
+    "phi deviation",
+    "phi Patir and Cheng",
+    "difference of phi",
+    "phi Tripp",
+    "difference of phi from Tripp",
+    "Phi_s",
+    "Phi_s deviation",
+    "Phi_s Patir and Cheng",
+    "difference of Phi_s",
+    "Phi_s Tripp",
+    "difference of Phi_s from Tripp",
+)
+"""Columns of flow factors: means, standard deviations from surface to surface, theories and differences."""
+
+
 def main():
-    heading = "H | phi | Patir and Cheng | Tripp | Phi_s | Patir and Cheng | Tripp |"
-    print(f"| nodes, in a length | gamma | {heading}\n|---|---|---|---|---|---|---|---|---|")
+    rows = []
     for nodes, length in LINEAR:
         surfaces = [linear(nodes, length, seed) for seed in range(SURFACES)]
         for gap in GAPS[:-1]:
             for gamma, (flow, shear) in factors(surfaces, gap, 1.0).items():
-                print(f"| {nodes}, {length} {row(gamma, gap, flow, shear)}", flush=True)
-    print(f"\n| gamma | {heading}\n|---|---|---|---|---|---|---|---|")
+                rows.append((nodes, length, *row(gamma, gap, flow, shear)))
+    record("rough_cells_linear", ("nodes", "nodes in a length", *FACTORS), rows)
+    rows = []
     for aspect in ASPECTS:
         surfaces = [gaussian(1e-6, 20e-6, aspect, seed) for seed in range(SURFACES)]
         for gap in GAPS:
-            for gamma, (flow, shear) in factors(surfaces, gap, aspect).items():
-                print(row(gamma, gap, flow, shear))
+            rows += [row(gamma, gap, *of) for gamma, of in factors(surfaces, gap, aspect).items()]
+    record("rough_cells_gaussian", FACTORS, rows)
     approach()
-    print("\n| Hurst | p_a/(E* h'rms) at H = 0 | e-folding length over Rq | A_r E* h'rms/p_a |")
-    print("|---|---|---|---|")
+    rows = []
     for hurst in (0.5, 0.8):
         found = np.array([contact(hurst, seed) for seed in range(SURFACES)])
         mean, spread = found.mean(axis=0), found.std(axis=0)
-        cells = " | ".join(f"{m:.3f} ± {s:.3f}" for m, s in zip(mean, spread, strict=True))
-        print(f"| {hurst} | {cells} |")
+        rows.append((hurst, *(f"{m:.3f} ± {s:.3f}" for m, s in zip(mean, spread, strict=True))))
+    lengths = "e-folding length / Rq", "area slope A_r E* h'rms/p_a"
+    record("elastic_cells", ("Hurst exponent", "p_a/(E* h'rms) at H = 0", *lengths), rows)
 
 
 def approach():
@@ -73,9 +97,11 @@ def approach():
             (_, shear) = factors(both, gap, 1.0)[1.0]
             found.append(shear.mean() * gap / 1.5 - 1)
         above.append((np.mean(found), np.std(found) / SURFACES**0.5))
-    print("\n| H | Phi_s above Tripp's 1.5/H |\n|---|---|")
-    for gap, (mean, error) in zip(WIDE, above, strict=True):
-        print(f"| {gap:g} | {mean:.2%} ± {error:.2%} |")
+    rows = [
+        (f"{gap:g}", f"{mean:.2%} ± {error:.2%}")
+        for gap, (mean, error) in zip(WIDE, above, strict=True)
+    ]
+    record("shear_flow_asymptote", ("H", "Phi_s above Tripp's 1.5/H"), rows)
     squares = np.array(WIDE[1:]) ** -2.0
     order, left = np.polyfit(squares, [mean for mean, _ in above[1:]], 1)
     print(f"\nfrom {WIDE[1]:g} on {order:.2f}/H^2, and {left:.2%} by the grid that stay")
@@ -107,20 +133,20 @@ def factors(surfaces, gap, aspect):
 
 
 def row(gamma, gap, flow, shear):
-    """A row of the table: means, with the standard deviation from surface to surface."""
+    """Texts under `FACTORS`."""
     tripp = 1 + 3 * (1 - 3 / (1 + gamma)) / gap**2, 3 / ((1 + gamma) * gap)
     fits = (
         (pressure_flow_factor(gap, gamma), shear_flow_factor(gap, gamma))
         if gap <= 4
         else (np.nan, np.nan)
     )
-    cells = []
+    cells = [f"{gamma:.3g}", f"{gap:g}"]
     for values, fit, second in zip((flow, shear), fits, tripp, strict=True):
         own = values.mean()
-        cells.append(f"{own:.3f} ± {values.std():.3f}")
+        cells += [f"{own:.3f}", f"{values.std():.3f}"]
         for theory, holds in ((fit, gap <= 4), (second, gap >= 2)):
-            cells.append(f"{theory:.3f} ({own / theory - 1:+.1%})" if holds else "")
-    return f"| {gamma:.3g} | {gap:g} | {' | '.join(cells)} |"
+            cells += [f"{theory:.3f}", f"{(own / theory - 1) * 100:+.1f} %"] if holds else ["", ""]
+    return cells
 
 
 def contact(hurst, seed):

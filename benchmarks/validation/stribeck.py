@@ -17,32 +17,46 @@ from matplotlib.ticker import NullFormatter
 from pyworm.plots.layout import joined, new_figure
 from pyworm.result.sweep_result import SweepResult, open_sweep
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 SPEED, LAMBDAS = "operation.worm_speed", ("lambda_central", "lambda_min")
 
 
-def table(result: SweepResult) -> str:
-    """Speeds with friction, its parts and bars, share of the asperities and specific films."""
-    lines = [
-        "| worm, r/min | friction | numerical | model | asperities | oil | share of asperities | model |"
-        " lambda, central | least | |",
-        "|---|---|---|---|---|---|---|---|---|---|---|",
-    ]
+COLUMNS = (
+    "worm speed / rpm",
+    "friction",
+    "numerical uncertainty",
+    "model uncertainty",
+    "friction of asperities",
+    "friction of oil",
+    "asperity load ratio",
+    "model uncertainty of it",
+    "lambda central",
+    "lambda minimum",
+    "stop reason",
+)
+
+
+def rows_of(result: SweepResult) -> list[tuple[str, ...]]:
+    """Speeds with friction, its parts and uncertainties, asperity load ratio and specific films."""
+    rows = []
     for _, row in result.table.to_dataframe().sort_values(SPEED).iterrows():
         friction, share = row["friction_coefficient"], row["asperity_load_fraction"]
         cells = (
             f"{row[SPEED]:g}",
             f"{friction:.4f}",
-            f"± {friction * row['friction_coefficient_error']:.4f}",
-            f"± {friction * row['friction_coefficient_model_error']:.4f}",
+            f"{friction * row['friction_coefficient_error']:.4f}",
+            f"{friction * row['friction_coefficient_model_error']:.4f}",
             f"{row['friction_boundary']:.4f}",
             f"{row['friction_fluid']:.4f}",
-            f"{share:.1%}",
-            f"± {share * row['asperity_load_fraction_model_error']:.1%}",
+            f"{share * 100:.1f} %",
+            f"{share * row['asperity_load_fraction_model_error'] * 100:.1f} %",
             *("" if np.isnan(row[name]) else f"{row[name]:.2f}" for name in LAMBDAS),
-            "" if row["converged"] == 1 else row["stop_reason"],
+            "" if row["converged"] == 1 else str(row["stop_reason"]),
         )
-        lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines)
+        rows.append(cells)
+    return rows
 
 
 def draw(result: SweepResult) -> Figure:
@@ -107,7 +121,8 @@ def _with_bars(
 
 def main() -> None:
     result = open_sweep(sys.argv[1])
-    print(table(result))
+    sweep = "pyworm sweep cases/sweeps/stribeck_zi.toml"
+    record("stribeck", COLUMNS, rows_of(result), first=sweep)
     draw(result).savefig(Path(sys.argv[2]), dpi=120)
 
 

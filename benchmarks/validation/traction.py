@@ -19,6 +19,9 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.kernel.core import KernelError
 from pyworm.solver.solution import Solution
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 LOADS = {0.7: 14.18, 1.0: 41.33, 1.5: 139.5}
 """Load [N] for each Hertz pressure [GPa]."""
 
@@ -54,24 +57,54 @@ def rise(solution: Solution, place: str) -> tuple[float, float]:
     return estimate.value - ZERO_CELSIUS, abs(above) * estimate.error
 
 
-def row(pressure: float, solution: Solution) -> str:
-    """A line of the table."""
+COLUMNS = (
+    "Hertz pressure / GPa",
+    "slide-roll ratio",
+    "friction",
+    "uncertainty",
+    "h_c / nm",
+    "h_min / nm",
+    "T_max of body 1 / degC",
+    "T_max of body 2 / degC",
+    "T_max of the film / degC",
+    "heat balance / %",
+    "stop reason",
+)
+
+
+def row(pressure: float, solution: Solution) -> tuple[str, ...]:
+    """A row of the table, under `COLUMNS`."""
     figures = solution.figures
     friction = figures.friction_coefficient
-    heat = " ".join(
-        f"{value:7.1f} ± {error:4.2f}"
-        for value, error in (rise(solution, place) for place in ("body_1", "body_2", "film"))
-    )
+    heat = (rise(solution, place) for place in ("body_1", "body_2", "film"))
     return (
-        f"{pressure:4.1f} {solution.slide_roll_ratio:6.3f}"
-        f" {friction.value:9.5f} ± {friction.error * 100:4.2f} %"
-        f" {figures.film_central.value * 1e9:8.1f} {figures.film_min.value * 1e9:7.1f}  {heat}"
-        f" {figures.heat_balance * 100:7.3f} {'' if solution.converged else solution.stop_reason}"
+        f"{pressure:g}",
+        f"{solution.slide_roll_ratio:g}",
+        f"{friction.value:.4f}",
+        f"{friction.error * 100:.2f} %",
+        f"{figures.film_central.value * 1e9:.1f}",
+        f"{figures.film_min.value * 1e9:.1f}",
+        *(f"{value:.1f} ± {error:.2f}" for value, error in heat),
+        f"{figures.heat_balance * 100:.3f}",
+        "" if solution.converged else str(solution.stop_reason),
     )
 
 
-def checks(curve: Sequence[Solution], mirrored: Sequence[Solution]) -> str:
-    """What a traction curve must show."""
+CHECKS = (
+    "Hertz pressure / GPa",
+    "friction of rolling",
+    "largest friction",
+    "at slide-roll ratio",
+    "rises before it",
+    "falls from there to ratio 2",
+    "asymmetry",
+)
+
+
+def checks(
+    pressure: float, curve: Sequence[Solution], mirrored: Sequence[Solution]
+) -> tuple[str, ...]:
+    """What a traction curve must show, under `CHECKS`."""
     to_rest = [solution for solution in curve if solution.slide_roll_ratio <= 2]
     friction = np.array([solution.figures.friction_coefficient.value for solution in to_rest])
     peak = int(np.argmax(friction))
@@ -84,11 +117,13 @@ def checks(curve: Sequence[Solution], mirrored: Sequence[Solution]) -> str:
         if -back.slide_roll_ratio in forces
     )
     return (
-        f"rolling {abs(forces[0]):.1e}; "
-        f"peak {friction[peak]:.4f} at {to_rest[peak].slide_roll_ratio:g}, "
-        f"{'rising' if rising else 'NOT RISING'} before it, "
-        f"{'falling' if falling else 'NOT FALLING'} from there to {to_rest[-1].slide_roll_ratio:g} "
-        f"by {1 - friction[-1] / friction[peak]:.1%}; asymmetry {asymmetry:.1e}"
+        f"{pressure:g}",
+        f"{abs(forces[0]):.1e}",
+        f"{friction[peak]:.4f}",
+        f"{to_rest[peak].slide_roll_ratio:g}",
+        "yes" if rising else "no",
+        f"{(1 - friction[-1] / friction[peak]) * 100:.1f} %" if falling else "no",
+        f"{asymmetry:.1e}",
     )
 
 
@@ -112,28 +147,26 @@ def draw(curves: dict[float, Sequence[Solution]]) -> Figure:
     upper.set_ylabel("friction coefficient")
     upper.set_ylim(bottom=0)
     upper.legend(frameon=False, title="Hertz pressure")
-    lower.set_ylabel("largest temperature of the film / °C")
+    lower.set_ylabel("maximum film temperature / °C")
     lower.set_xlabel("slide-roll ratio (the disc rests at 2)")
     return figure
 
 
 def main() -> None:
     picture = sys.argv[1] if len(sys.argv) > 1 else "docs/pictures/traction.png"
-    print(
-        " GPa  ratio  friction             central minimum nm   body 1        body 2         film degC"
-        "      heat balance %"
-    )
-    curves, verdicts = {}, []
+    curves, rows, verdicts = {}, [], []
     for pressure, load in LOADS.items():
         curves[pressure] = []
         for ratio in RATIOS:
             solution = solve(load, ratio)
             if solution is not None:
                 curves[pressure].append(solution)
-                print(row(pressure, solution), flush=True)
+                rows.append(row(pressure, solution))
+                print(*rows[-1], flush=True)
         mirrored = [back for back in (solve(load, -ratio) for ratio in MIRRORED) if back]
-        verdicts.append(f"{pressure:g} GPa: {checks(curves[pressure], mirrored)}")
-    print("\n".join(verdicts))
+        verdicts.append(checks(pressure, curves[pressure], mirrored))
+    record("traction", COLUMNS, rows)
+    record("traction_checks", CHECKS, verdicts)
     draw(curves).savefig(picture, dpi=120)
 
 

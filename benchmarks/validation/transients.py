@@ -26,6 +26,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from math import atan, pi, sin, sqrt, tan
+from pathlib import Path
 from unittest.mock import patch
 
 import matplotlib.pyplot as plt
@@ -44,6 +45,9 @@ from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.scales import line_scales
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import TimeIntegration, integrate_in_time
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 Factor = Callable[[float], float]
 """Time, in transits of the contact at the beginning, to speed or load over that at the beginning."""
@@ -344,20 +348,18 @@ def waves(period: float, refinement: int = 1) -> Waves:
     return Waves(frequency / number, 2 * pi / number, 2 * pi / frequency, sizes.min(), sizes.max())
 
 
-def compare(name: str, time_grid: Transient) -> None:
-    """Print extremes and deviations of a film in motion from the theory."""
-    difference = time_grid.solved - time_grid.theory
-    print(f"{name}:")
-    for label, at in (("largest", np.argmax), ("least", np.argmin)):
-        here, there = at(time_grid.solved), at(time_grid.theory)
-        print(
-            f"  {label:8} {time_grid.solved[here]:.4g} at {time_grid.times[here]:.2f}, theory"
-            f" {time_grid.theory[there]:.4g} at {time_grid.times[there]:.2f}"
-        )
-    print(
-        f"  rms deviation over the range {np.sqrt(np.mean(difference**2)) / np.ptp(time_grid.theory):.1%},"
-        f" largest over the film {np.max(np.abs(difference / time_grid.theory)):.1%}"
+def compared(name: str, found: Transient) -> list[tuple[str, ...]]:
+    """Extremes of a film in motion beside those of the theory, and its deviations from it."""
+    difference = found.solved - found.theory
+    unit = 1e-6 if name.startswith("rigid") else 1.0
+    deviations = (
+        f"{np.sqrt(np.mean(difference**2)) / np.ptp(found.theory) * 100:.1f} %",
+        f"{np.max(np.abs(difference / found.theory)) * 100:.1f} %",
     )
+    return [
+        (name, label, *(f"{at(of) / unit:.3f}" for of in (found.solved, found.theory)), *deviations)
+        for label, at in (("largest", np.max), ("smallest", np.min))
+    ]
 
 
 def draw(time_grids: dict[str, Transient], path: str) -> None:
@@ -379,22 +381,24 @@ def draw(time_grids: dict[str, Transient], path: str) -> None:
 
 def main() -> None:
     """Compare all courses, and draw them if a picture is named."""
-    time_grids = {}
-    for name, run in COURSES.items():
-        time_grids[name] = run()
-        compare(name, time_grids[name])
-    turned = time_grids["rigid, reversal"]
+    found = {name: run() for name, run in COURSES.items()}
+    rows = [row for name, one in found.items() for row in compared(name, one)]
+    deviations = "rms deviation / range", "largest deviation / film"
+    record("line_transients", ("transient", "extreme", "solved", "theory", *deviations), rows)
+    turned = found["rigid, reversal"]
     for label, films in (("solved", turned.solved), ("theory", turned.theory)):
         print(f"h_min while entrainment turns, {label}: C = {clearance(min(films), 1e3):.3f}")
+    swings = []
     for period in PERIODS:
         of = waves(period)
-        print(
-            f"load swings in {period:g} transits: waves of {of.length:.4f} half-widths, published"
-            f" {of.published:g}, at {of.speed:.4f} of the oil's speed,"
-            f" amplitude {of.least:.2%} to {of.largest:.2%}"
+        size = f"{of.least * 100:.2f} to {of.largest * 100:.2f} %"
+        swings.append(
+            (f"{period:g}", f"{of.length:.4f}", f"{of.published:g}", f"{of.speed:.4f}", size)
         )
+    columns = "period / transits", "wavelength / b", "published", "speed / that of the oil"
+    record("load_swings", (*columns, "amplitude / film"), swings)
     if sys.argv[1:]:
-        draw(time_grids, sys.argv[1])
+        draw(found, sys.argv[1])
 
 
 if __name__ == "__main__":

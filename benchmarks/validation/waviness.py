@@ -8,8 +8,10 @@ with the wave resolved. Run from the repository's root (three minutes):
     python benchmarks/validation/waviness.py
 """
 
+import sys
 from collections.abc import Iterator
 from math import pi
+from pathlib import Path
 
 import numpy as np
 from line import OILS, line
@@ -18,6 +20,9 @@ from pyworm import kernel
 from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import line_scales
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 M, L = 100.0, 11.0
 
@@ -130,17 +135,17 @@ def amplitude_left(scene: LineScene, cells: int, ratio: float, part: float) -> f
 
 def main() -> None:
     scene = line(M, L, OILS["compressible"])
-    print("| A_i/H_c | wave length/b | Venner | coarser grid | finer grid | limit | to Venner |")
-    print("|---|---|---|---|---|---|---|")
+    table = []
     for part, rows in VENNER.items():
         for ratio, expected in rows.items():
             coarse, fine = (amplitude_left(scene, cells, ratio, part) for cells in CELLS)
             limit = fine + (fine - coarse) / 3
-            print(
-                f"| {part} | {ratio} | {expected:.3f} | {coarse:.4f} | {fine:.4f} | {limit:.3f} | "
-                f"{limit / expected - 1:+.1%} |",
-                flush=True,
-            )
+            off = f"{(limit / expected - 1) * 100:+.1f} %"
+            found = f"{expected:.3f}", f"{coarse:.4f}", f"{fine:.4f}", f"{limit:.3f}", off
+            table.append((part, ratio, *found))
+            print(*table[-1], flush=True)
+    found = "Venner", "coarser grid", "finer grid", "limit", "difference"
+    record("waviness", ("A_i/H_c", "wavelength / b", *found), table)
 
 
 if __name__ == "__main__":

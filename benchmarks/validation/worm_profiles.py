@@ -25,6 +25,9 @@ from pyworm.plots.layout import new_figure
 from pyworm.result.contact_loss import contact_losses
 from pyworm.solver.solution import Solution
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 PROFILES = {"ZA": "C0", "ZN": "C1", "ZI": "C2", "ZK": "C4", "ZC": "C3", "ZC2": "C5"}
 """Profile -> its colour."""
 
@@ -99,25 +102,34 @@ def solved(profile: str) -> Mesh:
     return Mesh(case.drive, tuple(solutions), case.drive.mesh_loss(contact_losses(solutions)))
 
 
-def table(meshes: dict[str, Mesh]) -> str:
-    """A row for each profile: pattern, radii, loads, films, pressure, friction and loss."""
-    lines = [
-        "| | contact ratio | transmission error, urad | radii in mid-mesh, mm | largest load, kN |"
-        " h_min over the phases, um | mean of h_min | mean central film |"
-        " maximum pressure, MPa |"
-        " friction | loss, W |",
-        "|---|---|---|---|---|---|---|---|---|---|---|",
-    ]
+COLUMNS = (
+    "profile",
+    "contact ratio",
+    "transmission error / urad",
+    "radii in mid-mesh / mm",
+    "largest load / kN",
+    "h_min / um",
+    "mean h_min / um",
+    "mean h_c / um",
+    "p_max / MPa",
+    "friction",
+    "power loss / W",
+)
+
+
+def rows_of(meshes: dict[str, Mesh]) -> list[tuple[str, ...]]:
+    """A row for each profile, under `COLUMNS`."""
+    rows = []
     for name, mesh in meshes.items():
         drive, figures = mesh.drive, [one.figures for one in mesh.solutions]
         films = np.array([one.film_min.value for one in figures]) * 1e6
         error = drive.cycle.transmission_error(np.linspace(0, 1, 21)) * 1e6
         long, short = np.array(drive.contact(0.5).radii) * 1e3
-        cells = (
+        row = (
             name,
             f"{1 / drive.pitch:.2f}",
             f"{np.ptp(error):.0f}",
-            f"{long:.0f}, {short:.1f}",
+            f"{long:.0f} and {short:.1f}",
             f"{max(one.load for one in mesh.solutions) / 1e3:.2f}",
             f"{films.min():.3f}",
             f"{films.mean():.3f}",
@@ -126,8 +138,8 @@ def table(meshes: dict[str, Mesh]) -> str:
             f"{mesh.loss.friction:.4f} ± {mesh.loss.error * mesh.loss.friction:.4f}",
             f"{mesh.loss.loss:.0f}",
         )
-        lines.append(f"| {' | '.join(cells)} |")
-    return "\n".join(lines)
+        rows.append(row)
+    return rows
 
 
 def draw(meshes: dict[str, Mesh]) -> Figure:
@@ -192,7 +204,7 @@ def _draw_pattern(axes: Axes, mesh: Mesh) -> None:
 
 def main() -> None:
     meshes = {profile: solved(profile) for profile in sys.argv[2:] or PROFILES}
-    print(table(meshes))
+    record("worm_profiles", COLUMNS, rows_of(meshes), key=("profile",))
     if {"ZI", "ZC"} <= meshes.keys():
         films = {
             name: np.mean([one.figures.film_min.value for one in mesh.solutions])
