@@ -195,9 +195,9 @@ def _words_in_order(of):
 
 
 BEARINGS = Chapter(
-    "Life of rolling bearings",
+    "Rolling bearing life",
     ModuleNumbers("pyworm.formulas.bearing_life"),
-    "ISO 281:2007",
+    "[ISO 281:2007](bibliography.md#iso-281)",
     {
         "LARGEST_MODIFICATION": Clause("largest a_ISO", READ),
         "LARGEST_WITH_ADDITIVES": Clause("largest a_ISO by additives", MEMORY),

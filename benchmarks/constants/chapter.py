@@ -13,10 +13,10 @@ READ = "read"
 OURS = "ours"
 
 KNOWLEDGE = {
-    READ: "seen in the source named, or in two public programs that do not depend on each other",
-    TRANSCRIBED: "seen in one public program alone (the worksheet on worm gears of MITCalc, transcribed), "
-    "the standard's text unread",
-    MEMORY: "remembered by who wrote it down; neither the standard nor a transcription was seen",
+    READ: "seen in the named source, or in two independent public programs",
+    TRANSCRIBED: "seen in one public program only (mostly the worm gear worksheet of MITCalc); the "
+    "standard's text was not read",
+    MEMORY: "written from memory; neither the standard nor a transcription was seen",
     OURS: "chosen or fitted in this project",
 }
 """Ways a number is known, from the surest to those that no text stands behind."""

@@ -1,13 +1,18 @@
-"""Every constant of every standard: value, clause, how known, and the smallest slip that a check sees.
+"""Every constant of every standard: value, clause, provenance, and the smallest change that a check detects.
 
-    python benchmarks/constants/constants_page.py     rewrites docs/reference/constants.md
+    python benchmarks/constants/constants_page.py     rewrites docs/reference/constants.md and .csv
 
 Numbers are read from the tables and formulas themselves. Each is changed up and down by 2, 10 and 25 %,
-twofold and tenfold; the page has the smallest change at which some check fails both ways.
+twofold and tenfold; the table has the smallest change at which some check fails both ways, the page counts
+them.
 """
 
+import re
+from collections import Counter
 from collections.abc import Iterator
+from csv import writer
 from functools import cache
+from io import StringIO
 from itertools import groupby
 from pathlib import Path
 
@@ -19,7 +24,7 @@ import worm_curve_checks
 import worm_gear_checks
 import worm_loss_checks
 from chapter import KNOWLEDGE, MEMORY, TRANSCRIBED, Chapter
-from constant_slips import LADDER, Number, Seen, smallest_slip
+from constant_slips import LADDER, Seen, smallest_slip
 
 CHAPTERS: tuple[Chapter, ...] = (
     *worm_curve_checks.CHAPTERS,
@@ -32,30 +37,46 @@ CHAPTERS: tuple[Chapter, ...] = (
 )
 
 PAGE = Path(__file__).parents[2] / "docs/reference/constants.md"
-
-ROW = 8
-"""Numbers in a line of the page."""
+TABLE = PAGE.with_suffix(".csv")
 
 INTRODUCTION = """# Constants
 
-Every constant of the standards and rules that pyworm rates by, read from its tables and formulas by
+All constants of the standards and rules that pyworm rates by, and how well each is verified.
+The table [constants.csv](constants.csv) has one line for each number: its place in the program, value,
+clause of the standard, provenance, and the smallest error that a check detects. Both files are generated
+from the program by
 
     python benchmarks/constants/constants_page.py
 
-and how far it is checked by something that does not repeat it: neighbouring rows, monotony, ratios, limits,
-dimensions, another formula, another standard, a printed example. Each number is changed up and down by 2, 10
-and 25 %, twofold and tenfold (a decimal point in the wrong place). **Slip seen** is the smallest of these
-changes at which a check fails both ways, **by** the first checks that fail; "no" means that a tenfold change
-is not seen both ways, with the largest factor by which it moves results of usual conditions. Ranges of input
-and conversions by powers of ten are not listed.
+Input ranges and conversions by powers of ten are not listed.
+
+## How the numbers are known
+"""
+
+DETECTION = """
+## Which errors the checks detect
+
+No check repeats the constant. The checks use neighbouring rows, monotony, ratios, limits, dimensions, other
+formulas, other standards and printed examples. Each number is changed up and down by 2, 10 and 25 %, by a
+factor of 2 and of 10 (a misplaced decimal point). A column counts the numbers whose smallest detected change
+is that of its head.
+"""
+
+UNDETECTED = """
+### Numbers whose tenfold change is not detected
+
+A tenfold change of these numbers moves results under usual conditions by the factor in the last column at
+most.
 """
 
 
 def word_of(seen: Seen) -> str:
-    """The smallest slip that is seen, as the page has it."""
-    if seen.factor is None:
-        return f"no ({seen.moved:.2f})"
-    return f"x{seen.factor:g}" if seen.factor >= 2 else f"{(seen.factor - 1) * 100:.0f} %"
+    """The smallest change that a check detects, in words."""
+    return "none" if seen.factor is None else _step(seen.factor)
+
+
+def _step(factor: float) -> str:
+    return f"x{factor:g}" if factor >= 2 else f"{(factor - 1) * 100:.0f} %"
 
 
 @cache
@@ -67,71 +88,81 @@ def seen_in(chapter: Chapter) -> tuple[Seen, ...]:
     )
 
 
-def _letters(seen: Seen) -> str:
-    return "".join(chr(ord("a") + check) for check in seen.checks)
-
-
-def _rows(chapter: Chapter) -> Iterator[str]:
-    pairs = zip(chapter.subject.numbers, seen_in(chapter), strict=True)
-    for (place, key), group in groupby(pairs, key=lambda pair: (pair[0].place, pair[0].key)):
-        members: list[tuple[Number, Seen]] = list(group)
-        clause = chapter.clauses[place]
-        for first in range(0, len(members), ROW):
-            part = members[first : first + ROW]
-            cells = (
-                f"`{place}`{' ' + key if key else ''}",
-                ", ".join(f"{number.value:.10g}" for number, _ in part),
-                ", ".join(word_of(seen) for _, seen in part),
-                " ".join(sorted(set("".join(_letters(seen) for _, seen in part)))),
-                clause.words,
-                clause.known,
-            )
-            yield f"| {' | '.join(cells)} |"
-
-
-def _chapter(chapter: Chapter) -> Iterator[str]:
-    yield f"\n## {chapter.title}\n"
-    yield f"{chapter.source}.\n"
-    yield "| where | numbers | slip seen | by | clause | known from |\n|---|---|---|---|---|---|"
-    yield from _rows(chapter)
-    yield ""
-    for index, check in enumerate(chapter.checks):
-        yield f"{chr(ord('a') + index)}. {check.words}" + (
-            "  " if index + 1 < len(chapter.checks) else ""
-        )
-
-
-def _summary() -> Iterator[str]:
-    steps = [f"x{f:g}" if f >= 2 else f"{(f - 1) * 100:.0f} %" for f in LADDER]
-    yield "| chapter | numbers | " + " | ".join(steps) + " | not seen |"
-    yield "|---|---" + "|---" * (len(steps) + 1) + "|"
+def rows() -> Iterator[tuple[str, ...]]:
+    """The lines of the table of all numbers, its head first."""
+    yield tuple(
+        "chapter,place,row,value,smallest detected change,detected by,clause,known".split(",")
+    )
     for chapter in CHAPTERS:
-        factors = [seen.factor for seen in seen_in(chapter)]
-        counts = [factors.count(step) for step in (*LADDER, None)]
-        cells = (chapter.title, len(factors), *(count or "" for count in counts))
-        yield f"| {' | '.join(map(str, cells))} |"
+        for number, seen in zip(chapter.subject.numbers, seen_in(chapter), strict=True):
+            clause = chapter.clauses[number.place]
+            detected_by = "; ".join(chapter.checks[check].words for check in seen.checks)
+            yield (
+                *(chapter.title, number.place, number.key, f"{number.value:.10g}"),
+                *(word_of(seen), detected_by, clause.words, clause.known),
+            )
 
 
-def _only_remembered() -> Iterator[str]:
+def table() -> str:
+    """All numbers as comma-separated values."""
+    text = StringIO()
+    writer(text, lineterminator="\n").writerows(rows())
+    return text.getvalue()
+
+
+def _row(*cells: object) -> str:
+    return f"| {' | '.join(map(str, cells))} |"
+
+
+def _known() -> Iterator[str]:
+    yield _row("chapter", "source", "numbers", *KNOWLEDGE)
+    yield "|---" * (3 + len(KNOWLEDGE)) + "|"
+    for chapter in CHAPTERS:
+        known = Counter(chapter.clauses[number.place].known for number in chapter.subject.numbers)
+        anchor = re.sub(r"[^a-z ]", "", chapter.title.lower()).replace(" ", "-")
+        counts = (known[way] or "" for way in KNOWLEDGE)
+        title = f'<a id="{anchor}"></a>{chapter.title}'
+        yield _row(title, chapter.source, known.total(), *counts)
+
+
+def _detected() -> Iterator[str]:
+    yield _row("chapter", *map(_step, LADDER), "none")
+    yield "|---" * (2 + len(LADDER)) + "|"
+    for chapter in CHAPTERS:
+        factors = Counter(seen.factor for seen in seen_in(chapter))
+        yield _row(chapter.title, *(factors[step] or "" for step in (*LADDER, None)))
+
+
+def _undetected() -> Iterator[str]:
+    yield "| place | numbers | factor |\n|---|---|---|"
+    for chapter in CHAPTERS:
+        pairs = zip(chapter.subject.numbers, seen_in(chapter), strict=True)
+        blind = [(number, seen.moved) for number, seen in pairs if seen.factor is None]
+        for place, members in groupby(blind, key=lambda pair: pair[0].place):
+            numbers, moved = zip(*members, strict=True)
+            values = ", ".join(f"{number.value:.10g}" for number in numbers)
+            yield _row(f"`{place}`", values, f"{max(moved):.2f}")
+
+
+def _not_read() -> Iterator[str]:
     for known in (MEMORY, TRANSCRIBED):
-        places = [
+        places = dict.fromkeys(
             f"`{place}`"
             for chapter in CHAPTERS
             for place, clause in chapter.clauses.items()
             if clause.known == known
-        ]
-        yield f"- **{known}**: {', '.join(places)}"
+        )
+        yield f"\n### Places known from {known}\n\n{', '.join(places)}."
 
 
 def page() -> str:
     """The page of constants."""
-    lines = [INTRODUCTION, *_summary(), "\nNumbers are known from\n"]
-    lines += [f"- **{known}**: {words}" for known, words in KNOWLEDGE.items()]
-    lines += ["\n## What was not read\n", *_only_remembered()]
-    for chapter in CHAPTERS:
-        lines += _chapter(chapter)
+    lines = [INTRODUCTION, *_known(), ""]
+    lines += [f"- **{known}**: {words}." for known, words in KNOWLEDGE.items()]
+    lines += [*_not_read(), DETECTION, *_detected(), UNDETECTED, *_undetected()]
     return "\n".join(lines) + "\n"
 
 
 if __name__ == "__main__":
     PAGE.write_text(page())
+    TABLE.write_text(table())

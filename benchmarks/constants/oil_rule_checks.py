@@ -120,7 +120,9 @@ LAWS = Chapter(
             "viscosity_index", "density", "conductivity",
         ),
     ),
-    "ASTM D341, ASTM D2270, Roelands (1966), Cragoe (1929)",
+    "[ASTM D341](bibliography.md#astm-d341), [ASTM D2270](bibliography.md#astm-d2270), "
+    "[Roelands (1966)](bibliography.md#roelands-1966), "
+    "[Cragoe (1929)](bibliography.md#cragoe-1929)",
     {
         "WALTHER_SHIFT": Clause("D341: shift, mm2/s", READ),
         "ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE": Clause("pole of Roelands' law", READ),
@@ -295,7 +297,10 @@ def _stock_results(of):
 STOCKS = Chapter(
     "Base stocks of the oil library",
     TableNumbers(OILS_TABLE),
-    "GEARpie's library, Gold et al. (2001), AGMA 925-A03, Sharif et al. (2001), Arana et al. (2019)",
+    "[GEARpie](bibliography.md#gearpie), [Gold et al. (2001)](bibliography.md#gold-2001), "
+    "[AGMA 925-A03](bibliography.md#agma-925-a03), "
+    "[Sharif et al. (2001)](bibliography.md#sharif-2001), "
+    "[Arana et al. (2019)](bibliography.md#arana-2019)",
     {
         "mineral": Clause("keys of the table; AGMA's k and s from memory", READ),
         "PAO": Clause("keys of the table; AGMA's k and s from memory", READ),
@@ -449,7 +454,9 @@ def _methods(of):
 RULES = Chapter(
     "Rules of practice for gear oils",
     ModuleNumbers("pyworm.formulas.gear_oil"),
-    "Errichello, Lubrication of Gears, part 3; AGMA 250.04; ISO 3448; an article's table of worm gear oils",
+    "[Errichello (1991)](bibliography.md#errichello-1991); "
+    "[AGMA 250.04](bibliography.md#agma-250-04); [ISO 3448](bibliography.md#iso-3448); "
+    "an article's table of worm gear oils",
     {
         "FOOT_PER_MINUTE": Clause("units", READ),
         "INCH": Clause("units", READ),

@@ -122,7 +122,7 @@ _READ_COLD = "modulus at 23 degC, density, heat read (the table's `source`); mod
 PLASTICS = Chapter(
     "Plastics of wheels",
     TableNumbers(SOLIDS_TABLE, only=NAMES),
-    "Makers' data sheets, GEARpie, Netzsch; what was read, and where, stands beside each in "
+    "Makers' data sheets, [GEARpie](bibliography.md#gearpie), Netzsch; each source stands in "
     "`pyworm/materials/solids.toml`",
     {
         "PA66": Clause(f"{_READ_COLD}, Poisson's ratio from memory; limit read", MEMORY),

@@ -121,7 +121,9 @@ def _risks(of):
 SCUFFING = Chapter(
     "Scuffing",
     ModuleNumbers("pyworm.formulas.scuffing"),
-    "AGMA 925-A03, AGMA 2001-B88, ISO/TS 6336-20",
+    "[AGMA 925-A03](bibliography.md#agma-925-a03), "
+    "[AGMA 2001-B88](bibliography.md#agma-2001-b88), "
+    "[ISO/TS 6336-20](bibliography.md#iso-ts-6336-20)",
     {
         "FLASH_CONSTANT": Clause("AGMA 925: constant of Blok's formula", MEMORY),
         "TEMPERATURE_DEVIATION": Clause(
@@ -247,7 +249,8 @@ def _permissible_of_figure(of):
 MICROPITTING = Chapter(
     "Micropitting",
     ModuleNumbers("pyworm.formulas.micropitting"),
-    "ISO/TS 6336-22:2018, ISO/TR 15144-1",
+    "[ISO/TS 6336-22:2018](bibliography.md#iso-ts-6336-22), "
+    "[ISO/TR 15144-1](bibliography.md#iso-tr-15144-1)",
     {
         "FRICTION_FACTORS": Clause("table 3: X_L", READ),
         "TEST_FACTOR": Clause("lambda_GFP over lambda_GFT", MEMORY),
@@ -329,7 +332,7 @@ def _test_films(of):
 TEST_GEARS = Chapter(
     "FZG test gears",
     ModuleNumbers("pyworm.formulas.fzg_test_gears"),
-    "FVA 54/7, ISO 14635-1",
+    "[FVA 54/7](bibliography.md#fva-54-7), [ISO 14635-1](bibliography.md#iso-14635-1)",
     {
         "TEST_TORQUE": Clause("torque of the pinion by load stage, N m", READ),
         "TEST_TEMPERATURE": Clause("oil as it is fed, K", READ),
@@ -392,7 +395,8 @@ def _bounds_in_feet(of):
 DISTRESS = Chapter(
     "Wear distress",
     ModuleNumbers("pyworm.formulas.wear_distress", only=("_DISTRESS",)),
-    "AGMA 925-A03, fit to Wellauer and Holloway (1976)",
+    "[AGMA 925-A03](bibliography.md#agma-925-a03), "
+    "fit to [Wellauer and Holloway (1976)](bibliography.md#wellauer-1976)",
     {"_DISTRESS": Clause("speed up to which a row holds, mean, standard deviation", MEMORY)},
     (
         Check("Errichello's two case histories", _errichello_wore),
@@ -412,7 +416,7 @@ def _share(film: float) -> float:
 REGIMES = Chapter(
     "Lubrication regimes",
     ModuleNumbers("pyworm.formulas.lubrication"),
-    "T. E. Tallian (1967)",
+    "[Tallian (1967)](bibliography.md#tallian-1967)",
     {
         "FULL_FILM": Clause("lambda of separated surfaces", MEMORY),
         "CARRIED": Clause("share of asperities in boundary lubrication", OURS),

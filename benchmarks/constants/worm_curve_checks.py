@@ -241,7 +241,7 @@ def _results(of):
 CURVES = Chapter(
     "Base friction and base wear of worm gears",
     ModuleNumbers("pyworm.formulas.worm_curves"),
-    "DIN 3996:2012, base curves of the reference gear",
+    "[DIN 3996:2012](bibliography.md#din-3996), base curves of the reference gear",
     {
         "SLIDING_RANGE": Clause("sliding speeds between which the curves are used, m/s", OURS),
         "_FRICTION": Clause("mu_0T = a + b/(vg + c)^d of bronzes, its largest value", TRANSCRIBED),
@@ -282,7 +282,7 @@ CURVES = Chapter(
 MATERIALS = Chapter(
     "Wheel materials",
     ModuleNumbers("pyworm.formulas.worm_wheel_material"),
-    "DIN 3996:2012, table of wheel materials",
+    "[DIN 3996:2012](bibliography.md#din-3996), table of wheel materials",
     {
         "WHEEL_MATERIALS": Clause(
             "Y_W; W_ML of mineral oil, PAO, PAG; sigma_HlimT, tau_FlimT in Pa", TRANSCRIBED

@@ -139,7 +139,7 @@ def _gear_results(of):
 GEOMETRY = Chapter(
     "Geometry parameters of worm gears",
     ModuleNumbers("pyworm.formulas.worm_gear"),
-    "DIN 3996:2012, parameters h*, p_m*, s*",
+    "[DIN 3996:2012](bibliography.md#din-3996), parameters h*, p_m*, s*",
     {
         "REFERENCE_FILM": Clause("h* of the reference gear", TRANSCRIBED),
         "ALLOWED_WEAR": Clause("delta_Wlim = 0.3 m_x cos gamma", TRANSCRIBED),
@@ -406,7 +406,7 @@ def _standard_results(of):
 STANDARD = Chapter(
     "Film, stress, tooth friction, pitting, bulk temperature",
     ModuleNumbers("pyworm.formulas.worm_standard"),
-    "DIN 3996:2012, ISO/TS 14521",
+    "[DIN 3996:2012](bibliography.md#din-3996), [ISO/TS 14521](bibliography.md#iso-ts-14521)",
     {
         "PRESSURE_VISCOSITY": Clause("c_alpha in m2/N", MEMORY),
         "_OIL_LIFE": Clause("Z_oil", MEMORY),
@@ -490,7 +490,7 @@ def _starts(of):
 WEAR = Chapter(
     "Wear factors",
     ModuleNumbers("pyworm.formulas.worm_wear"),
-    "DIN 3996:2012, wear",
+    "[DIN 3996:2012](bibliography.md#din-3996), wear",
     {
         "MOST_STARTS": Clause("largest W_NS", TRANSCRIBED),
         "structure_factor": Clause("W_S = eta^-0.35", TRANSCRIBED),
@@ -535,7 +535,7 @@ def _shear_over_the_root(of):
 ROOT = Chapter(
     "Roots of the wheel's teeth",
     ModuleNumbers("pyworm.formulas.worm_root"),
-    "DIN 3996:2012, tooth root",
+    "[DIN 3996:2012](bibliography.md#din-3996), tooth root",
     {
         "CONTACT_FACTOR": Clause("Y_epsilon", TRANSCRIBED),
         "DEDENDUM": Clause("of the wheel, in modules", OURS),
@@ -569,7 +569,7 @@ def _limit_of_shafts(of):
 SHAFT = Chapter(
     "Deflection of the worm's shaft",
     ModuleNumbers("pyworm.formulas.worm_deflection"),
-    "DIN 3996:2012, deflection",
+    "[DIN 3996:2012](bibliography.md#din-3996), deflection",
     {
         "STIFF_DIAMETER": Clause("shaft over root diameter", TRANSCRIBED),
         "STEEL": Clause("Young's modulus in Pa", TRANSCRIBED),
@@ -595,9 +595,9 @@ def _required(of):
 
 
 REQUIRED = Chapter(
-    "Least safeties of worm gears",
+    "Minimum safety factors of worm gears",
     ModuleNumbers("pyworm.ratings.worm_safeties", only=("REQUIRED",)),
-    "DIN 3996:2012, least safeties",
+    "[DIN 3996:2012](bibliography.md#din-3996), minimum safety factors",
     {"REQUIRED": Clause("S_Wmin, S_Fmin, S_Tmin (those of 1 are not listed)", TRANSCRIBED)},
     (Check("from 1 to 1.2, wear, roots and oil alike", _required),),
     lambda of: list(of.REQUIRED.values()),

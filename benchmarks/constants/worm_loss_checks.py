@@ -246,9 +246,10 @@ def _results(of):
 
 
 LOSSES = Chapter(
-    "Losses besides the teeth, sump temperature",
+    "Other power losses, sump temperature",
     ModuleNumbers("pyworm.formulas.worm_losses"),
-    "DIN 3996:2012, ISO/TS 14521, losses and oil sump temperature",
+    "[DIN 3996:2012](bibliography.md#din-3996), "
+    "[ISO/TS 14521](bibliography.md#iso-ts-14521), losses and oil sump temperature",
     {
         "REFERENCE_SIZE": Clause("centre distance in (a/63)^3, mm", TRANSCRIBED),
         "_BEARING_LOSS": Clause("P_VLP = factor P2 a^0.44 u/d_m2", TRANSCRIBED),

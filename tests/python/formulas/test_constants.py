@@ -2,7 +2,7 @@
 
 import pytest
 from constant_slips import ModuleNumbers, smallest_slip
-from constants_page import CHAPTERS, PAGE, page, seen_in
+from constants_page import CHAPTERS, PAGE, TABLE, page, seen_in, table
 from worm_curve_checks import CURVES
 
 HARMLESS = 1.2
@@ -32,8 +32,9 @@ def test_every_number_has_a_clause(chapter):
     assert {number.place for number in chapter.subject.numbers} == set(chapter.clauses)
 
 
-def test_the_page_is_what_the_tables_give():
-    assert PAGE.read_text() == page(), "python benchmarks/constants/constants_page.py rewrites it"
+def test_page_and_table_are_what_the_program_has():
+    for path, text in ((PAGE, page()), (TABLE, table())):
+        assert path.read_text() == text, "python benchmarks/constants/constants_page.py rewrites it"
 
 
 def test_the_misprint_of_mineral_oil_in_a_bath_would_be_seen():
