@@ -1,6 +1,6 @@
 """Seconds that `pyworm check` expects and those that a solve takes, shipped cases.
 
-`precision.py expected` runs it for steady films. Films in motion, some of them of whole lives, from the
+`precision.py expected` runs it for steady films. Transient films, some of them of whole lives, from the
 repository's root (it takes fifteen minutes; names choose cases):
 
     python benchmarks/accuracy/expected_cost.py [NAME ...]
@@ -52,7 +52,7 @@ PLACES = {
 ACCURACIES = (0.05, 0.01)
 
 SPEED = Path("docs/evidence/speed.md")
-"""Page of the table of films in motion."""
+"""Page of the table of transient films."""
 
 
 @dataclass(frozen=True)

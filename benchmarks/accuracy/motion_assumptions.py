@@ -1,4 +1,4 @@
-"""What films in motion assume of the worm drive: how a tooth pair's life begins, and heat that oil stores.
+"""What transient films assume of the worm drive: how a tooth pair's life begins, and heat that oil stores.
 
 Films of an early part of the life by the second transient solve, isothermal, over those of another beginning:
 with a steady film at phase 0, under half and twice the load from which on it is given, at twice the distance.

@@ -1,4 +1,4 @@
-"""Error bars of films in motion against a finer transient solve.
+"""Error bars of transient films against a finer transient solve.
 
 At each phase of a drive (loads shared dry) the films on the plan's first grid take the rates of change of one
 transient solve, of two, and so on; the last stands for the truth. A bar is that of `transient.Transient`. Run

@@ -78,7 +78,7 @@ class Figures:
     def pair(self, first: Plan, second: Plan) -> tuple[Numbers, Numbers]:
         """Two plans compared so that the errors of their grids do not show."""
         kinds = {type(plan.simplified(self.scene)) for plan in (first, second)}
-        # heated films have first grids of their own, films in motion more than a grid
+        # heated films have first grids of their own, transient films more than a grid
         still = "squeeze" not in first.on | second.on
         same = len(kinds) == 1 and first.grids == second.grids and still
         by = on_one_grid if same else solved

@@ -1,4 +1,4 @@
-"""Error bars of films in motion on random pasts of balls and rollers, against a finer transient solve.
+"""Error bars of transient films on random pasts of balls and rollers, against a finer transient solve.
 
 Loads or speeds rise, step, swing or turn round while oil passes; every third contact is a point. Run from the
 repository's root (it takes two minutes; a number solves that past alone):

@@ -1,4 +1,4 @@
-"""What squeeze does to a drive's films: as plans estimate it, and by films in motion through a tooth's life.
+"""What squeeze does to a drive's films: as plans estimate it, and by transient films through a tooth's life.
 
 Loads are shared dry. Every phase is solved twice, steady and in motion; then the overlap of the parts of the
 life is compared. The last column tells whether the least film agrees, within both bars, with that of a

@@ -86,7 +86,7 @@ ENDLESS = 0.03
 
 @dataclass(frozen=True)
 class Transient:
-    """A film in motion."""
+    """A transient film."""
 
     times: Array
     """Times, in transits, of the rigid line in milliseconds."""
@@ -125,12 +125,12 @@ def solved(
     scene: LineScene, unit: float, duration: float, speed: Factor, load: Factor, kinks, refinement
 ) -> tuple[Array, Array]:
     """Times, in a unit [s], and central films [m] of a line by one transient solve."""
-    found = marched(scene, unit, duration, speed, load, kinks, refinement)
+    found = integrated(scene, unit, duration, speed, load, kinks, refinement)
     times = np.array([one.seconds for one in found.records]) / unit
     return times, np.array([one.figures["film_central"] for one in found.records])
 
 
-def marched(
+def integrated(
     scene: LineScene, unit: float, duration: float, speed: Factor, load: Factor, kinks, refinement
 ) -> TimeIntegration:
     """One transient solve of a line whose speed and load change with time, in a unit [s]."""
@@ -324,7 +324,7 @@ def waves(period: float, refinement: int = 1) -> Waves:
     scene = line(M, L, OILS["incompressible"])
     half_width, end = line_scales(scene).hertz.half_width, SWUNG * period + SETTLING
     transit = 2 * half_width / scene.entrainment
-    found = marched(scene, transit, end, constant, swing(period), (0.0,), refinement)
+    found = integrated(scene, transit, end, constant, swing(period), (0.0,), refinement)
     framed = [one for one in found.records if one.frame is not None]
     times = np.array([one.seconds for one in framed]) / transit
     some = times > times[-1] - SWUNG * period
@@ -349,7 +349,7 @@ def waves(period: float, refinement: int = 1) -> Waves:
 
 
 def compared(name: str, found: Transient) -> list[tuple[str, ...]]:
-    """Extremes of a film in motion beside those of the theory, and its deviations from it."""
+    """Extremes of a transient film beside those of the theory, and its deviations from it."""
     difference = found.solved - found.theory
     unit = 1e-6 if name.startswith("rigid") else 1.0
     deviations = (

@@ -39,7 +39,7 @@ module pyworm_column_sweep
     type(sweep_frame) :: way
     !> Velocity of body 1's surface and of body 2 relative to it [m/s].
     real(wp), allocatable :: u1(:, :), v1(:, :), us(:, :), vs(:, :)
-    !> Of a film in motion: rates of change of temperature at the levels [K/s] and of pressure [Pa/s].
+    !> Of a transient film: rates of change of temperature at the levels [K/s] and of pressure [Pa/s].
     real(wp), allocatable :: warming(:, :, :), pressing(:, :)
     !> Pressure [Pa] and film [m]; of rough surfaces the share of the area that oil covers.
     real(wp), allocatable :: p(:, :), h(:, :), wetted(:, :)

@@ -35,7 +35,7 @@ module pyworm_line_heat
     integer :: onward = 1
     !> Velocity of body 1's surface at the nodes [m/s].
     real(wp), allocatable :: u1(:)
-    !> Of a film in motion: rates of change of temperature at the levels [K/s] and of pressure [Pa/s].
+    !> Of a transient film: rates of change of temperature at the levels [K/s] and of pressure [Pa/s].
     real(wp), allocatable :: warming(:, :), pressing(:)
     !> Stress at the middle of the film [Pa], the initial guess of the next sweep.
     real(wp), allocatable :: stress(:)

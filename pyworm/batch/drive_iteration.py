@@ -6,8 +6,8 @@ films under these loads and temperatures. Where roughness carries load and is no
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
 temperatures are found with every `PHASE_STRIDE`-th phase and steady films, lifts by first transient solves
-(`films_in_motion.lifts_of`), or, for an accuracy below `GLANCE`, by steady films at that one in one window
-and what motion changes in them: all that is solved last is solved in full.
+(`transient_solutions.lifts_of`), or, for an accuracy below `ESTIMATE_ACCURACY`, by steady films at that one
+in one window and what transient solutions change in them: all that is solved last is solved in full.
 """
 
 from collections.abc import Callable, Sequence
@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 
 from pyworm.batch.case_run import RESULT_NAME, run
-from pyworm.batch.films_in_motion import in_motion, lifts_of
 from pyworm.batch.task import Task
+from pyworm.batch.transient_solutions import is_transient, lifts_of
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.io.present import present
@@ -40,18 +40,19 @@ WARM_PASSES = 8
 PHASE_STRIDE = 4
 """Every which phase is solved while temperatures are sought."""
 
-GLANCE = 0.1
+ESTIMATE_ACCURACY = 0.1
 """Accuracy at which lifts are sought, at every phase: it leaves 1 % in a lift, and so 0.1 % in a load. A lift
 interpolated between phases is off by 8 % where the number of teeth in contact changes."""
 
-GLANCES = 2
-"""Most passes at that accuracy."""
+MAX_ESTIMATES = 2
+"""Maximum number of passes at that accuracy."""
 
-MOST_MARCHES = 3
-"""Most transient solves of the life for its lifts."""
+MAX_TRANSIENT_SOLVES = 3
+"""Maximum number of first transient solves of a tooth pair's contact for its lifts."""
 
-GLANCE_LEAVES, MARCH_LEAVES = 0.25, 0.05
-"""Shares of a change of loads that a pass which made it, and a transient solve, leave to the next."""
+REMAINING_CHANGE_STEADY, REMAINING_CHANGE_TRANSIENT = 0.25, 0.05
+"""Change of loads left to the next pass, as a share of the change by this one: of steady films, and of a
+transient solve."""
 
 LOAD_SHARE = 0.5
 """Change of the loads that asks for another pass, as a share of the accuracy: pressures follow them with a
@@ -111,10 +112,13 @@ class _Search:
 
     def lifted(self, case: Case, tasks: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with lifts, as far as finding them costs less than another pass."""
-        given = [replace(task, case=case, accuracy=GLANCE, wider_window=False) for task in tasks]
-        moving = [task for task in given if in_motion(task)]
-        if self.accuracy < GLANCE:
-            return self._glance(case, given, moving, how)
+        given = [
+            replace(task, case=case, accuracy=ESTIMATE_ACCURACY, wider_window=False)
+            for task in tasks
+        ]
+        moving = [task for task in given if is_transient(task)]
+        if self.accuracy < ESTIMATE_ACCURACY:
+            return self._estimated(case, given, moving, how)
         return self._by_motion(case, moving, how["executor"]) if moving else case
 
     def _by_motion(self, case: Case, moving: Sequence[Task], executor: Executor | None) -> Case:
@@ -123,7 +127,7 @@ class _Search:
         Pressure beyond their windows, a tenth of a lift, is in none of them. Where loads differ by more than
         the accuracy allows, the films that follow ask for another pass.
         """
-        for _ in range(MOST_MARCHES):
+        for _ in range(MAX_TRANSIENT_SOLVES):
             then = lifts_of([replace(task, case=case) for task in moving], True, executor)
             if not then:
                 return case
@@ -135,22 +139,25 @@ class _Search:
                 slid = sum(lift.loss / lift.friction for lift in rubbing)
                 found["friction"] = float(f"{sum(lift.loss for lift in rubbing) / slid:.2g}")
             before, case = case, case.with_found({"operation": found})
-            if self._is_close(before, case, list(then), MARCH_LEAVES):
+            if self._is_close(before, case, list(then), REMAINING_CHANGE_TRANSIENT):
                 break
-        self.print_message(f"films in motion: {_told_lifts(found['lifts'])}")
+        self.print_message(f"transient solution: {_told_lifts(found['lifts'])}")
         return case
 
-    def _glance(
+    def _estimated(
         self, case: Case, given: Sequence[Task], moving: Sequence[Task], how: dict[str, Any]
     ) -> Case:
-        """The case with the values found by films of lower accuracy, and what motion changes in lifts."""
+        """The case with values of films of lower accuracy, and what transient solutions change in lifts."""
         some = [steady(task) for task in given] if moving else given
-        for _ in range(1 if moving else GLANCES):
+        for _ in range(1 if moving else MAX_ESTIMATES):
             again = [replace(task, case=case) for task in some]
             before, result = case, run(case, again, **how, cycle_of=methodcaller("loaded_cycle"))
             case = self._next(before, result, [])
             if case is before or self._is_close(
-                before, case, present(drive_cycle(result), "a mesh cycle").phases, GLANCE_LEAVES
+                before,
+                case,
+                present(drive_cycle(result), "a mesh cycle").phases,
+                REMAINING_CHANGE_STEADY,
             ):
                 break
         cycle = drive_cycle(result)
@@ -166,11 +173,11 @@ class _Search:
         lifts: dict[float, float],
         executor: Executor | None,
     ) -> Case:
-        """The case with lifts by films in motion, from those by steady films under the loads of another."""
+        """The case with lifts by transient solutions, from those of steady films under another's loads."""
         if not moving:
             return case
         beside = lifts_of([replace(task, case=dry) for task in moving], False, executor)
-        for _ in range(MOST_MARCHES):
+        for _ in range(MAX_TRANSIENT_SOLVES):
             then = lifts_of([replace(task, case=case) for task in moving], True, executor)
             by_motion = {
                 phase: then[phase].distance - beside[phase].distance
@@ -180,9 +187,9 @@ class _Search:
                 (phase, lift + by_motion.get(phase, 0.0)) for phase, lift in lifts.items()
             )
             before, case = case, case.with_found({"operation": {"lifts": found}})
-            if self._is_close(before, case, list(lifts), MARCH_LEAVES):
+            if self._is_close(before, case, list(lifts), REMAINING_CHANGE_TRANSIENT):
                 break
-        self.print_message(f"films in motion: {_told_lifts(found)}")
+        self.print_message(f"transient solution: {_told_lifts(found)}")
         return case
 
     def _is_close(self, case: Case, new: Case, phases: Sequence[float], leaves: float) -> bool:
@@ -248,7 +255,7 @@ class _Search:
 
 
 def steady(task: Task) -> Task:
-    """The task without films in motion, which move the loss by less than temperatures need."""
+    """The task without transient solutions, which change the loss by less than temperatures need."""
     first, *others = task.effects.split(",")
     if first not in ("auto", "all", "isothermal"):
         return task

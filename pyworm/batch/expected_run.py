@@ -6,9 +6,15 @@ It goes by what `drive_iteration` usually does.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from pyworm.batch.drive_iteration import GLANCE, GLANCES, PHASE_STRIDE, every, steady
-from pyworm.batch.films_in_motion import in_motion
+from pyworm.batch.drive_iteration import (
+    ESTIMATE_ACCURACY,
+    MAX_ESTIMATES,
+    PHASE_STRIDE,
+    every,
+    steady,
+)
 from pyworm.batch.task import Task
+from pyworm.batch.transient_solutions import is_transient
 from pyworm.case.case import Case
 from pyworm.solver.cost.expected_time import Expectation, expectations, together
 
@@ -69,16 +75,17 @@ def _lifts(tasks: Sequence[Task], once: float) -> float:
     """Processor time of the search for lifts, from some of the tasks and that of all solved once [s]."""
     accuracy = tasks[0].accuracy
     some = [
-        replace(task, accuracy=GLANCE, wider_window=False) for task in every(PHASE_STRIDE, tasks)
+        replace(task, accuracy=ESTIMATE_ACCURACY, wider_window=False)
+        for task in every(PHASE_STRIDE, tasks)
     ]
     all_of_them = len(tasks) / len(some)
-    moving = [task for task in some if in_motion(task)]
-    if not moving and accuracy < GLANCE:
-        return GLANCES * all_of_them * _solved(some)[1]
+    moving = [task for task in some if is_transient(task)]
+    if not moving and accuracy < ESTIMATE_ACCURACY:
+        return MAX_ESTIMATES * all_of_them * _solved(some)[1]
     if not moving:
         return (USUAL_PASSES - 1) * once
     each, seconds = _solved(moving)
     life = seconds - sum(expectation.seconds - expectation.past for expectation in each)
-    if accuracy >= GLANCE:
+    if accuracy >= ESTIMATE_ACCURACY:
         return life
     return all_of_them * _solved([steady(task) for task in some])[1] + TRANSIENT_PASSES * life

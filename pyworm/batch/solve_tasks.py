@@ -1,15 +1,15 @@
 """Many scenes, each solved by itself.
 
 None starts from another: any order and any number of processes gives the same solutions to the last bit.
-Films in motion are solved first, since many scenes share them.
+Transient solutions are found first, since many scenes share them.
 """
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, Future, as_completed
 
-from pyworm.batch.films_in_motion import drop_rates, rates_for, solve_lives
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
+from pyworm.batch.transient_solutions import drop_rates, rates_for, solve_lives
 from pyworm.batch.workers import WorkerDiedError, WorkerPool
 from pyworm.io.progress import Progress, marks_tenth
 from pyworm.io.reason import reason_of

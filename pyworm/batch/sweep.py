@@ -77,8 +77,8 @@ def load_sweep(
         combinations = list(_combinations(tables))[first - 1 :: count]
         make = partial(_tasks, content, path.stem, base.parent, tables.effects, store)
         pairs = []
-        made = (executor.map if executor else map)(make, combinations)
-        for number, (values, tasks) in enumerate(zip(combinations, made, strict=True), 1):
+        tasks_of_all = (executor.map if executor else map)(make, combinations)
+        for number, (values, tasks) in enumerate(zip(combinations, tasks_of_all, strict=True), 1):
             pairs += [(values, task) for task in tasks]
             if progress is not None:
                 progress(

@@ -11,7 +11,7 @@ import numpy as np
 
 from pyworm.batch.drive_iteration import run_balanced
 from pyworm.batch.task import Task, key_of
-from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, integrate_wear
+from pyworm.batch.wear_integration import UnsolvedError, Worn, first_step, integrate_wear
 from pyworm.case.case import Case
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.wear_law import (
@@ -33,7 +33,7 @@ from pyworm.scene.index import ContactIndex
 Array = np.ndarray
 
 STATE = "wear.npz"
-"""File with all that a march needs to go on."""
+"""File with all that an integration needs to go on."""
 
 EFFECTS = "auto,roughness,-squeeze"
 """Effects that wear asks for: roughness simulated, each phase steady."""
@@ -129,7 +129,7 @@ def worm_duty(case: Case) -> WormDuty:
 
 
 class WearRun:
-    """A march of a case's wear, which goes on where an earlier one in the same directory was stopped.
+    """Time integration of a case's wear; it continues where an earlier one in the same directory was stopped.
 
     Parameters
     ----------
@@ -203,7 +203,7 @@ class WearRun:
         return present(self._state, "contacts of the flanks")
 
     def run(self) -> tuple[WearFigures, ...]:
-        """March to the plan's hours, or to what the standard allows; figures at the end of each step."""
+        """Integrate to the plan's hours, or to what the standard allows; figures at the end of each step."""
         worn = self._restored() or self._begun()
         allowed = self.duty.gear.wear_limit
         plan = self.plan
@@ -285,7 +285,7 @@ class WearRun:
             speed = present(
                 present(case.drive, "drive").phases_per_second, "speed of the mesh cycle"
             )
-            made = asperity_pass(result, self.grid, speed)
+            on_wheel = asperity_pass(result, self.grid, speed)
             on_worm = asperity_pass(result, self.thread, speed, "worm")
         except ValueError as error:
             why = "; ".join(
@@ -299,7 +299,7 @@ class WearRun:
         of_worm = self.coefficient * self.plan.worm_ratio * worm_turns
         of_wheel = self.coefficient * worm_turns / self.duty.gear.ratio
         turn = float(present(result.mesh_cycle, "a mesh cycle")["wheel_turn"].mean())
-        rates = of_wheel * made.work, of_worm * on_worm.work, of_wheel * made.volume
+        rates = of_wheel * on_wheel.work, of_worm * on_worm.work, of_wheel * on_wheel.volume
         return _Solved(*rates, roughness, turn, result)
 
     def _loads(self, result: Result) -> dict[str, Any]:
@@ -343,7 +343,7 @@ class WearRun:
         )
 
     def _written(self, worn: Worn, error: float) -> None:
-        """Everything that a march needs to go on, in one file that is whole or not there."""
+        """Everything that an integration needs to go on, in one file that is whole or not there."""
         self.steps.append(self._figures(worn, error))
         wheel_depth, self.worm_depth = self._split(worn.depth)
         self.depths.append(wheel_depth)
@@ -368,7 +368,7 @@ class WearRun:
         )
 
     def _restored(self) -> Worn | None:
-        """Where an earlier march of the same plan was stopped; None without one."""
+        """Where an earlier integration of the same plan was stopped; None without one."""
         path = self.directory / STATE
         try:
             key, state = kept(path, lambda held: (str(held["key"]), held))

@@ -51,8 +51,8 @@ _COMMENTS = {
 
 
 PHASES = (0.2, 0.4, 0.55, 0.7, 0.9)
-"""Phases to be solved where a tooth pair carries load all along. None in the first fifth: a film in motion
-begins steady where the flanks meet, and what that beginning leaves fades with the way that they have gone."""
+"""Phases to be solved where a tooth pair carries load all along. None in the first fifth: a transient
+solution begins with a steady film where the flanks meet, whose influence fades as they move on."""
 
 MIN_LOAD_SHARE = 0.1
 """Load of a tooth pair over its largest one below which no phase is proposed: there tips and roots barely

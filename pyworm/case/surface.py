@@ -151,8 +151,8 @@ def _of_file(table: SurfaceTable, path: Path, state: tuple[int, int] | None) -> 
 def _of_generated(table: SurfaceTable) -> SeparatedWaves:
     if table.generated is None:
         raise ValueError("generated is missing")
-    made = table.generated.topography()
-    return _separated(table, made.height, made.spacing, periodic=True)
+    topography = table.generated.topography()
+    return _separated(table, topography.height, topography.spacing, periodic=True)
 
 
 def _separated(

@@ -272,7 +272,7 @@ class WormCase(RatedCase):
         if table.other_loss is not None:
             other = NonMeshLosses(given=table.other_loss)
         else:
-            load = drive.transmission
+            load = drive.shared_torque
             torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
             losses = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
             other = NonMeshLosses(losses, table.bearings)
@@ -307,7 +307,8 @@ class WormCase(RatedCase):
             hob=design.hob,
             centre_distance=design.centre_distance,
             speed=speed,
-            load=operation.load or _transmission(self, speed, ratio),
+            tooth_load=operation.load,
+            transmission=None if operation.load else _transmission(self, speed, ratio),
             bodies=design.seen(self._pair(oil)),
             oil=oil,
             assembly=plain(self.drive.assembly, Assembly),
@@ -353,8 +354,8 @@ class WormCase(RatedCase):
 
     def _by_standard(self, drive: WormDrive) -> WormRating:
         """The drive by the standard, whatever it is rated for; ValueError of the load of one tooth."""
-        load = drive.load
-        if not isinstance(load, Transmission):
+        load = drive.transmission
+        if load is None:
             raise ValueError("the load of one tooth is given, which is no balance of a drive")
         torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
         point = operating_point(drive, torque)
@@ -367,7 +368,7 @@ class WormCase(RatedCase):
         """The drive with oil and bodies as warm as its losses make them."""
         loss = present(self.cooling, "cooling").tooth_loss
         if loss is None:
-            loss = _first_loss(drive.transmission, drive.speed, drive.ratio)
+            loss = _first_loss(drive.shared_torque, drive.speed, drive.ratio)
         rim = drive.wheel.face_width * 2 * drive.wheel_reference_radius
         warm = drive_temperatures(self.cooling_of(drive), rim, drive.speed, loss)
         return replace(drive, oil=warm.oil(drive.oil), bodies=warm.bodies(drive.bodies))

@@ -225,7 +225,7 @@ class WormDriveTable(Table):
             return self._with_deviations(
                 base_cylinder_design(self.profile, self._numbers(), self.hand)
             )
-        return self._made(*self._drawing())
+        return self._design(*self._drawing())
 
     def reground(self, part: float) -> tuple[float, Design]:
         """The oversize [m] of a hob of which a part is left, and the design, the hob set up as usual.
@@ -244,7 +244,7 @@ class WormDriveTable(Table):
             hob_swivel=None if part < 1 else drawing.hob_swivel,
             hob_centre_distance=None if part < 1 else drawing.hob_centre_distance,
         )
-        return smaller.hob_oversize, self._made(smaller, assumed)
+        return smaller.hob_oversize, self._design(smaller, assumed)
 
     def _drawing(self) -> tuple[Drawing, tuple[str, ...]]:
         """The complete drawing, and what was taken as usual."""
@@ -266,7 +266,7 @@ class WormDriveTable(Table):
         check_drawing(drawing)
         return drawing, assumed
 
-    def _made(self, drawing: Drawing, assumed: tuple[str, ...]) -> Design:
+    def _design(self, drawing: Drawing, assumed: tuple[str, ...]) -> Design:
         """Worm, wheel and hob of a drawing, the hob's swivel found where it is not given."""
         if drawing.hob_swivel is None:
             drawing, swivel = with_swivel(drawing)

@@ -29,7 +29,7 @@ def add_plot(commands: argparse._SubParsersAction) -> None:
         nargs="?",
         const="gif",
         choices=("gif", "mp4"),
-        help="an animation of film and pressure of films in motion instead (default: gif)",
+        help="an animation of film and pressure of a transient solution instead (default: gif)",
     )
     plot.add_argument(
         "--pictures",
@@ -107,7 +107,7 @@ def _animate(options: argparse.Namespace, result: "Result | None", directory: Pa
     named = {} if result is None else life_names(result)
     if not named:
         raise CaseError(
-            f"--animate: {options.result} has no films in motion; "
+            f"--animate: {options.result} has no transient solution; "
             'run the case with effects = "auto,squeeze"'
         )
     kind = options.animate

@@ -67,26 +67,26 @@ def _precision(options: argparse.Namespace) -> int:
     )
     try:
         with progress_bar() as progress:
-            made = study(task.scene, task.quantities, options.budget, progress)
+            studied = study(task.scene, task.quantities, options.budget, progress)
     except BudgetError as error:
         raise CaseError(f"--budget {options.budget:g}: {error}") from None
     except KernelError as error:
         return end_with(f"{name}: {error}", FAILED)
     except NoReferenceError as error:
         return end_with(f"{name}: {error}", NOT_CONVERGED)
-    content = {"case": case.name} | as_object(made)
+    content = {"case": case.name} | as_object(studied)
     with atomic_directory(directory, instead_of=("precision.*",)) as aside:
         (aside / "precision.json").write_text(as_json(content), encoding="utf-8")
-        write_csv(made, aside / "precision.csv")
-        figure = draw_precision(made, name)
+        write_csv(studied, aside / "precision.csv")
+        figure = draw_precision(studied, name)
         for ending in ("png", "svg"):
             write(figure, aside / f"precision.{ending}")
     if options.json:
         print_json(content)
     else:
         console = Console()
-        console.print(cheapest_table(made))
-        for line in made.omitted:
+        console.print(cheapest_table(studied))
+        for line in studied.omitted:
             console.print(f"left out: {line}")
         console.print(f"Results  {directory}/precision.*", soft_wrap=True)
     return CONVERGED

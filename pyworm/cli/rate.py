@@ -56,10 +56,10 @@ def _rate(options: argparse.Namespace) -> int:
         request = rating_request(case)
     with nullcontext() if result is None else readable(options.result):
         with stage(f"rating {request.name}"):
-            made = ratings(request, result)
+            rated = ratings(request, result)
             lacking = neglected_effects(request, result)
-    if not made:
-        why = next(iter(not_rated(request, tuple(made)) if request.rating_is_asked else ()), None)
+    if not rated:
+        why = next(iter(not_rated(request, tuple(rated)) if request.rating_is_asked else ()), None)
         raise CaseError(
             f"{options.case}: {why}"
             if why
@@ -72,8 +72,8 @@ def _rate(options: argparse.Namespace) -> int:
             {
                 "case": request.name,
                 **lacking.summary(),
-                "ratings": [rating.summary() for rating in made],
-                "not_rated": not_rated(request, tuple(made)),
+                "ratings": [rating.summary() for rating in rated],
+                "not_rated": not_rated(request, tuple(rated)),
                 "warnings": request.warnings,
                 "beyond_limits": request.beyond_limits,
                 "not_converged": unconverged(result),
@@ -81,14 +81,14 @@ def _rate(options: argparse.Namespace) -> int:
             }
         )
     else:
-        _show(request, result, made, lacking)
+        _show(request, result, rated, lacking)
     return 0
 
 
 def _show(
     request: "RatingRequest",
     result: "Result | None",
-    made: Sequence["Rating"],
+    rated: Sequence["Rating"],
     lacking: "NeglectedEffects",
 ) -> None:
     """The ratings of a case as tables, with what is not rated and what was assumed."""
@@ -104,9 +104,9 @@ def _show(
         console.print(f"{line}\n")
     for sentence in unconverged(result):
         console.print(sentence)
-    for rating in made:
+    for rating in rated:
         _print(console, rating)
-    left = not_rated(request, tuple(made))
+    left = not_rated(request, tuple(rated))
     if left:
         console.print("Not rated:")
     for sentence in left:

@@ -168,7 +168,7 @@ def _mesh_loss_summary(case: Case, result: "Result") -> dict[str, Any]:
 
 
 def _table_of_lives(result: "Result", directory: Path) -> Path | None:
-    """Write the figures of films in motion over time as a table; None without any, or if that fails."""
+    """Write the figures of transient solutions over time as a table; None without any, or if that fails."""
     from pyworm.result.life import as_csv, lives
 
     found = lives(result)
@@ -185,7 +185,7 @@ def _table_of_lives(result: "Result", directory: Path) -> Path | None:
 
 
 def _lives_summary(result: "Result") -> dict[str, Any]:
-    """Extremes and work of friction of films in motion under `--json`; empty without any."""
+    """Extremes and work of friction of transient solutions under `--json`; empty without any."""
     from pyworm.result.life import lives
 
     found = [life.summary() for life in lives(result)]

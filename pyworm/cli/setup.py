@@ -66,27 +66,27 @@ def _setup(options: argparse.Namespace) -> int:
     if options.shim is not None:
         return _shim(case, options, wanted.get("shim"))
     with stage("cutting wheels with other set-ups of the hob"):
-        made = None if case.drive is None else case.drive.hob_setup(wanted)
-    if made is None:
+        setup = None if case.drive is None else case.drive.hob_setup(wanted)
+    if setup is None:
         raise CaseError(f"{options.case}: has no hob that could be set up; give a worm drive")
     warn_of_unusual(case)
-    rows = {"now": made.current} | ({} if made.proposed is None else {"found": made.proposed})
+    rows = {"now": setup.current} | ({} if setup.proposed is None else {"found": setup.proposed})
     with stage("finding the errors of the assembly that are allowed"):
         allowed = present(case.drive, "drive").allowed_errors()
     with stage("cutting wheels with the reground hob"):
         life = _life(case)
     if options.json:
-        content = {"case": case.name, "wanted": wanted, "reached": made.reached, **rows}
+        content = {"case": case.name, "wanted": wanted, "reached": setup.reached, **rows}
         print_json(content | {"allowed_assembly_errors": allowed, "hob_life": life})
     else:
         _print(rows, life)
         _print_allowed(allowed)
-    if not made.reached:
+    if not setup.reached:
         print_message(
             "warning: no set-up near the present one has that pattern without the worm cutting into the "
             "wheel or teeth parting before the next ones meet; the nearest is shown"
         )
-    return CONVERGED if made.reached else NOT_CONVERGED
+    return CONVERGED if setup.reached else NOT_CONVERGED
 
 
 def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:

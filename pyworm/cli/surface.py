@@ -169,15 +169,15 @@ def _draw(shown: list[_Shown], tables: list["CellTable"], directory: Path) -> li
     from pyworm.plots.attempts import Attempts
     from pyworm.plots.surface import draw_curves, draw_heights
 
-    made = Attempts()
+    attempts = Attempts()
     for surface, table in zip(shown, tables, strict=True):
         heights = partial(draw_heights, surface.name, surface.waves.roughness, surface.texture)
-        made.draw(directory / f"{surface.name}_heights.png", heights)
+        attempts.draw(directory / f"{surface.name}_heights.png", heights)
         known = partial(
             draw_curves, surface.name, table, surface.texture, surface.modulus, surface.hardness
         )
-        made.draw(directory / f"{surface.name}_curves.png", known)
-    return made.result()
+        attempts.draw(directory / f"{surface.name}_curves.png", known)
+    return attempts.result()
 
 
 MICRO, DEGREES = 1e6, 57.29577951308232

@@ -1,9 +1,9 @@
 """Loss and efficiency of tooth pairs that share a torque, over their mesh cycle.
 
 A tooth pair's loss at a phase is its friction times load times sliding. Load and sliding are known over the
-whole cycle; friction is known at the solved phases, interpolated between them and constant beyond them;
-of films in motion it is the ratio to the friction of the transient solve, known at some two hundred phases,
-that is. All pairs together lose, on average over a pitch,
+whole cycle; friction is known at the solved phases, interpolated between them and constant beyond them.
+Where films are transient the ratio to the friction of the transient solve, known at some two hundred phases,
+is interpolated instead. All pairs together lose, on average over a pitch,
 
     P = (1 / pitch) integral of friction load sliding over phase,                                          (1)
 

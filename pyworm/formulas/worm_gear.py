@@ -60,11 +60,11 @@ class WormGear(WormGearSizes):
         within("diameter factor", self.diameter_factor, 4, 40, "")
         within("face width", self.face_width, 2e-3, 1, "m")
         within("profile shift", self.profile_shift, -2, 2, "")
-        made = self.module / 2 * (self.diameter_factor + self.teeth + 2 * self.profile_shift)
-        if abs(made / self.centre_distance - 1) > 0.02:
+        distance = self.module / 2 * (self.diameter_factor + self.teeth + 2 * self.profile_shift)
+        if abs(distance / self.centre_distance - 1) > 0.02:
             raise ValueError(
                 f"centre distance = {self.centre_distance:g} m: module, diameter factor, teeth and profile "
-                f"shift make {made:g} m"
+                f"shift make {distance:g} m"
             )
 
     @property

@@ -8,7 +8,7 @@ import numpy as np
 
 from pyworm.io.atomic import whole_file
 
-Made = TypeVar("Made")
+Content = TypeVar("Content")
 
 
 class DamagedError(ValueError):
@@ -21,7 +21,7 @@ def keep(path: Path, **arrays: Any) -> None:
         np.savez_compressed(file, **arrays)
 
 
-def kept(path: Path, make: Callable[[dict[str, np.ndarray]], Made]) -> Made:
+def kept(path: Path, make: Callable[[dict[str, np.ndarray]], Content]) -> Content:
     """What is made of the arrays in a file.
 
     Parameters

@@ -113,10 +113,10 @@ def described(
     KeyError
         If a variable has no entry.
     """
-    made = {}
+    held = {}
     for name, (dims, values) in {**variables, **coords}.items():
-        made[name] = PlainVariable(dims, np.asarray(values), attributes(name))
-    return PlainDataset(made, tuple(coords), attrs or {})
+        held[name] = PlainVariable(dims, np.asarray(values), attributes(name))
+    return PlainDataset(held, tuple(coords), attrs or {})
 
 
 class _OnDemandDataset:

@@ -170,7 +170,7 @@ def _capital(words: str) -> str:
     return words[:1].upper() + words[1:]
 
 
-DECISIVE = "figures film glance sweep picture explore"
+DECISIVE = "figures film key sweep picture explore"
 """Places of the figures that decide over a contact."""
 
 EVERY_CONTACT = (
@@ -214,7 +214,7 @@ EVERY_CONTACT = (
     Quantity("composite_roughness", "m", "composite roughness", "µm", "Sq", "composite_roughness",
         places="scene figures"),
     Quantity("specific_film", "1", "specific film thickness lambda", "", "lambda", "specific_film",
-        places="figures film glance sweep", extreme="minimum"),
+        places="figures film key sweep", extreme="minimum"),
     Quantity("lambda_central", "1", "of the central film thickness", "", "", figure="film_central",
         places="figures", part=True, extreme="minimum"),
     Quantity("film_over_flooded", "1", "film thickness over the fully flooded one", "%", "",
@@ -230,7 +230,7 @@ EVERY_CONTACT = (
     Quantity("asperity_load_fraction", "1", "asperity load ratio", "%", "L_a",
         "figures.asperity_load_fraction", places="figures explore", extreme="maximum"),
     Quantity("friction_coefficient", "1", "friction coefficient", "", "µ",
-        "figures.friction_coefficient", places="figures heat glance sweep picture explore",
+        "figures.friction_coefficient", places="figures heat key sweep picture explore",
         extreme="maximum"),
     Quantity("friction_boundary", "1", "by asperities", "", "", "figures.friction_boundary",
         places="figures", part=True),
@@ -251,7 +251,7 @@ EVERY_CONTACT = (
         places="figures heat explore", extreme="maximum"),
     Quantity("temperature_max_film", "K", "maximum film temperature", "°C", "T_film",
         "figures.temperature_max_film", key="temperature_max_C_film",
-        places="figures heat glance sweep picture explore", extreme="maximum"),
+        places="figures heat key sweep picture explore", extreme="maximum"),
     Quantity("temperature_max", "K", "maximum temperature", "°C", "T_max"),
     Quantity("heat_balance", "1", "relative heat imbalance", "%", "", "figures.heat_balance",
         places="figures"),
@@ -478,7 +478,7 @@ def listed(place: str) -> tuple[Quantity, ...]:
     ----------
     place : str
         "scene" and "figures": rows of a contact before and after it is solved; "film" and "heat": tables of
-        all contacts; "glance": the decisive figures; "sweep" and "picture": table and picture of a sweep;
+        all contacts; "key": the decisive figures; "sweep" and "picture": table and picture of a sweep;
         "explore": the page to explore.
     """
     return tuple(quantity for quantity in QUANTITIES.values() if place in quantity.places.split())

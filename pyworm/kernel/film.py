@@ -130,7 +130,7 @@ class Film:
 
     Parameters
     ----------
-    made : tuple
+    handles : tuple
         The kernel's handle of the film and its status.
     shape : tuple of int
         Nodes along each direction.
@@ -141,8 +141,8 @@ class Film:
         If the kernel could not make the film.
     """
 
-    def __init__(self, made: tuple[int, int], shape: tuple[int, ...]):
-        self._handle, status = made
+    def __init__(self, handles: tuple[int, int], shape: tuple[int, ...]):
+        self._handle, status = handles
         check_status(status)
         self._shape = shape
         self._nodes = (*shape, 1)[:2]

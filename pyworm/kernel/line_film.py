@@ -48,7 +48,7 @@ class LineFilm(Film):
         oil: Oil,
         floor: float,
     ):
-        made = core.bindings.line_film_new(
+        handles = core.bindings.line_film_new(
             fortran_array(gap),
             np.asarray(covered, dtype=np.int32),
             fortran_array(entrainment),
@@ -58,7 +58,7 @@ class LineFilm(Film):
             load,
             floor,
         )
-        super().__init__(made, np.shape(gap))
+        super().__init__(handles, np.shape(gap))
         self._tabulate(oil)
 
     def heat(

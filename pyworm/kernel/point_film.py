@@ -45,7 +45,7 @@ class PointFilm(Film):
         oil: Oil,
         floor: float,
     ):
-        made = core.bindings.point_film_new(
+        handles = core.bindings.point_film_new(
             fortran_array(gap),
             np.asfortranarray(covered, dtype=np.int32),
             fortran_array(entrainment[0]),
@@ -57,7 +57,7 @@ class PointFilm(Film):
             load,
             floor,
         )
-        super().__init__(made, np.shape(gap))
+        super().__init__(handles, np.shape(gap))
         self._tabulate(oil)
         self._told = self._tallies()
 

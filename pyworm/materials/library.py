@@ -217,9 +217,9 @@ def named_oil(name: str) -> NamedOil:
         return NamedOil(called, stock, *stock.grades[grade], stock.sources["grades"])
     nearest = min(stock.grades, key=lambda other: abs(log(other / grade)))
     like = NamedOil("", stock, *stock.grades[nearest], "")
-    made = oil_from_index(called, stock.name, grade * SQUARE_MILLIMETRE, like.viscosity_index)
+    oil = oil_from_index(called, stock.name, grade * SQUARE_MILLIMETRE, like.viscosity_index)
     return replace(
-        made,
+        oil,
         source=f"viscosity index {like.viscosity_index:.0f}, that of {stock.name} VG {nearest}",
     )
 

@@ -42,19 +42,19 @@ def read_oil(path: str | Path) -> NamedOil:
     try:
         table = _OilTable.model_validate(data)
         if table.viscosity_100 is not None:
-            made = oil_from_viscosities(
+            oil = oil_from_viscosities(
                 table.name, table.base, table.viscosity_40, table.viscosity_100, table.source
             )
         else:
             index = present(table.viscosity_index, "viscosity_index")
-            made = oil_from_index(table.name, table.base, table.viscosity_40, index)
+            oil = oil_from_index(table.name, table.base, table.viscosity_40, index)
     except ValidationError as error:
         raise CaseError(f"{path}: {sentence(error, _OilTable, data)}") from None
     except ValueError as error:
         raise CaseError(f"{path}: {error}") from None
     given = table.own()
-    sources = {**made.stock.sources, **dict.fromkeys(given, table.source)}
-    return replace(made, source=table.source, stock=replace(made.stock, **given, sources=sources))
+    sources = {**oil.stock.sources, **dict.fromkeys(given, table.source)}
+    return replace(oil, source=table.source, stock=replace(oil.stock, **given, sources=sources))
 
 
 class _OilTable(StockTable):

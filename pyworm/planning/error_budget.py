@@ -35,7 +35,7 @@ LEVELS = 0.2
 on the contact itself and so may be larger than what is planned."""
 
 TIME = 0.7
-"""Error by the transient solve of a film in motion, beyond which its rate of change is not to be trusted; the
+"""Error by the transient solve, beyond which its rate of change is not to be trusted; the
 rest is left to grid, window and algebra."""
 
 CONDUCTION = 0.7

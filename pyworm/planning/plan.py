@@ -295,7 +295,7 @@ def _target(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) 
 
 
 def steady(plan: Plan, reason: str) -> Plan:
-    """The plan without films in motion, for a reason."""
+    """The plan without a transient solution, for a reason."""
     return replace(
         plan,
         effects=tuple(
@@ -327,7 +327,7 @@ def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float])
 
 def with_accuracy(scene: Scene | LineScene, plan: Plan, accuracy: float) -> Plan:
     """The plan of a scene at another accuracy; its effects stay on, and its largest grid the same."""
-    made = planned(
+    repeated = planned(
         scene,
         accuracy,
         plan.quantities,
@@ -336,7 +336,7 @@ def with_accuracy(scene: Scene | LineScene, plan: Plan, accuracy: float) -> Plan
         plan.on,
         plan.excluded,
     )
-    return replace(made, largest_grid=plan.largest_grid)
+    return replace(repeated, largest_grid=plan.largest_grid)
 
 
 def _judged(

@@ -40,9 +40,9 @@ class Attempts:
         try:
             if available() < ROOM:
                 raise MemoryError
-            made = figure()
-            if made is not None:
-                self.drawn.append(write(made, path))
+            drawing = figure()
+            if drawing is not None:
+                self.drawn.append(write(drawing, path))
         except Exception as error:
             self.failed[path.name] = reason_of(error)
             path.unlink(missing_ok=True)

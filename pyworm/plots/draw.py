@@ -108,18 +108,18 @@ def draw(
         result = open_result(result)
     directory = Path(directory)
     directory.mkdir(parents=True, exist_ok=True)
-    made = Attempts()
+    attempts = Attempts()
     if key_only and result.solutions:
         thinnest = result.solutions[result.thinnest]
         key = KEY_PICTURES[thinnest.kind]
-        made.add(_draw_scene(result, directory, result.thinnest, thinnest, key))
+        attempts.add(_draw_scene(result, directory, result.thinnest, thinnest, key))
     elif not key_only:
         for scene in _scene_pictures(result, directory, executor, names):
-            made.add(scene)
+            attempts.add(scene)
     for name, picture in _whole_pictures(result).items():
         if not names or name in names:
-            made.draw(directory / f"{name}.png", picture)
-    return made.result()
+            attempts.draw(directory / f"{name}.png", picture)
+    return attempts.result()
 
 
 def picture_names(result: Result) -> list[str]:
@@ -176,12 +176,12 @@ def _draw_scene(
     result: Result, directory: Path, number: int, solution: Solution, names: Sequence[str]
 ) -> Attempts:
     """The pictures of one scene of a result."""
-    made, pictures = Attempts(), SCENE_PICTURES[solution.kind]
+    attempts, pictures = Attempts(), SCENE_PICTURES[solution.kind]
     for name in names:
         if name in pictures and has_picture(solution, name):
             file = directory / f"{_stem(number)}_{name}.png"
-            made.draw(file, scene_picture(result, solution, name))
-    return made
+            attempts.draw(file, scene_picture(result, solution, name))
+    return attempts
 
 
 def scene_picture(result: Result, solution: Solution, name: str) -> Callable[[], Figure]:

@@ -44,7 +44,7 @@ def animate(result: Result, life: ContactLife, path: Path) -> Path:
         It has no fields, or no program writes this kind of file here.
     """
     if not life.frames:
-        raise ValueError("this result has no fields over time; only films in motion have")
+        raise ValueError("this result has no fields over time; only transient solutions have")
     kind = path.suffix.removeprefix(".")
     writer: Any = WRITERS[kind]
     if not writer.isAvailable():

@@ -67,9 +67,9 @@ class _Shown:
 
 def draw_sweep(result: SweepResult, path: Path) -> list[Path]:
     """Draw the picture of a sweep as PNG; PicturesError if that fails."""
-    made = Attempts()
-    made.draw(path, partial(sweep_figure, result))
-    return made.result()
+    attempts = Attempts()
+    attempts.draw(path, partial(sweep_figure, result))
+    return attempts.result()
 
 
 def sweep_figure(result: SweepResult) -> Figure:

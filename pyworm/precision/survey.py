@@ -106,7 +106,7 @@ def study(
     """
     scene = replace(scene, past=None)
     making = _Study(scene, quantities, budget, progress or (lambda message, fraction: None), clock)
-    return making.made(complete_only)
+    return making.result(complete_only)
 
 
 class _Study:
@@ -134,8 +134,8 @@ class _Study:
     def _spent(self) -> float:
         return self._clock() - self._started
 
-    def made(self, complete_only: bool) -> Study:
-        """Make the study."""
+    def result(self, complete_only: bool) -> Study:
+        """The study; its models are refined first."""
         complete = self._refined(self._complete, COMPLETE_FRACTION * self._budget)
         if len(complete.points) < LEAST_GRIDS:
             raise BudgetError(

@@ -269,10 +269,10 @@ def _barred(
 ) -> Safety:
     """A safety with its error bars; where they hold the required value, that is told."""
     error, model = bars or (None, None)
-    made = Safety(**named, value=value, inputs=inputs, doubts=doubts, error=error, model=model)
-    if not made.open:
-        return made
-    return replace(made, doubts=(*doubts, "The verdict would turn within the error bars."))
+    safety = Safety(**named, value=value, inputs=inputs, doubts=doubts, error=error, model=model)
+    if not safety.open:
+        return safety
+    return replace(safety, doubts=(*doubts, "The verdict would turn within the error bars."))
 
 
 def simulated_safeties(

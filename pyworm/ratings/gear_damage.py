@@ -110,7 +110,7 @@ class GearDamage:
         line, films = self.duty.line_of_action, self._films
         hottest, hot = _worst(line.contact_temperature, line.phase, np.argmax)
         thinnest, thin = _worst(None if films is None else films.film, line.phase, np.argmin)
-        made = (
+        safeties = (
             scuffing(
                 hottest,
                 self.oil_temperature,
@@ -127,9 +127,9 @@ class GearDamage:
             ),
         )
         if result is None:
-            return made
+            return safeties
         spots = simulated_spots(result.solutions)
-        return made + simulated_safeties(
+        return safeties + simulated_safeties(
             spots, self.limits, self.table, self.oil_temperature, self.roughness
         )
 

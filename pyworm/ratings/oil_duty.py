@@ -35,11 +35,11 @@ def oil_duty(request: RatingRequest) -> OilDuty:
         **table.model_dump(),
         **_bearing(request.tables.bearings),
     }
-    made = request.duty
-    if isinstance(made, GearPairDuty):
-        return OilDuty(**common, **_gear_pair(made, table))
-    if isinstance(made, WormDuty):
-        return OilDuty(**common, **_worm(made, table))
+    duty = request.duty
+    if isinstance(duty, GearPairDuty):
+        return OilDuty(**common, **_gear_pair(duty, table))
+    if isinstance(duty, WormDuty):
+        return OilDuty(**common, **_worm(duty, table))
     raise CaseError("no oil can be chosen for a drive of this kind")
 
 

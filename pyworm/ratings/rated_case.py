@@ -218,9 +218,9 @@ def ratings(request: RatingRequest, result: Result | None = None) -> tuple[Ratin
     """
     return tuple(
         rating
-        for _, made in _attempts(request, _sound(result))
-        if not isinstance(made, Unknown)
-        for rating in made
+        for _, outcome in _attempts(request, _sound(result))
+        if not isinstance(outcome, Unknown)
+        for rating in outcome
     )
 
 
@@ -283,17 +283,17 @@ def unconverged(result: Result | None) -> tuple[str, ...]:
     )
 
 
-def not_rated(request: RatingRequest, made: tuple[Rating, ...]) -> tuple[str, ...]:
+def not_rated(request: RatingRequest, possible: tuple[Rating, ...]) -> tuple[str, ...]:
     """Ratings, and parts of ratings, that a case leaves out, each with the reason.
 
     Parameters
     ----------
     request : RatingRequest
         The case.
-    made : tuple of Rating
+    possible : tuple of Rating
         Its ratings.
     """
-    left = [sentence for rating in made for sentence in rating.not_rated]
+    left = [sentence for rating in possible for sentence in rating.not_rated]
     failed = [
         (name, outcome)
         for name, outcome in _attempts(request, None)

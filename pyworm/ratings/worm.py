@@ -80,7 +80,7 @@ def rate_worm_table(
         Its solved mesh phases.
     """
     loads = rated_loads(table, duty, directory)
-    made = safeties(table, duty, loads, directory)
+    rated = safeties(table, duty, loads, directory)
     simulated = {} if result is None or drive is None else _simulated(duty, drive, result)
     figures = tuple(_figures(duty, loads, simulated, result))
     return Rating(
@@ -89,14 +89,14 @@ def rate_worm_table(
         source=WormRating.source,
         columns=("standard", SIMULATION) if simulated else ("standard",),
         figures=figures,
-        safeties=made,
+        safeties=rated,
         words=tuple(_words(table, duty, loads, directory, bool(simulated))),
-        failed=failures(duty, made, loads),
+        failed=failures(duty, rated, loads),
         not_rated=(
             *(f"{labels}: {why}." for why, labels in without_value(figures).items()),
             *(
                 f"{safety.symbol}, {safety.label}: {safety.why}"
-                for safety in made
+                for safety in rated
                 if safety.value is None
             ),
             *NEVER_RATED,

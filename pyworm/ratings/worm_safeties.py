@@ -74,15 +74,15 @@ def safeties(
         Where the case lies.
     """
     gear_set = _Rated(table, duty, loads, directory)
-    made = []
+    rated = []
     for symbol, rate in _RATES.items():
         lacking = _missing(table, *_REQUIRED_KEYS.get(symbol, ()))
         found = Unknown(lacking) if lacking else attempt(partial(rate, gear_set))
-        made.append(_unrated(symbol, found.why) if isinstance(found, Unknown) else found)
+        rated.append(_unrated(symbol, found.why) if isinstance(found, Unknown) else found)
     if duty.wheel_limit is not None:
         found = attempt(partial(_material, gear_set))
-        made.append(_unrated("S_M", found.why) if isinstance(found, Unknown) else found)
-    return tuple(made)
+        rated.append(_unrated("S_M", found.why) if isinstance(found, Unknown) else found)
+    return tuple(rated)
 
 
 def total_wear(loads: tuple[RatedLoad, ...]) -> float:

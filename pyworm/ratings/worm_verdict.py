@@ -103,7 +103,7 @@ def _passing(when: str, what: str, teeth: float, others: str, taken: float) -> s
 
 
 def failures(
-    duty: WormDuty, made: tuple[Safety, ...], loads: tuple[RatedLoad, ...]
+    duty: WormDuty, rated: tuple[Safety, ...], loads: tuple[RatedLoad, ...]
 ) -> tuple[str, ...]:
     """Why a worm gear fails its rating; empty where every safety that is rated is sufficient.
 
@@ -123,7 +123,7 @@ def failures(
         )
     # bearings that are assumed decide nothing
     decides = [
-        safety for safety in made if safety.symbol != "S_delta" or duty.deflection is not None
+        safety for safety in rated if safety.symbol != "S_delta" or duty.deflection is not None
     ]
     failed += [safety.failure for safety in decides if safety.failure]
     return (*failed, *_cannot_run(duty, loads))

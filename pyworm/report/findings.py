@@ -66,12 +66,12 @@ def findings(result: Result, case: Case | None = None) -> Findings:
         The result's case is none that this version knows.
     """
     case = case or case_again(result.case)
-    made, lacking = _rated(case, result)
+    possible, lacking = _rated(case, result)
     return Findings(
         case=case,
         result=result,
         sound=result.sound,
-        ratings=made,
+        ratings=possible,
         not_rated=lacking,
         standard=standard_loss(case),
         mesh_loss=mesh_loss(case.drive, result),
@@ -88,7 +88,7 @@ def _rated(case: Case, result: Result) -> tuple[tuple[Rating, ...], tuple[str, .
         return (), (f"Gears, scuffing and bearings: only drives of kind {kinds} are rated.",)
     try:
         request = rating_request(case)
-        made = ratings(request, result)
+        possible = ratings(request, result)
     except CaseError as error:
         return (), (f"Not rated: {error}.",)
-    return made, not_rated(request, made)
+    return possible, not_rated(request, possible)

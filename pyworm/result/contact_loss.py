@@ -26,7 +26,7 @@ def contact_losses(solutions: Iterable[Solution]) -> list[ContactLoss]:
 
 
 def _loss_over_phase(solution: Solution) -> tuple[tuple[float, float], ...]:
-    """Phases and power lost over load at each instant of a film in motion."""
+    """Phases and power lost over load at each instant of a transient solution."""
     life = solution.held("life")
     if life is None or "life_phase" not in life:
         return ()

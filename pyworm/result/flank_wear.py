@@ -181,7 +181,9 @@ def asperity_pass(
     x, y = common_grid(solved)
     layers = [_with_areas(_placed(solution, x, y, side), x, y) for solution in solved]
     work, volume = np.zeros(grid.shape), 0.0
-    phases, layers = _in_motion(result, [phase_of(solution) for solution in solved], layers, x, y)
+    phases, layers = _with_instants(
+        result, [phase_of(solution) for solution in solved], layers, x, y
+    )
     stations = _whole_mesh(phases, layers, _tooth_load(result))
     for (phase, before), (next_phase, after) in pairwise(stations):
         moved = np.hypot(
@@ -200,7 +202,7 @@ def asperity_pass(
 
 
 def flank_work(result: Result, grid: FlankGrid, side: Side = "wheel") -> Array | None:
-    """Pressure of asperities times sliding over a pass of films in motion [Pa m], (radius, face).
+    """Pressure of asperities times sliding over a pass of transient solutions [Pa m], (radius, face).
 
     None of any other result.
     """
@@ -222,10 +224,10 @@ def _worm_life(result: Result) -> ContactLife | None:
     return found[0] if frames and all(frame.rubbing is not None for frame in frames) else None
 
 
-def _in_motion(
+def _with_instants(
     result: Result, phases: list[float], layers: list[dict[str, Array]], x: Array, y: Array
 ) -> tuple[list[float], list[dict[str, Array]]]:
-    """Phases and layers with those of the instants between, where films are in motion.
+    """Phases and layers with those of the instants between, where films are transient.
 
     Places are between those of the solved phases; pressure and rubbing are the instant's, the latter in the
     ratio that it has in the whole at the solved phases on their finer grids.

@@ -8,7 +8,7 @@ Layout of the file:
     /scene_000/fields       fields over (y, x), or over x for a line contact, in single precision
     /scene_000/history      convergence over iterations
     /scene_000/profile      temperature and velocity across the film at its hottest point, if simulated
-    /scene_000/life         figures and fields over time before it, if films in motion were simulated
+    /scene_000/life         figures and fields over time before it, if its films are transient
 
 Attributes that are not numbers or plain text (case, provenance, solution) are JSON.
 """

@@ -72,7 +72,7 @@ def from_json(kind: Any, value: Any, name: str = "") -> Any:
     if origin is dict and isinstance(value, dict):
         return {key: from_json(options[1], part, f"{name}.{key}") for key, part in value.items()}
     if is_dataclass(kind) and isinstance(value, dict):
-        return _made(kind, value, name)
+        return _without_flaws(kind, value, name)
     if kind is float and isinstance(value, int | float) and not isinstance(value, bool):
         return value
     if kind in (bool, str, int, list, dict, NoneType, xr.Dataset) and type(value) is kind:
@@ -94,7 +94,7 @@ def _one_of(options: tuple, value: Any, name: str) -> Any:
     raise ValueError(f"{name} is {value!r:.60}")
 
 
-def _made(kind: Any, value: dict[str, Any], name: str) -> Any:
+def _without_flaws(kind: Any, value: dict[str, Any], name: str) -> Any:
     hints = get_type_hints(kind)
     strange = value.keys() - {part.name for part in parts_of(kind)}
     if strange:

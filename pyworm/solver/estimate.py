@@ -156,7 +156,7 @@ class Estimate:
             (abs(by * (first.value - first.datum)), first),
             (abs(times * (second.value - second.datum)), second),
         )
-        return _made(value, datum, parts, abs(value - datum))
+        return _estimate(value, datum, parts, abs(value - datum))
 
     def _power_product(self, other: "Estimate", exponent: float) -> "Estimate":
         """Self times other to a power; relative errors are added."""
@@ -172,10 +172,10 @@ class Estimate:
             )
             for times, factor in ((1.0, self), (abs(exponent), other))
         )
-        return _made(self.value * other.value**exponent, 0.0, parts, 1.0)
+        return _estimate(self.value * other.value**exponent, 0.0, parts, 1.0)
 
 
-def _made(
+def _estimate(
     value: float, datum: float, parts: tuple[tuple[float, Estimate], ...], size: float
 ) -> Estimate:
     """A figure whose errors are those of others by their weights, over its size."""

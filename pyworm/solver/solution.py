@@ -189,7 +189,7 @@ class Solution(Shown):
     profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact). None
     where heat was not simulated."""
     life: "xr.Dataset | None" = None
-    """Over instant, of a film in motion since the contact solved before it, or since its first touch:
+    """Over instant, of a transient film since the contact solved before it, or since its first touch:
     life_seconds, life_phase, life_load, and by each figure's name life_NAME and life_NAME_error; over frame
     and nodes: frame_seconds, frame_x, frame_y, frame_pressure, frame_film (no y of a line contact), of rough
     surfaces frame_rubbing. They are of the transient solve's own grids. None of a steady film."""

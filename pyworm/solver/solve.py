@@ -61,7 +61,7 @@ def solve(
     report = _rising(progress)
     stopwatch, warm_start = Stopwatch(), None
     while True:
-        plan, rates = _in_motion(scene, plan, rates, report)
+        plan, rates = _rates_of_change(scene, plan, rates, report)
         sequence = GridSequence(plan.simplified(scene), plan, rates, report, stopwatch)
         warm_start = sequence.begin(warm_start)
         if rates is not None and sequence.wants_finer_rates:
@@ -95,7 +95,7 @@ def _no_worse(
     """The solution, or that of a coarser request where less error is left by it.
 
     A finer request has a wider window and a lower tolerance, on grids of the same size: by either its error
-    may be larger in the end, or its film be lost. A film in motion keeps its rates of change.
+    may be larger in the end, or its film be lost. A transient film keeps its rates of change.
     """
     error = _error(solution, plan)
     coarser = next((accuracy for accuracy in COARSER_ACCURACIES if accuracy > plan.accuracy), None)
@@ -158,10 +158,10 @@ def _required(scene: Scene | LineScene, plan: Plan | None) -> Plan:
     return plan
 
 
-def _in_motion(
+def _rates_of_change(
     scene: Scene | LineScene, plan: Plan, rates: Rates | None, report: Progress
 ) -> tuple[Plan, Rates | None]:
-    """The rates of change of a film in motion, found if they are not given; or a plan of a steady film."""
+    """The rates of change of a transient film, found if they are not given; or a plan of a steady film."""
     if SQUEEZE.name not in plan.on:
         return plan, None
     if rates is None:

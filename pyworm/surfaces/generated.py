@@ -43,7 +43,7 @@ def gaussian(
         density: Array = np.exp(-decay * ((qx * aspect) ** 2 + qy**2))
         return density
 
-    return _made(roughness, GAUSSIAN_NODES, (side * aspect, side), density, seed)
+    return _generated(roughness, GAUSSIAN_NODES, (side * aspect, side), density, seed)
 
 
 def self_affine(
@@ -88,10 +88,10 @@ def self_affine(
         within = (q >= 2 * pi / longest_wave * (1 - 1e-9)) & (q <= 2 * pi / shortest_wave)
         return np.where(within, np.where(within, q, 1.0) ** (-2 - 2 * hurst), 0.0)
 
-    return _made(roughness, nodes, (side * aspect, side), density, seed)
+    return _generated(roughness, nodes, (side * aspect, side), density, seed)
 
 
-def _made(
+def _generated(
     roughness: float,
     nodes: int,
     extent: tuple[float, float],

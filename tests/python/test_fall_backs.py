@@ -32,22 +32,22 @@ MADE_BY = {
         "batch/test_cluster.py::test_a_scheduler_lost_on_the_way_is_one_sentence_and_what_was_solved_is_kept",
     "batch/cluster.py cluster ImportError":
         "batch/test_batch_fall_backs.py::test_without_dask_a_scheduler_is_refused_with_what_to_install",
-    "batch/films_in_motion.py LifePart._solve_into NoFilmError":
-        "batch/test_films_in_motion.py::test_finer_solves_are_not_begun_where_the_first_finds_no_film",
-    "batch/films_in_motion.py LifePart.solve_into Exception":
+    "batch/transient_solutions.py LifePart._solve_into NoFilmError":
+        "batch/test_transient_solutions.py::test_finer_solves_are_not_begun_where_the_first_finds_no_film",
+    "batch/transient_solutions.py LifePart.solve_into Exception":
         "batch/test_batch_fall_backs.py::test_a_life_that_breaks_costs_its_own_tasks_alone",
-    "batch/films_in_motion.py _has_flaw (OSError, DamagedError)":
+    "batch/transient_solutions.py _has_flaw (OSError, DamagedError)":
         "batch/test_batch_fall_backs.py::test_a_file_that_is_not_there_has_no_flaw",
-    "batch/films_in_motion.py drop_rates suppress OSError":
+    "batch/transient_solutions.py drop_rates suppress OSError":
         "batch/test_batch_fall_backs.py::test_a_file_that_cannot_be_removed_costs_nothing",
-    "batch/films_in_motion.py in_motion ValueError":
+    "batch/transient_solutions.py is_transient ValueError":
         "batch/test_batch.py::test_a_failing_scene_is_reported_and_costs_no_other",
-    "batch/films_in_motion.py rates_for (OSError, DamagedError)":
+    "batch/transient_solutions.py rates_for (OSError, DamagedError)":
         "batch/test_study.py::test_progress_rises_to_one",
-    "batch/films_in_motion.py tasks_by_part ValueError":
+    "batch/transient_solutions.py tasks_by_part ValueError":
         "batch/test_batch_fall_backs.py::test_a_life_without_load_has_no_parts",
-    "batch/films_in_motion.py lifts_of suppress Exception":
-        "batch/test_lifts_in_motion.py::test_a_part_that_breaks_costs_its_own_lifts_alone",
+    "batch/transient_solutions.py lifts_of suppress Exception":
+        "batch/test_transient_lifts.py::test_a_part_that_breaks_costs_its_own_lifts_alone",
     "batch/provenance.py _git (OSError, subprocess.TimeoutExpired)":
         "batch/test_provenance.py::test_without_git_there_is_no_commit",
     "batch/scene_task.py require_sendable Exception":
@@ -74,8 +74,8 @@ MADE_BY = {
         "batch/test_sweep.py::test_a_bad_sweep_is_refused_in_one_sentence",
     "batch/sweep.py load_sweep CaseError":
         "batch/test_sweep.py::test_a_bad_sweep_is_refused_in_one_sentence",
-    "batch/wear_march.py integrate_wear UnsolvedError":
-        "batch/test_wear_march.py::test_a_rate_that_is_not_known_is_no_step",
+    "batch/wear_integration.py integrate_wear UnsolvedError":
+        "batch/test_wear_integration.py::test_a_rate_that_is_not_known_is_no_step",
     "batch/wear_run.py WearRun._restored DamagedError":
         "batch/test_wear_run.py::test_a_damaged_state_is_not_gone_on_with",
     "batch/wear_run.py WearRun._restored FileNotFoundError":

@@ -42,7 +42,7 @@ def sharif(**changes) -> WormDrive:
         "hob": HOB,
         "centre_distance": 304.8 * MM,
         "speed": 1500 * 2 * np.pi / 60,
-        "load": 14e3,
+        "tooth_load": 14e3,
         "bodies": (Body(207e9, 0.3), Body(120e9, 0.35)),
         "oil": Oil(Roelands(0.227, 0.227), Density.dowson_higginson(1025.0)),
     }

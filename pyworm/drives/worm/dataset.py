@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from pyworm.drives.worm.loads.load_sharing import SharedLoad, Transmission
+from pyworm.drives.worm.loads.load_sharing import SharedLoad
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.patterns.contact_pattern import THICKNESS, ContactPattern
 from pyworm.drives.worm.teeth.tooth import wheel_radius
@@ -111,12 +111,8 @@ def loaded_cycle_data(mesh: WormMesh, beyond: float) -> "xr.Dataset":
             "worm_temperature": worm,
             "wheel_temperature": wheel,
         }
-    given = mesh.load
-    asked = (
-        {"torque": given.torque, "torque_shaft": given.shaft}
-        if isinstance(given, Transmission)
-        else {}
-    )
+    given = mesh.transmission
+    torque = {} if given is None else {"torque": given.torque, "torque_shaft": given.shaft}
     return describe(
         xr.Dataset(
             {
@@ -137,7 +133,7 @@ def loaded_cycle_data(mesh: WormMesh, beyond: float) -> "xr.Dataset":
                 "wheel_speed": mesh.speed * mesh.cycle.speed_ratio,
                 "driver": mesh.driver,
                 "friction_assumed": mesh.friction,
-                **asked,
+                **torque,
                 **warm,
             },
         )

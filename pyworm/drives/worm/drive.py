@@ -23,7 +23,6 @@ from pyworm.drives.worm.geometry_table import (
     described_tolerances,
     signed_geometry,
 )
-from pyworm.drives.worm.loads.load_sharing import Transmission
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.loads.tooth_compliance import EDGE_CONTACT_PHASES
 from pyworm.drives.worm.loads.tooth_pair_motion import tooth_life
@@ -70,7 +69,9 @@ class WormDrive(WormMesh, Drive):
     """Where the bulk temperatures of worm and wheel come from, a sentence; empty where they are given."""
 
     def __post_init__(self) -> None:
-        given = {} if isinstance(self.load, Transmission) else {"load": self.load}
+        if (self.tooth_load is None) == (self.transmission is None):
+            raise ValueError("tooth_load, transmission: give one of both")
+        given = {} if self.tooth_load is None else {"tooth_load": self.tooth_load}
         check_values({"speed": self.speed, **given})
         check_gears(self)
 
@@ -96,20 +97,20 @@ class WormDrive(WormMesh, Drive):
     @property
     def assumptions(self) -> tuple[str, ...]:
         """The load and its sharing, rigid teeth and shafts, the hand, and usual values taken."""
-        load = self.load
-        if isinstance(load, Transmission):
-            made = (
-                f"The teeth in mesh share {load.torque:.4g} N m of the {load.shaft} ({load.sharing} sharing, "
-                f"friction {load.friction:.2g} in the balance of torques"
-                f"{', with the lift of their films' if load.lifts else ''})."
+        if self.tooth_load is None:
+            shared = self.shared_torque
+            load = (
+                f"The teeth in mesh share {shared.torque:.4g} N m of the {shared.shaft} ({shared.sharing} "
+                f"sharing, friction {shared.friction:.2g} in the balance of torques"
+                f"{', with the lift of their films' if shared.lifts else ''})."
             )
         else:
-            made = (
-                f"The load on the tooth, {load / 1e3:.4g} kN, is given and the same at every phase; "
-                "it is not shared among teeth."
+            load = (
+                f"The load on the tooth, {self.tooth_load / 1e3:.4g} kN, is given and the same at every "
+                "phase; it is not shared among teeth."
             )
         return (
-            made,
+            load,
             self._bending,
             *self._deviating,
             *filter(None, (self.warmth,)),
@@ -203,9 +204,7 @@ class WormDrive(WormMesh, Drive):
 
     @cached_property
     def _loaded_cycle(self) -> "xr.Dataset":
-        return loaded_cycle_data(
-            self, EDGE_CONTACT_PHASES if isinstance(self.load, Transmission) else 0.0
-        )
+        return loaded_cycle_data(self, 0.0 if self.transmission is None else EDGE_CONTACT_PHASES)
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss of all teeth in mesh; None for too few phases of teeth that share a torque."""

@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 from pyworm.drives.duty import WormDuty
-from pyworm.drives.worm.loads.load_sharing import Transmission
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.teeth.gears import WormGears
 from pyworm.formulas.worm_gear import WormGear
@@ -55,9 +54,9 @@ def worm_duty(mesh: WormMesh) -> WormDuty:
     as_drawn = mesh.worm.reference_radius is not None
     reference = "as drawn" if as_drawn else "the reference cylinder one module below the worm's tip"
     torque = "wheel torque as the drive has it"
-    if not isinstance(mesh.load, Transmission):
+    if mesh.tooth_load is not None:
         torque = (
-            f"wheel torque of {mesh.load / 1e3:.3g} kN on each of {mesh.mean_teeth_in_contact:.2f} "
+            f"wheel torque of {mesh.tooth_load / 1e3:.3g} kN on each of {mesh.mean_teeth_in_contact:.2f} "
             f"teeth in contact on average, on an arm of {mesh.load_arm * 1e3:.1f} mm"
         )
     return replace(

@@ -6,7 +6,6 @@ import numpy as np
 
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
 from pyworm.drives.tooth_loss import FEWEST_PHASES, cycle_loss
-from pyworm.drives.worm.loads.load_sharing import Transmission
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.io.on_demand import xarray as xr
 
@@ -27,9 +26,9 @@ def worm_mesh_loss(
     contacts : sequence of ContactLoss
         Losses of contacts that were solved.
     """
-    if isinstance(mesh.load, Transmission):
+    if mesh.tooth_load is None:
         return _of_shared_torque(mesh, loaded_cycle, contacts)
-    return _of_given_load(mesh, mesh.load, contacts)
+    return _of_given_load(mesh, mesh.tooth_load, contacts)
 
 
 def _of_shared_torque(

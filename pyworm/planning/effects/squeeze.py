@@ -15,7 +15,7 @@ from pyworm.scene.waves import waves_in_gap
 
 MOST_BY_EDGES = 0.4
 """Largest influence of edges and reliefs that come or go while oil passes. Of a contact that they cut in two
-the real gap's influence has no bound; films in motion of such contacts differ by up to 34 % from steady ones
+the real gap's influence has no bound; its transient solutions differ by up to 34 % from steady ones
 (`benchmarks/drives/squeeze.py`)."""
 
 

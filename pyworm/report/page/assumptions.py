@@ -88,7 +88,8 @@ def assumptions_of(found: Findings) -> Items:
         items.append("A steady film (the table of effects estimates the influence of squeeze).")
     else:
         items.append(
-            "A film in motion begins its life steady; its heat is that of a steady contact at each time."
+            "A transient solution begins with a steady film; its heat is that of a steady contact "
+            "at each time."
         )
     items += _of_contacts(case)
     inlet = {

@@ -16,8 +16,8 @@ from pyworm.report.page.content import Block, Items, Picture, Report, Section, W
 from pyworm.report.page.cover import Identity, cover_of, overleaf_of
 from pyworm.report.page.figures import (
     film_section,
-    glance_section,
     heat_section,
+    key_results_section,
     place_of,
     printed_section,
 )
@@ -58,7 +58,7 @@ def build_report(
     found = findings(result, case)
     cover = cover_of(found, identity)
     sections = (
-        _noted(found, glance_section(found)),
+        _noted(found, key_results_section(found)),
         _noted(found, film_section(found)),
         _noted(found, heat_section(found)),
         _ratings_section(found),

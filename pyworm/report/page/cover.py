@@ -12,7 +12,7 @@ from pyworm.report.console.drive import described_row
 from pyworm.report.findings import Findings
 from pyworm.report.page.assumptions import assumptions_of
 from pyworm.report.page.content import Cover, Items, Overleaf, Picture, Verdict, Words
-from pyworm.report.page.figures import glance_rows, life_rows
+from pyworm.report.page.figures import key_result_rows, life_rows
 from pyworm.report.page.symbols import inputs_as_text, named
 from pyworm.report.table import Table
 from pyworm.result.result import Result
@@ -43,19 +43,19 @@ def cover_of(found: Findings, identity: Identity) -> Cover | None:
     identity : tuple of tuple of str
         What it names besides the case: drawing, customer.
     """
-    made = found.ratings
-    verdicts = tuple(verdict_of(safety) for rating in made for safety in rating.safeties)
+    ratings = found.ratings
+    verdicts = tuple(verdict_of(safety) for rating in ratings for safety in rating.safeties)
     if not verdicts:
         return None
     head = (("Case", found.result.case_name), *identity, *_operation(found.case))
     head += _computed(found.result)
     doubts = (
         f"{named(safety.symbol)}, {safety.label}: {doubt}"
-        for rating in made
+        for rating in ratings
         for safety in rating.safeties
         for doubt in safety.doubts
     )
-    basis = (sentence for rating in made for sentence in (*rating.differs, *rating.basis))
+    basis = (sentence for rating in ratings for sentence in (*rating.differs, *rating.basis))
     return Cover(
         head,
         Items(tuple(dict.fromkeys(basis))),
@@ -100,11 +100,11 @@ def _computed(result: Result) -> Identity:
     if "pyworm" not in known:
         return ()
     commit = f" ({known['commit'][:9]})" if "commit" in known else ""
-    made = (("Computed with", f"pyworm {known['pyworm']}{commit}"),)
+    computed = (("Computed with", f"pyworm {known['pyworm']}{commit}"),)
     if "created" not in known:
-        return made
+        return computed
     when = datetime.fromisoformat(str(known["created"]))
-    return (*made, ("Computed on", f"{when:%d %B %Y, %H:%M} UTC"))
+    return (*computed, ("Computed on", f"{when:%d %B %Y, %H:%M} UTC"))
 
 
 def overleaf_of(found: Findings, pictures: tuple[Picture | Words, ...]) -> Overleaf:
@@ -124,5 +124,5 @@ def overleaf_of(found: Findings, pictures: tuple[Picture | Words, ...]) -> Overl
     more = len(assumed.items) - len(decisive)
     if more:
         decisive += (f'{more} dimensions taken as usual, listed under "What was assumed".',)
-    rows = (*glance_rows(found), *life_rows(found.case, found.ratings))
+    rows = (*key_result_rows(found), *life_rows(found.case, found.ratings))
     return Overleaf(Table(("", "Value", "Where"), rows), pictures, Items(decisive))

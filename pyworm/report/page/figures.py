@@ -1,4 +1,4 @@
-"""The figures of a result with their error bars: at a glance, phase by phase, beside the printed ones."""
+"""The figures of a result with their error bars: key results, phase by phase, beside the printed ones."""
 
 from math import pi
 from typing import Any
@@ -45,7 +45,7 @@ def place_of(solution: Solution) -> str:
     return str(ContactIndex.of(solution)) or solution.name
 
 
-def glance_section(found: Findings) -> Section:
+def key_results_section(found: Findings) -> Section:
     """The decisive figures, each at its worst contact, and the ratings in `DECIDE`.
 
     Without a converged contact only ratings decide. Where roughness carries load the standard's loss stands
@@ -54,11 +54,11 @@ def glance_section(found: Findings) -> Section:
     decisive = _decisive(found.ratings)
     if not found.sound.solutions:
         table = Table(("", "Value", "Where"), decisive)
-        return Section("At a glance", (Words("No contact converged."), table))
+        return Section("Key results", (Words("No contact converged."), table))
     loss = found.mesh_loss
     note = ERROR_BARS if loss is None else f"{ERROR_BARS} Loss: {loss.words}."
-    rows = (*glance_rows(found), *decisive)
-    return Section("At a glance", (Table(("", "Value", "Where"), rows, note=note),))
+    rows = (*key_result_rows(found), *decisive)
+    return Section("Key results", (Table(("", "Value", "Where"), rows, note=note),))
 
 
 ERROR_BARS = (
@@ -68,11 +68,11 @@ ERROR_BARS = (
 """What the error bars of a report mean."""
 
 
-def glance_rows(found: Findings) -> tuple[Row, ...]:
+def key_result_rows(found: Findings) -> tuple[Row, ...]:
     """The decisive simulated figures, each at its worst contact; none without a converged one."""
     solutions = found.sound.solutions
     rows = []
-    for quantity in listed("glance") if solutions else ():
+    for quantity in listed("key") if solutions else ():
         figures = [quantity.value_in(solution) for solution in solutions]
         if all(figure is not None for figure in figures):
             rows.append(_worst(quantity, found))
@@ -94,7 +94,7 @@ def _worst(quantity: Quantity, found: Findings) -> Row:
     return label, solution.figure_text(quantity), place_of(solution)
 
 
-def life_rows(case: Case, made: tuple[Rating, ...]) -> tuple[Row, ...]:
+def life_rows(case: Case, ratings: tuple[Rating, ...]) -> tuple[Row, ...]:
     """Life or spectrum that a case asks for, and the rated figures that depend on it."""
     table = getattr(case.tables, "worm_rating", None)
     rows = []
@@ -106,13 +106,13 @@ def life_rows(case: Case, made: tuple[Rating, ...]) -> tuple[Row, ...]:
         rows.append((f"Load {number}", f"{step.duration / HOUR:.6g} h", load))
     return tuple(rows) + tuple(
         (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
-        for rating in made
+        for rating in ratings
         for figure in rating.figures
         if figure.key in LASTING
     )
 
 
-def _decisive(made: tuple[Rating, ...]) -> tuple[Row, ...]:
+def _decisive(ratings: tuple[Rating, ...]) -> tuple[Row, ...]:
     """Decisive figures of ratings, and the safeties with their verdicts."""
     safeties = tuple(
         (
@@ -120,12 +120,12 @@ def _decisive(made: tuple[Rating, ...]) -> tuple[Row, ...]:
             f"{safety.shown}, required {safety.minimum:g}: {safety.verdict}".removeprefix(", "),
             f"{rating.title}, {rating.columns[0]}",
         )
-        for rating in made
+        for rating in ratings
         for safety in rating.safeties
     )
     return safeties + tuple(
         (figure.label, figure.shown(0), f"{rating.title}, {rating.columns[0]}")
-        for rating in made
+        for rating in ratings
         for figure in rating.figures
         if figure.key in DECIDE
     )

@@ -9,7 +9,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.report.findings import Findings, findings
 from pyworm.report.page.content import Beside, Matrix, Variants
 from pyworm.report.page.cover import verdict_of
-from pyworm.report.page.figures import ERROR_BARS, glance_rows
+from pyworm.report.page.figures import ERROR_BARS, key_result_rows
 from pyworm.report.page.pictures import signed_pictures
 from pyworm.result.result import Result
 from pyworm.result.result_case import value_shown
@@ -104,5 +104,7 @@ def _verdicts(variants: Sequence[Findings]) -> Matrix:
 
 
 def _figures(variants: Sequence[Findings]) -> Matrix:
-    columns = [{label: value for label, value, _ in glance_rows(variant)} for variant in variants]
+    columns = [
+        {label: value for label, value, _ in key_result_rows(variant)} for variant in variants
+    ]
     return _matrix(columns, str)

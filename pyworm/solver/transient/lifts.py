@@ -1,4 +1,4 @@
-"""How much farther films in motion hold bodies apart than dry ones, from the first transient solve of a life.
+"""How much farther transient films hold bodies apart than dry ones, from the first transient solve of a life.
 
 The lift is the rigid film plus the approach of the dry contact on the same grid. Pressure far in front of a
 contact, beyond the window of a life, pushes bodies apart by a tenth of the lift; what motion changes in a
@@ -36,7 +36,7 @@ class Lift:
 
 
 def moving_lifts(time_grid: TimeGrid, begin: float, wanted: Sequence[float]) -> dict[float, Lift]:
-    """Lifts by the films in motion of a life of point contacts.
+    """Lifts by the transient films of a life of point contacts.
 
     Parameters
     ----------

@@ -84,7 +84,7 @@ class Least:
     """
 
     share: float
-    """Share of what the films in motion differ from steady ones."""
+    """Share of what transient films differ from steady ones."""
     most: float
     """The largest that counts, of films that are not far from steady ones."""
 

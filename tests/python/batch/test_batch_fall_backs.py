@@ -7,12 +7,12 @@ from types import SimpleNamespace
 import pytest
 from contacts import ball
 
-from pyworm.batch import films_in_motion, study, wear_run, workers
+from pyworm.batch import study, transient_solutions, wear_run, workers
 from pyworm.batch.cluster import cluster
-from pyworm.batch.films_in_motion import drop_rates, tasks_by_part
 from pyworm.batch.scene_task import SceneTask, require_sendable
 from pyworm.batch.solved_scenes import Store
-from pyworm.batch.wear_march import UnsolvedError
+from pyworm.batch.transient_solutions import drop_rates, tasks_by_part
+from pyworm.batch.wear_integration import UnsolvedError
 from pyworm.io.input_error import CaseError
 from pyworm.scene.point import Paraboloid
 
@@ -58,8 +58,8 @@ def test_a_life_that_breaks_costs_its_own_tasks_alone(tmp_path, monkeypatch):
     def broken(part, directory):
         raise RuntimeError("of no kind that is expected")
 
-    monkeypatch.setattr(films_in_motion.LifePart, "_solve_into", broken)
-    part = object.__new__(films_in_motion.LifePart)
+    monkeypatch.setattr(transient_solutions.LifePart, "_solve_into", broken)
+    part = object.__new__(transient_solutions.LifePart)
     assert "of no kind that is expected" in part.solve_into(tmp_path)
 
 
@@ -100,7 +100,7 @@ def test_a_process_that_serves_sends_errors_and_ends_with_its_connection(monkeyp
 
 
 def test_a_file_that_is_not_there_has_no_flaw(tmp_path):
-    assert not films_in_motion._has_flaw(tmp_path / "one.rate-0.npz")
+    assert not transient_solutions._has_flaw(tmp_path / "one.rate-0.npz")
 
 
 def test_worn_flanks_that_cannot_be_solved_are_told_with_the_contacts_that_are_not(

@@ -1,4 +1,4 @@
-"""The wear of a case: a worn flank, what is kept, and where a march goes on; contacts are stood in for."""
+"""The wear of a case: a worn flank, what is kept, where an integration goes on; contacts are stood in for."""
 
 import itertools
 import json
@@ -143,7 +143,7 @@ def test_calibrated_wear_is_what_it_is_calibrated_to(case, contacts, tmp_path):
     assert more.depth_mean_m == pytest.approx(2e-8 * 120, rel=1e-6)
 
 
-def test_a_march_ends_where_the_standard_allows_no_more(case, contacts, tmp_path):
+def test_an_integration_ends_where_the_standard_allows_no_more(case, contacts, tmp_path):
     """0.3 m_x cos gamma: told as worn out, with the hours of it; nothing is simulated beyond."""
     steps = wear(case, tmp_path, hours=1e6, tolerance=50e-6)
     limit = case.drive.duty().gear.wear_limit

@@ -146,7 +146,8 @@ def test_a_load_widens_the_pattern_by_what_the_flanks_yield(coarse, monkeypatch)
     monkeypatch.setattr(loaded, "PHASES", np.linspace(0, 1, 15))
     bare = sharif().driven_pattern
     light, heavy = (
-        loaded_pattern(of, of.flank_grid) for of in (sharif(load=1.0), sharif(load=14e3))
+        loaded_pattern(of, of.flank_grid)
+        for of in (sharif(tooth_load=1.0), sharif(tooth_load=14e3))
     )
     assert bare.fraction() < heavy.fraction() < bare.fraction(50e-6)
     # hardly loaded it is the pattern without load, but for the pitch error that sets a pair back there
@@ -178,5 +179,5 @@ def test_a_loaded_contact_beside_all_teeth_closes_no_gap(monkeypatch):
     """No tooth is where the dry contact is sought: its flanks do not approach, the pattern stays empty."""
     monkeypatch.setattr(loaded, "PHASES", np.linspace(0.2, 0.8, 3))
     monkeypatch.setattr(loaded, "placed_gap", lambda *given: None)
-    drive = sharif(load=14e3)
+    drive = sharif(tooth_load=14e3)
     assert np.isnan(loaded_pattern(drive, drive.flank_grid).separation).all()

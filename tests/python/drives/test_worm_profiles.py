@@ -252,7 +252,7 @@ def test_a_concave_worm_runs_through_the_whole_chain(monkeypatch):
         hob=of.hob,
         centre_distance=of.centre_distance,
         speed=157.0,
-        load=500.0,
+        tooth_load=500.0,
         bodies=like.bodies,
         oil=like.oil,
     )

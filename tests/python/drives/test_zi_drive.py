@@ -144,5 +144,5 @@ def test_the_cycle_agrees_with_its_phases(drive):
     hottest = max(of.temperature_max_film.value for of in figures)
     assert cycle["temperature_max"]["film"]["value_C"] == pytest.approx(hottest - 273.15)
     assert cycle["bulk_temperature_C"] == pytest.approx({"sump": 60, "worm": 60, "wheel": 60})
-    # by films in motion; at this accuracy loads may be off by a tenth
+    # by transient films; at this accuracy loads may be off by a tenth
     assert abs(cycle["load_moved_by_lift"]["share"]) < 0.1

@@ -9,6 +9,7 @@ from zi_drives import DEGREE, HOB, MM, WHEEL, WORM, changed, sharif
 import pyworm
 from pyworm.case.case import case_of
 from pyworm.drives.worm.flanks.contact_curve import HobError
+from pyworm.drives.worm.loads.load_sharing import Transmission
 from pyworm.io.toml import read_toml
 
 DATA = Path(__file__).parents[2] / "data"
@@ -50,7 +51,9 @@ def small_hob():
         ({"hob": changed(HOB, base_radius=27 * MM, lead=90 * MM, axial_pitch=30 * MM,
                          base_lead_angle=np.arctan(90 / (2 * np.pi * 27)))}, "normal base pitch"),
         ({"hob": small_hob()}, "hob: the wheel it cuts would interfere"),
-        ({"load": -14e3}, "load is -14000"),
+        ({"tooth_load": -14e3}, "tooth_load is -14000"),
+        ({"tooth_load": None}, "tooth_load, transmission: give one of both"),
+        ({"transmission": Transmission(6.7e3, "wheel")}, "tooth_load, transmission: give one of both"),
         ({"speed": float("nan")}, "speed is nan"),
     ],
 )  # fmt: skip

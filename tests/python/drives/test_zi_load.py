@@ -22,7 +22,8 @@ MODULUS = 170e9
 
 def loaded(**changes):
     """The drive of Sharif et al. (2001) with a torque on its wheel."""
-    return sharif(load=Transmission(**({"torque": TORQUE, "shaft": "wheel"} | changes)))
+    torque = Transmission(**({"torque": TORQUE, "shaft": "wheel"} | changes))
+    return sharif(tooth_load=None, transmission=torque)
 
 
 @pytest.fixture(scope="module")
@@ -59,7 +60,7 @@ def test_a_spring_is_that_of_hertz(paraboloids, load):
 def test_moments_and_powers_balance(drive, phase, friction, driver, shaft):
     torque = 300.0 if shaft == "worm" else TORQUE
     load = Transmission(torque, shaft, "equal", friction)
-    turned = replace(drive, load=load, driver=driver)
+    turned = replace(drive, transmission=load, driver=driver)
     shared = turned.shared(phase)
     arms = turned.arms(shared.phases)
     torques = {of: float(arms.of(of, friction) @ shared.forces) for of in ("worm", "wheel")}
@@ -165,7 +166,7 @@ def test_lifts_are_constant_beyond_the_phases_given():
 
 
 def test_equal_shares(drive):
-    shared = replace(drive, load=Transmission(TORQUE, "wheel", "equal")).shared(0.2)
+    shared = replace(drive, transmission=Transmission(TORQUE, "wheel", "equal")).shared(0.2)
     whole = TORQUE / drive.wheel_flank.lever
     np.testing.assert_allclose(shared.forces[shared.forces > 0], whole / 2)
     assert sum(shared.forces > 0) == 2

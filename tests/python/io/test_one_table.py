@@ -134,7 +134,7 @@ def test_every_quantity_has_one_entry_of_its_own():
     assert not [key for key, count in keys.items() if count > 1]
     assert all(of.label and of.shown in SCALES for of in every)
     assert all(of.extreme in ("", "minimum", "maximum") for of in every)
-    for place in ("glance", "picture"):
+    for place in ("key", "picture"):
         assert listed(place) and all(of.extreme for of in listed(place))
 
 

@@ -150,7 +150,7 @@ def test_where_no_thicker_film_leads_to_one_the_first_attempt_stays(monkeypatch)
 
 @pytest.mark.long
 def test_a_plastic_wheel_is_solved_through_its_mesh(tmp_path, capsys):
-    """Films in motion of a soft wheel converge, or steady ones stand for them and it is said."""
+    """Transient films of a soft wheel converge, or steady ones stand for them and it is said."""
     path, directory = tmp_path / "soft.toml", tmp_path / "out"
     path.write_text(
         changed(

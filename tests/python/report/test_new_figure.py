@@ -16,7 +16,7 @@ from pyworm.report.console.sweep import rows_table
 from pyworm.report.explore.scenes import scene_rows
 from pyworm.report.findings import findings
 from pyworm.report.page.build import build_report
-from pyworm.report.page.figures import glance_rows
+from pyworm.report.page.figures import key_result_rows
 from pyworm.report.page.html import render
 from pyworm.result.result import Result
 from pyworm.result.sweep_result import SweepResult, sweep_table
@@ -59,7 +59,7 @@ def test_the_pages_have_it():
     result = Result(CASE.name, CASE.resolved, solutions, make_mesh_cycle(), {})
     page = render(build_report(result))
     worst = max(map(value, solutions)) * 1e-12
-    assert page.count(SQUEEZED.title()) >= 2  # at a glance, and of every contact
+    assert page.count(SQUEEZED.title()) >= 2  # key results, and of every contact
     assert f"{worst:.4g} MPa/µm" in page
     rows = dict(scene_rows(solutions[0], ("worm", "wheel")))
     assert rows[SQUEEZED.title()].startswith(f"{value(solutions[0]) * 1e-12:.4g} MPa/µm ± ")
@@ -71,7 +71,7 @@ def test_the_worst_contact_decides():
     solutions = thin, replace(thick, figures=twice)
     for order in (solutions, solutions[::-1]):
         result = Result(CASE.name, CASE.resolved, order, make_mesh_cycle(), {})
-        rows = {label: where for label, _, where in glance_rows(findings(result))}
+        rows = {label: where for label, _, where in key_result_rows(findings(result))}
         assert rows["Minimum film thickness"] == rows[SQUEEZED.title()] == "phase 0.25"
 
 

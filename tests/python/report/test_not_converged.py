@@ -22,7 +22,7 @@ from pyworm.plots.layout import heading
 from pyworm.ratings.rated_case import rating_request, ratings
 from pyworm.report.findings import findings
 from pyworm.report.page.build import build_report
-from pyworm.report.page.figures import glance_rows
+from pyworm.report.page.figures import key_result_rows
 from pyworm.result.flank_map import flank_map
 from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
@@ -88,8 +88,8 @@ def test_a_negative_film_is_rated_as_if_it_were_not_there(case, torn):
 
 def test_the_efficiency_of_report_and_rating_names_the_phase_that_it_lacks(case, torn):
     missing = "1 of 5 contacts missing: worm 0.9"
-    glance = glance_rows(findings(torn, case))
-    (line,) = (row for row in glance if "Efficiency" in row[0])
+    key_results = key_result_rows(findings(torn, case))
+    (line,) = (row for row in key_results if "Efficiency" in row[0])
     assert line[2].endswith(missing)
     labels = [of.label for of in ratings(rating_request(case), torn)[0].figures]
     assert f"Efficiency, worm driving (simulation: {missing})" in labels

@@ -39,7 +39,7 @@ from pyworm.scene.scales import scales
 CASES = Path(__file__).parents[3] / "cases"
 
 SECTIONS = [
-    "At a glance",
+    "Key results",
     "Film and pressure",
     "Friction, loss and temperature",
     "Ratings: gears, scuffing, bearings",
@@ -195,30 +195,34 @@ def test_bad_input_is_refused_in_one_sentence(tmp_path, monkeypatch, capsys, arg
 
 def test_the_summary_shows_the_worst_of_every_figure(worm):
     result, report = worm
-    glance = rows(report, "At a glance")
+    key_results = rows(report, "Key results")
     thin = min(result.solutions, key=lambda of: of.figures.film_min.value)
     film = thin.figures.film_min.value
-    assert glance["Minimum film thickness"] == (
+    assert key_results["Minimum film thickness"] == (
         f"{film * 1e6:.4g} µm ± 1.3 %",
         f"phase {thin.phase:g}",
     )
     label = "Minimum specific film thickness lambda (composite roughness 0.5831 µm)"
-    specific, where = glance[label]
+    specific, where = key_results[label]
     assert specific == f"{film / 0.34**0.5 * 1e6:.4g} ± 1.3 %" and where == f"phase {thin.phase:g}"
     friction = max(of.figures.friction_coefficient.value for of in result.solutions)
-    assert glance["Maximum friction coefficient, as if smooth"][0].startswith(f"{friction:.4g} ±")
+    assert key_results["Maximum friction coefficient, as if smooth"][0].startswith(
+        f"{friction:.4g} ±"
+    )
     losses = [of.figures.power_loss.value for of in result.solutions]
     # a pair is in mesh for 239.8 deg of the worm's turn, the next comes after 120 deg
     loss = np.mean(losses) * 239.8 / 120
     assert float(
-        glance["Power loss of the teeth, as if smooth"][0].split(" W ±")[0]
+        key_results["Power loss of the teeth, as if smooth"][0].split(" W ±")[0]
     ) == pytest.approx(loss, rel=1e-3)
     output = 6.69e3 * 50 * np.pi * 3 / 59  # 14 kN on each of two teeth, on an arm of 239 mm
-    efficiency = float(glance["Efficiency of the teeth, forward, as if smooth"][0].split(" %")[0])
+    efficiency = float(
+        key_results["Efficiency of the teeth, forward, as if smooth"][0].split(" %")[0]
+    )
     assert efficiency == pytest.approx(100 * output / (output + loss), abs=0.02)
-    pitting = glance["S_H, pitting of the wheel's flanks"]
+    pitting = key_results["S_H, pitting of the wheel's flanks"]
     assert pitting == ("1.284, required 1: sufficient", "Worm gear, standard")
-    assert glance["Modified life L_nmh"][0].endswith(" h")
+    assert key_results["Modified life L_nmh"][0].endswith(" h")
 
 
 def test_every_figure_of_a_contact_has_its_error_bar(worm):
@@ -254,10 +258,10 @@ def test_ratings_and_those_left_out_are_shown(worm, increaser):
     text = words(increaser[1], "Ratings: gears, scuffing, bearings")
     for said in ("Probability of scuffing", "63 %", "Bearings: the case has no [bearings.NAME]."):
         assert said in text
-    assert increaser[1].sections[0].title == "At a glance"
-    glance = rows(increaser[1], "At a glance")
-    assert glance["Risk of scuffing"][0] == "high"
-    assert glance["Probability of scuffing"][0] == "56.88 %"  # 429 degF against 418
+    assert increaser[1].sections[0].title == "Key results"
+    key_results = rows(increaser[1], "Key results")
+    assert key_results["Risk of scuffing"][0] == "high"
+    assert key_results["Probability of scuffing"][0] == "56.88 %"  # 429 degF against 418
 
 
 def test_assumptions_are_shown_with_values(worm, increaser):
@@ -334,7 +338,7 @@ def test_scenes_that_did_not_converge_are_shown_first():
         "phase 0.9 could not be solved: no contact",
     )
     text = render(report)
-    assert text.index('class="warning"') < text.index("At a glance</h2>")
+    assert text.index('class="warning"') < text.index("Key results</h2>")
     assert text.count('<td class="no">') == 1
 
 
@@ -343,7 +347,7 @@ def test_contacts_without_a_drive_are_reported_too():
     """A gap's file need not be found again."""
     report = build_report(result_of("gap_example", [make_solution("gap_example")]))
     titles = {one.title for one in report.sections}
-    assert {"At a glance", "Contacts", "Inputs"} <= titles
+    assert {"Key results", "Contacts", "Inputs"} <= titles
     assert not titles & {"Ratings: gears, scuffing, bearings", "Sensitivity"}
     pictures = [b for b in section(report, "Contacts").blocks if isinstance(b, Picture)]
     assert len(pictures) > 3

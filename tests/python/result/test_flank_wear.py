@@ -115,12 +115,12 @@ def pass_in_motion(monkeypatch, sizes, own):
     )
     monkeypatch.setattr(flank_wear, "_worm_life", lambda result: life)
     layers = [layer(0.2e-3, rubbing=own[0]), layer(0.8e-3, rubbing=own[1])]
-    phases, found = flank_wear._in_motion(None, [0.2, 0.8], layers, x, y)
+    phases, found = flank_wear._with_instants(None, [0.2, 0.8], layers, x, y)
     assert found[0] is layers[0] and found[-1] is layers[1]
     return phases, found
 
 
-def test_between_solved_phases_asperities_rub_as_at_the_instants_of_films_in_motion(monkeypatch):
+def test_between_solved_phases_asperities_rub_as_at_the_instants_of_transient_films(monkeypatch):
     """On coarse grids they bear half of what they do on finer ones, and three times as much in between."""
     sizes = {0.1: 1.0, 0.2: 1.0, 0.5: 3.0, 0.8: 1.0, 0.9: 1.0}
     phases, found = pass_in_motion(monkeypatch, sizes, (2.0, 2.0))

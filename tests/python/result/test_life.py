@@ -63,7 +63,7 @@ def test_a_phase_that_was_not_solved_leaves_a_gap():
     assert life.phases[gap] - life.phases[gap - 1] > 0.1
 
 
-def test_a_result_without_films_in_motion_has_no_life(tmp_path):
+def test_a_result_without_transient_solutions_has_no_life(tmp_path):
     result = cycle_result(FEW)
     assert not lives(result)
     file = result.save(tmp_path / "result.nc")

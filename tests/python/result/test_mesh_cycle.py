@@ -100,7 +100,7 @@ def test_error_of_the_loss_is_made_of_scenes_phases_and_ends():
     assert drive_cycle(cycle_result(PHASES[3:-3])).loss.end_error > 5 * loss.end_error
 
 
-def test_films_in_motion_tell_the_loss_between_and_beyond_the_phases():
+def test_transient_solutions_tell_the_loss_between_and_beyond_the_phases():
     """Three phases, and the friction's course over all of the cycle but for a factor."""
     few = cycle_result(PHASES[2:-2:3])
     steady = drive_cycle(few).loss
@@ -322,7 +322,7 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
     ran, said = [], []
 
     def run(case, tasks, directory, **rest):
-        ran.append([task.case.drive.load.friction for task in tasks])
+        ran.append([task.case.drive.transmission.friction for task in tasks])
         found = replace(cycle_result(PHASES[::6]), case=case.resolved)
         solutions = tuple(
             replace(
@@ -344,7 +344,7 @@ def test_friction_found_is_fed_back_where_it_moves_the_loads(worm_case, tmp_path
         worm_case, tasks(), tmp_path, print_message=said.append
     )
     assert ran == [[0.01] * 3, [0.02] * 3]
-    assert solved[0].case.drive.load.friction == 0.02
+    assert solved[0].case.drive.transmission.friction == 0.02
     assert said == ["solved again with operation.friction = 0.02"]
     assert case_in(tmp_path / "result.nc")["operation"]["friction"] == 0.02
     # and another run of the same case begins with it
@@ -367,7 +367,7 @@ def lifting(monkeypatch):
     ran = []
 
     def run(case, tasks, directory, **rest):
-        ran.append((tasks[0].accuracy, case.drive.load.lifts))
+        ran.append((tasks[0].accuracy, case.drive.transmission.lifts))
         found = cycle_result([task.place.phase for task in tasks])
         solutions = tuple(
             replace(
@@ -406,8 +406,12 @@ def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, lifting):
     case, tasks, lifts = three_phases("auto,-squeeze")
     said = []
     balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)
-    # lifts of micrometres move loads by more than one glance settles
-    assert lifting == [(drive_iteration.GLANCE, ()), (drive_iteration.GLANCE, lifts), (0.02, lifts)]
+    # lifts of micrometres move loads by more than one estimate settles
+    assert lifting == [
+        (drive_iteration.ESTIMATE_ACCURACY, ()),
+        (drive_iteration.ESTIMATE_ACCURACY, lifts),
+        (0.02, lifts),
+    ]
     assert "operation.lifts of 1.20 to 2.64 µm" in said[0]
     share, phase = drive_cycle(balanced).lifted
     at = balanced.mesh_cycle.interp(load_phase=phase)
@@ -421,11 +425,11 @@ def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, lifting):
 
 
 def test_motion_changes_the_lifts_of_steady_films(tmp_path, lifting, monkeypatch):
-    """Films in motion lift by 3 um times the phase more than steady ones in the same window."""
+    """Transient films lift by 3 um times the phase more than steady ones in the same window."""
     asked = []
 
     def lifts_of(tasks, moving, executor):
-        asked.append((moving, tasks[0].case.drive.load.lifts))
+        asked.append((moving, tasks[0].case.drive.transmission.lifts))
         return {
             task.place.phase: Lift((3 * moving * task.place.phase + 0.5) * 1e-6) for task in tasks
         }
@@ -437,27 +441,29 @@ def test_motion_changes_the_lifts_of_steady_films(tmp_path, lifting, monkeypatch
     lifts = tuple((phase, pytest.approx((1 + 5 * phase) * 1e-6)) for phase, _ in steady_lifts)
     # one transient solve, under the loads that follow from steady lifts, leaves a twentieth of its change
     assert asked == [(False, ()), (True, steady_lifts)]
-    assert lifting[:2] == [(drive_iteration.GLANCE, ()), (0.02, lifts)]
+    assert lifting[:2] == [(drive_iteration.ESTIMATE_ACCURACY, ()), (0.02, lifts)]
     assert "lifts of 1.50 to 5.10 µm" in said[1]
 
 
-def test_lifts_of_a_coarse_solution_come_from_films_in_motion_alone(tmp_path, lifting, monkeypatch):
+def test_lifts_of_a_coarse_solution_come_from_transient_solutions_alone(
+    tmp_path, lifting, monkeypatch
+):
     """The first transient solve gives lifts, and the friction that balances the torques."""
     asked = []
 
     def lifts_of(tasks, moving, executor):
-        asked.append((moving, tasks[0].case.drive.load.lifts))
+        asked.append((moving, tasks[0].case.drive.transmission.lifts))
         return {task.place.phase: Lift(1e-6, 0.04, 2.0) for task in tasks if not lost}
 
     monkeypatch.setattr(drive_iteration, "lifts_of", lifts_of)
     case, tasks, _ = three_phases("auto")
-    tasks = [replace(task, accuracy=drive_iteration.GLANCE) for task in tasks]
+    tasks = [replace(task, accuracy=drive_iteration.ESTIMATE_ACCURACY) for task in tasks]
     lost = False
     drive_iteration.run_balanced(case, tasks, tmp_path)
     lifts = tuple((task.place.phase, 1e-6) for task in tasks)
-    assert asked == [(True, ())] and lifting[0] == (drive_iteration.GLANCE, lifts)
+    assert asked == [(True, ())] and lifting[0] == (drive_iteration.ESTIMATE_ACCURACY, lifts)
     # where none is found they are found with the films, as of drives whose films are steady
     lost = True
     lifting.clear()
     drive_iteration.run_balanced(case, tasks, tmp_path / "lost")
-    assert lifting[0] == (drive_iteration.GLANCE, ())
+    assert lifting[0] == (drive_iteration.ESTIMATE_ACCURACY, ())

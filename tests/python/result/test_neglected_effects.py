@@ -214,9 +214,9 @@ def test_pictures_and_reports_show_what_was_left_out(rough):
         WORDS in one.caption for one in pictures if not one.caption.startswith("Contacts on")
     )
     named = {part.title: part.blocks for part in report.sections}
-    for title in ("At a glance", "Film and pressure", "Friction, loss and temperature"):
+    for title in ("Key results", "Film and pressure", "Friction, loss and temperature"):
         assert "error bars are numerical" in named[title][0].text
-    tables = [block for block in named["At a glance"] if isinstance(block, Table)]
+    tables = [block for block in named["Key results"] if isinstance(block, Table)]
     rows = {row[0] for table in tables for row in table.rows}
     assert "Efficiency of the teeth, forward, as if smooth" in rows
     assert "  rough, by the standard" in rows

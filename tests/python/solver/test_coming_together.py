@@ -23,7 +23,7 @@ def course_through(drive, life, effects="isothermal,squeeze"):
     return time_grid_of(scene.past.life, pyworm.plan(scene, 0.05, effects, ("film",)))
 
 
-def marched(drive, life, last=0.14, effects="isothermal,squeeze", **changes):
+def integrated(drive, life, last=0.14, effects="isothermal,squeeze", **changes):
     """Instants of the first transient solve of a life, its course changed, up to a phase."""
     time_grid = replace(course_through(drive, life, effects), **changes)
     return time_integration.integrate_in_time(time_grid, 0, 0.0, [life.past(last).seconds]).records
@@ -33,7 +33,7 @@ def marched(drive, life, last=0.14, effects="isothermal,squeeze", **changes):
     "effects", ["isothermal,squeeze", pytest.param("auto", marks=pytest.mark.long)]
 )
 def test_the_film_between_flanks_that_come_together_takes_the_load_over(drive, effects):
-    records = marched(drive, drive.life, effects=effects)
+    records = integrated(drive, drive.life, effects=effects)
     touch = drive.life.touch
     carried = [one.load for one in records]
     given = [drive.normal_load(one.phase) for one in records]
@@ -52,7 +52,7 @@ def test_a_steady_film_at_the_beginning_of_the_cycle_is_forgotten_and_too_thin_u
     steady = ToothLife(drive.scene_at, drive.phases_per_second, drive.contact_axes)
     films = []
     for life in (drive.life, steady):
-        records = marched(drive, life, 0.3)
+        records = integrated(drive, life, 0.3)
         phases = [one.phase for one in records]
         least = [one.figures["film_min"] for one in records]
         films.append(np.interp([0.02, 0.1, 0.28], phases, least))
@@ -67,7 +67,7 @@ def test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with
         raise time_integration.NoFilmError("no film between them")
 
     monkeypatch.setattr(time_integration, "_at_rest", diverged)
-    records = marched(drive, drive.life)
+    records = integrated(drive, drive.life)
     assert 0 <= records[0].phase < 0.02
     assert records[0].load == pytest.approx(drive.normal_load(records[0].phase), rel=2e-3)
 
@@ -78,7 +78,7 @@ def test_oil_is_pressed_out_of_all_of_the_gap_between_flanks_that_come_together(
     films = []
     steady = replace(approach, until=-np.inf)
     for window in (approach, replace(approach, sides=larger), steady):
-        records = marched(drive, drive.life, approach=window)
+        records = integrated(drive, drive.life, approach=window)
         films.append([one.figures["film_min"] for one in records if 0.01 < one.phase < 0.03])
     as_they_are, in_a_larger_window, in_that_of_a_steady_film = np.array(films)
     assert as_they_are == pytest.approx(in_a_larger_window, rel=0.02)
@@ -96,7 +96,7 @@ def test_films_that_form_on_an_edge_hardly_depend_on_the_time_step(monkeypatch):
     for steps, order in ((9, first_order), (9, higher_order), (36, first_order)):
         monkeypatch.setitem(course_module.STEPS_A_TRANSIT, "point", steps)
         monkeypatch.setattr(time_integration, "_differenced", order)
-        records = marched(drive, drive.life)
+        records = integrated(drive, drive.life)
         phases = [one.phase for one in records]
         least = [one.figures["film_min"] for one in records]
         films.append(np.interp([0.02, 0.06, 0.1], phases, least))

@@ -1,4 +1,4 @@
-"""The first guess of a film in motion, extrapolated from films before it."""
+"""The first guess of a transient film, extrapolated from films before it."""
 
 import numpy as np
 import pytest

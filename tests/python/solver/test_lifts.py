@@ -1,4 +1,4 @@
-"""Lifts of films in motion."""
+"""Lifts of transient films."""
 
 import pytest
 from test_transient import ball, lived
@@ -11,7 +11,7 @@ from pyworm.solver.transient.transient import part_at
 
 
 def both_lifts(contact):
-    """Lift by the film in motion at present, and by a steady one."""
+    """Lift by the transient film at present, and by a steady one."""
     plan = pyworm.plan(contact, 0.1, "isothermal,squeeze", ("film",))
     time_grid, now = time_grid_of(contact.past.life, plan), contact.past.seconds
     moving = moving_lifts(time_grid, part_at(time_grid, now).begin, [now])

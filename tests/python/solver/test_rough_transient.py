@@ -1,4 +1,4 @@
-"""Films in motion between rough surfaces: limits in which another film is known."""
+"""Transient films between rough surfaces: limits in which another film is known."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -41,7 +41,7 @@ def _solved(scene, effects):
     return solution.figures
 
 
-def test_roughness_to_zero_is_the_film_in_motion_of_smooth_surfaces(line):
+def test_roughness_to_zero_is_the_transient_film_of_smooth_surfaces(line):
     found = _solved(_after(_rough(line, 1e3), FASTER), EFFECTS)
     smooth = _solved(_after(line, FASTER), "isothermal,squeeze")
     for name in ("film_min", "film_central", "pressure_max"):

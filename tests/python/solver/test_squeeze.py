@@ -48,7 +48,7 @@ def cylinder():
     return as_line(ball)
 
 
-def marched(contact_at, kinks=(), refinement=0, effects=None):
+def integrated(contact_at, kinks=(), refinement=0, effects=None):
     life = Life(DURATION, contact_at, kinks=kinks)
     present = replace(contact_at(DURATION), past=Past(life, DURATION))
     time_grid = time_grid_of(
@@ -83,7 +83,9 @@ def parabola(x):
 
 
 def test_a_cylinder_that_is_lowered_presses_as_the_closed_form_says():
-    time_grid, records = marched(lambda at: replace(cylinder(), separation=APART - APPROACH * at))
+    time_grid, records = integrated(
+        lambda at: replace(cylinder(), separation=APART - APPROACH * at)
+    )
     ends = time_grid.grid(0.0, 0).x[[0, -1]]
     for one in records[::20]:
         height = APART - APPROACH * one.seconds
@@ -116,9 +118,9 @@ def test_a_body_that_is_let_go_sinks_as_the_closed_form_says(kind):
         half = (x[1] - x[0]) / 2
         return covered[0] - half, covered[-1] + half
 
-    time_grid, _ = marched(contact_at, (release,))
+    time_grid, _ = integrated(contact_at, (release,))
     load = strip_load(height, ends(time_grid, release), APPROACH, shape)
-    time_grid, records = marched(lambda at: contact_at(at, load), (release,))
+    time_grid, records = integrated(lambda at: contact_at(at, load), (release,))
     sinking = scipy.integrate.solve_ivp(
         lambda t, h: -load / strip_load(h[0], ends(time_grid, t), 1.0, shape),
         (release, DURATION),
@@ -145,7 +147,7 @@ def test_a_ball_that_is_lowered_presses_as_the_closed_form_says():
         (STEEL, STEEL),
         mineral(VISCOSITY, 1e-12),
     )
-    time_grid, records = marched(
+    time_grid, records = integrated(
         lambda at: replace(ball, separation=APART - APPROACH * at),
         refinement=2,
         effects="second-dimension,squeeze",

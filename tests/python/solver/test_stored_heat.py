@@ -1,4 +1,4 @@
-"""Heat that the oil of films in motion stores."""
+"""Heat that the oil of transient films stores."""
 
 from dataclasses import replace
 from math import exp

@@ -35,8 +35,10 @@ class WormMesh(WormGears, Lubricated):
 
     speed: float
     """Speed of the worm [rad/s]."""
-    load: float | Transmission
-    """Normal load on the tooth [N], or the torque that the teeth in mesh share."""
+    tooth_load: float | None = None
+    """Normal load on each tooth in mesh [N]; None where the teeth share a torque."""
+    transmission: Transmission | None = None
+    """Torque that the teeth in mesh share; None where the load of a tooth is given."""
     bodies: tuple[Body, Body]
     """Worm and wheel."""
     oil: Oil
@@ -132,22 +134,20 @@ class WormMesh(WormGears, Lubricated):
         return float(abs(np.cross(contact.point, contact.normal)[1]))
 
     @property
-    def transmission(self) -> Transmission:
+    def shared_torque(self) -> Transmission:
         """The torque that the teeth in mesh share; ValueError where the load of one tooth is given."""
-        if not isinstance(self.load, Transmission):
+        if self.transmission is None:
             raise ValueError("the load of one tooth is given, which no teeth share")
-        return self.load
+        return self.transmission
 
     @property
     def wheel_torque(self) -> float:
         """Torque of the wheel [N m]; for a given tooth load the mean over the mesh cycle without friction."""
-        if not isinstance(self.load, Transmission):
-            return self.load * self.load_arm * self.mean_teeth_in_contact
-        arms = self.arms(np.array([0.5]))
-        shaft_arm, wheel = (
-            arms.of(shaft, self.friction)[0] for shaft in (self.load.shaft, "wheel")
-        )
-        return self.load.torque * float(wheel / shaft_arm)
+        if self.tooth_load is not None:
+            return self.tooth_load * self.load_arm * self.mean_teeth_in_contact
+        shared, arms = self.shared_torque, self.arms(np.array([0.5]))
+        shaft_arm, wheel = (arms.of(shaft, self.friction)[0] for shaft in (shared.shaft, "wheel"))
+        return shared.torque * float(wheel / shaft_arm)
 
     def mesh_cycle(self, count: int = 21) -> tuple[ToothContact, ...]:
         """Contacts at equal steps of the worm's rotation from where the teeth meet to where they part."""
@@ -197,14 +197,14 @@ class WormMesh(WormGears, Lubricated):
         first = -floor((phase + EDGE_CONTACT_PHASES) / self.pitch)
         last = floor((1 + EDGE_CONTACT_PHASES - phase) / self.pitch)
         phases = phase + self.pitch * np.arange(first, last + 1, dtype=np.float64)
-        if not isinstance(self.load, Transmission):
-            forces = np.where((phases >= 0) & (phases <= 1), self.load, 0.0)
+        if self.tooth_load is not None:
+            forces = np.where((phases >= 0) & (phases <= 1), self.tooth_load, 0.0)
             return SharedLoad(phases, forces, 0.0)
         ahead = self.cycle.transmission_error(phases)
-        arms = self.arms(phases)
-        torques = arms.of(self.load.shaft, self.load.friction)
-        springs = None if self.load.sharing == "equal" else self.springs
-        return share(self.load, phases, torques, arms.wheel_normal, ahead, springs)
+        shared, arms = self.shared_torque, self.arms(phases)
+        torques = arms.of(shared.shaft, shared.friction)
+        springs = None if shared.sharing == "equal" else self.springs
+        return share(shared, phases, torques, arms.wheel_normal, ahead, springs)
 
     def normal_load(self, phase: float) -> float:
         """Normal load of the tooth pair at a phase [N]; 0 where its neighbours carry all of it."""
@@ -212,14 +212,14 @@ class WormMesh(WormGears, Lubricated):
 
     def idle(self, phase: float) -> bool:
         """Whether the tooth pair at a phase carries no load; under a given tooth load never."""
-        return isinstance(self.load, Transmission) and self.normal_load(phase) == 0
+        return self.transmission is not None and self.normal_load(phase) == 0
 
     @cached_property
     def without_film_lift(self) -> Self | None:
         """The mesh with load sharing as without films; None where no lift of films is known."""
-        if not isinstance(self.load, Transmission) or not self.load.lifts:
+        if self.transmission is None or not self.transmission.lifts:
             return None
-        return replace(self, load=replace(self.load, lifts=()))
+        return replace(self, transmission=replace(self.transmission, lifts=()))
 
     @cached_property
     def mid_mesh_load(self) -> float:
@@ -232,7 +232,7 @@ class WormMesh(WormGears, Lubricated):
     @cached_property
     def springs(self) -> ToothSprings:
         """Compliance of a tooth pair over its mesh cycle; only where a torque is shared."""
-        shared = self.transmission
+        shared = self.shared_torque
         whole = shared.torque / float(self.arms(np.array([0.5])).of(shared.shaft, 0.0)[0])
         modulus = reduced_modulus(*self.bodies)
         return mesh_springs(MeshedTeeth.of(self), modulus, whole, shared.stiffness)
@@ -272,7 +272,7 @@ class WormMesh(WormGears, Lubricated):
     @property
     def friction(self) -> float:
         """Coefficient of friction in the balance of forces [-]."""
-        return self.load.friction if isinstance(self.load, Transmission) else 0.0
+        return 0.0 if self.transmission is None else self.transmission.friction
 
     def varied(self, name: str, change: float) -> Self:
         """The mesh with a difference in one entry of a table, "assembly.axial_shift" or "hob.swivel".

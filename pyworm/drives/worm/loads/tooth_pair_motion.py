@@ -18,7 +18,6 @@ import numpy as np
 import scipy
 
 from pyworm.drives.tooth_life import ToothLife
-from pyworm.drives.worm.loads.load_sharing import Transmission
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.loads.tooth_compliance import EDGE_CONTACT_PHASES
 from pyworm.drives.worm.teeth.mesh_cycle import ToothContact
@@ -43,8 +42,8 @@ def tooth_life(mesh: WormMesh) -> ToothLife:
 
     So it does where the flanks end, in a cusp that the hob leaves, before they would come together.
     """
-    others = mesh.pitch <= 1
-    shared = others and isinstance(mesh.load, Transmission) and mesh.load.sharing == "elastic"
+    given = mesh.transmission
+    shared = given is not None and given.sharing == "elastic" and mesh.pitch <= 1
     pair = _Pair(mesh) if shared else None
     if pair is None or not pair.approaches:
         return ToothLife(mesh.scene_at, mesh.phases_per_second, mesh.contact_axes)

@@ -1,13 +1,13 @@
-"""Films in motion that several phases share."""
+"""Transient films that several phases share."""
 
 import numpy as np
 import pytest
 
 import pyworm
-from pyworm.batch import films_in_motion
+from pyworm.batch import transient_solutions
 from pyworm.batch.case_run import run
-from pyworm.batch.films_in_motion import RATES, drop_rates, rates_for, solve_lives
 from pyworm.batch.task import Task
+from pyworm.batch.transient_solutions import RATES, drop_rates, rates_for, solve_lives
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.result.life import lives
 from pyworm.solver.transient.time_integration import NoFilmError
@@ -79,7 +79,7 @@ def test_finer_solves_are_not_begun_where_the_first_finds_no_film(tmp_path, monk
         begun.append(refinement)
         raise NoFilmError("there is none")
 
-    monkeypatch.setattr(films_in_motion, "integrate_in_time", integrate_in_time)
+    monkeypatch.setattr(transient_solutions, "integrate_in_time", integrate_in_time)
     case = pyworm.load("cases/spur_pair.toml")
     tasks = [Task(case, place, 0.05, *HOW[1:]) for place in case.places(phase=[0.35, 0.6])]
     solve_lives(tasks, tmp_path, None, lambda message, share: None)

@@ -1,4 +1,4 @@
-"""Films in motion of many phases: one transient solve of each part of a life serves all of them.
+"""Transient solutions at many phases: one solve of each part of a life serves all of them.
 
 Each solve is a call of its own, in any process, and leaves a file for each task that it serves; the tasks
 then solve their films with these rates of change. Both are the same to the last bit as where a task finds its
@@ -97,7 +97,7 @@ def solve_lives(
     executor: Executor | None,
     tell: Callable[[str, float], None],
 ) -> None:
-    """Solve the lives that several tasks share, where films in motion are simulated, into a directory."""
+    """Solve the lives that several tasks share, where transient solutions are simulated, into a directory."""
     parts = [
         LifePart(life[0], part, refinement)
         for life in _lives(tasks, directory)
@@ -110,7 +110,7 @@ def solve_lives(
     if not parts:
         return
     directory.mkdir(parents=True, exist_ok=True)
-    message = "films in motion, from the first touch to the last"
+    message = "transient solution, from the first touch to the last"
     tell(message, 0.0)
     if executor is None:
         for part in parts:
@@ -179,7 +179,7 @@ def tasks_by_part(life: Sequence[Task]) -> list[tuple[Task, ...]]:
 
 
 def _lives(tasks: Sequence[Task], directory: Path) -> list[list[Task]]:
-    """Tasks whose films are in motion, by their life; without those that nobody shares one with.
+    """Tasks whose films are transient, by their life; without those that nobody shares one with.
 
     Only what may share a life is planned: a sweep's thousands of cases have one each.
     """
@@ -187,15 +187,15 @@ def _lives(tasks: Sequence[Task], directory: Path) -> list[list[Task]]:
     for task in tasks:
         by_life[id(task.case), replace(task.place, phase=None)].append(task)
     lives = (
-        [task for task in some if in_motion(task) and rates_for(task, directory) is None]
+        [task for task in some if is_transient(task) and rates_for(task, directory) is None]
         for some in by_life.values()
         if len(some) >= MIN_SHARED_TASKS
     )
     return [life for life in lives if len(life) >= MIN_SHARED_TASKS]
 
 
-def in_motion(task: Task) -> bool:
-    """Whether a task's film is in motion, and its life is solved as a whole."""
+def is_transient(task: Task) -> bool:
+    """Whether a task's film is transient, and its life is solved as a whole."""
     try:
         return "squeeze" in task.plan.on and recent(task.scene) is task.scene.past
     except ValueError:  # the reason that the task will give
@@ -220,9 +220,9 @@ class PartLifts:
     """Lifts at phases of one part of a life."""
 
     tasks: tuple[Task, ...]
-    """Its contacts, all with point contacts in motion."""
+    """Its contacts, all point contacts with transient films."""
     moving: bool
-    """Whether by films in motion; else by steady ones in the same window."""
+    """Whether by transient solutions; else by steady films in the same window."""
 
     def __call__(self) -> dict[float, Lift]:
         """Phase -> lift; without those of which no film is found."""

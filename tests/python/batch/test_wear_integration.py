@@ -1,4 +1,4 @@
-"""Wear marched through time: exact where it is known, steps by their error, stopped and gone on with."""
+"""Time integration of wear: exact where it is known, steps by their error, stopped and gone on with."""
 
 import subprocess
 import sys
@@ -7,7 +7,7 @@ import time
 import numpy as np
 import pytest
 
-from pyworm.batch.wear_march import UnsolvedError, Worn, first_step, integrate_wear
+from pyworm.batch.wear_integration import UnsolvedError, Worn, first_step, integrate_wear
 
 SLOW = np.array([[1.0, 0.5], [0.2, 0.0]]) * 1e-6
 """Rate of a flank as cut [m/h]."""
@@ -73,7 +73,7 @@ def test_a_part_of_the_depth_may_be_allowed_beside_the_tolerance():
     assert all(error <= 0.25e-7 + 0.02 * worn.depth.max() for worn, error in steps[0.02])
 
 
-def test_a_march_goes_on_as_if_it_had_not_been_stopped():
+def test_an_integration_goes_on_as_if_it_had_not_been_stopped():
     ends = []
     whole = integrate_wear(begun(1e-7), 50.0, rates, 1e-7, lambda worn, error: ends.append(worn))
     again = integrate_wear(ends[2], 50.0, rates, 1e-7)
@@ -84,7 +84,7 @@ STOPPED = """
 import sys, time
 import numpy as np
 from pathlib import Path
-from pyworm.batch.wear_march import Worn, integrate_wear
+from pyworm.batch.wear_integration import Worn, integrate_wear
 from pyworm.io.atomic import whole_file
 
 file = Path(sys.argv[1])
@@ -103,7 +103,7 @@ integrate_wear(Worn(0.0, np.zeros((3, 3)), rate, 0.2), 1e6, rates, 1e-7, keep)
 """
 
 
-def test_killing_a_march_loses_one_step_at_most(tmp_path):
+def test_killing_an_integration_loses_one_step_at_most(tmp_path):
     file = tmp_path / "wear.npz"
     with subprocess.Popen(
         [sys.executable, "-c", STOPPED, str(file)], stdout=subprocess.PIPE, text=True
@@ -141,7 +141,7 @@ def test_a_rate_that_is_not_known_is_no_step():
 
 
 def test_a_step_whose_contacts_cannot_be_solved_is_tried_shorter():
-    """A flank that is solved up to a depth: the march comes near it by its shortest step, then tells why."""
+    """A flank that is solved up to a depth: steps shorten up to it, then the reason is told."""
     kept = []
 
     def rates(depth):

@@ -1,10 +1,10 @@
-"""Lifts of a drive's teeth by films in motion."""
+"""Lifts of a drive's teeth by transient films."""
 
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
-from pyworm.batch import films_in_motion
+from pyworm.batch import transient_solutions
 
 
 class Part:
@@ -21,7 +21,7 @@ class Part:
 
 @pytest.mark.parametrize("processes", [0, 2])
 def test_a_part_that_breaks_costs_its_own_lifts_alone(processes, monkeypatch):
-    monkeypatch.setattr(films_in_motion, "PartLifts", Part)
-    monkeypatch.setattr(films_in_motion, "tasks_by_part", lambda tasks: tasks)
+    monkeypatch.setattr(transient_solutions, "PartLifts", Part)
+    monkeypatch.setattr(transient_solutions, "tasks_by_part", lambda tasks: tasks)
     executor = ThreadPoolExecutor(processes) if processes else None
-    assert films_in_motion.lifts_of([0.2, 0.8], True, executor) == {0.2: 1e-6}
+    assert transient_solutions.lifts_of([0.2, 0.8], True, executor) == {0.2: 1e-6}

@@ -1,4 +1,4 @@
-"""Wear marched through time: steps by their own error, each kept before the next begins.
+"""Time integration of wear: steps by their own error, each kept before the next begins.
 
 A step predicts the worn depth with the rate at its beginning, has the rate there found anew, and corrects
 the depth with the mean of both (Heun's rule with one new rate a step). Half the difference of both is the
@@ -59,7 +59,7 @@ def integrate_wear(
     deepest: float = np.inf,
     relative: float = 0.0,
 ) -> Worn:
-    """March a worn flank to a time.
+    """Integrate the wear of a flank to a time.
 
     Parameters
     ----------
