@@ -162,7 +162,7 @@ def test_a_load_widens_the_pattern_by_what_the_flanks_yield(coarse, monkeypatch)
     assert 5e-6 < approach[far].min() and approach[far].max() < 40e-6
     # beside it they yield, too: what is nearer than they approach does not all touch
     of = sharif()
-    dry = hertz(*of.contact(0.5).radii, of.load, reduced_modulus(*of.bodies))
+    dry = hertz(*of.contact(0.5).radii, of.tooth_load, reduced_modulus(*of.bodies))
     beside = (light.separation > 0.75 * dry.approach) & (light.separation < dry.approach)
     assert np.mean(heavy.separation[beside] > 0.5e-6) > 0.7
 
