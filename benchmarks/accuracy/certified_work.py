@@ -18,6 +18,9 @@ from pyworm.solver.grid_limit import second_order_limit
 sys.path.append(str(Path(__file__).parents[1] / "cost"))
 from film import CASES, refined
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 FILMS = ("film_central", "film_min")
 HALVINGS = 1, 2, 3, 4
 """Halvings of the first grid of 64 cells a side; the last two grids are the truth of the first two."""
@@ -52,16 +55,14 @@ def main() -> None:
     scenes = {
         case: pyworm.load(Path(f"cases/{case}.toml")).scene() for case in sys.argv[1:] or CASES
     }
-    print("| case | central film | extrapolated | minimum film | extrapolated |")
-    print("|---|---|---|---|---|")
     for case, scene in scenes.items():
         found = [error for values in films_on_grids(scene).values() for error in errors(values)]
-        print(f"| {case} | " + " | ".join(f"{error:.2g}" for error in found) + " |", flush=True)
-    print("\n| case | " + " | ".join(f"to {accuracy:.1%}" for accuracy in ACCURACIES) + " |")
-    print("|---|---|---|")
+        print(case, *(f"{error:.2g}" for error in found), flush=True)
+    works = []
     for case, scene in scenes.items():
-        done = " | ".join(work(scene, accuracy) for accuracy in ACCURACIES)
-        print(f"| {case} | {done} |", flush=True)
+        works.append((case, *(work(scene, accuracy) for accuracy in ACCURACIES)))
+        print(*works[-1], flush=True)
+    record("certified_work", ("case", *(f"work to {of:.1%}" for of in ACCURACIES)), works)
 
 
 if __name__ == "__main__":

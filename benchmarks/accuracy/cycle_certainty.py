@@ -7,13 +7,13 @@ next run goes on from there.
 """
 
 import csv
+import sys
 from dataclasses import asdict, dataclass, fields
 from math import nan
 from pathlib import Path
 from time import process_time
 
 import numpy as np
-from accuracy_page import fill, markdown
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -22,6 +22,9 @@ from scipy.interpolate import CubicSpline
 
 import pyworm
 from pyworm.plots.layout import write
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 CASE = Path("cases/zi_sharif_2001.toml")
 FIRST, LAST = 0.1, 0.9
@@ -179,7 +182,7 @@ def draw(found: dict[str, list[Phase]], whole: tuple[float, float], bars) -> Fig
         Line2D([], [], marker="o", color=colour, label=f"each phase {model}")
         for model, (_, _, colour) in MODELS.items()
     ]
-    handles.append(Patch(color="0.88", label="error bar of the reference"))
+    handles.append(Patch(color="0.88", label="uncertainty of the reference"))
     figure.legend(
         handles=handles,
         loc="outside lower center",
@@ -196,17 +199,7 @@ def main() -> None:
     whole = cycle(best, COUNTS[-1])
     losses = sum(one.loss_error * one.loss for one in best) / sum(one.loss for one in best)
     bars = min(best, key=lambda one: one.film).film_error, losses
-    rows = [
-        [
-            "each phase",
-            "phases",
-            "s",
-            "minimum film thickness / µm",
-            "error",
-            "mean loss / W",
-            "error",
-        ]
-    ]
+    rows = []
     for model, phases in found.items():
         for count in COUNTS:
             film, loss = cycle(phases, count)
@@ -221,8 +214,8 @@ def main() -> None:
                     *(told if np.isfinite(loss) else ["", ""]),
                 ]
             )
-    print(markdown(rows))
-    fill("cycle", markdown(rows))
+    values = "h_min / um", "error of h_min", "mean power loss / W", "error of power loss"
+    record("cycle_certainty", ("each phase", "phases", "time / s", *values), rows)
     write(draw(found, whole, bars), PICTURE)
 
 

@@ -26,8 +26,6 @@ from math import inf, nan
 from pathlib import Path
 from statistics import median
 
-from accuracy_page import markdown
-
 import pyworm
 from pyworm.batch.task import Task
 from pyworm.case.case import case_of
@@ -44,6 +42,9 @@ from pyworm.solver.newton import converge
 
 sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
 from draws import JUDGED_DRAWS, Drawn
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 ACCURACY = 0.02
 EXACT = 0.1
@@ -74,15 +75,15 @@ KNOWN = 0.5
 """Uncertainty of the truth over a bar up to which the bar is judged."""
 
 FIGURES = {
-    "film_min": "minimum film",
-    "film_central": "central film",
-    "pressure_max": "maximum pressure",
+    "film_min": "h_min",
+    "film_central": "h_c",
+    "pressure_max": "p_max",
     "friction_coefficient": "friction",
-    "power_loss": "loss",
+    "power_loss": "power loss",
     "asperity_load_fraction": "asperity load ratio",
-    "temperature_max_body_1": "temperature of body 1",
-    "temperature_max_body_2": "temperature of body 2",
-    "temperature_max_film": "temperature of the film",
+    "temperature_max_body_1": "T_max of body 1",
+    "temperature_max_body_2": "T_max of body 2",
+    "temperature_max_film": "T_max of the film",
 }
 OUT, TRUTHS = Path("results/error_bars.csv"), Path("results/truths.csv")
 
@@ -290,39 +291,57 @@ def judgeable(row: dict) -> bool:
     return bool(row["reason"]) or row["unsure"] <= KNOWN * row["bar"] < inf
 
 
-def of_kind(rows: list[dict], kind: str) -> list[dict]:
-    """Rows of scenes of one kind."""
-    return [row for row in rows if row["scene"].startswith(f"{kind}:")]
+CONTACTS = (
+    "kind",
+    "seeds",
+    "contacts",
+    "converged",
+    "judged",
+    "hold",
+    "share",
+    "largest error / uncertainty",
+)
+ESTIMATES = (
+    "kind",
+    "seeds",
+    "quantity",
+    "estimates",
+    "judged",
+    "hold",
+    "without estimate",
+    "median error / uncertainty",
+    "largest error / uncertainty",
+)
 
 
-def by_figure(rows: list[dict]) -> list[list[str]]:
-    """A row for each figure: how many bars of converged solutions hold, and errors over bars."""
-    table = [["figure", "bars", "judged", "hold", "of these no bar", "median error/bar", "largest"]]
+def counted(rows: list[dict]) -> tuple[int, int, list[float]]:
+    """Judged estimates of converged solutions, how many hold, and the errors over those that are finite."""
+    known = [row for row in rows if row["converged"] and judgeable(row)]
+    ratios = [row["error"] / row["bar"] for row in known if not row["reason"]]
+    return len(known), sum(ratio <= 1 for ratio in ratios) + len(known) - len(ratios), ratios
+
+
+def by_kind(rows: list[dict], kind: str, seeds: str) -> tuple:
+    """A row under `CONTACTS`."""
+    contacts = {row["scene"]: row["converged"] for row in rows}
+    judged_count, held, ratios = counted(rows)
+    share = f"{held / judged_count:.1%}".replace("%", " %") if judged_count else ""
+    counts = len(contacts), sum(contacts.values()), judged_count, held, share
+    return (kind, seeds, *counts, f"{max(ratios):.2f}" if ratios else "")
+
+
+def by_figure(rows: list[dict], kind: str, seeds: str) -> Iterator[tuple]:
+    """A row under `ESTIMATES` for each quantity."""
     for name, words in FIGURES.items():
         of = [row for row in rows if row["figure"] == name and row["converged"]]
-        known = [row for row in of if judgeable(row)]
-        ratios = [row["error"] / row["bar"] for row in known if not row["reason"]]
-        if not ratios:
-            continue
-        without = len(known) - len(ratios)
-        held = sum(ratio <= 1 for ratio in ratios) + without
-        table.append(
-            [
-                words,
-                str(len(of)),
-                str(len(known)),
-                f"{held} ({held / len(known):.0%})",
-                str(without),
-                f"{median(ratios):.2f}",
-                f"{max(ratios):.2f}",
-            ]
-        )
-    return table
+        known, held, ratios = counted(of)
+        if ratios:
+            errors = f"{median(ratios):.2f}", f"{max(ratios):.2f}"
+            yield (kind, seeds, words, len(of), known, held, known - len(ratios), *errors)
 
 
-def by_scene(rows: list[dict]) -> list[list[str]]:
-    """A row for each scene: bars of its films and of its pressure, and its largest error over a bar."""
-    table = [["scene", "converged", "± film / %", "± pressure / %", "largest error/bar", "of"]]
+def by_scene(rows: list[dict]) -> Iterator[tuple[str, ...]]:
+    """A row for each contact: estimates of its films and pressure, and its largest error over one."""
     for scene in dict.fromkeys(row["scene"] for row in rows):
         of = {row["figure"]: row for row in rows if row["scene"] == scene}
         finite = {
@@ -333,17 +352,30 @@ def by_scene(rows: list[dict]) -> list[list[str]]:
         worst = max(finite, key=finite.get, default=None)
         film = max(of[name]["bar"] for name in ("film_min", "film_central"))
         pressure = of["pressure_max"]
-        table.append(
-            [
-                scene,
-                "yes" if pressure["converged"] else "no",
-                f"{film * 100:.2g}",
-                pressure["reason"] or f"{pressure['bar'] * 100:.2g}",
-                "" if worst is None else f"{finite[worst]:.2f}",
-                "" if worst is None else FIGURES[worst],
-            ]
+        yield (
+            scene,
+            "yes" if pressure["converged"] else "no",
+            f"{film * 100:.2g}",
+            pressure["reason"] or f"{pressure['bar'] * 100:.2g}",
+            "" if worst is None else f"{finite[worst]:.2f}",
+            "" if worst is None else FIGURES[worst],
         )
-    return table
+
+
+def record_all(rows: list[dict], kinds: Sequence[str], seeds: Sequence[int]) -> None:
+    """Write the tables of some kinds and seeds."""
+    words = " ".join(map(str, seeds))
+    some = [row for row in rows if any(row["scene"].endswith(f" of {seed}") for seed in seeds)]
+    of = {kind: [row for row in some if row["scene"].startswith(f"{kind}:")] for kind in kinds}
+    of = {kind: part for kind, part in of.items() if part}
+    contacts = [by_kind(part, kind, words) for kind, part in of.items()]
+    record("error_contacts", CONTACTS, contacts, key=("kind", "seeds"))
+    figures = [row for kind, part in of.items() for row in by_figure(part, kind, words)]
+    record("error_estimates", ESTIMATES, figures, key=("kind", "seeds", "quantity"))
+    columns = "uncertainty of film / %", "uncertainty of p_max / %", "largest error / uncertainty"
+    record(
+        "error_scenes", ("contact", "converged", *columns, "of"), by_scene(some), key=("contact",)
+    )
 
 
 def main() -> None:
@@ -363,10 +395,10 @@ def main() -> None:
             continue
         rows += judged(scene, kind, JUDGED_DRAWS[kind](place, seed), asked.accuracy, truths)
         save(rows)
-        print(*by_scene([row for row in rows if row["scene"] == scene])[1], sep="  ", flush=True)
-    for kind in kinds:
-        print(f"**{kind}**", markdown(by_figure(of_kind(rows, kind))), sep="\n\n", end="\n\n")
-    print(markdown(by_scene(rows)))
+        shown = by_scene([row for row in rows if row["scene"] == scene])
+        print(*next(shown), sep="  ", flush=True)
+    if asked.accuracy == ACCURACY:
+        record_all(rows, kinds, asked.seeds)
 
 
 if __name__ == "__main__":

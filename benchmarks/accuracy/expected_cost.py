@@ -16,12 +16,13 @@ from tempfile import TemporaryDirectory
 from time import process_time
 from typing import Any
 
-from accuracy_page import fill, markdown
-
 import pyworm
 from pyworm.batch.case_run import run
 from pyworm.batch.task import Task
 from pyworm.solver.cost.expected_time import expectation, expectations, together
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 PLACES = {
     "point_m20_l10": {},
@@ -51,8 +52,17 @@ PLACES = {
 
 ACCURACIES = (0.05, 0.01)
 
-SPEED = Path("docs/evidence/speed.md")
-"""Page of the table of transient films."""
+IN_MOTION_COLUMNS = (
+    "case",
+    "accuracy requested",
+    "contacts",
+    "expected / s",
+    "measured / s",
+    "ratio",
+    "load",
+    "constants",
+)
+"""Columns of transient films; the load is that of the machine's cores."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +106,7 @@ QUICK = 1.0
 
 
 def main() -> None:
-    rows, ratios = [["case", "asked", "expected / s", "measured / s", "ratio"]], []
+    rows, ratios = [], []
     for name, place in PLACES.items():
         scene = pyworm.load(Path(f"cases/{name}.toml")).scene(**place)
         for accuracy in ACCURACIES:
@@ -118,7 +128,8 @@ def main() -> None:
             print(*rows[-1], flush=True)
     within = sum(0.5 <= ratio <= 2 for ratio in ratios)
     print(f"{within} of {len(ratios)} within a factor of 2, median {median(ratios):.2f}")
-    fill("expected", markdown(rows))
+    columns = "case", "accuracy requested", "expected / s", "measured / s", "ratio"
+    record("expected_time", columns, rows)
 
 
 def _seconds(scene, plan) -> float:
@@ -129,8 +140,7 @@ def _seconds(scene, plan) -> float:
 
 def in_motion(names: Sequence[str]) -> None:
     """A row for each entry of `IN_MOTION`, or those of some cases."""
-    rows = [["case", "asked", "contacts", "expected / s", "measured / s", "ratio", "load", ""]]
-    ratios = []
+    rows, ratios = [], []
     for of in IN_MOTION:
         for accuracy in of.accuracies if not names or of.name in names else ():
             case = pyworm.load(Path(f"cases/{of.name}.toml"))
@@ -158,7 +168,7 @@ def in_motion(names: Sequence[str]) -> None:
     within = sum(0.5 <= ratio <= 2 for ratio in ratios)
     print(f"{within} of {len(ratios)} within a factor of 2, median {median(ratios):.2f}")
     if not names:
-        fill("expected-in-motion", markdown(rows), SPEED)
+        record("expected_in_motion", IN_MOTION_COLUMNS, rows)
 
 
 def _contacts(of: InMotion, count: int) -> str:

@@ -8,6 +8,7 @@ inlet's; `planning.model.LEVEL_ERRORS` is the worst of each number of levels. Ru
     python benchmarks/accuracy/levels.py
 """
 
+import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -18,6 +19,9 @@ from pyworm.planning.model import Model
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import RigidMotion, Scene
 from pyworm.solver.solution import Solution
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 LEVELS = (3, 5, 7, 9, 11)
 REFERENCE = 13
@@ -85,8 +89,7 @@ def values(solution: Solution) -> dict[str, float]:
 
 
 def main() -> None:
-    print(f"{'':28} levels  central  minimum friction   body 1   body 2     film  residual")
-    worst = dict.fromkeys(LEVELS, 0.0)
+    rows = []
     for name, scene in scenes():
         best = values(solve(scene, REFERENCE))
         for levels in LEVELS:
@@ -95,18 +98,10 @@ def main() -> None:
             except KernelError as error:
                 print(f"{name:28} {levels:6} {error}", flush=True)
                 continue
-            errors = [value / best[of] - 1 for of, value in values(solution).items()]
-            worst[levels] = max(worst[levels], *map(abs, errors))
-            print(
-                f"{name:28} {levels:6} "
-                + " ".join(f"{error * 100:+7.3f}%" for error in errors)
-                + f"  {solution.figures.residual:8.1e}",
-                flush=True,
-            )
-    print(
-        "worst: "
-        + ", ".join(f"{levels} levels {error * 100:.3f} %" for levels, error in worst.items())
-    )
+            errors = [abs(value / best[of] - 1) for of, value in values(solution).items()]
+            rows.append((name, levels, f"{max(errors) * 100:.3f} %"))
+            print(*rows[-1], f"residual {solution.figures.residual:.1e}", flush=True)
+    record("levels", ("contact", "levels", "largest error"), rows)
 
 
 if __name__ == "__main__":

@@ -83,10 +83,12 @@ class Tally:
             self._held[number].append(error <= bar)
             print(f"{scene.name:>24} {number} {name:>12} {error:6.2%} of {bar:5.2%}", flush=True)
 
-    def end(self) -> None:
-        """Print how many hold."""
-        for number, of_all in self._held.items():
-            print(f"{number} transient solves: {sum(of_all)} of {len(of_all)} bars hold")
+    def end(self) -> list[tuple[int, int, int]]:
+        """Print how many hold, and return it: number of solves, estimates that hold, and all."""
+        counts = [(number, sum(of), len(of)) for number, of in self._held.items()]
+        for number, held, count in counts:
+            print(f"{number} transient solves: {held} of {count} estimates hold")
+        return counts
 
 
 def main(path: str, phases: Sequence[float] | None, effects: str, solves: int) -> None:

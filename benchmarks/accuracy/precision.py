@@ -14,7 +14,7 @@ Errors do not depend on the machine, seconds do; the tables have convolutions to
 import argparse
 import pickle
 import sys
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from time import process_time
@@ -22,15 +22,16 @@ from time import process_time
 import asked_accuracy
 import cycle_certainty
 import expected_cost
-from accuracy_page import fill, markdown
 
 import pyworm
-from pyworm.io.quantities import QUANTITIES
 from pyworm.io.quantity_text import duration, percent
 from pyworm.plots.layout import write
 from pyworm.plots.precision import draw_precision
 from pyworm.precision.study import TARGETS, Study
 from pyworm.precision.survey import study
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 PICTURES = Path("docs/pictures")
 RESULTS = Path("results/accuracy")
@@ -72,52 +73,56 @@ def show(name: str, made: Study) -> None:
     where = ", ".join(f"{key} {value}" for key, value in SCENES[name].place.items())
     heading = ", ".join(part for part in (SCENES[name].case, where) if part)
     write(draw_precision(made, heading), PICTURES / f"accuracy_{name}.png")
-    fill(f"{name} cheapest", markdown(cheapest_rows(made)))
-    fill(f"{name} formulas", markdown(point_rows(made, "formula")))
-    fill(f"{name} grids", markdown(point_rows(made, "model")))
+    record("precision_cheapest", CHEAPEST, cheapest_rows(name, made), key=("contact",))
+    record("precision_formulas", FORMULAS, point_rows(name, made, "formula"), key=("contact",))
+    record("precision_grids", GRIDS, point_rows(name, made, "model"), key=("contact",))
     print(f"{name}: {made.seconds:.0f} s", flush=True)
 
 
-def cheapest_rows(made: Study) -> Iterable[Sequence[str]]:
-    """Accuracies against figures: the cheapest model and grid."""
-    figures = list(made.references)
-    yield ["error", *(QUANTITIES[figure].title() for figure in figures), "all of them"]
+FIGURES = {
+    "film_min": "h_min",
+    "film_central": "h_c",
+    "friction_coefficient": "friction",
+    "temperature_max_film": "T_max of the film",
+}
+CHEAPEST = "contact", "error", *FIGURES.values(), "all"
+FORMULAS = "contact", "formula", "time / s", *FIGURES.values()
+GRIDS = "contact", "model", "grid", "time / s", "convolutions", *FIGURES.values()
+"""Columns of the cheapest models and grids, of formulas, and of models; errors are relative."""
+
+
+def cheapest_rows(contact: str, made: Study) -> Iterator[Sequence[str]]:
+    """The cheapest model and grid of each accuracy and quantity."""
     for accuracy in TARGETS:
-        choices = [
-            made.cheapest(accuracy, of) for of in (*((one,) for one in figures), tuple(figures))
-        ]
-        yield [
-            f"{accuracy * 100:g} %",
-            *(
-                "none"
-                if choice is None
-                else ", ".join(
-                    part
-                    for part in (choice[0].name, choice[1].label, duration(choice[1].seconds))
-                    if part
-                )
-                for choice in choices
-            ),
-        ]
+        texts = []
+        for wanted in (*((name,) for name in FIGURES), tuple(made.references)):
+            if not made.references.keys() >= set(wanted):
+                texts.append("")
+                continue
+            choice = made.cheapest(accuracy, wanted)
+            texts.append("none" if choice is None else _choice(*choice))
+        yield contact, f"{accuracy * 100:g} %", *texts
 
 
-def point_rows(made: Study, kind: str) -> Iterable[Sequence[str]]:
+def _choice(curve, point) -> str:
+    """Model, grid and time of a choice."""
+    return ", ".join(part for part in (curve.name, point.label, duration(point.seconds)) if part)
+
+
+def point_rows(contact: str, made: Study, kind: str) -> Iterator[Sequence[str]]:
     """All points of formulas, or of models, with their errors."""
-    figures = list(made.references)
-    grid = ["grid", "s", "convolutions"] if kind == "model" else ["s"]
-    yield [kind, *grid, *(QUANTITIES[figure].title() for figure in figures)]
     for curve in made.curves:
         if curve.kind != kind:
             continue
         for point in curve.points:
-            cost = f"{point.seconds:.2g}"
-            where = [point.label, cost, f"{point.convolutions:.0f}"] if kind == "model" else [cost]
-            errors = [made.error(point, figure) for figure in figures]
-            yield [
-                curve.name,
-                *where,
-                *("" if error is None else percent(error) for error in errors),
+            cost = [f"{point.seconds:.2g}"]
+            if kind == "model":
+                cost = [point.label, *cost, f"{point.convolutions:.0f}"]
+            errors = [
+                made.error(point, name) if name in made.references else None for name in FIGURES
             ]
+            texts = ("" if error is None else percent(error) for error in errors)
+            yield contact, curve.name, *cost, *texts
 
 
 def tell(message: str, share: float) -> None:

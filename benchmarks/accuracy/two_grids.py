@@ -15,7 +15,6 @@ from itertools import product
 from pathlib import Path
 from statistics import median
 
-from accuracy_page import markdown
 from error_bars import FIGURES, refined
 
 import pyworm
@@ -28,6 +27,9 @@ from pyworm.solver.point.contact import CONVERGENCE
 
 sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
 from draws import DRAWS
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 ACCURACY, EXACT = 0.02, 0.1
 """Accuracy whose first grid is taken, and that of the algebra over it."""
@@ -77,18 +79,18 @@ def read(kind: str, number: int, seed: int) -> list[Reading]:
         return []
 
 
-def table(found: list[Left]) -> str:
-    """How many of the errors told hold, and the true ones over them, by figure."""
-    heads = [(f"on {of} grids", "hold", "median error/told") for of in GRIDS]
-    rows = [["figure", *(word for words in heads for word in words)]]
+HEADS = "estimates on {} grids", "hold on {} grids", "median error / estimate on {} grids"
+
+
+def rows_of(found: list[Left]) -> Iterator[list[str]]:
+    """How many of the estimated errors hold, and the true ones over them, by quantity."""
     for name, words in FIGURES.items():
         row = [words]
         for grids in GRIDS:
             of = [one.ratio for one in found if (one.figure, one.grids) == (name, grids)]
             held = sum(ratio <= 1 for ratio in of) / max(len(of), 1)
             row += [str(len(of)), f"{held:.0%}", f"{median(of or [0.0]):.2f}"]
-        rows.append(row)
-    return markdown(rows)
+        yield row
 
 
 def main() -> None:
@@ -99,7 +101,8 @@ def main() -> None:
         if len(readings) > GRIDS[0]:
             found += left(readings)
         print(f"{kind}:{place} of {seed}", file=sys.stderr, flush=True)
-    print(table(found))
+    heads = [head.format(grids) for grids in GRIDS for head in HEADS]
+    record("two_grids", ("quantity", *heads), rows_of(found))
 
 
 if __name__ == "__main__":

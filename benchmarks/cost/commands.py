@@ -11,9 +11,13 @@ run may be compared.
 import sys
 from dataclasses import dataclass
 from math import inf
+from pathlib import Path
 from resource import RUSAGE_CHILDREN, getrusage
 from subprocess import DEVNULL, run
 from tempfile import TemporaryDirectory
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 REPEATS = 3
 
@@ -53,6 +57,7 @@ def main() -> None:
     other, *names = sys.argv[1:] or (sys.executable,)
     pythons = dict.fromkeys((other, sys.executable))
     print(f"{'':10}" + "".join(f"{word:>10}" for word in ("before", "now", "ratio")))
+    rows = []
     for name in names or COMMANDS:
         command = COMMANDS[name]
         least = dict.fromkeys(pythons, inf)
@@ -61,6 +66,8 @@ def main() -> None:
                 least[python] = min(least[python], processor_time(python, command))
         before, now = least[other], least[sys.executable]
         print(f"{name:10}{before:10.1f}{now:10.1f}{now / before:10.2f}", flush=True)
+        rows.append((f"pyworm {command.arguments}", f"{now:.1f}"))
+    record("whole_commands", ("command", "processor time / s"), rows, key=("command",))
 
 
 if __name__ == "__main__":

@@ -18,12 +18,16 @@ os.environ.update(
 
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 from statistics import median
 from time import perf_counter
 
 import numpy as np
 
 from pyworm import kernel
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 NODES = (256, 512, 1024)
 REPEATS = 5
@@ -139,10 +143,7 @@ def cost(solver, hertz: Hertz, level: float) -> Cost | None:
 
 
 def main() -> None:
-    print(
-        f"{'nodes':>11} {'solver':17} {'seconds':>8} {'runs':>4} {'iterations':>10} {'tolerance':>9} "
-        f"{'error':>8} {'over pyworm':>11}"
-    )
+    rows = []
     for n in [int(argument) for argument in sys.argv[1:]] or NODES:
         hertz = Hertz(n)
         level = LEVEL * hertz.error(pyworm(hertz, TIGHT)[0])
@@ -159,12 +160,19 @@ def main() -> None:
                 )
                 continue
             ours = ours or found.seconds
-            print(
-                f"{n:>5} x {n:<3} {solver.__name__:17} {found.seconds:8.3f} {found.runs:4} "
-                f"{found.iterations:>10} {found.tolerance:9.0e} {found.error:8.2e} "
-                f"{found.seconds / ours:11.1f}",
-                flush=True,
+            times = f"{found.seconds:.3g}", f"{found.iterations}", f"{found.tolerance:.0e}"
+            error = f"{found.error:.2e}", f"{found.seconds / ours:.1f}"
+            rows.append(
+                (
+                    n,
+                    solver.__name__.replace("contact_mechanics", "ContactMechanics"),
+                    *times,
+                    *error,
+                )
             )
+            print(*rows[-1], flush=True)
+    columns = "seconds", "iterations", "tolerance", "error", "over pyworm"
+    record("dry_contact_cost", ("nodes", "solver", *columns), rows, key=("nodes", "solver"))
 
 
 if __name__ == "__main__":

@@ -24,6 +24,9 @@ from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
 from pyworm.solver.solution import Solution
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 COARSEST = 64
 TOLERANCE = 1e-6
 UNREACHED = 1e-4
@@ -70,8 +73,8 @@ def refined(scene: Scene, times: int, effects: str = "all") -> Plan:
     return replace(plan, largest_grid=finest.nodes)
 
 
-def row(name: str, scene: Scene, plan: Plan) -> str:
-    """A line of the table."""
+def row(to: str, name: str, scene: Scene, plan: Plan) -> tuple[str, ...]:
+    """A row under `COLUMNS`."""
     solutions = [pyworm.solve(scene, plan)]
     nodes = solutions[0].fields.sizes["x"] * solutions[0].fields.sizes["y"]
     if nodes <= ONCE_NODES:
@@ -85,10 +88,15 @@ def row(name: str, scene: Scene, plan: Plan) -> str:
     whole = median(cost.convolutions for cost in costs)
     shape = f"{solution.fields.sizes['x']} x {solution.fields.sizes['y']}"
     return (
-        f"{name:18} {shape:>11} {median(cost.seconds for cost in costs):8.2f} {whole:8.0f}   "
-        + " ".join(f"{part * whole:6.0f}" for part in split(solution))
-        + f" {on_finest:9} {on_all:6.0f} {int(history.krylov[size == nodes].sum()):7} "
-        f"{solution.figures.residual:9.1e}"
+        to,
+        name,
+        shape,
+        f"{median(cost.seconds for cost in costs):.2f}",
+        f"{whole:.0f}",
+        *(f"{part * whole:.0f}" for part in split(solution)),
+        f"{on_finest}",
+        f"{on_all:.0f}",
+        f"{int(history.krylov[size == nodes].sum())}",
     )
 
 
@@ -100,28 +108,42 @@ def split(solution: Solution) -> Iterator[float]:
     yield 1 - sum(shares)
 
 
-HEADER = (
-    f"{'case':18} {'grid':>11} {'seconds':>8} {'convol.':>8} = {'FFT':>6} {'flow':>6} {'cycle':>6} "
-    f"{'vector':>6} {'else':>6} {'counted':>9} {'all':>6} {'krylov':>7} {'residual':>9}"
+COLUMNS = (
+    "to",
+    "case",
+    "grid",
+    "seconds",
+    "convolutions",
+    "FFT",
+    "flow",
+    "preconditioner",
+    "vectors",
+    "rest",
+    "counted on the finest grid",
+    "counted on all grids",
+    "Krylov iterations",
 )
+GROWTH = "case", "nodes on a side", "convolutions", "counted on all grids"
 
 
 def main() -> None:
     words = sys.argv[1:]
+    cases = words[1:] or CASES[:5] if words[:1] == ["growth"] else CASES
+    scenes = {case: pyworm.load(Path(f"cases/{case}.toml")).scene() for case in cases}
+    rows = []
     if words[:1] == ["growth"]:
-        print(HEADER)
-        for case in words[1:] or CASES[:5]:
-            scene = pyworm.load(Path(f"cases/{case}.toml")).scene()
-            for times in (1, 2, 3, 4):
-                print(row(case, scene, refined(scene, times)), flush=True)
+        for case, scene in scenes.items():
+            for times, nodes in zip((1, 2, 3, 4), (129, 257, 513, 1025), strict=True):
+                found = row("", case, scene, refined(scene, times))
+                rows.append((case, nodes, found[4], found[11]))
+                print(*rows[-1], flush=True)
+        record("film_growth", GROWTH, rows)
         return
-    scenes = {case: pyworm.load(Path(f"cases/{case}.toml")).scene() for case in CASES}
-    print(f"at 1 %, error bars and their wider window included\n{HEADER}")
     for case, scene in scenes.items():
-        print(row(case, scene, pyworm.plan(scene, effects="all")), flush=True)
-    print(f"\nto a residual of {TOLERANCE:g}\n{HEADER}")
-    for case, scene in scenes.items():
-        print(row(case, scene, refined(scene, 2)), flush=True)
+        rows.append(row("1 %", case, scene, pyworm.plan(scene, effects="all")))
+        rows.append(row(f"residual {TOLERANCE:g}", case, scene, refined(scene, 2)))
+        print(*rows[-2], flush=True)
+    record("film_cost", COLUMNS, sorted(rows))
 
 
 if __name__ == "__main__":

@@ -30,6 +30,9 @@ from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.solution import Solution
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 HALVINGS = 2
 TOLERANCES = (1e-3, 1e-6)
 REPEATS = 15
@@ -78,29 +81,35 @@ def cost(solution: Solution) -> tuple[float, list[float]]:
     return whole, [*parts, whole - sum(parts)]
 
 
-def compare(name: str, tolerance: float) -> None:
-    """Print what both models cost and how many times the full one is dearer."""
+COLUMNS = (
+    "contact",
+    "residual",
+    "isothermal",
+    "thermal",
+    "ratio",
+    "FFT / s",
+    "flow and rheology / s",
+    "cycle and vectors / s",
+    "heat / s",
+    "rest / s",
+    "steps",
+)
+
+
+def compare(name: str, tolerance: float) -> tuple[str, ...]:
+    """What both models cost and how many times the thermal one is dearer, under `COLUMNS`."""
     scene = remembering(SCENES[name]())
     plans = {
         effects: replace(refined(scene, HALVINGS, effects), tolerance=tolerance)
         for effects in ("isothermal", "all,-roughness,-squeeze")
     }
     pyworm.solve(scene, plans["isothermal"])  # samples the scene
-    wholes = []
-    for effects, plan in plans.items():
-        solution = pyworm.solve(scene, plan)
-        whole, parts = cost(solution)
-        wholes.append(whole)
-        steps = solution.history.sizes["iteration"]
-        shape = f"{solution.fields.sizes['x']} x {solution.fields.sizes['y']}"
-        print(
-            f"{name:18} {tolerance:7.0e} {effects:>10} {plan.model.levels:6} {shape:>11} {steps:5} "
-            + f"{whole:7.2f} = "
-            + " ".join(f"{part:6.2f}" for part in parts)
-            + f" {solution.figures.residual:9.1e}",
-            flush=True,
-        )
-    print(f"{name:18} {tolerance:7.0e} ratio {wholes[1] / wholes[0]:.2f}", flush=True)
+    cold, _ = cost(pyworm.solve(scene, plans["isothermal"]))
+    solution = pyworm.solve(scene, plans["all,-roughness,-squeeze"])
+    whole, (convolutions, flow, cycle, vectors, heat, rest) = cost(solution)
+    parts = (f"{part:.2f}" for part in (convolutions, flow, cycle + vectors, heat, rest))
+    times = f"{cold:.2f} s", f"{whole:.2f} s", f"{whole / cold:.1f}"
+    return name, f"{tolerance:.0e}", *times, *parts, f"{solution.history.sizes['iteration']}"
 
 
 def least(work: Callable[[], object]) -> float:
@@ -155,13 +164,7 @@ def main() -> None:
     if sys.argv[1:2] == ["refine"]:
         print(json.dumps(refine(sys.argv[2])))
         return
-    print(
-        f"{'scene':18} {'to':>7} {'model':>10} {'levels':>6} {'grid':>11} {'steps':>5} {'seconds':>7} = "
-        f"{'FFT':>6} {'flow':>6} {'cycle':>6} {'vector':>6} {'heat':>6} {'else':>6} {'residual':>9}"
-    )
-    for name in SCENES:
-        for tolerance in TOLERANCES:
-            compare(name, tolerance)
+    record("heat_cost", COLUMNS, [compare(name, of) for of in TOLERANCES for name in SCENES])
     for name in SCENES:
         one, two = (with_threads(name, threads) for threads in (1, 2))
         times = ", ".join(

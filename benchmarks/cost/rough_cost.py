@@ -8,7 +8,10 @@ steps of each of its variations on one grid. Run from the repository's root:
     python benchmarks/cost/rough_cost.py
 """
 
+import sys
+from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 from time import process_time
 
 from film import refined
@@ -17,6 +20,9 @@ from heat_cost import SCENES, cost, remembering
 import pyworm
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import scales
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 LAMBDAS = (0.3, 0.5, 1.0, 2.0, 3.0)
 HALVINGS = 1
@@ -39,28 +45,25 @@ def solved(scene: Scene, effects: str) -> tuple[int, float, float]:
     return solution.history.sizes["iteration"], kernel, whole
 
 
-def compare(name: str) -> None:
-    """Print steps and time of one contact at each lambda over those without roughness."""
+def compare(name: str) -> Iterator[tuple[str, ...]]:
+    """Steps and time of one contact at each lambda over those without roughness."""
     scene = remembering(SCENES[name]())
     smooth = solved(scene, "all,-squeeze,-roughness")  # samples the scene
     smooth = solved(scene, "all,-squeeze,-roughness")
-    print(f"| {name} | smooth | {smooth[0]} | | {smooth[1]:.2f} | | {smooth[2]:.2f} | |")
+    yield name, "smooth", f"{smooth[0]}", "", f"{smooth[1]:.2f}", "", f"{smooth[2]:.2f}", ""
     for ratio in LAMBDAS:
-        steps, seconds, whole = solved(rough(scene, ratio), "all,-squeeze")
-        print(
-            f"| {name} | {ratio:g} | {steps} | {steps / smooth[0]:.2f} | {seconds:.2f} | "
-            f"{seconds / smooth[1]:.2f} | {whole:.2f} | {whole / smooth[2]:.2f} |",
-            flush=True,
-        )
+        found = solved(rough(scene, ratio), "all,-squeeze")
+        over = [f"{value / base:.2f}" for value, base in zip(found, smooth, strict=True)]
+        steps, seconds, whole = found
+        times = f"{seconds:.2f}", over[1], f"{whole:.2f}", over[2]
+        yield name, f"{ratio:g}", f"{steps}", over[0], *times
 
 
 def main() -> None:
-    print(
-        "| contact | lambda | Newton steps | over smooth | s | over smooth | with the model's bar |"
-    )
-    print("|---|---|---|---|---|---|---|")
-    for name in SCENES:
-        compare(name)
+    steps = "Newton steps", "steps / smooth"
+    times = "kernel / s", "kernel / smooth", "whole / s", "whole / smooth"
+    rows = [row for name in SCENES for row in compare(name)]
+    record("rough_cost", ("contact", "lambda", *steps, *times), rows)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,7 @@ Equal digests mean equal pressures to the last bit.
 import hashlib
 import os
 import resource
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -17,12 +18,15 @@ from film import on_window
 
 import pyworm
 
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
 NODES = (129, 257, 513, 1025)
 
 
 def main() -> None:
     scene = pyworm.load(Path("cases/point_m200_l10.toml")).scene()
-    print("threads  nodes        seconds  convolutions  arrays of the grid  digest")
+    rows = []
     for nodes in NODES:
         plan = replace(on_window(scene, "all"), largest_grid=nodes**2)
         solution = pyworm.solve(scene, plan)
@@ -30,11 +34,18 @@ def main() -> None:
         # kilobytes, of the process at its largest so far: Python's own share counts most on the first grids
         arrays = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024 / 8 / shape[0] / shape[1]
         digest = hashlib.sha256(solution.fields.pressure.values.tobytes()).hexdigest()[:12]
-        print(
-            f"{os.environ['OMP_NUM_THREADS']:>7}  {shape[0]:>4} x {shape[1]:<4} {solution.cost.seconds:8.2f}"
-            f" {solution.cost.convolutions:13.0f} {arrays:19.0f}  {digest}",
-            flush=True,
+        rows.append(
+            (
+                os.environ["OMP_NUM_THREADS"],
+                f"{shape[0]} x {shape[1]}",
+                f"{solution.cost.seconds:.2f}",
+                f"{solution.cost.convolutions:.0f}",
+                f"{arrays:.0f}",
+                digest,
+            )
         )
+    columns = "time / s", "convolutions", "arrays of the grid", "digest"
+    record("threads", ("threads", "nodes", *columns), rows, key=("threads",))
 
 
 if __name__ == "__main__":

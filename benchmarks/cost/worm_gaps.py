@@ -9,6 +9,7 @@ take turns; the least of `TURNS` counts. Beside it the ratio to ZI, whose flanks
 part of the nodes that both teeth cover.
 """
 
+import sys
 import tomllib
 from pathlib import Path
 from time import process_time
@@ -18,6 +19,9 @@ import numpy as np
 import pyworm
 from pyworm.case.case import Case, case_of
 from pyworm.drives.worm.flanks.worm_profiles import PROFILES
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
 
 NODES, TURNS = 257, 7
 
@@ -49,7 +53,7 @@ def windows(case: Case) -> dict[str, tuple[float, Sides]]:
     for phase in PHASES:
         grid = pyworm.plan(case.scene(phase=phase)).grids[-1]
         sides = tuple(np.linspace(nodes[0], nodes[-1], NODES) for nodes in (grid.x, grid.y))
-        found[f"film, phase {phase:g}"] = phase, sides
+        found[f"film at phase {phase:g}"] = phase, sides
     return found
 
 
@@ -65,15 +69,18 @@ def seconds(case: Case, phase: float, sides: Sides) -> tuple[float, float]:
 def main() -> None:
     cases = {profile: drive_of(profile) for profile in PROFILES}
     made = {profile: windows(case) for profile, case in cases.items()}
+    rows = []
     for name in made["ZI"]:
         runs = [
             {profile: seconds(case, *made[profile][name]) for profile, case in cases.items()}
             for _ in range(TURNS)
         ]
-        print(f"| {name} | s | over ZI | covered |\n|---|---|---|---|")
         least = {profile: min(run[profile] for run in runs) for profile in cases}
         for profile, (time, covered) in least.items():
-            print(f"| {profile} | {time:.3f} | {time / least['ZI'][0]:.1f} | {covered:.2f} |")
+            ratio = time / least["ZI"][0]
+            rows.append((name, profile, f"{time:.3f}", f"{ratio:.1f}", f"{covered:.2f}"))
+    columns = "domain", "profile", "time / s", "time / that of ZI", "part covered"
+    record("worm_gaps", columns, rows)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -40,21 +41,35 @@ def record(
     rows = [tuple(map(str, row)) for row in rows]
     places = [columns.index(title) for title in key]
     new = {tuple(row[place] for place in places) for row in rows}
-    kept = []
-    if key and path_of(name).exists():
-        known = read(name)
-        if known.columns != tuple(columns):
-            raise ValueError(f"{path_of(name)} has other columns: {', '.join(known.columns)}")
-        kept = [row for row in known.rows if tuple(row[place] for place in places) not in new]
     origin = Origin(
         " && ".join(filter(None, (first, command()))),
         commit(),
         machine(),
         datetime.now(UTC).date().isoformat(),
     )
+    kept = []
+    if key and path_of(name).exists():
+        known = read(name)
+        if known.columns != tuple(columns):
+            raise ValueError(f"{path_of(name)} has other columns: {', '.join(known.columns)}")
+        kept = [row for row in known.rows if tuple(row[place] for place in places) not in new]
+        if kept:
+            origin = _of_both(known.origin, origin)
+    if "commit" in columns:
+        origin = replace(origin, commit="one for each row")
     save(name, DataFile(origin, tuple(columns), (*kept, *rows)))
     print(markdown(columns, rows), f"-> {path_of(name).relative_to(ROOT)}", sep="\n\n", flush=True)
     write_tables()
+
+
+def _of_both(known: Origin, new: Origin) -> Origin:
+    """Origin of rows of which some were known; the command is that of all of them."""
+    both = {
+        name: old if (old := getattr(known, name)).endswith(of) else f"{old}, {of}"
+        for name in ("commit", "machine", "date")
+        if (of := getattr(new, name))
+    }
+    return replace(known, **both)
 
 
 def command() -> str:

@@ -10,10 +10,11 @@
     python tests/hard explore           # pages of mutated result files; explore:0-99 some
     python tests/hard killed            # a batch that is killed twenty times and resumed
     python tests/hard --seed 7          # the random scenes of another seed; parts as above
+    python tests/hard --record drive:0  # what came of it goes to docs/evidence/data, and so to the page
     python tests/hard --trapped         # the named scenes in a debug build, on their first grids
 
 Rows appear as scenes are solved. Exit code 1 if a scene broke, or fewer converged than promised, or one of
-the default seed that did not converge is not listed in docs/evidence/hard-cases.md.
+the default seed that did not converge is not listed in docs/evidence/data/hard_not_converged.csv.
 """
 
 import argparse
@@ -26,12 +27,13 @@ from typing import Any
 from case_text import case_text
 from cost_map import PANELS, draw_map
 from draws import DRAWS, SEED
-from drive_report import drives_run, drives_walked
+from drive_report import complaints_of_drives, drives_run, drives_walked
 from drive_trial import COMMANDS
 from fuzz import many
 from fuzz_readers import many as many_read
 from fuzz_results import MANY, many_explored
 from fuzz_results import many as many_files
+from hard_record import record_contacts, record_drives, record_walks
 from killed import killed_and_resumed
 from named import GAPS, HOT, ISOTHERMAL
 from promise import COUNTS, DRIVES, complaints
@@ -109,6 +111,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=SEED)
     parser.add_argument("--out", type=Path, default=Path("results/hard"))
     parser.add_argument("--trapped", action="store_true")
+    parser.add_argument("--record", action="store_true")
     parser.add_argument("--only", default=",".join(COMMANDS))
     options = parser.parse_args()
     options.only = options.only.split(",")
@@ -161,9 +164,15 @@ def main() -> int:
         if part in ("drive", "commands"):
             wanted = _numbers(numbers, DRIVES)
             if part == "drive":
-                found += drives_run(wanted, seed, kept)
+                runs = drives_run(wanted, seed, kept)
+                found += complaints_of_drives(runs)
+                if options.record:
+                    record_drives(runs, seed)
             else:
-                found += drives_walked(wanted, seed, kept, options.only)
+                walks, broken = drives_walked(wanted, seed, kept, options.only)
+                found += broken
+                if options.record:
+                    record_walks(walks, seed)
             continue
         if part == "stability":
             found += [f"stability: {flaw}" for check in CHECKS for flaw in check(print)]
@@ -183,6 +192,8 @@ def main() -> int:
             verdicts = judged(random_trials(part, wanted, kept, seed), store)
             drawn[part] = verdicts
         report(part, verdicts)
+        if options.record and len(verdicts) == COUNTS.get(part):
+            record_contacts(part, verdicts, seed)
         found += complaints(part, verdicts, seed)
     if drawn.keys() & PANELS.keys():
         traits = {

@@ -17,8 +17,8 @@ from gear_draws import drive
 from promise import CYCLES, DRIVES, PHASES, TIME_FACTOR, TIMES
 
 
-def drives_run(numbers: Sequence[int], seed: int, kept: Path) -> list[str]:
-    """Run drives at each accuracy; a row for each, the counts, and what breaks a promise."""
+def drives_run(numbers: Sequence[int], seed: int, kept: Path) -> list[DriveVerdict]:
+    """Run drives at each accuracy; prints a row for each, and the counts."""
     print(DRIVE_HEADING)
     verdicts = []
     for trial in _trials(numbers, seed, kept):
@@ -27,23 +27,26 @@ def drives_run(numbers: Sequence[int], seed: int, kept: Path) -> list[str]:
             print(verdicts[-1].line, flush=True)
     for line in counts(verdicts):
         print(line)
-    return list(complaints_of_drives(verdicts))
+    return verdicts
 
 
-def drives_walked(numbers: Sequence[int], seed: int, kept: Path, names: Sequence[str]) -> list[str]:
-    """Walk drives through commands; a row for each command, the counts, and what broke."""
+def drives_walked(
+    numbers: Sequence[int], seed: int, kept: Path, names: Sequence[str]
+) -> tuple[list[tuple[DriveTrial, Called]], list[str]]:
+    """Walk drives through commands, and what broke; prints a row for each command, and the counts."""
     outcomes: Counter[tuple[str, str]] = Counter()
-    broken = []
+    walks, broken = [], []
     for trial in _trials(numbers, seed, kept):
         print(f"{trial.name} {trial.drawn.traits['kind']}")
         for done in walked(trial, names):
             print(_row(done), flush=True)
+            walks.append((trial, done))
             outcomes[done.command.split()[0], done.outcome] += 1
             broken += [f"{trial.name}, {done.command}: {flaw}" for flaw in done.flaws]
     for command in dict.fromkeys(command for command, _ in outcomes):
         of = {what: n for (name, what), n in sorted(outcomes.items()) if name == command}
         print(f"{command}: " + ", ".join(f"{n} {what}" for what, n in of.items()))
-    return broken
+    return walks, broken
 
 
 def _trials(numbers: Sequence[int], seed: int, kept: Path) -> Iterator[DriveTrial]:
