@@ -67,7 +67,7 @@ def main() -> None:
         before, now = least[other], least[sys.executable]
         print(f"{name:10}{before:10.1f}{now:10.1f}{now / before:10.2f}", flush=True)
         rows.append((f"pyworm {command.arguments}", f"{now:.1f}"))
-    record("whole_commands", ("command", "processor time / s"), rows, key=("command",))
+    record("whole_commands", ("command", "CPU time / s"), rows, key=("command",))
 
 
 if __name__ == "__main__":

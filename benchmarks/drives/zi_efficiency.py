@@ -2,7 +2,7 @@
 
 Run from the repository's root:
 
-    pyworm run cases/zi_drive.toml -j 2 --accuracy 2% --effects auto,-squeeze
+    pyworm run cases/zi_drive.toml --accuracy 2% --effects auto,-squeeze
     python benchmarks/drives/zi_efficiency.py results/zi_drive/result.nc
 """
 
@@ -28,7 +28,7 @@ GEAR = WormGear(
     profile_shift=-0.42,  # makes the centre distance
 )
 
-FIRST = "pyworm run cases/zi_drive.toml -j 2 --accuracy 2% --effects auto,-squeeze"
+FIRST = "pyworm run cases/zi_drive.toml --accuracy 2% --effects auto,-squeeze"
 """Command that writes the result."""
 
 ROUGHNESS = (0.1e-6, 0.3e-6, 0.5e-6)

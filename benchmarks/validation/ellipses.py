@@ -105,8 +105,8 @@ def compare() -> None:
             off = "" if wanted is None else f"{(value / wanted - 1) * 100:+.2f} %"
             cells += [f"{value:.3f}", f"{100 * film.error:.2f} %", wanted or "", off]
         rows.append(cells)
-    titles = "{} film", "{} uncertainty", "{} independent", "{} difference"
-    columns = [title.format(film) for film in ("central", "minimum") for title in titles]
+    titles = "{}", "uncertainty of {}", "independent {}", "difference of {}"
+    columns = [title.format(film) for film in ("h_c", "h_min") for title in titles]
     record("ellipse_films", ("D", *columns), rows)
 
 

@@ -73,7 +73,7 @@ def compare() -> None:
                     f"{(value / float(row[f'{name}_{film}']) - 1) * 100:+.2f} %",
                 ]
             rows.append((*cells, rough.fields.sizes["x"], fine.fields.sizes["x"]))
-    titles = "oil", "M", "L", "central", "central difference", "minimum", "minimum difference"
+    titles = "oil", "M", "L", "h_c", "difference of h_c", "h_min", "difference of h_min"
     record("line_films", (*titles, "nodes at 1 %", "nodes at 0.05 %"), rows)
 
 

@@ -21,7 +21,7 @@ DRIVE_COLUMNS = (
     "accuracy requested",
     "phases",
     "converged",
-    "processor time / s",
+    "CPU time / s",
     "expected / s",
     "outcome",
     "reason",
@@ -60,7 +60,7 @@ def record_walks(walks: Sequence[tuple[DriveTrial, Called]], seed: int) -> None:
         name = "shim" if "--shim" in done.command else done.command.split()[0]
         kind, time = trial.drawn.traits["kind"], f"{done.processor:.0f}"
         rows.append((seed, number, kind, name, done.outcome, time, state))
-    columns = "seed", "drive", "kind", "command", "outcome", "processor time / s", "commit"
+    columns = "seed", "drive", "kind", "command", "outcome", "CPU time / s", "commit"
     record("hard_commands", columns, rows, key=("seed", "drive", "command"))
 
 
