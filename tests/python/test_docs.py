@@ -106,8 +106,11 @@ def test_command_lines_parse(page, capsys):
 
 def test_command_lines_are_found():
     readme = (ROOT / "README.md").read_text()
-    assert ["doctor"] in _commands(readme)
-    assert ["run", "cases/traction_steel.toml", "-j", "2"] in _commands(readme)
+    assert ["run", "cases/zi_sharif_2001.toml", "--accuracy", "1%", "--phase", "0.5"] in _commands(
+        readme
+    )
+    batches = (ROOT / "docs/how-to/run-batches.md").read_text()
+    assert ["run", "cases/traction_steel.toml", "-j", "2"] in _commands(batches)
 
 
 def _commands(text: str) -> list[list[str]]:
@@ -151,7 +154,19 @@ def test_files_that_are_named_exist(page):
     assert not [str(path) for path in named | linked if not path.exists()]
 
 
+def _site() -> list[str]:
+    return sorted(
+        path.relative_to(ROOT / "docs").as_posix() for path in (ROOT / "docs").rglob("*.md")
+    )
+
+
 def test_every_page_has_its_place_in_the_site():
     placed = re.findall(r"\S+\.md$", (ROOT / "mkdocs.yml").read_text(), re.M)
-    pages = [path.relative_to(ROOT / "docs").as_posix() for path in (ROOT / "docs").rglob("*.md")]
-    assert sorted(placed) == sorted(pages)
+    assert sorted(placed) == _site()
+
+
+def test_the_overview_links_every_page():
+    linked = LINK.findall((ROOT / "docs/index.md").read_text())
+    assert sorted({"index.md", *(link for link in linked if "://" not in link)} & set(_site())) == (
+        _site()
+    )

@@ -265,9 +265,9 @@ def test_a_case_without_heat_has_no_temperatures():
     assert [body.bulk_temperature for body in scene.bodies] == [None, None]
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/reference/case-files.md"])
-def test_the_case_on_a_page_is_right(page, tmp_path):
-    blocks = re.findall(r"```toml\n(.*?)```", (ROOT / page).read_text(), re.DOTALL)
+def test_the_case_of_the_reference_page_is_right(tmp_path):
+    page = (ROOT / "docs/reference/case-files.md").read_text()
+    blocks = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
     assert len(blocks) == 1
     path = tmp_path / "page.toml"
     path.write_text(blocks[0])

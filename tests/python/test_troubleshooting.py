@@ -1,0 +1,49 @@
+"""The page of troubleshooting has every outcome of a solve, and its messages are those of the program."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+from pyworm.cli.main import main
+from pyworm.solver.ending import Ending
+
+ROOT = Path(__file__).parents[2]
+PAGE = (ROOT / "docs/how-to/troubleshooting.md").read_text()
+CASE = (ROOT / "cases/ball_pag_460.toml").read_text()
+
+MISTAKES = {
+    "contact.laod": ('load = "60 N"', 'laod = "60 N"'),
+    "contact.load": ('load = "60 N"', 'load = "60"'),
+}
+"""Message on the page, by its key -> what makes it in the case."""
+
+
+def messages() -> set[str]:
+    """The first cells of the page's tables that are code, without what stands for a value."""
+    return set(re.findall(r"^\| `([^`]+)`", PAGE, re.M))
+
+
+@pytest.mark.parametrize(
+    "ending", [ending for ending in Ending if re.sub(r"\{\w+\}", "", ending.message)]
+)
+def test_every_outcome_of_a_solve_is_on_the_page(ending):
+    assert re.sub(r"\{[^}]+\}", "…", ending.message) in messages()
+
+
+@pytest.mark.parametrize("key", MISTAKES)
+def test_a_mistake_gives_the_message_of_the_page(key, tmp_path, capsys):
+    (message,) = [text for text in messages() if re.match(rf"{re.escape(key)}\b", text)]
+    case = tmp_path / "ball.toml"
+    case.write_text(CASE.replace(*MISTAKES[key], 1))
+    assert main(["check", str(case)]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_the_exit_codes_are_those_of_the_reference():
+    codes = {
+        name: re.findall(r"^\| (\d+(?:, \d+)*) \|", (ROOT / name).read_text(), re.M)
+        for name in ("docs/how-to/troubleshooting.md", "docs/reference/commands.md")
+    }
+    first, second = (sorted(", ".join(found).split(", ")) for found in codes.values())
+    assert first == second
