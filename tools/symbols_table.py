@@ -1,6 +1,6 @@
 """The table of results on the page of symbols, written from the table of quantities.
 
-    python tools/symbols_table.py     rewrites the table in docs/reference/symbols.md
+python tools/symbols_table.py     rewrites the table in docs/reference/symbols.md
 """
 
 import re

@@ -43,7 +43,7 @@ INTRODUCTION = """# Constants
 
 All constants of the standards and rules that pyworm rates by, and how well each is verified.
 The table [constants.csv](constants.csv) has one line for each number: its place in the program, value,
-clause of the standard, provenance, and the smallest error that a check detects. Both files are generated
+clause of the standard, provenance, and the smallest change that a check detects. Both files are generated
 from the program by
 
     python benchmarks/constants/constants_page.py

@@ -51,8 +51,8 @@ def in_space(gears: WormGears, phases: Sequence[float]) -> Space:
         tuple(2 * pi * np.arange(1, gears.worm.threads) / gears.worm.threads),
     )
     wheel = _wheel(gears, np.array([contact.wheel_angle for contact in contacts]))
-    # the worm, which lies at negative x, comes above the wheel
-    view = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    # the worm, which lies at negative x, comes above the wheel; a left-handed triad would mirror its threads
+    view = np.array([[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]])
     return Space((worm, wheel), view, 0.5 * gears.centre_distance, DRAWN_PARTS)
 
 

@@ -31,6 +31,19 @@ def distance(point, corners):
     return np.linalg.norm(start + part[:, None] * step - point, axis=1).min()
 
 
+@pytest.mark.parametrize(
+    ("name", "index"),
+    [
+        ("zi_drive", ContactIndex(phase=0.5)),
+        ("spur_pair", ContactIndex(phase=0.5)),
+        ("roller_ref", ContactIndex(section="left", phase=0.5)),
+    ],
+)
+def test_a_view_does_not_mirror(name, index):
+    view = pyworm.load(CASES / f"{name}.toml").drive.in_space([index]).view
+    assert np.linalg.det(view) == pytest.approx(1.0)
+
+
 @pytest.mark.parametrize("name", ["spur_pair", "errichello_optimised_addenda"])
 def test_gears_touch_on_their_line_of_contact_and_nowhere_overlap(name):
     drive = pyworm.load(CASES / f"{name}.toml").drive
