@@ -1,4 +1,4 @@
-"""The page of symbols has the names, units and keys of the program."""
+"""Tables of reference pages have the values, names, units and keys of the program."""
 
 import importlib
 import pkgutil
@@ -7,11 +7,12 @@ from collections.abc import Iterator
 
 import pytest
 from pydantic import BaseModel
-from symbols_table import PAGE, TABLE, table
+from reference_tables import REFERENCE, TABLES, marked
 
 import pyworm.case
 from pyworm.io.units import Quantity
 
+PAGE = REFERENCE / "symbols.md"
 INPUT = re.compile(r"^\| (\$.+?\$) \| (.+?) \| (.+?) \| `([\w.*]+)` \|$", re.M)
 """Symbol, quantity, unit and key of an input."""
 
@@ -37,8 +38,11 @@ def units() -> dict[str, set[str]]:
     return found
 
 
-def test_the_table_of_results_is_that_of_the_program():
-    assert TABLE.search(PAGE.read_text())[0] == table(), "python tools/symbols_table.py rewrites it"
+@pytest.mark.parametrize("page", TABLES)
+def test_a_table_is_that_of_the_program(page):
+    mark, table = TABLES[page]
+    shown = marked(mark).search((REFERENCE / page).read_text())[0]
+    assert shown == table(), "python tools/reference_tables.py rewrites it"
 
 
 def test_inputs_have_keys_and_units_of_case_files(units):
