@@ -19,7 +19,7 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python sanitized hard mutants docs lint clean
+.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python sanitized hard mutants docs evidence lint clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
@@ -36,6 +36,7 @@ help:
 	@echo "make hard SCENE=explore, SCENE=killed  pages of 1000 mutated result files; a batch killed twenty times"
 	@echo "make mutants  how many one-line mutations of the program tests see; resumes (MUTANT=name for one)"
 	@echo "make docs     build the documentation as a site, build/docs/index.html; a warning fails it"
+	@echo "make evidence  redo the short studies behind docs/evidence (DATA=name for those of some data)"
 	@echo "make fortran-docs  build the documentation of the kernel by FORD, build/fortran-docs/index.html"
 	@echo "make lint     run the linters"
 	@echo "make clean    remove the virtual environment and all that was built (results stay)"
@@ -105,6 +106,10 @@ $(DOCS): $(INSTALLED)
 
 docs: $(DOCS)
 	mkdocs build
+
+# What all studies take is listed in docs/evidence/reproduce.md.
+evidence: $(INSTALLED)
+	python benchmarks/evidence/reproduce.py $(DATA)
 
 # FORD and mkdocs ask for different versions of Markdown.
 build/ford/bin/ford: pyproject.toml

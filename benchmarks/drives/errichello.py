@@ -2,6 +2,7 @@
 
 Run from the repository's root:
     python benchmarks/drives/errichello.py           table, reducer against increaser, addenda, assumptions
+    python benchmarks/drives/errichello.py films     simulated films and temperatures (five minutes)
     python benchmarks/drives/errichello.py picture   docs/pictures/errichello.png
 """
 
@@ -54,30 +55,41 @@ def shifted(drive: GearPairDrive, shift: float) -> GearPairDrive:
     return replace(drive, teeth=replace(teeth, pinion=pinion, gear=gear))
 
 
+QUANTITIES = (
+    "pitch-line velocity / ft/min",
+    "h_min / microinch",
+    "specific film thickness",
+    "maximum contact temperature / degF",
+    "mean scuffing temperature / degF",
+    "phase of h_min",
+    "phase of the maximum temperature",
+)
+
+
 def table(drives: dict[str, GearPairDrive]) -> None:
-    """Printed figures beside ours."""
-    rows = []
+    """Printed figures beside ours; places are printed of the original addenda, in words."""
+    columns = []
     for name, drive in drives.items():
-        ours, (film, specific, hottest, scuffing) = worst(drive), PRINTED[name]
-        lowest, highest = (
+        ours = worst(drive)
+        places = [
             drive.phase_of(getattr(drive.teeth, f"{end}_single")) for end in ("lowest", "highest")
-        )
-        mean_scuffing = float(fahrenheit(drive.surfaces.scuffing_temperature))
-        rows += [
-            (
-                name,
-                "pitch-line velocity / ft/min",
-                400,
-                f"{drive.pitch_line_velocity / 0.3048 * 60:.0f}",
-            ),
-            (name, "h_min / microinch", film, f"{ours['film']:.2f}"),
-            (name, "phase of h_min (LPSTC)", f"{lowest:.3f}", f"{ours['thin at']:.3f}"),
-            (name, "specific film thickness", specific, f"{ours['specific film']:.3f}"),
-            (name, "maximum contact temperature / degF", hottest, f"{ours['hottest']:.0f}"),
-            (name, "phase of it (HPSTC)", f"{highest:.3f}", f"{ours['hot at']:.3f}"),
-            (name, "mean scuffing temperature / degF", scuffing, f"{mean_scuffing:.0f}"),
         ]
-    record("errichello", ("addenda", "quantity", "published", "pyworm"), rows)
+        original = name == "original"
+        words = [f"near {place:.3f}" if original else "" for place in places]
+        columns.append((400, *PRINTED[name], *words))
+        columns.append(
+            (
+                f"{drive.pitch_line_velocity / 0.3048 * 60:.0f}",
+                f"{ours['film']:.2f}",
+                f"{ours['specific film']:.3f}",
+                f"{ours['hottest']:.0f}",
+                f"{float(fahrenheit(drive.surfaces.scuffing_temperature)):.0f}",
+                f"{ours['thin at']:.3f}",
+                f"{ours['hot at']:.3f}",
+            )
+        )
+    titles = "original, published", "original, pyworm", "optimised, published", "optimised, pyworm"
+    record("errichello", ("quantity", *titles), zip(QUANTITIES, *columns, strict=True))
 
 
 SIMULATED = (
@@ -220,11 +232,11 @@ def picture(drives: dict[str, GearPairDrive]) -> None:
 
 def main() -> None:
     drives = {name: pyworm.load(f"cases/{case}.toml").drive for name, case in CASES.items()}
-    if sys.argv[1:] == ["picture"]:
-        picture(drives)
+    parts = {"picture": picture, "films": compare_films}
+    if sys.argv[1:]:
+        parts[sys.argv[1]](drives)
         return
     table(drives)
-    compare_films(drives)
     directions(drives)
     addenda(drives["optimised"])
     assumptions(drives["original"])

@@ -1,13 +1,13 @@
 """Tables on the pages of the evidence, written from the data files.
 
-A page has, in a line of its own, a comment that names the data, and one that ends the table:
+A page has, in a line of its own, a comment that names a table, and one that ends it:
 
-    <!-- table: NAME; columns: a, b; where: kind = worm; by: c -->
+    <!-- table: NAME -->
     <!-- end -->
 
-All but the name may be left out: `columns` shows some columns, `where` some rows, and `by` one row for each
-value of a column, with the others gathered: `columns: a count, b range` (`GATHERED`). From the repository's
-root
+A table shows the data of its name, unless `tables.toml` says how: which `data`, which `columns`, rows `where`
+columns have some values, or one row for each value of a column (`by`), with the others gathered (`GATHERED`).
+From the repository's root
 
     python benchmarks/evidence/evidence_pages.py
 
@@ -15,12 +15,15 @@ writes all tables anew. Programs that record data do so, too.
 """
 
 import re
+import tomllib
 from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
 from statistics import median
 
-from evidence_data import DATA, ROOT, DataFile, path_of, read
+from evidence_data import ROOT, DataFile, path_of, read
 
 PAGES = ROOT / "docs/evidence"
+TABLES = tomllib.loads(Path(__file__).with_name("tables.toml").read_text())
 
 TABLE = re.compile(r"<!-- table: (.*?) -->\n.*?<!-- end -->", re.DOTALL)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
@@ -28,8 +31,8 @@ NOT_RECORDED = "not recorded"
 
 
 def _number(text: str) -> float:
-    """The number that a text begins with."""
-    found = NUMBER.match(text)
+    """The first number of a text."""
+    found = NUMBER.search(text)
     if found is None:
         raise ValueError(f"{text!r} has no number")
     return float(found[0])
@@ -49,46 +52,45 @@ GATHERED: dict[str, Callable[[Sequence[str]], str]] = {
     "median": lambda texts: f"{median(map(_number, texts)):.3g}",
     "values": lambda texts: ", ".join(dict.fromkeys(texts)),
 }
-"""How the values of some rows become one. Empty ones do not count; a number is what a text begins with."""
+"""How the values of some rows become one. Empty ones do not count; the number of a text is its first."""
 
 
 def markdown(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A table."""
-    lines = [columns, ["---"] * len(columns), *rows]
-    return "\n".join(
-        "| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines
-    )
+    lines = ["|---" * len(columns) + "|"]
+    for cells in (columns, *rows):
+        lines.append("|" + " |".join(cell.replace("|", "\\|") for cell in cells) + " |")
+    return "\n".join([lines[1], lines[0], *lines[2:]])
 
 
-def table(words: str) -> str:
-    """The table that a comment asks for, with the command above it and its origin below."""
-    name, *rest = (part.strip() for part in words.split(";"))
-    options = dict(part.split(": ", 1) for part in rest)
-    if strange := options.keys() - {"columns", "where", "by"}:
-        raise ValueError(f"{name}: {', '.join(strange)}")
-    data = read(name)
-    if "where" in options:
-        title, value = options["where"].split(" = ")
-        place = data.columns.index(title)
-        data = DataFile(
-            data.origin, data.columns, tuple(row for row in data.rows if row[place] == value)
-        )
-    shown = options["columns"].split(", ") if "columns" in options else list(data.columns)
-    found = _gathered(data, options["by"], shown) if "by" in options else _selected(data, shown)
+def table(name: str) -> str:
+    """A table of a page, with the command above it and the origin of its data below."""
+    view = TABLES.get(name, {})
+    source = view.get("data", name)
+    data = read(source)
+    for title, wanted in view.get("where", {}).items():
+        place, values = data.columns.index(title), [wanted] if isinstance(wanted, str) else wanted
+        rows = tuple(row for row in data.rows if row[place] in values)
+        data = DataFile(data.origin, data.columns, rows)
+    shown = view.get("columns", data.columns)
+    found = _gathered(data, view["by"], shown) if "by" in view else _selected(data, shown)
     command = data.origin.command
     above = [f"`{command}`"] if command not in ("", NOT_RECORDED) else []
-    return "\n\n".join([*above, found, _foot(name, data)])
+    return "\n\n".join([*above, found, _foot(source, data)])
 
 
-def _selected(data: DataFile, titles: Sequence[str]) -> str:
+def _selected(data: DataFile, shown: Sequence[str]) -> str:
+    """Some columns; "title -> head" shows one under another head."""
+    titles, heads = zip(*(_with_head(words) for words in shown), strict=True)
     places = [data.columns.index(title) for title in titles]
-    return markdown(titles, ([row[place] for place in places] for row in data.rows))
+    return markdown(heads, ([row[place] for place in places] for row in data.rows))
 
 
-def _gathered(data: DataFile, by: str, wanted: Sequence[str]) -> str:
-    """One row for each value of a column."""
+def _gathered(data: DataFile, by: str, shown: Sequence[str]) -> str:
+    """One row for each value of a column; of the others "title way", or "title way -> head"."""
     key = data.columns.index(by)
-    ways = [words.rsplit(" ", 1) for words in wanted]
+    words, heads = zip(*(_with_head(each) for each in shown), strict=True)
+    ways = [each.rsplit(" ", 1) for each in words]
     rows = []
     for value in dict.fromkeys(row[key] for row in data.rows):
         some = [row for row in data.rows if row[key] == value]
@@ -98,16 +100,22 @@ def _gathered(data: DataFile, by: str, wanted: Sequence[str]) -> str:
             known = [text for text in texts if text]
             cells.append(GATHERED[way](known) if known else "")
         rows.append([value, *cells])
-    heads = [title if way in ("sum", "values") else f"{title}: {way}" for title, way in ways]
     return markdown([by, *heads], rows)
 
 
+def _with_head(words: str) -> tuple[str, str]:
+    """What a column shows, and its head."""
+    what, arrow, head = words.partition(" -> ")
+    return what, head if arrow else what
+
+
 def _foot(name: str, data: DataFile) -> str:
-    """One line with the commit, the machine and the date, and the file."""
+    """One line with the commit, the machine and the date as far as they are known, and the file."""
     origin = data.origin
-    parts = [f"commit {origin.commit}" if origin.commit else "", origin.machine, origin.date]
+    known = [text for text in (origin.machine, origin.date) if text not in ("", NOT_RECORDED)]
+    parts = [f"commit {origin.commit}"] if origin.commit else []
     link = f"[data]({path_of(name).relative_to(PAGES).as_posix()})"
-    return "*" + "; ".join([*(part for part in parts if part), link]) + "*"
+    return "*" + "; ".join([*parts, *known, link]) + "*"
 
 
 def with_tables(page: str) -> str:
@@ -119,7 +127,8 @@ def with_tables(page: str) -> str:
 
 def names_on(page: str) -> set[str]:
     """Names of the data that a page shows."""
-    return {found[1].split(";")[0].strip() for found in TABLE.finditer(page)}
+    names = {found[1] for found in TABLE.finditer(page)}
+    return {TABLES.get(name, {}).get("data", name) for name in names}
 
 
 def write_tables() -> None:
@@ -129,12 +138,6 @@ def write_tables() -> None:
         if (written := with_tables(page)) != page:
             path.write_text(written)
             print(f"{path.relative_to(ROOT)} is written anew")
-
-
-def unused() -> set[str]:
-    """Names of data that no page shows."""
-    shown = set().union(*(names_on(path.read_text()) for path in PAGES.glob("*.md")))
-    return {path.stem for path in DATA.glob("*.csv")} - shown
 
 
 if __name__ == "__main__":
