@@ -19,6 +19,17 @@ DISPLAYED = re.compile(r"^\$\$\s*(.*?)\s*\$\$$", re.M | re.S)
 IN_SENTENCE = r"(?<![\\$\w])\$(?![\s$])([^$]+?)(?<!\s)\$(?![\w$])"
 TAG = re.compile(r"\s*\\tag\{([\w.]+)\}")
 
+FUNCTION = re.compile(r"<mi>(arctan|cos|exp|lim|ln|log|max|min|sin|sinh|tan|tanh)</mi>")
+SPACED = r'<mo form="prefix" lspace="0.167em" rspace="0.167em">\1</mo>'
+"""A function has a space around it."""
+
+BOLD = re.compile(r'<mi mathvariant="bold-italic">&#x00([0-9A-F]{3});</mi>')
+BOLD_GREEK = {0x391: 0x1D71C, 0x3B1: 0x1D736, 0x3D5: 0x1D753}
+"""First letter of a row -> its bold form: browsers know no `mathvariant` but "normal"."""
+
+SIGN = re.compile(r"(<mo[^>]*>(?:&#x00028;|&#x0003D;|&#x0002C;)</mo>)<mo>(&#x02212;)</mo>")
+"""A minus that is a sign and no operator."""
+
 OPERANDS = {
     "mfrac": 2,
     "msub": 2,
@@ -48,6 +59,8 @@ def mathml(latex: str, display: str = "inline") -> str:
     braces = re.findall(r"(?<!\\)[{}]", latex)
     try:
         text = convert(latex, display=display).replace("<mi>&</mi>", "<mi>&amp;</mi>")
+        text = BOLD.sub(_bold, FUNCTION.sub(SPACED, text))
+        text = SIGN.sub(r'\1<mo form="prefix">\2</mo>', text)
         elements = list(fromstring(text).iter())
     except (
         Exception
@@ -59,6 +72,13 @@ def mathml(latex: str, display: str = "inline") -> str:
         reason = f"unknown: {unknown[0]}" if unknown else "a brace or an operand is missing"
         raise BadEquationError(f"no equation: {latex} ({reason})")
     return text
+
+
+def _bold(letter: re.Match[str]) -> str:
+    """A bold Greek letter as a character of its own."""
+    code = int(letter[1], 16)
+    first = max(start for start in BOLD_GREEK if start <= code)
+    return f"<mi>{chr(BOLD_GREEK[first] + code - first)}</mi>"
 
 
 class _DisplayedEquations(Preprocessor):

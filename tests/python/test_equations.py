@@ -49,6 +49,12 @@ def test_a_page_with_equations_becomes_mathml(site):
     assert "$$" not in page and r"\tag" not in page
 
 
+def test_functions_are_spaced_and_bold_letters_are_characters():
+    assert ">ln</mo><mi>x</mi>" in mathml(r"\ln x")
+    assert "<mi>\U0001d749</mi>" in mathml(r"\boldsymbol{\tau}")
+    assert "<mi>\U0001d753</mi>" in mathml(r"\boldsymbol{\phi}")
+
+
 def test_code_stays_code():
     page = Markdown(extensions=["fenced_code", Equations()]).convert(PAGE)
     assert 'echo "$HOME $(date)"' in page.replace("&quot;", '"')
