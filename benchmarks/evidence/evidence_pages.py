@@ -75,7 +75,7 @@ def table(name: str) -> str:
     shown = view.get("columns", data.columns)
     found = _gathered(data, view["by"], shown) if "by" in view else _selected(data, shown)
     command = data.origin.command
-    above = [f"`{command}`"] if command not in ("", NOT_RECORDED) else []
+    above = [_as_code(command)] if command not in ("", NOT_RECORDED) else []
     return "\n\n".join([*above, found, _foot(source, data)])
 
 
@@ -83,7 +83,19 @@ def _selected(data: DataFile, shown: Sequence[str]) -> str:
     """Some columns; "title -> head" shows one under another head."""
     titles, heads = zip(*(_with_head(words) for words in shown), strict=True)
     places = [data.columns.index(title) for title in titles]
-    return markdown(heads, ([row[place] for place in places] for row in data.rows))
+    shapes = [_as_code if title == "command" else str for title in titles]
+    return markdown(
+        heads,
+        (
+            [shape(row[place]) for place, shape in zip(places, shapes, strict=True)]
+            for row in data.rows
+        ),
+    )
+
+
+def _as_code(command: str) -> str:
+    """A command, or several that follow each other."""
+    return ", then ".join(f"`{part}`" for part in command.split(" && "))
 
 
 def _gathered(data: DataFile, by: str, shown: Sequence[str]) -> str:

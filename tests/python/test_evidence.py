@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from evidence_data import DATA, DataFile, Origin, path_of, read, save
-from evidence_pages import names_on, table, with_tables
+from evidence_pages import NOT_RECORDED, names_on, table, with_tables
 from evidence_record import record
 from reproduce import LIST, commands
 
@@ -89,13 +89,17 @@ def test_rows_of_other_runs_stay_where_a_key_tells_them_apart(data, monkeypatch)
         record("films", ("case",), [("a",)], key=("case",))
 
 
-def test_tables_select_and_gather(data):
-    rows = (("x", "a", "1.5 %"), ("x", "b", "-2 %"), ("y", "c", "3 %"), ("y", "d|", ""))
-    save("some", DataFile(Origin("make it", "abc", "a machine"), ("kind", "name", "off"), rows))
+def test_tables_select_and_gather(data, monkeypatch):
+    rows = (("x", "a", "1.5 %"), ("x", "b", "below -2 %"), ("y", "c", "3 %"), ("y", "d|", ""))
+    origin = Origin("make it && show it", "abc", "a machine", NOT_RECORDED)
+    save("some", DataFile(origin, ("kind", "name", "off"), rows))
+    view = {"where": {"kind": "y"}, "columns": ["name", "off -> difference"]}
+    gathered = {"data": "some", "by": "kind", "columns": ["name count", "off range -> difference"]}
+    monkeypatch.setattr("evidence_pages.TABLES", {"some": view, "by kind": gathered})
     foot = f"*commit abc; a machine; [data]({path_of('some').relative_to(data.parent)})*"
-    assert table("some; columns: name, off; where: kind = y") == (
-        "`make it`\n\n| name | off |\n| --- | --- |\n| c | 3 % |\n| d\\| |  |\n\n" + foot
+    assert table("some") == (
+        "`make it`, then `show it`\n\n|name |difference |\n|---|---|\n|c |3 % |\n|d\\| | |\n\n" + foot
     )
-    gathered = table("some; by: kind; columns: name count, off range, off largest")
-    assert "| x | 2 | -2 % to 1.5 % | 1.5 % |" in gathered
-    assert "| y | 2 | 3 % | 3 % |" in gathered
+    shown = table("by kind")
+    assert "|kind |name count |difference |" in shown
+    assert "|x |2 |below -2 % to 1.5 % |" in shown and "|y |2 |3 % |" in shown
