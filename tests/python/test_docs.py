@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from pages import files_written
 
+import pyworm
 from pyworm.cli.main import _parser, main
 
 ROOT = Path(__file__).parents[2]
@@ -163,6 +164,15 @@ def _site() -> list[str]:
 def test_every_page_has_its_place_in_the_site():
     placed = re.findall(r"\S+\.md$", (ROOT / "mkdocs.yml").read_text(), re.M)
     assert sorted(placed) == _site()
+
+
+def test_the_readme_cites_as_the_citation_file():
+    citation = (ROOT / "CITATION.cff").read_text()
+    title = re.search(r'^title: "(.*)"$', citation, re.M)[1]
+    author = re.search(r"^  - name: (.*)$", citation, re.M)[1]
+    licence = re.search(r"^license: (.*)$", citation, re.M)[1]
+    line = f"> {author}, *{title}*, version {pyworm.__version__}, software, {licence}."
+    assert line in (ROOT / "README.md").read_text()
 
 
 def test_the_overview_links_every_page():
