@@ -14,6 +14,9 @@ from pyworm.materials.library import named_oil, names
 
 REFERENCE = Path(__file__).parents[1] / "docs/reference"
 GREEK = {"eta": r"\eta", "lambda": r"\lambda", "tau": r"\tau", "sigma": r"\sigma", "µ": r"\mu"}
+ALIASES = {"radii", "radius", "solve_time"}
+"""Quantities without a row: names of a radius in tables of contacts, and the elapsed time."""
+
 GRADE = 220
 """ISO viscosity grade of the oils in the table of base stocks."""
 
@@ -46,7 +49,7 @@ def results() -> str:
             f"`{quantity.key}`",
         )
         for quantity in QUANTITIES.values()
-        if quantity.symbol
+        if quantity.symbol and quantity.name not in ALIASES
     )
 
 
