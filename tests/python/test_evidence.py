@@ -6,10 +6,13 @@ import sys
 from pathlib import Path
 
 import pytest
+from drive_trial import DriveVerdict
 from evidence_data import DATA, DataFile, Origin, path_of, read, save
 from evidence_pages import NOT_RECORDED, names_on, table, with_tables
 from evidence_record import record
+from hard_record import record_contacts, record_drives
 from reproduce import LIST, commands
+from trial import Verdict
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs/evidence").glob("*.md"))
@@ -98,8 +101,27 @@ def test_tables_select_and_gather(data, monkeypatch):
     monkeypatch.setattr("evidence_pages.TABLES", {"some": view, "by kind": gathered})
     foot = f"*commit abc; a machine; [data]({path_of('some').relative_to(data.parent)})*"
     assert table("some") == (
-        "`make it`, then `show it`\n\n|name |difference |\n|---|---|\n|c |3 % |\n|d\\| | |\n\n" + foot
+        "`make it`, then `show it`\n\n|name |difference |\n|---|---|\n|c |3 % |\n|d\\| | |\n\n"
+        + foot
     )
     shown = table("by kind")
     assert "|kind |name count |difference |" in shown
     assert "|x |2 |below -2 % to 1.5 % |" in shown and "|y |2 |3 % |" in shown
+
+
+def test_results_of_the_hard_suite_are_rows_of_its_data(data, monkeypatch):
+    monkeypatch.setattr("hard_record.commit", lambda: "abc")
+    run = DriveVerdict(
+        "drive:0", "worm", "5 %", "incomplete", 5, 3, 500.0, 427.0, 240.0, "a reason"
+    )
+    for seed in (1, 2, 2):
+        record_drives([run], seed)
+    found = read("hard_drives")
+    assert found.origin.commit == "one for each row"
+    assert [row[0] for row in found.rows] == ["1", "2"]
+    assert found.rows[1][1:] == (
+        "0", "worm", "5 %", "5", "3", "427", "240", "incomplete", "a reason", "abc",
+    )  # fmt: skip
+    some = [Verdict(f"rough:{k}", ("converged", "not converged")[k], "", 1, (), {}) for k in (0, 1)]
+    record_contacts("rough", some, 7)
+    assert read("hard_contacts").rows == (("rough", "7", "2", "1", "50.0 %", "97 %", "abc"),)
