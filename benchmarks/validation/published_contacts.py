@@ -100,6 +100,7 @@ def slide_roll_ratio(solution: Solution) -> float:
 def values(solution: Solution, radii: tuple[float, float]) -> dict[str, str]:
     """What is compared, by the names of `SHARIF`."""
     figures, summary = solution.figures, solution.summary()
+    friction = figures.friction_coefficient
     long, short = sorted(radii, reverse=True)
     found = (
         f"{long:.3f} and {short / MM:.1f}",
@@ -114,7 +115,7 @@ def values(solution: Solution, radii: tuple[float, float]) -> dict[str, str]:
         f"{slide_roll_ratio(solution):.2f}",
         text(figures.film_central, UM, 3),
         text(figures.film_min, UM, 3),
-        text(figures.friction_coefficient, 1.0, 5),
+        f"{friction.value:.5f} ± {friction.error * 100:.2f} %",
         f"{figures.power_loss.value:.0f}",
         f"{abs(figures.heat_balance) * 100:.2f}",
     )
