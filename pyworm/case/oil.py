@@ -1,17 +1,22 @@
 """`[oil]`: the lubricant of a case."""
 
 from math import exp
-from typing import Annotated, Any, Literal, Self, TypeVar
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias, TypeVar, Union
 
-from pydantic import Discriminator, Field, Tag, field_validator, model_validator
+from pydantic import (
+    Discriminator,
+    Field,
+    Tag,
+    create_model,
+    field_validator,
+    model_validator,
+)
 
 from pyworm.case.named_oil import spelled_out
 from pyworm.case.own_oil import (
     CarreauYasudaTable,
-    DoolittleTable,
     MeasuredTable,
-    OwnViscosity,
-    RoelandsFitTable,
+    OwnViscosityTable,
     TaitTable,
     liquids,
 )
@@ -29,7 +34,13 @@ from pyworm.materials.oil import BOUNDARY_FRICTION, Oil
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
 from pyworm.materials.thermal_properties import HeatCourse, OilHeat
-from pyworm.materials.viscosity_density import ROELANDS_PRESSURE, Barus, Density, Roelands
+from pyworm.materials.viscosity_density import (
+    ROELANDS_PRESSURE,
+    VISCOSITY_LAWS,
+    Density,
+    Roelands,
+    ViscosityLaw,
+)
 
 LimitT = TypeVar("LimitT", bound=LimitingStress)
 
@@ -37,22 +48,27 @@ POLE_VISCOSITY = exp(-ROELANDS_POLE_LOG)
 """Viscosity of the pole of Roelands' law [Pa s]; oils have more."""
 
 
-class BarusTable(Table, Barus):
-    """`[oil.viscosity]`, law = "barus"."""
+class ViscosityTable(Table):
+    """`[oil.viscosity]` of a law that the kernel computes, with the law's fields unless a file says more."""
 
-    law: Literal["barus"]
+    LAW: ClassVar[type[ViscosityLaw]]
+    """The law."""
 
-    def viscosity(self) -> Barus:
+    def viscosity(self, inlet: float, density: Any) -> ViscosityLaw:
         """The law."""
-        return plain(self, Barus)
+        fields: Any = self  # its class is derived from the law, too
+        law: ViscosityLaw = plain(fields, self.LAW)
+        return law
 
 
-class RoelandsTable(Table):
+class RoelandsTable(ViscosityTable):
     """`[oil.viscosity]`, law = "roelands".
 
     The exponent is given as `z` or by the slope `alpha`; the pole as a pressure (1.96e8 Pa in its usual
     rounding, which is the default) or as its reciprocal (5.1e-9 1/Pa).
     """
+
+    LAW = Roelands
 
     law: Literal["roelands"]
     eta0: units.Viscosity
@@ -79,7 +95,7 @@ class RoelandsTable(Table):
             raise ValueError("give either pole_pressure or pole_coefficient, one of the two")
         return self
 
-    def viscosity(self) -> Roelands:
+    def viscosity(self, inlet: float, density: Any) -> Roelands:
         """The law."""
         if self.pole_coefficient is not None:
             pole = 1 / self.pole_coefficient
@@ -88,6 +104,30 @@ class RoelandsTable(Table):
         if self.z is not None:
             return Roelands(self.eta0, self.z, pole)
         return Roelands.from_alpha(self.eta0, present(self.alpha, "alpha"), pole)
+
+
+def _viscosity_table(law: type[ViscosityLaw]) -> type[ViscosityTable]:
+    """The table with the fields of a law."""
+    about = f'`[oil.viscosity]`, law = "{law.CASE_NAME}".'
+    fields: Any = {"law": (Literal[law.CASE_NAME], ...)}
+    new_model: Any = create_model
+    table: type[ViscosityTable] = new_model(
+        f"{law.__name__}Table",
+        __base__=(ViscosityTable, law),
+        __module__=__name__,
+        __doc__=about,
+        **fields,
+    )
+    table.LAW = law
+    return table
+
+
+AnyViscosityTable: TypeAlias = ViscosityTable | OwnViscosityTable
+"""`[oil.viscosity]`: a table for each of `VISCOSITY_LAWS`, or a law of one's own."""
+
+if not TYPE_CHECKING:
+    of_fields = (_viscosity_table(law) for law in VISCOSITY_LAWS if law is not Roelands)
+    AnyViscosityTable = Union[*of_fields, RoelandsTable, OwnViscosityTable]
 
 
 class DensityTable(Table):
@@ -182,17 +222,16 @@ class HeatTable(Table, HeatCourse):
     specific_heat: units.SpecificHeat
     expansivity: units.TemperatureCoefficientOrZero = 0.0
 
-    def heat(self, viscosity: Barus | Roelands | TabulatedViscosity) -> OilHeat:
+    def heat(self, viscosity: ViscosityLaw | TabulatedViscosity) -> OilHeat:
         """The laws of an oil of this viscosity."""
         constants = self.model_dump(exclude={"s0", "beta"})
         if isinstance(viscosity, TabulatedViscosity):
             exponent: float = 0.0  # the table has it
-        elif isinstance(viscosity, Barus):
-            exponent = present(self.beta, "beta")
         elif self.s0 is not None:
             exponent = self.s0
         else:
-            exponent = viscosity.s0(present(self.beta, "beta"), self.inlet_temperature)
+            beta, inlet = present(self.beta, "beta"), self.inlet_temperature
+            exponent = viscosity.THINNING.exponent(viscosity, beta, inlet)
         return OilHeat(viscosity_exponent=exponent, **constants)
 
 
@@ -230,10 +269,7 @@ class OilTable(Table):
     name: Text
     temperature: units.Temperature | None = Field(default=None, exclude=True)
     liquid: Text | None = Field(default=None, exclude=True)
-    viscosity: Annotated[
-        BarusTable | RoelandsTable | DoolittleTable | RoelandsFitTable | MeasuredTable,
-        Field(discriminator="law"),
-    ]
+    viscosity: Annotated[AnyViscosityTable, Field(discriminator="law")]
     density: Annotated[DensityTable | GeneralDensityTable | TaitTable, Field(discriminator="law")]
     shear: Annotated[ShearTable, Field(discriminator="law")] | None = None
     heat: HeatTable | None = None
@@ -254,7 +290,7 @@ class OilTable(Table):
 
     @model_validator(mode="after")
     def _one_exponent_of_temperature(self) -> Self:
-        if isinstance(self.viscosity, OwnViscosity):
+        if not isinstance(self.viscosity, ViscosityTable):
             if self.heat is not None and not self.heat.s0 is self.heat.beta is None:
                 raise ValueError(
                     f"heat needs neither s0 nor beta, which {self.viscosity.law} has itself"
@@ -263,8 +299,9 @@ class OilTable(Table):
             return self
         if self.heat is None:
             return self
-        if self.viscosity.law == "barus" and (self.heat.beta is None or self.heat.s0 is not None):
-            raise ValueError("heat needs beta, and no s0, where viscosity.law is barus")
+        law = self.viscosity.LAW
+        if not law.THINNING.has_s0 and (self.heat.beta is None or self.heat.s0 is not None):
+            raise ValueError(f"heat needs beta, and no s0, where viscosity.law is {law.CASE_NAME}")
         if (self.heat.s0 is None) == (self.heat.beta is None):
             raise ValueError("heat needs either s0 or beta, one of the two")
         return self
@@ -290,11 +327,7 @@ class OilTable(Table):
     def oil(self) -> Oil:
         """The oil as the kernel sees it."""
         inlet = self._inlet
-        viscosity: Barus | Roelands | TabulatedViscosity
-        if isinstance(self.viscosity, BarusTable | RoelandsTable):
-            viscosity = self.viscosity.viscosity()
-        else:
-            viscosity = self.viscosity.viscosity(inlet, self.density)
+        viscosity = self.viscosity.viscosity(inlet, self.density)
         density: Density | TabulatedDensity
         if isinstance(self.density, TaitTable):
             density = self.density.density(inlet)

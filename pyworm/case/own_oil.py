@@ -84,7 +84,7 @@ class MeasuredTable(Table):
         return TabulatedViscosity(np.array(self.pressure), np.array(self.temperature), table, inlet)
 
 
-OwnViscosity = DoolittleTable | RoelandsFitTable | MeasuredTable
+OwnViscosityTable = DoolittleTable | RoelandsFitTable | MeasuredTable
 """Laws of viscosity over pressure and temperature, in which no exponent of temperature is missing."""
 
 

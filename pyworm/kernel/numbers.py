@@ -13,7 +13,6 @@ from pyworm.materials.flow_laws import SHAPED, FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.materials.tabulated import TabulatedDensity, TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
-from pyworm.materials.viscosity_density import Barus
 
 _FLOW_LAWS = {
     "newtonian": 0, "eyring": 1, "bair-winer": 2, "eyring-limited": 3, "carreau": 4,
@@ -28,9 +27,7 @@ def oil_numbers(oil: Oil) -> tuple[float, ...]:
     compressed = (0.0, 0.0) if isinstance(density, TabulatedDensity) else (density.d1, density.d2)
     if isinstance(law, TabulatedViscosity):
         return 3, law.eta0, law.alpha, 1.0, *compressed
-    if isinstance(law, Barus):
-        return 1, law.eta0, law.alpha, 1.0, *compressed
-    return 2, law.eta0, law.z, law.p0, *compressed
+    return law.KERNEL_NUMBER, law.eta0, *law.kernel_constants, *compressed
 
 
 def flow_numbers(law: FlowLaw) -> tuple[float | Array, ...]:

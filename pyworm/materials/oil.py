@@ -10,7 +10,6 @@ from math import exp, log
 import numpy as np
 
 from pyworm.formulas.arrays import Array
-from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, kind_of, take
@@ -21,7 +20,7 @@ from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.tabulated import Tabulated, TabulatedDensity, TabulatedViscosity
 from pyworm.materials.thermal_properties import OilHeat
-from pyworm.materials.viscosity_density import Barus, Density, Roelands
+from pyworm.materials.viscosity_density import VISCOSITY_LAWS, Density, ViscosityLaw
 
 BOUNDARY_FRICTION = 0.1
 """Friction coefficient of asperities in contact where none is given: that to which the worm standard's base
@@ -78,7 +77,7 @@ class Oil(Shown):
     formula it would not use, is refused.
     """
 
-    viscosity: Barus | Roelands | TabulatedViscosity
+    viscosity: ViscosityLaw | TabulatedViscosity
     """Viscosity against pressure at the inlet temperature."""
     density: Density | TabulatedDensity
     """Density against pressure at the inlet temperature."""
@@ -117,7 +116,7 @@ class Oil(Shown):
     def __post_init__(self) -> None:
         """Refuse laws unknown to the kernel, and contradictory constants."""
         take(self, law=OilLayer)
-        require_kinds("viscosity", self.viscosity, Barus, Roelands, TabulatedViscosity)
+        require_kinds("viscosity", self.viscosity, *VISCOSITY_LAWS, TabulatedViscosity)
         require_kinds("density", self.density, Density, TabulatedDensity)
         require_kinds("flow", self.flow, FlowLaw, type(None))
         require_kinds("heat", self.heat, OilHeat, type(None))
@@ -152,13 +151,8 @@ class Oil(Shown):
             eta: float = self.viscosity(pressure)
             return eta
         exponent = self.heat.viscosity_exponent
-        if isinstance(self.viscosity, Barus):
-            eta = self.viscosity(pressure) * exp(-exponent * rise)
-            return eta
-        law, inlet = self.viscosity, self.heat.inlet_temperature - ROELANDS_POLE_TEMPERATURE
-        span = log(law.eta0) + ROELANDS_POLE_LOG
-        warmed = (1 + pressure / law.p0) ** law.z * (1 + rise / inlet) ** -exponent
-        return law.eta0 * exp(span * (warmed - 1))
+        law, inlet = self.viscosity, self.heat.inlet_temperature
+        return law.THINNING.viscosity(law, pressure, rise, exponent, inlet)
 
     @property
     def thermal(self) -> OilHeat:
@@ -175,11 +169,8 @@ class Oil(Shown):
         """Decay of the viscosity with temperature at the inlet, -d ln eta/dT [1/K]; of an oil with `heat`."""
         if isinstance(self.viscosity, TabulatedViscosity):
             return log(self.eta(0.0, -0.5) / self.eta(0.0, 0.5))
-        beta = self.thermal.viscosity_exponent
-        if isinstance(self.viscosity, Roelands):
-            span = self.thermal.inlet_temperature - ROELANDS_POLE_TEMPERATURE
-            beta *= (log(self.viscosity.eta0) + ROELANDS_POLE_LOG) / span
-        return beta
+        law, heat = self.viscosity, self.thermal
+        return law.THINNING.beta(law, heat.viscosity_exponent, heat.inlet_temperature)
 
     def warmed(self, rise: float | str) -> "Oil":
         """The oil at an inlet temperature higher by some kelvin, by its own laws.
@@ -189,7 +180,7 @@ class Oil(Shown):
         """
         rise = in_si("rise", rise, units.TemperatureRise)
         heat = self.thermal
-        thinner: Barus | Roelands | TabulatedViscosity
+        thinner: ViscosityLaw | TabulatedViscosity
         if isinstance(self.viscosity, TabulatedViscosity):
             thinner = self.viscosity.at(self.viscosity.reference + rise)
         else:

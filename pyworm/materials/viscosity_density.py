@@ -1,11 +1,14 @@
 """Viscosity and density of oils against pressure.
 
-The published variants of each law differ only in the constants that the constructors here fill in.
+The published variants of each law differ only in the constants that the constructors here fill in. A law of
+viscosity is here and in `fortran/oil/viscosity_density.f90`, and nowhere else: by `VISCOSITY_LAWS` case files
+and the kernel have it.
 """
 
-from dataclasses import dataclass
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
 from math import exp, inf, log
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
@@ -29,11 +32,108 @@ LARGEST_Z = 1e6
 
 
 @dataclass(frozen=True, repr=False)
-class Barus(ShownFields):
-    """Barus' law, eta = eta0 exp(alpha p); alpha = 0 is an isoviscous oil."""
+class ViscosityLaw(ShownFields, ABC):
+    """Viscosity over pressure by constants, which the kernel computes itself.
+
+    What temperature does to it is one of `Thinning`.
+    """
+
+    CASE_NAME: ClassVar[str]
+    """`law` of `[oil.viscosity]`."""
+    KERNEL_NUMBER: ClassVar[int]
+    """Its number in `fortran/oil/viscosity_density.f90`."""
+    THINNING: ClassVar["Thinning"]
+    """How temperature thins it."""
 
     eta0: units.Viscosity
     """Viscosity at ambient pressure [Pa s]."""
+
+    if TYPE_CHECKING:  # a field of one law, a property of another
+
+        @property
+        def alpha(self) -> float:
+            """Pressure-viscosity coefficient at p = 0 [1/Pa]."""
+
+    @property
+    @abstractmethod
+    def kernel_constants(self) -> tuple[float, float]:
+        """The kernel's `exponent` and `pole_pressure`."""
+
+    @abstractmethod
+    def __call__(self, pressure: Given) -> Any:
+        """Viscosity [Pa s] at a pressure or pressures [Pa]."""
+
+    @abstractmethod
+    def with_eta0(self, eta0: float | str) -> Self:
+        """The law of another viscosity at ambient pressure [Pa s], alpha being kept."""
+
+    @abstractmethod
+    def with_alpha_times(self, factor: float) -> Self:
+        """The law of another alpha, eta0 being kept."""
+
+
+class Thinning:
+    """What temperature does to a law: eta exp(-beta (T - T0)) at every pressure.
+
+    The constant beta [1/K] is the `viscosity_exponent` of `OilHeat`.
+    """
+
+    has_s0: ClassVar[bool] = False
+    """Whether that constant is Roelands' s0 instead."""
+
+    def viscosity(
+        self, law: Any, pressure: float, rise: float, exponent: float, inlet: float
+    ) -> float:
+        """Viscosity [Pa s] at a pressure [Pa] and a temperature [K] above the inlet's [K]."""
+        eta: float = law(pressure) * exp(-exponent * rise)
+        return eta
+
+    def beta(self, law: Any, exponent: float, inlet: float) -> float:
+        """-d ln eta/dT [1/K] at p = 0 and the inlet's temperature [K]."""
+        return exponent
+
+    def exponent(self, law: Any, beta: float, inlet: float) -> float:
+        """The constant of which that is beta."""
+        return beta
+
+
+class RoelandsThinning(Thinning):
+    """Roelands' law: (1 + p/p0)^z is multiplied by ((T - 138 K)/(T0 - 138 K))^-s0.
+
+    Source: Sharif, Kong, Evans and Snidle (2001), equation 20.
+    """
+
+    has_s0 = True
+
+    def viscosity(
+        self, law: Any, pressure: float, rise: float, exponent: float, inlet: float
+    ) -> float:
+        """Viscosity [Pa s] at a pressure [Pa] and a temperature [K] above the inlet's [K]."""
+        span = log(law.eta0) + ROELANDS_POLE_LOG
+        ratio = 1 + rise / (inlet - ROELANDS_POLE_TEMPERATURE)
+        warmed = (1 + pressure / law.p0) ** law.z * ratio**-exponent
+        eta: float = law.eta0 * exp(span * (warmed - 1))
+        return eta
+
+    def beta(self, law: Any, exponent: float, inlet: float) -> float:
+        """-d ln eta/dT [1/K] at p = 0 and the inlet's temperature [K]."""
+        span = inlet - ROELANDS_POLE_TEMPERATURE
+        return exponent * ((log(law.eta0) + ROELANDS_POLE_LOG) / span)
+
+    def exponent(self, law: Any, beta: float, inlet: float) -> float:
+        """The s0 of which that is beta."""
+        s0: float = law.s0(beta, inlet)
+        return s0
+
+
+@dataclass(frozen=True, repr=False)
+class Barus(ViscosityLaw):
+    """Barus' law, eta = eta0 exp(alpha p); alpha = 0 is an isoviscous oil."""
+
+    CASE_NAME = "barus"
+    KERNEL_NUMBER = 1
+    THINNING = Thinning()
+
     alpha: units.PressureViscosityOrZero
     """Pressure-viscosity coefficient [1/Pa]."""
 
@@ -49,13 +149,28 @@ class Barus(ShownFields):
         pressure = in_si("pressure", pressure, units.PressureCoordinate)
         return self.eta0 * np.exp(self.alpha * pressure)
 
+    @property
+    def kernel_constants(self) -> tuple[float, float]:
+        """alpha, and no pole."""
+        return self.alpha, 1.0
+
+    def with_eta0(self, eta0: float | str) -> Self:
+        """The law of another viscosity at ambient pressure [Pa s]."""
+        return replace(self, eta0=number("eta0", eta0, kind_of(units.Viscosity), sizes=False))
+
+    def with_alpha_times(self, factor: float) -> Self:
+        """The law of another alpha."""
+        return replace(self, alpha=factor * self.alpha)
+
 
 @dataclass(frozen=True, repr=False)
-class Roelands(ShownFields):
+class Roelands(ViscosityLaw):
     """Roelands' law, eta = eta0 exp{(ln eta0 + 9.67) [(1 + p/p0)^z - 1]} (Roelands 1966)."""
 
-    eta0: units.Viscosity
-    """Viscosity at ambient pressure [Pa s]."""
+    CASE_NAME = "roelands"
+    KERNEL_NUMBER = 2
+    THINNING = RoelandsThinning()
+
     z: float
     """Pressure exponent [-]."""
     p0: units.Pressure = ROELANDS_PRESSURE
@@ -63,7 +178,7 @@ class Roelands(ShownFields):
 
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
-        take(self, sizes=False)  # likewise
+        take(self, sizes=False)  # a law that is warmed may thin beyond what an oil has
         positive("eta0", self.eta0, "Pa s")
         if self.eta0 <= exp(-ROELANDS_POLE_LOG):
             raise ValueError(
@@ -76,7 +191,7 @@ class Roelands(ShownFields):
     @classmethod
     def from_alpha(
         cls, eta0: float | str, alpha: float | str, p0: float | str = ROELANDS_PRESSURE
-    ) -> "Roelands":
+    ) -> Self:
         """The law whose slope at p = 0 is Barus' alpha [1/Pa]: z = alpha p0 / (ln eta0 + 9.67)."""
         eta0 = number("eta0", eta0, kind_of(units.Viscosity))
         alpha = number("alpha", alpha, kind_of(units.PressureViscosityOrZero))
@@ -87,6 +202,19 @@ class Roelands(ShownFields):
     def alpha(self) -> float:
         """Pressure-viscosity coefficient at p = 0 [1/Pa]."""
         return self.z * (log(self.eta0) + ROELANDS_POLE_LOG) / self.p0
+
+    @property
+    def kernel_constants(self) -> tuple[float, float]:
+        """z and the pole."""
+        return self.z, self.p0
+
+    def with_eta0(self, eta0: float | str) -> Self:
+        """The law of another viscosity at ambient pressure [Pa s], with the z of the same alpha."""
+        return self.from_alpha(eta0, self.alpha, self.p0)
+
+    def with_alpha_times(self, factor: float) -> Self:
+        """The law of another alpha, and so another z."""
+        return replace(self, z=factor * self.z)
 
     def s0(self, beta: float | str, temperature: float | str) -> float:
         """Exponent of temperature [-] by which -d ln eta/dT is beta [1/K] at p = 0 and a temperature [K]."""
@@ -101,6 +229,10 @@ class Roelands(ShownFields):
         pressure = in_si("pressure", pressure, units.PressureCoordinate)
         rise = (log(self.eta0) + ROELANDS_POLE_LOG) * ((1 + pressure / self.p0) ** self.z - 1)
         return self.eta0 * np.exp(rise)
+
+
+VISCOSITY_LAWS: tuple[type[ViscosityLaw], ...] = (Barus, Roelands)
+"""Laws of viscosity that the kernel computes; case files have a table of each one's fields."""
 
 
 @dataclass(frozen=True, repr=False)

@@ -7,7 +7,7 @@ their films are some per cent off: nothing is solved anew.
 
 from dataclasses import replace
 
-from pyworm.materials.viscosity_density import Barus, Roelands
+from pyworm.materials.tabulated import TabulatedViscosity
 from pyworm.planning.prediction import predicted
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -23,14 +23,9 @@ def oil_uncertainty(scene: Scene | LineScene) -> dict[str, float]:
     """
     oil = scene.oil
     law = oil.viscosity
-    if oil.alpha_spread == 0 or not isinstance(law, Barus | Roelands):
+    if oil.alpha_spread == 0 or isinstance(law, TabulatedViscosity):
         return {}
-    part = 1 / (1 + oil.alpha_spread)
-    less: Barus | Roelands
-    if isinstance(law, Barus):
-        less = replace(law, alpha=part * law.alpha)
-    else:
-        less = replace(law, z=part * law.z)
+    less = law.with_alpha_times(1 / (1 + oil.alpha_spread))
     other = predicted(replace(scene, oil=replace(oil, viscosity=less)))
     assumed = predicted(scene)
     return {name: abs(getattr(assumed, name) / getattr(other, name) - 1) for name in FILMS}

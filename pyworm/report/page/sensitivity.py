@@ -15,7 +15,6 @@ from pyworm.formulas.film import nijenbanning_venner_moes
 from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.oil import Oil
 from pyworm.materials.tabulated import TabulatedViscosity
-from pyworm.materials.viscosity_density import Barus, Roelands
 from pyworm.report.findings import Findings
 from pyworm.report.page.content import Block, Section, Words
 from pyworm.report.table import Table
@@ -198,8 +197,6 @@ def _film_change(before: AnyContact, after: AnyContact) -> float:
 def thickened(oil: Oil, ratio: float) -> Oil:
     """The oil with another viscosity at ambient pressure, alpha being kept."""
     law = oil.viscosity
-    if isinstance(law, Barus):
-        return replace(oil, viscosity=Barus(law.eta0 * ratio, law.alpha))
     if isinstance(law, TabulatedViscosity):
         return replace(oil, viscosity=replace(law, values=law.values * ratio))
-    return replace(oil, viscosity=Roelands.from_alpha(law.eta0 * ratio, law.alpha, law.p0))
+    return replace(oil, viscosity=law.with_eta0(law.eta0 * ratio))
