@@ -1,72 +1,30 @@
 """A drive is added as docs/how-to/add-a-drive.md says, in a copy of the sources, and all commands know it."""
 
 import json
-import os
 import re
-import shutil
-import subprocess
-import sys
-from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 from pages import files_written, lines_replaced
+from source_copy import ROOT, SourceCopy
 
-from pyworm.kernel.core import EXTENSION
 from pyworm.result.result import open_result
 
-ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs/how-to/add-a-drive.md").read_text()
 CASE = "cases/eccentric_cam.toml"
 
-WITHOUT_EDITABLE_INSTALL = """
-import sys
-sys.meta_path[:] = [finder for finder in sys.meta_path if "editable" not in type(finder).__module__]
-"""
-"""Run by Python as it starts, so that pyworm is the copy."""
-
-
-@dataclass(frozen=True)
-class Copy:
-    """A copy of the sources with the new drive."""
-
-    root: Path
-
-    def python(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        """Python in the copy."""
-        paths = os.pathsep.join([str(self.root / "start"), str(self.root)])
-        return subprocess.run(
-            [sys.executable, *arguments],
-            cwd=self.root,
-            env=os.environ | {"PYTHONPATH": paths, "OMP_NUM_THREADS": "1"},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-
-    def pyworm(self, *arguments: str) -> str:
-        """What a command prints, which has to succeed."""
-        ended = self.python("-m", "pyworm.cli", *arguments)
-        assert ended.returncode == 0, ended.stderr
-        return ended.stdout
-
 
 @pytest.fixture(scope="module")
-def copy(tmp_path_factory) -> Copy:
-    root = tmp_path_factory.mktemp("new_drive")
-    shutil.copytree(ROOT / "pyworm", root / "pyworm", ignore=shutil.ignore_patterns("__pycache__"))
-    shutil.copy(EXTENSION, root / "pyworm")
-    (root / "start").mkdir()
-    (root / "start" / "sitecustomize.py").write_text(WITHOUT_EDITABLE_INSTALL)
+def copy(tmp_path_factory) -> SourceCopy:
+    copy = SourceCopy.in_folder(tmp_path_factory.mktemp("new_drive"))
     for name, content in files_written(PAGE).items():
-        (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(content)
+        copy.write(name, content)
     for name, line, assigned in lines_replaced(PAGE):
-        before = (root / name).read_text()
+        before = (copy.root / name).read_text()
         after, count = re.subn(rf"^{assigned} = .*$", line, before, flags=re.M)
         assert count == 1
-        (root / name).write_text(after)
-    return Copy(root)
+        copy.write(name, after)
+    return copy
 
 
 @pytest.fixture(scope="module")

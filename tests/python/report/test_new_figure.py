@@ -1,11 +1,13 @@
 """A new figure touches one file: an entry in the table of quantities shows it everywhere."""
 
+import json
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 
 import pytest
 from rich.console import Console
+from source_copy import SourceCopy
 from synthetic_solution import make_hot_worm, make_mesh_cycle
 
 from pyworm.case.case import load
@@ -86,3 +88,29 @@ def test_table_and_picture_of_a_sweep_have_it():
     panels = {axes.get_ylabel(): axes for axes in sweep_figure(swept).axes}
     panel = panels["maximum pressure over film thickness / (MPa/µm)"]
     assert panel.lines[0].get_ydata()[0] == pytest.approx(first)
+
+
+ENTRY = """\
+    Quantity(
+        "pressure_by_film", "Pa/m", "maximum pressure over film thickness", "MPa/µm", "p/h",
+        lambda one: one.figures.pressure_max / one.figures.film_min,
+        key="pressure_by_film_Pa_m", places=DECISIVE, extreme="maximum",
+    ),
+"""
+
+
+def test_one_file_takes_it_from_a_case_file_to_its_results(tmp_path):
+    table = "pyworm/io/quantities.py"
+    copy = SourceCopy.in_folder(tmp_path)
+    copy.insert(table, ')  # fmt: skip\n"""Figures of one contact', ENTRY)
+    copy.insert(table, '"°C": 1.0, ', '"MPa/µm": 1e-12, ')
+    assert copy.changed() == {table}
+    case = "cases/line_m20_l10.toml"
+    said = json.loads(copy.pyworm("run", case, "--json", "--accuracy", "5%", "--out", "out"))
+    (scene,) = said["scenes"]
+    found = scene["pressure_by_film_Pa_m"]
+    assert found == pytest.approx(scene["pressure_max_Pa"] / scene["film_min_m"])
+    assert scene["pressure_by_film_error"] > 0
+    copy.pyworm("report", "out/result.nc", "--out", "report.html")
+    page = (tmp_path / "report.html").read_text()
+    assert SQUEEZED.title() in page and f"{found * 1e-12:.4g} MPa/µm" in page
