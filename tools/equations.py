@@ -58,13 +58,12 @@ def mathml(latex: str, display: str = "inline") -> str:
     """
     braces = re.findall(r"(?<!\\)[{}]", latex)
     try:
-        text = convert(latex, display=display).replace("<mi>&</mi>", "<mi>&amp;</mi>")
+        paired = latex.replace(r"\lvert", r"\left|").replace(r"\rvert", r"\right|")
+        text = convert(paired, display=display).replace("<mi>&</mi>", "<mi>&amp;</mi>")
         text = BOLD.sub(_bold, FUNCTION.sub(SPACED, text))
         text = SIGN.sub(r'\1<mo form="prefix">\2</mo>', text)
         elements = list(fromstring(text).iter())
-    except (
-        Exception
-    ) as error:  # the converter raises errors of many kinds, StopIteration among them
+    except Exception as error:  # the converter raises errors of many kinds
         raise BadEquationError(f"no equation: {latex} ({type(error).__name__})") from error
     unknown = [e.text for e in elements if e.text and (e.text.startswith("\\") or e.text == "&")]
     incomplete = [e for e in elements if len(e) != OPERANDS.get(e.tag.rpartition("}")[2], len(e))]

@@ -52,6 +52,7 @@ def test_a_page_with_equations_becomes_mathml(site):
 def test_functions_are_spaced_and_bold_letters_are_characters():
     assert ">ln</mo><mi>x</mi>" in mathml(r"\ln x")
     assert "<mi>\U0001d749</mi>" in mathml(r"\boldsymbol{\tau}")
+    assert 'form="prefix">&#x0007C;' in mathml(r"\lvert x \rvert")
     assert "<mi>\U0001d753</mi>" in mathml(r"\boldsymbol{\phi}")
 
 
