@@ -17,6 +17,7 @@ PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").r
 LESSONS = [
     ROOT / "README.md",
     *sorted((ROOT / "docs/tutorials").glob("*.md")),
+    ROOT / "docs/how-to/script.md",
 ]
 
 PYTHON = re.compile(
