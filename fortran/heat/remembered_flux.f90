@@ -33,14 +33,15 @@ contains
   !> X(s) is the place of the surface a time s ago, in axes that have turned with angular velocity `turning` [rad/s] since:
   !> of the way of the contact point, and of what the velocity there, `at_origin`, differs from that of the node. Between
   !> two times the flux is linear. `flux` has that of each time along its last dimension, the present first, at the nodes of
-  !> a grid with `axes` [W/m2]; `x`, `y` are places of the nodes, `u`, `v` the surface's velocity there.
-  pure subroutine remembered_flux(flux, axes, readings, turning, at_origin, x, y, u, v, integral)
-    real(wp), intent(in) :: flux(:, :, :)
+  !> a grid with `axes` [W/m2], `present` the present one, on its grid; both as their heat has spread along the surface
+  !> since that time. `x`, `y` are places of the nodes, `u`, `v` the surface's velocity there.
+  pure subroutine remembered_flux(flux, present, axes, readings, turning, at_origin, x, y, u, v, integral)
+    real(wp), intent(in) :: flux(:, :, :), present(:, :, :)
     type(moving_axes), intent(in) :: axes(:)
     type(flux_reading), intent(in) :: readings(:)
     real(wp), intent(in) :: turning, at_origin(2), x(:), y(:), u(:, :), v(:, :)
     real(wp), intent(out) :: integral(:, :)
-    real(wp) :: c, s, place(2), steady(2), then(2), met
+    real(wp) :: c, s, place(2), steady(2), then(2), more
     integer :: i, j, k
 
     integral = 0
@@ -54,10 +55,11 @@ contains
             place = steady + at_origin*read%age - read%way
             then = [c*place(1) - s*place(2), s*place(1) + c*place(2)]
             associate (before => read%interval + 1, after => read%interval)
-              met = read%share*at(flux(:, :, before), axes(before), then)
-              if (read%share < 1) met = met + (1 - read%share)*at(flux(:, :, after), axes(after), then)
+              more = read%share*(at(flux(:, :, before), axes(before), then) - at(present(:, :, before), axes(1), steady))
+              if (read%share < 1) more = more + (1 - read%share)*(at(flux(:, :, after), axes(after), then) &
+                - at(present(:, :, after), axes(1), steady))
             end associate
-            integral(i, j) = integral(i, j) + read%weight*(met - at(flux(:, :, 1), axes(1), steady))
+            integral(i, j) = integral(i, j) + read%weight*more
           end do
         end do
       end associate

@@ -15,7 +15,11 @@ class FluxHistory:
     """Fluxes into a body at some times, the present first."""
 
     flux: Sequence[Array]
-    """Flux at the nodes of each time's grid, all of as many nodes [W/m2]."""
+    """Flux at the nodes of each time's grid, all of as many nodes, as its heat has spread along the surface
+    since [W/m2]."""
+    present: Sequence[Array]
+    """The present flux at the nodes of its own grid, as its heat would have spread within each of these times
+    [W/m2]."""
     first: Sequence[tuple[float, ...]]
     """First node of that grid along each direction [m]."""
     spacing: Sequence[tuple[float, ...]]
@@ -72,11 +76,13 @@ def remembered_flux(
     x, y = (places[0], np.zeros(1)) if line else places
     u, v = (velocity[0], np.zeros_like(velocity[0])) if line else velocity
     nodes = (*history.flux[0].shape, 1)[:2]
-    flux = np.empty((*nodes, len(history.flux)), order="F")
-    for number, field in enumerate(history.flux):
-        flux[..., number] = field.reshape(nodes)
+    flux, present = (
+        fortran_array(np.stack([field.reshape(nodes) for field in fields], axis=-1))
+        for fields in (history.flux, history.present)
+    )
     found: Array = core.bindings.integrate_remembered_flux(
         flux,
+        present,
         _pairs(history.first, 0.0),
         _pairs(history.spacing, 1.0),
         fortran_array(

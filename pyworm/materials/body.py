@@ -112,6 +112,11 @@ class Body(ShownFields, SolidConstants):
         density = present(self.density, "density")
         return conductivity * density * present(self.specific_heat, "specific_heat")
 
+    @property
+    def diffusivity(self) -> float:
+        """Thermal diffusivity [m2/s]; ValueError likewise."""
+        return present(self.conductivity, "conductivity") / self.heat_capacity
+
     def warm_at(self, inlet: float | str) -> "Body":
         """The solid under oil that enters at a temperature [K]: as warm where it has none of its own."""
         inlet = in_si("inlet", inlet, units.Temperature)

@@ -93,7 +93,8 @@ class GridSequence:
         progress: Progress,
         stopwatch: Stopwatch,
     ):
-        self._scene, self._plan, self._progress = scene, plan, progress
+        self._scene, self._progress = scene, progress
+        self._asked = self._plan = plan
         self._rates = rates
         self._stopwatch = stopwatch
         self._readings: list[Reading] = []
@@ -117,6 +118,8 @@ class GridSequence:
         rates = self._rates
         self._transient = None if rates is None else transient(scene, plan, rates)
         rate = None if self._transient is None else self._transient.rate
+        if self._transient is not None and self._transient.usable:
+            self._plan = self._transient.attainable(plan)
         self._solver = solver_type(scene, plan, rate)
         if self._transient is not None:
             self._level = self._transient.level
@@ -188,8 +191,8 @@ class GridSequence:
         )
 
     def _rate_not_known(self) -> Stop | None:
-        """The end where the film's rate of change is not to be trusted; None where it is."""
-        if self._transient is None or self._transient.flaw is None:
+        """The end where the film's rate of change is of no use; None where it is."""
+        if self._transient is None or self._transient.flaw is None or self._transient.usable:
             return None
         return Ending.RATE_OF_CHANGE.stop(reason=self._transient.flaw)
 
@@ -270,7 +273,9 @@ class GridSequence:
         if outcome.flaw is not None:
             stop = outcome.flaw.stop()
         elif film_is_sound(level, self._iteration, plan):
-            stop = with_wider_bars(stop, figures, self._iteration.reading.figures, plan)
+            if stop.ending.accurate and self._transient is not None and self._transient.flaw:
+                stop = Ending.RATE_OF_CHANGE.stop(reason=self._transient.flaw)
+            stop = with_wider_bars(stop, figures, self._iteration.reading.figures, self._asked)
         converged = stop.ending.converged
         if not converged and rests_on_edge(outcome.fields):
             stop = replace(stop, reason=stop.reason + CURE)
@@ -300,15 +305,15 @@ class GridSequence:
             inlet_temperature=scene.oil.thermal.inlet_temperature if plan.model.heated else None,
             composite_roughness=scene.composite_roughness,
             **datasets,
-            accuracy=plan.accuracy,
+            accuracy=self._asked.accuracy,
             accuracy_of=self._accurate_in(figures),
         )
 
     def _accurate_in(self, figures: Mapping[str, Estimate]) -> tuple[str, ...]:
         """Figures that the accuracy applies to: those asked for that grids may bring to it."""
         read = self._iteration.reading.figures
-        bound = bound_by_conduction(self._level, figures, read, self._plan)
-        return self._plan.target.without(*bound).figures
+        bound = bound_by_conduction(self._level, figures, read, self._asked)
+        return self._asked.target.without(*bound).figures
 
     def _compare_windows(self) -> Stop | None:
         """Estimate the window errors from a wider window; returns how it ends if that fails, or None.

@@ -10,7 +10,7 @@ program test_remembered_flux
   integer, parameter :: n = 21
 
   type :: flux_history
-    real(wp) :: flux(n, n, 3)
+    real(wp) :: flux(n, n, 3), present(n, n, 3)
     type(moving_axes) :: axes(3)
   end type flux_history
 
@@ -21,6 +21,7 @@ program test_remembered_flux
   call changing_flux()
   call turned_axes()
   call left_grid()
+  call spread_flux()
   call done()
 
 contains
@@ -65,6 +66,7 @@ contains
         end do
       end do
     end do
+    of%present = spread(of%flux(:, :, 1), 3, 3)
   end function history
 
   pure function flux_at(x, y, before) result(flux)
@@ -84,7 +86,8 @@ contains
 
     along = u
     across = v
-    call remembered_flux(of%flux, of%axes, [reading], turning, at_origin, [0.0_wp, 0.25_wp], [0.1_wp], along, across, found)
+    call remembered_flux(of%flux, of%present, of%axes, [reading], turning, at_origin, [0.0_wp, 0.25_wp], [0.1_wp], along, &
+      across, found)
     integral = found(:, 1)
   end function one_of
 
@@ -129,5 +132,19 @@ contains
     found = one_of(history([0.0_wp, 0.0_wp]), flux_reading(age, 1.0_wp, 1, 1.0_wp, [5.0_wp, 0.0_wp]), 0.0_wp, [u, v])
     call close_to(found(1), -flux_at(-u*age, 0.1_wp - v*age, 0.0_wp), 1e-12_wp, "from beyond the grid")
   end subroutine left_grid
+
+  !> The present flux is taken as it would have spread within each time, linear between two of them.
+  subroutine spread_flux()
+    type(flux_history) :: of
+    real(wp) :: found(2)
+
+    of = history([0.0_wp, 0.0_wp])
+    of%present(:, :, 2) = 5
+    of%present(:, :, 3) = 7
+    found = one_of(of, flux_reading(1.75_wp*age, 2.0_wp, 2, 0.75_wp, [u, v]*1.75_wp*age), 0.0_wp, [u, v])
+    associate (x => -u*1.75_wp*age, y => 0.1_wp - v*1.75_wp*age)
+      call close_to(found(1), 2*(flux_at(x, y, 1.75_wp*age) - 6.5_wp), 1e-12_wp, "a present flux that spreads")
+    end associate
+  end subroutine spread_flux
 
 end program test_remembered_flux

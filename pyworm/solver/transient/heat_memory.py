@@ -4,10 +4,15 @@ A place of a surface was heated on its way through the contact, by the flux of t
 the kernel's, takes the present flux all along the way. With q the flux into a body, u its velocity and e^2 =
 k rho c,
 
-    rise - steady rise = 1 / (sqrt(pi) e) int_0 [q(X(s), t - s) - q(x - u s, t)] / sqrt(s) ds,             (1)
+    rise - steady rise = 1 / (sqrt(pi) e) int_0 [q_s(X(s), t - s) - q_s(x - u s, t)] / sqrt(s) ds,         (1)
 
-X(s) being where the place was a time s ago (one-dimensional conduction along a path; Carslaw and Jaeger 1959,
-section 2.9, and Sharif et al. 2001, Part 1, eq. 19). The flux q, seen from the contact, is linear in time
+X(s) being where the place was a time s ago, and q_s the flux as its heat has spread along the surface in the
+time s: averaged by a Gaussian of variance 2 kappa s, kappa being the diffusivity (an instantaneous source on
+a half-space; Carslaw and Jaeger 1959, section 10.2). For fast surfaces it is conduction into depth along a
+path (section 2.9, and Sharif et al. 2001, Part 1, eq. 19). A slow surface needs the spread: without it the
+present flux of equation 1 raises its temperature by more than steady conduction does, a disturbed division of
+heat between two such surfaces changes sign from step to step, and it grows
+(`tests/python/solver/test_heat_memory.py`). The flux q, seen from the contact, is linear in time
 between instants of which each is about `AGE_RATIO` times as long ago as the one before, or a part of the
 surface's passage through the grid longer. The bracket, zero at s = 0, is linear along the path over `CELLS`
 of the grid: read at the instants only, where a fast surface has gone on by many cells, fluxes of that
@@ -21,6 +26,7 @@ from itertools import pairwise
 from math import ceil, pi, sqrt
 
 import numpy as np
+import scipy
 
 from pyworm import kernel
 from pyworm.formulas.arrays import Array
@@ -35,6 +41,9 @@ AGE_RATIO = 1.4
 
 AGES_PER_PASSAGE = 16
 """Instants at least, in a passage of a surface through the grid: some six on its way through the contact."""
+
+SPREADING = 3.0
+"""Widths of the Gaussian in which heat spreads up to which it counts."""
 
 CELLS = 2.0
 """Cells of the grid, at most, that a surface passes between two readings of the flux along its path: the
@@ -102,22 +111,21 @@ def residual_rise(
         Rise at the nodes, body along the last axis.
     """
     # solved for the film's nodes already, of which those of the coarse grid are some
-    nodes = tuple(
-        slice(None, None, (nodes_of_grid - 1) // (nodes_of_coarse - 1))
-        for nodes_of_grid, nodes_of_coarse in zip(grid.shape, coarse.shape, strict=True)
-    )
+    nodes = _strides(grid, coarse)
     now = velocities_at_origin(contact)
     present = HeatedTimeLevel(seconds, grid, _onward(history, seconds), now)
     rises = []
     for number, (body, velocity) in enumerate(
         zip(contact.bodies, contact.velocities_at(*grid.mesh()), strict=True)
     ):
-        chosen = _ages(history, seconds, _passage(grid, now[number]))
+        passage = _passage(grid, now[number])
+        oldest = _oldest(passage, float(np.hypot.reduce(now[number])), body.diffusivity)
+        chosen = _ages(history, seconds, passage, oldest)
         known = [present, *chosen]
         ages = [seconds - time_level.seconds for time_level in known]
         distance = _way([present, *history], chosen[-1].seconds, number)
         rise = kernel.remembered_flux(
-            _history(known, number),
+            _history(known, ages, number, body.diffusivity, coarse),
             _readings(ages, _passing(coarse, now[number]), distance),
             turning,
             now[number],
@@ -129,13 +137,65 @@ def residual_rise(
     return np.stack(rises, axis=-1)
 
 
-def _history(known: Sequence[HeatedTimeLevel], body: int) -> kernel.FluxHistory:
-    """Fluxes into a body at some times on their grids."""
-    return kernel.FluxHistory(
-        [time_level.flux[..., body] for time_level in known],
-        [tuple(float(axis[0]) for axis in _axes(time_level.grid)) for time_level in known],
-        [time_level.grid.spacing for time_level in known],
+def _history(
+    known: Sequence[HeatedTimeLevel],
+    ages: Sequence[float],
+    body: int,
+    diffusivity: float,
+    coarse: Grid | LineGrid,
+) -> kernel.FluxHistory:
+    """Fluxes into a body at some times and the present one, as they have spread since, at nodes of a coarse grid.
+
+    `diffusivity` is that of the body [m2/s], `ages` are those of the times [s].
+    """
+    strides = _strides(known[0].grid, coarse)
+    fluxes = [time_level.flux[..., body][strides] for time_level in known]
+    spacings = [
+        tuple(step * stride.step for step, stride in zip(level.grid.spacing, strides, strict=True))
+        for level in known
+    ]
+    widths = [sqrt(2 * diffusivity * age) for age in ages]
+    rims = tuple(
+        min(ceil(widths[-1] / step), nodes // 2)
+        for step, nodes in zip(spacings[0], fluxes[0].shape, strict=True)
     )
+    return kernel.FluxHistory(
+        [_spread(*spread, rims) for spread in zip(fluxes, spacings, widths, strict=True)],
+        [_spread(fluxes[0], spacings[0], width, rims) for width in widths],
+        [
+            tuple(
+                float(axis[0]) - (rim + 1) * step
+                for axis, rim, step in zip(_axes(level.grid), rims, steps, strict=True)
+            )
+            for level, steps in zip(known, spacings, strict=True)
+        ],
+        spacings,
+    )
+
+
+def _strides(grid: Grid | LineGrid, coarse: Grid | LineGrid) -> tuple[slice, ...]:
+    """Nodes of a grid that those of a coarse one are."""
+    return tuple(
+        slice(None, None, (nodes - 1) // (nodes_of_coarse - 1))
+        for nodes, nodes_of_coarse in zip(grid.shape, coarse.shape, strict=True)
+    )
+
+
+def _spread(flux: Array, spacing: Sequence[float], width: float, rims: Sequence[int]) -> Array:
+    """A flux averaged by a Gaussian of a width [m] along each axis, on a rim of further nodes, too.
+
+    The outermost nodes, one more on each side, are zero, so that it ends continuously.
+    """
+    if width == 0:
+        return np.pad(flux, [(rim + 1, rim + 1) for rim in rims])
+    spread = flux
+    for axis, (step, rim) in enumerate(zip(spacing, rims, strict=True)):
+        nodes = flux.shape[axis]
+        ends = (np.arange(1 - nodes - rim, nodes + rim + 1) - 0.5) * step / (sqrt(2) * width)
+        shares = np.diff(scipy.special.erf(ends)) / 2  # at offsets from 1 - nodes - rim on
+        means = scipy.linalg.toeplitz(shares[nodes - 1 :], shares[nodes - 1 :: -1])
+        spread = np.moveaxis(np.tensordot(means, spread, (1, axis)), 0, axis)
+    return np.pad(spread, 1)
 
 
 def _onward(history: Sequence[HeatedTimeLevel], seconds: float) -> Array:
@@ -169,16 +229,29 @@ def _passage(grid: Grid | LineGrid, velocity: Sequence[float]) -> float:
     return 1 / rate if rate > 0 else np.inf
 
 
+def _oldest(passage: float, speed: float, diffusivity: float) -> float:
+    """Age at which a surface has carried heat out of a grid, that which spreads against its motion, too [s].
+
+    It is the root of u s - n sqrt(2 kappa s) = u T, T being the time of its way through the grid and n
+    `SPREADING`.
+    """
+    if not passage < np.inf:
+        return np.inf
+    spreading = SPREADING * sqrt(2 * diffusivity)
+    return ((spreading + sqrt(spreading**2 + 4 * speed**2 * passage)) / (2 * speed)) ** 2
+
+
 def _ages(
-    history: Sequence[HeatedTimeLevel], seconds: float, passage: float
+    history: Sequence[HeatedTimeLevel], seconds: float, passage: float, oldest: float
 ) -> list[HeatedTimeLevel]:
-    """Instants of growing distance, up to those so long ago that the heated place has left the grid."""
+    """Instants of growing distance, up to those so long ago that their heat has left the grid."""
     chosen = [history[0]]
     for time_level in history[1:]:
         last = seconds - chosen[-1].seconds
-        if last > passage:
+        if last > oldest:
             break
-        if seconds - time_level.seconds >= min(AGE_RATIO * last, last + passage / AGES_PER_PASSAGE):
+        longer = passage / AGES_PER_PASSAGE if last < passage else np.inf
+        if seconds - time_level.seconds >= min(AGE_RATIO * last, last + longer):
             chosen.append(time_level)
     return chosen
 

@@ -20,7 +20,7 @@ from pyworm.planning import error_budget
 from pyworm.planning.expected_work import Kind, solves_of_life
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
-from pyworm.planning.target import FILMS
+from pyworm.planning.target import FILMS, HEAT_FIGURES
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -62,6 +62,10 @@ minimum or central films of 28 differ by 1.2 and 1.5 times the last change from 
 
 MAX_CHANGE_RATIO = 0.5
 """Largest ratio of successive changes at which the films settle; else the error is the sum of both."""
+
+USABLE_ERROR = 0.3
+"""Error of the films by the last transient solve up to which one is used although it exceeds the accuracy:
+with what grid, window and algebra add it stays below `stop_reason.MAX_USED_ERROR`."""
 
 MAX_SOLVES, MIN_SOLVES = 4, 3
 """Maximum number of transient solves (each costs eight times the previous one); the first three are always
@@ -244,6 +248,23 @@ class Transient:
     """Whether one more transient solve may mend that."""
     life: PlainDataset | None = None
     """Figures and frames of the film up to now (`records.curves`)."""
+    left: float = inf
+    """Largest error of the films and their friction by the transient solve."""
+    left_of_heat: float = inf
+    """Largest error likewise, of temperatures too."""
+
+    @property
+    def usable(self) -> bool:
+        """Whether a film with a flawed rate is better than none, with error bars as wide as that leaves."""
+        return self.flaw is not None and not self.coarse and self.left <= USABLE_ERROR
+
+    def attainable(self, plan: Plan) -> Plan:
+        """The plan with the accuracy that the rate leaves, of temperatures where these have it, too."""
+        of_heat = self.left_of_heat <= USABLE_ERROR
+        left = self.left_of_heat if of_heat else self.left
+        target = plan.target if of_heat else plan.target.without(*HEAT_FIGURES)
+        accuracy = max(plan.accuracy, left / error_budget.TIME)
+        return replace(plan, accuracy=accuracy, target=target)
 
 
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
@@ -317,14 +338,19 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         readings.append(iteration.reading)
     turned = _turned_round(scene, rates.records, plan.work.kind)
     errors = _errors(readings, plan.work.kind, turned)
-    left = plan.target.worst(errors, readings[-1].figures)
+    figures = readings[-1].figures
+    left_of_heat = plan.target.worst(errors, figures)
+    left = plan.target.without(*HEAT_FIGURES).worst(errors, figures)
     flaw = None
     # finer grids of the present film would not mend that
-    if not left <= error_budget.TIME * plan.accuracy:
-        flaw = f"the transient solve through the contact's life leaves an error of {percent(left)}"
+    if not left_of_heat <= error_budget.TIME * plan.accuracy:
+        flaw = (
+            "the transient solve through the contact's life leaves an error of "
+            f"{percent(left_of_heat)}"
+        )
     coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
     life = _life(scene, plan, rates, readings, turned)
-    return Transient(rates.found[-1], level, errors, flaw, coarse, life)
+    return Transient(rates.found[-1], level, errors, flaw, coarse, life, left, left_of_heat)
 
 
 def _turned_round(
