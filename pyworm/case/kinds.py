@@ -5,7 +5,6 @@ of drives are imported when their kind is asked for: most cases have one, and ea
 """
 
 from functools import cache
-from importlib import import_module
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, create_model
@@ -13,7 +12,8 @@ from pydantic import BaseModel, BeforeValidator, create_model
 from pyworm.case.case_file import CaseTable
 from pyworm.case.contact import GapCase, LineCase, PointCase
 from pyworm.case.ratings import RatedCase
-from pyworm.drives.kinds import KINDS, name_of
+from pyworm.drives.kinds import KINDS, module_of
+from pyworm.io.present import present
 
 CONTACTS: dict[str, type[CaseTable]] = {
     "point-contact": PointCase,
@@ -22,14 +22,14 @@ CONTACTS: dict[str, type[CaseTable]] = {
 }
 
 SUBJECTS = {"drive": KINDS, "contact": tuple(CONTACTS)}
-"""Table of the subject of a case -> its kinds; each kind of drive has its model in the module of its name."""
+"""Table of the subject of a case -> its kinds; a kind of drive has its model in its module of case tables."""
 
 
 def case_model(about: str, kind: str) -> type[CaseTable]:
     """Model of the case file about a kind of subject."""
     if about == "contact":
         return CONTACTS[kind]
-    model: type[CaseTable] = import_module(f"pyworm.case.{name_of(kind)}").CASE
+    model: type[CaseTable] = present(module_of(kind, "case"), f"case tables of {kind}").CASE
     return model
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pyworm.drives.kinds import KINDS, name_of
+from pyworm.drives.kinds import BUILT_IN, name_of
 
 PACKAGE = Path(__file__).parents[2] / "pyworm"
 
@@ -29,7 +29,7 @@ FLOORS = {
 WORM_ROOMS = ("flanks", "drawing", "teeth", "loads", "patterns")
 """Folders of the worm drive, from its flanks up to what its drive answers with."""
 
-FOLDERS = {name_of(kind) for kind in KINDS}
+FOLDERS = {name_of(kind) for kind in BUILT_IN}
 """Folders of the drives."""
 
 LONGEST = 60
@@ -171,7 +171,7 @@ def _kinds_known(file: Path) -> Iterator[str]:
         if parts[:2] == ["pyworm", "drives"] and "".join(parts[2:3]) in FOLDERS:
             yield name
     for node in ast.walk(ast.parse(file.read_text())):
-        if isinstance(node, ast.Constant) and node.value in KINDS and node.value != "worm":
+        if isinstance(node, ast.Constant) and node.value in BUILT_IN and node.value != "worm":
             yield node.value
         # "worm" names a body and a shaft, too: as a kind it is known where a kind is compared with it
         if isinstance(node, ast.Compare) and "'worm'" in (asked := ast.unparse(node)):

@@ -1,13 +1,14 @@
-"""A drive is added as docs/how-to/add-a-drive.md says, in a copy of the sources, and all commands know it."""
+"""A drive is added as docs/how-to/add-a-drive.md says, by a package of its own, and all commands know it."""
 
 import json
 import re
-from pathlib import Path
+import tomllib
 
 import pytest
-from pages import files_written, lines_replaced
-from source_copy import ROOT, SourceCopy
+from pages import files_written
+from source_copy import ROOT, Folder
 
+from pyworm.drives.kinds import BUILT_IN, KINDS
 from pyworm.result.result import open_result
 
 PAGE = (ROOT / "docs/how-to/add-a-drive.md").read_text()
@@ -15,69 +16,71 @@ CASE = "cases/eccentric_cam.toml"
 
 
 @pytest.fixture(scope="module")
-def copy(tmp_path_factory) -> SourceCopy:
-    copy = SourceCopy.in_folder(tmp_path_factory.mktemp("new_drive"))
+def outside(tmp_path_factory) -> Folder:
+    """A folder with the package of the page, installed beside pyworm as an installer leaves it."""
+    installed = Folder(tmp_path_factory.mktemp("installed"))
     for name, content in files_written(PAGE).items():
-        copy.write(name, content)
-    for name, line, assigned in lines_replaced(PAGE):
-        before = (copy.root / name).read_text()
-        after, count = re.subn(rf"^{assigned} = .*$", line, before, flags=re.M)
-        assert count == 1
-        copy.write(name, after)
-    return copy
+        installed.write(name, content)
+    project = tomllib.loads(files_written(PAGE)["pyproject.toml"])["project"]
+    about = f"{project['name'].replace('-', '_')}-{project['version']}.dist-info"
+    installed.write(
+        f"{about}/METADATA", f"Name: {project['name']}\nVersion: {project['version']}\n"
+    )
+    ((group, points),) = project["entry-points"].items()
+    lines = [f"{name} = {package}" for name, package in points.items()]
+    installed.write(f"{about}/entry_points.txt", "\n".join([f"[{group}]", *lines]))
+    return installed
 
 
 @pytest.fixture(scope="module")
-def ran(copy) -> str:
+def ran(outside) -> str:
     """What `pyworm run` prints."""
-    return copy.pyworm("run", CASE, "--out", "results")
+    return outside.pyworm("run", CASE, "--out", "results")
 
 
-def test_a_drive_is_a_folder_three_files_and_a_word():
+def test_a_drive_is_one_folder_outside_of_pyworm():
     assert sorted(files_written(PAGE)) == [
         CASE,
-        "pyworm/case/eccentric_cam.py",
-        "pyworm/drives/eccentric_cam/__init__.py",
-        "pyworm/drives/eccentric_cam/drive.py",
-        "pyworm/plots/drives/eccentric_cam.py",
+        "eccentric_cam/__init__.py",
+        "eccentric_cam/case.py",
+        "eccentric_cam/drive.py",
+        "eccentric_cam/plots.py",
+        "pyproject.toml",
     ]
-    ((name, line, _),) = lines_replaced(PAGE)
-    assert name == "pyworm/drives/kinds.py"
-    (before,) = re.findall("^KINDS = .*$", (ROOT / name).read_text(), re.M)
-    assert line == before.replace(")", ', "eccentric-cam")')
 
 
-def test_the_copy_is_what_runs(copy):
-    ended = copy.python("-c", "import pyworm; print(pyworm.__file__)")
-    assert Path(ended.stdout.strip()) == copy.root / "pyworm" / "__init__.py"
+def test_its_kind_is_known_where_it_is_installed_alone(outside):
+    ended = outside.python("-c", "from pyworm.drives.kinds import KINDS; print(*KINDS)")
+    assert ended.stdout.split() == [*KINDS, "eccentric-cam"]
+    assert KINDS == BUILT_IN
 
 
-def test_it_is_checked_and_planned(copy):
-    told = json.loads(copy.pyworm("check", CASE, "--json"))
+def test_it_is_checked_and_planned(outside):
+    told = json.loads(outside.pyworm("check", CASE, "--json"))
     assert len(told["scenes"]) == 3
 
 
-def test_parts_that_do_not_fit_are_refused(copy):
+def test_parts_that_do_not_fit_are_refused(outside):
     text = files_written(PAGE)[CASE]
-    (copy.root / "wide.toml").write_text(text.replace('"4 mm"', '"20 mm"'))
-    ended = copy.python("-m", "pyworm.cli", "check", "wide.toml")
+    (outside.root / "wide.toml").write_text(text.replace('"4 mm"', '"20 mm"'))
+    ended = outside.python("-m", "pyworm.cli", "check", "wide.toml")
     assert ended.returncode == 2
     assert "drive.eccentricity is 20 mm; it must be below drive.radius, 16 mm" in ended.stderr
 
 
-def test_it_is_solved_and_drawn(copy, ran):
-    result = open_result(copy.root / "results/result.nc")
+def test_it_is_solved_and_drawn(outside, ran):
+    result = open_result(outside.root / "results/result.nc")
     assert [solution.phase for solution in result.solutions] == [0.05, 0.25, 0.5]
     films = [solution.figures.film_min.value for solution in result.solutions]
     assert films[0] < films[1] < films[2]  # as entrainment rises
     assert result.mesh_cycle.attrs["drive"] == "eccentric-cam"
-    assert (copy.root / "results/entrainment.png").stat().st_size > 0
+    assert (outside.root / "results/entrainment.png").stat().st_size > 0
     assert "Eccentric cam against a flat tappet" in ran
 
 
-def test_its_report_says_what_it_knows_and_what_not(copy, ran):
-    copy.pyworm("report", "results/result.nc", "--out", "report.html")
-    report = (copy.root / "report.html").read_text()
+def test_its_report_says_what_it_knows_and_what_not(outside, ran):
+    outside.pyworm("report", "results/result.nc", "--out", "report.html")
+    report = (outside.root / "report.html").read_text()
     for said in (
         "Entrainment over a turn",
         "The tappet presses with the same force all the time and does not turn.",
@@ -87,22 +90,22 @@ def test_its_report_says_what_it_knows_and_what_not(copy, ran):
         assert said in report
 
 
-def test_python_plans_it_as_the_page_prints(copy):
+def test_python_plans_it_as_the_page_prints(outside):
     code, printed = re.search(
         r"^```python\n(import pyworm\n.*?)^```\n\nprints\n\n```\n(.*?)^```$", PAGE, re.M | re.S
     ).groups()
-    ended = copy.python("-c", code)
+    ended = outside.python("-c", code)
     assert ended.stdout == printed, ended.stderr
 
 
 @pytest.fixture
-def rated(copy):
-    """The copy with the case that may ask for ratings."""
-    module = copy.root / "pyworm/case/eccentric_cam.py"
+def rated(outside):
+    """The package with the case that may ask for ratings."""
+    module = outside.root / "eccentric_cam/case.py"
     own = module.read_text()
     asking = own.replace("pyworm.case.drive_case", "pyworm.case.ratings")
     module.write_text(asking.replace("DriveCase", "RatedCase"))
-    yield copy
+    yield outside
     module.write_text(own)
 
 

@@ -23,10 +23,38 @@ COPIED = ("pyworm", "fortran", "cases")
 
 
 @dataclass(frozen=True)
-class SourceCopy:
-    """A copy of the package, of the kernel's sources and of the cases."""
+class Folder:
+    """A folder whose Python modules are imported before others."""
 
     root: Path
+
+    def write(self, name: str, content: str) -> None:
+        """Write a file."""
+        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+        (self.root / name).write_text(content)
+
+    def python(self, *arguments: str) -> subprocess.CompletedProcess[str]:
+        """Python in the copy."""
+        paths = os.pathsep.join([str(self.root / "start"), str(self.root)])
+        return subprocess.run(
+            [sys.executable, *arguments],
+            cwd=self.root,
+            env=os.environ | {"PYTHONPATH": paths, "OMP_NUM_THREADS": "1"},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+
+    def pyworm(self, *arguments: str) -> str:
+        """What a command prints, which has to succeed."""
+        ended = self.python("-m", "pyworm.cli", *arguments)
+        assert ended.returncode == 0, ended.stderr
+        return ended.stdout
+
+
+@dataclass(frozen=True)
+class SourceCopy(Folder):
+    """A copy of the package, of the kernel's sources and of the cases."""
 
     @classmethod
     def in_folder(cls, root: Path) -> "SourceCopy":
@@ -38,11 +66,6 @@ class SourceCopy:
         (root / "start").mkdir()
         (root / "start" / "sitecustomize.py").write_text(WITHOUT_EDITABLE_INSTALL)
         return cls(root)
-
-    def write(self, name: str, content: str) -> None:
-        """Write a file."""
-        (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.root / name).write_text(content)
 
     def insert(self, name: str, before: str, text: str) -> None:
         """Insert text into a file before a line that is there once."""
@@ -73,21 +96,3 @@ class SourceCopy:
             )
             assert ended.returncode == 0, ended.stdout[-2000:] + ended.stderr[-2000:]
         shutil.copy(self.root / "build" / "fortran" / EXTENSION.name, self.root / "pyworm")
-
-    def python(self, *arguments: str) -> subprocess.CompletedProcess[str]:
-        """Python in the copy."""
-        paths = os.pathsep.join([str(self.root / "start"), str(self.root)])
-        return subprocess.run(
-            [sys.executable, *arguments],
-            cwd=self.root,
-            env=os.environ | {"PYTHONPATH": paths, "OMP_NUM_THREADS": "1"},
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-
-    def pyworm(self, *arguments: str) -> str:
-        """What a command prints, which has to succeed."""
-        ended = self.python("-m", "pyworm.cli", *arguments)
-        assert ended.returncode == 0, ended.stderr
-        return ended.stdout

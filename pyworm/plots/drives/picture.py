@@ -24,9 +24,9 @@ class CyclePicture:
 def cycle_pictures(result: Result) -> dict[str, CyclePicture]:
     """Name in the file name -> picture of the mesh cycle of a result; empty without one.
 
-    They are `CYCLE_PICTURES` of the module of this package that is named after the kind of drive.
+    They are `CYCLE_PICTURES` of the drive's module of pictures (`pyworm.drives.kinds`).
     """
     if result.mesh_cycle is None:
         return {}
-    module = module_of(result.mesh_cycle.attrs["drive"], "pyworm.plots.drives")
+    module = module_of(result.mesh_cycle.attrs["drive"], "plots")
     return {} if module is None else module.CYCLE_PICTURES

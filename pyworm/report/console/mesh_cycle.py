@@ -20,9 +20,9 @@ from pyworm.solver.neglected_effects import AS_IF_SMOOTH
 def closed_form_table(cycle: "xr.Dataset") -> Table | None:
     """Table of the closed forms of a mesh cycle; None for a kind of drive without such a table.
 
-    It is `CYCLE_TABLE` of the module in `drives` beside that is named after the kind.
+    It is `CYCLE_TABLE` of the drive's module for the console (`pyworm.drives.kinds`).
     """
-    module = module_of(cycle.attrs["drive"], "pyworm.report.console.drives")
+    module = module_of(cycle.attrs["drive"], "console")
     return None if module is None else module.CYCLE_TABLE(cycle)
 
 

@@ -11,7 +11,7 @@ import pyworm
 from pyworm.case.kinds import case_model
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty, WormDuty
-from pyworm.drives.kinds import KINDS, module_of
+from pyworm.drives.kinds import BUILT_IN, module_of
 
 CASES = Path(__file__).parents[3] / "cases"
 SHIPPED = {
@@ -32,10 +32,10 @@ class Bare(Drive):
 
 
 def test_every_kind_is_shipped():
-    assert set(SHIPPED) == set(KINDS)
+    assert set(SHIPPED) == set(BUILT_IN)
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", BUILT_IN)
 def test_a_shipped_drive_is_rated_as_what_its_duty_is(kind):
     name, rated_as = SHIPPED[kind]
     drive = pyworm.load(CASES / f"{name}.toml").drive
@@ -44,7 +44,7 @@ def test_a_shipped_drive_is_rated_as_what_its_duty_is(kind):
     assert duty is None if rated_as is None else type(duty) is rated_as
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", BUILT_IN)
 def test_its_cycle_names_its_kind_and_its_bodies_are_two(kind, monkeypatch):
     coarse_patterns(monkeypatch)
     coarse_cycle(monkeypatch)
@@ -55,7 +55,7 @@ def test_its_cycle_names_its_kind_and_its_bodies_are_two(kind, monkeypatch):
 
 
 def test_the_normal_load_is_that_of_the_scene():
-    worm, gears = (pyworm.load(CASES / f"{SHIPPED[kind][0]}.toml") for kind in KINDS[:2])
+    worm, gears = (pyworm.load(CASES / f"{SHIPPED[kind][0]}.toml") for kind in BUILT_IN[:2])
     for case in (worm, gears):
         assert case.drive.normal_load(0.3) == case.scene(phase=0.3).load
 
@@ -79,7 +79,7 @@ def test_a_machine_without_contacts_is_no_drive():
 
 
 def test_modules_are_found_by_the_kind_alone():
-    assert module_of("worm", "pyworm.plots.drives").__name__ == "pyworm.plots.drives.worm"
+    assert module_of("worm", "plots").__name__ == "pyworm.plots.drives.worm"
     assert case_model("drive", "worm").__name__ == "WormCase"
-    assert module_of("gear-pair", "pyworm.report.console.drives") is None  # it prints no table
-    assert module_of("picture", "pyworm.plots.drives") is None  # no kind of drive
+    assert module_of("gear-pair", "console") is None  # it prints no table
+    assert module_of("picture", "plots") is None  # no kind of drive
