@@ -193,8 +193,8 @@ def _lives_summary(result: "Result") -> dict[str, Any]:
 
 
 NO_LOSS = (
-    "No efficiency is given: it asks for friction, --effects auto or all of an oil with [oil.shear], and "
-    "for three phases or more of what carries load."
+    "No efficiency is given: it needs friction (--effects auto or all, and an oil with [oil.shear]) and "
+    "three or more phases under load."
 )
 
 
@@ -216,7 +216,9 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
         heat_table,
         published_for,
         scenes_table,
+        solution_table,
     )
+    from pyworm.report.console.summary import summary_table
     from pyworm.result.headline import opening
     from pyworm.result.mesh_cycle import drive_cycle
 
@@ -224,14 +226,18 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     failed = result.provenance["failed"]
     cycle, standard = drive_cycle(result), standard_loss(case)
     console = Console()
+    loss = None if case.drive is None else mesh_loss(case.drive, result)
     console.print(f"{case.title}\n{case.source}\n")
-    for line in opening(result.solutions, standard.words, tasks[0].case.beyond_limits):
+    console.print(summary_table(result.solutions, cycle, loss))
+    beyond = tasks[0].case.beyond_limits
+    for line in opening(result.solutions, standard.words, beyond, summarised=True):
         console.print(f"{line}\n")
     scenes = [task.scene for task in tasks if task.scene.name not in failed]
     for scene, summary, solution in zip(scenes, summaries, result.solutions, strict=True):
         published = published_for(summary, case.published)
         if published or len(scenes) == 1:
             console.print(figures_table(scene, summary, published, case.body_names))
+            console.print(solution_table(summary))
             console.print(effects_table(solution.effects, "Effects, judged by the solution"))
     if len(scenes) > 1:
         console.print(scenes_table(scenes, summaries))
@@ -246,7 +252,6 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
             heating = heating_of(tasks[0].case, cycle, standard)
             console.print(loss_table(cycle, standard, heating))
     if case.drive is not None and (cycle is None or cycle.loss is None):
-        loss = mesh_loss(case.drive, result)
         console.print(NO_LOSS if loss is None else loss_sentence(loss))
     for summary in summaries:
         if not summary["converged"]:

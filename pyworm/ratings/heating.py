@@ -33,9 +33,8 @@ def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> Heat
         What a standard has for its teeth.
     """
     smooth = present(cycle.loss, "loss").power
-    simulated = (
-        f"{smooth:.4g} W simulated{' as if smooth' if cycle.neglected_effects.as_if_smooth else ''}"
-    )
+    surfaces = " with smooth surfaces" if cycle.neglected_effects.as_if_smooth else ""
+    simulated = f"{smooth:.4g} W simulated{surfaces}"
     if isinstance(standard, NoStandard):
         return HeatingLoss(
             smooth, "simulation", f"{simulated}, by a standard none: {standard.reason}"

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 
+import rich.console
 import rich.table
 from rich.box import HEAVY_HEAD, SIMPLE_HEAD
 
@@ -11,6 +12,9 @@ from pyworm.report.page.symbols import typeset
 
 SHORT = 12
 """Letters up to which a cell of a page is not broken into lines."""
+
+UNBROKEN = 24
+"""Letters up to which a cell of a terminal's table is not broken into lines."""
 
 
 @dataclass(frozen=True)
@@ -29,30 +33,48 @@ class Table:
     texts: tuple[int, ...] = ()
     """Columns of words beside the first, which a terminal breaks into lines; the others are right-aligned."""
     narrow: bool = False
-    """Whether its columns must share a terminal's width: without lines between them."""
+    """Whether it never has lines between its columns, which leave more of a terminal's width to them."""
 
     def column(self, number: int) -> tuple[str, ...]:
         """Cells of a column, empty where a row has none."""
         return tuple(row[number] if number < len(row) else "" for row in self.rows if row)
 
-    def __rich__(self) -> rich.table.Table:
-        """The table on a terminal."""
+    def __rich_console__(
+        self, console: rich.console.Console, options: rich.console.ConsoleOptions
+    ) -> rich.console.RenderResult:
+        """The table on a terminal: between lines, or without them where these make it too wide."""
+        fits = self._framed_width <= options.max_width
+        yield self._drawn(framed=fits and not self.narrow)
+
+    @property
+    def _framed_width(self) -> int:
+        """Letters of a line of the table between lines, where none but long cells and words are broken."""
+        width = 1 + 3 * len(self.head)
+        for number, heading in enumerate(self.head):
+            cells = (heading, *self.column(number))
+            longest = max(len(line) for cell in cells for line in cell.split("\n"))
+            breaks = number in self.texts or (longest > UNBROKEN and number > 0)
+            width += min(longest, UNBROKEN) if breaks else longest
+        return width
+
+    def _drawn(self, framed: bool) -> rich.table.Table:
         table = rich.table.Table(
             title=self.title or None,
             caption=self.note or None,
             show_header=any(self.head),
             title_justify="left",
             caption_justify="left",
-            box=SIMPLE_HEAD if self.narrow else HEAVY_HEAD,
-            padding=(0, 1, 0, 0) if self.narrow else (0, 1),
-            pad_edge=not self.narrow,
+            box=HEAVY_HEAD if framed else SIMPLE_HEAD,
+            padding=(0, 1) if framed else (0, 1, 0, 0),
+            pad_edge=framed,
         )
         for number, heading in enumerate(self.head):
             text = number == 0 or number in self.texts
+            short = max(map(len, self.column(number)), default=0) <= UNBROKEN
             table.add_column(
                 heading,
                 justify="left" if text else "right",
-                no_wrap=(number == 0 or self.narrow) and number not in self.texts,
+                no_wrap=number not in self.texts and (number == 0 or (not framed and short)),
                 overflow="fold",
             )
         for row in self.rows:

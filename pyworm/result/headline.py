@@ -1,4 +1,4 @@
-"""Sentences before the figures of solved contacts: minimum film thickness, and effects left out at worst."""
+"""Sentences before the results of solved contacts: minimum film thickness, and neglected effects at worst."""
 
 from collections.abc import Iterable, Sequence
 
@@ -44,9 +44,12 @@ def without_friction(solutions: Sequence[Solution]) -> str:
 
 
 def opening(
-    solutions: Sequence[Solution], rough_teeth: str, beyond_limits: Sequence[str] = ()
+    solutions: Sequence[Solution],
+    rough_teeth: str,
+    beyond_limits: Sequence[str] = (),
+    summarised: bool = False,
 ) -> list[str]:
-    """Sentences shown before any figure of solved contacts.
+    """Sentences shown before any result of solved contacts.
 
     Parameters
     ----------
@@ -56,12 +59,14 @@ def opening(
         Sentence on their friction by a standard, shown where roughness carries load.
     beyond_limits : sequence of str, optional
         Bodies that are hotter than their material bears (`Case.beyond_limits`).
+    summarised : bool
+        Whether a table shows what `headline` says.
     """
     at_worst = of_all(solutions)
     lines = [
         *beyond_limits,
         at_worst.sentence,
-        headline(solutions),
+        "" if summarised else headline(solutions),
         less_accurate(solutions),
         without_friction(solutions),
         rough_teeth if at_worst.as_if_smooth else "",

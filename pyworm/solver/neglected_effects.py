@@ -46,7 +46,7 @@ MIXED_ABOVE = "mixed_above_roughness_m"
 USUAL = "ground"
 """Finish whose usual roughness is shown beside it."""
 
-AS_IF_SMOOTH = "as if smooth"
+AS_IF_SMOOTH = "smooth surfaces"
 """Qualifier of friction, loss and efficiency where roughness carries load."""
 
 
@@ -84,17 +84,17 @@ class NeglectedEffects:
 
     @property
     def words(self) -> str:
-        """The effects in words, such as "not simulated: roughness up to 53 %"; empty without any."""
+        """The effects in words, such as "neglected: roughness up to 53 %"; empty without any."""
         effects = ", ".join(
             f"{name} {_up_to(fraction)}" for name, fraction in self.influence.items()
         )
-        return f"not simulated: {effects}" if effects else ""
+        return f"neglected: {effects}" if effects else ""
 
     @property
     def note(self) -> str:
         """The effects in words, for pictures and tables with error bars."""
-        bars = "numerical and of the model of roughness" if self.rough else "numerical"
-        return f"{self.words}; error bars are {bars}" if self.words else ""
+        kinds = "numerical, and of the roughness model" if self.rough else "numerical"
+        return f"{self.words}; uncertainties: {kinds}" if self.words else ""
 
     @property
     def sentence(self) -> str:
@@ -107,7 +107,7 @@ class NeglectedEffects:
         if self.by_formula:
             end = ", by closed forms"
         else:
-            end = self._carried if self.rough else ", which is not simulated"
+            end = self._carried if self.rough else ", with smooth surfaces assumed"
         central, thin, roughness = (
             QUANTITIES[name].words() for name in ("film_central", "film_min", "composite_roughness")
         )
@@ -123,7 +123,7 @@ class NeglectedEffects:
         usual, _ = parse_in(usual_roughness(USUAL), "um")
         above = present(self.mixed_above_roughness_m, "roughness")
         return (
-            "Roughness is not given: figures are those of smooth surfaces, and lubrication is not judged. "
+            "Roughness is not given: smooth surfaces are assumed, and the lubrication regime is not judged. "
             f"Above a composite roughness of {above * 1e6:.2g} µm (Rq) it would be "
             f"mixed{in_contacts}; two {USUAL} surfaces of Ra {usual:.2g} µm have "
             f"{sqrt(2) * RQ_OVER_RA * usual:.2g} µm."

@@ -39,7 +39,7 @@ def cycle_table(cycle: DriveCycle, bodies: tuple[str, str] = BODIES) -> Table:
     title = f"Whole mesh cycle, from {len(cycle.phases)} phases"
     if cycle.unconverged:
         phases = ", ".join(f"{phase:g}" for phase in cycle.unconverged)
-        title += f" ({phases} not converged, left out)"
+        title += f" ({phases} not converged, not included)"
     found = {"film_min": cycle.film_min, "pressure_max": cycle.pressure_max}
     found |= {f"temperature_max_{name}": extreme for name, extreme in cycle.temperatures.items()}
     rows = [
@@ -60,31 +60,43 @@ def cycle_table(cycle: DriveCycle, bodies: tuple[str, str] = BODIES) -> Table:
     ):
         if ratio is not None:
             rows += _extreme(QUANTITIES[name], ratio, bodies)
-    note = ""
+    notes = [_reason(QUANTITIES[name], extreme, bodies) for name, extreme in found.items()]
     if cycle.lifted is not None:
         fraction, phase = cycle.lifted
-        rows.append(("Load moved by films' lift", f"{fraction * 100:+.2g} %", f"{phase:g}"))
-        note = "Lift: how much farther a film holds worm and wheel apart under the same load."
-    head = ("Figure", "Value", "Phase", "Along the\nface / mm", "Radius\n/ mm")
-    return Table(head, tuple(rows), cycle.neglected_effects.titled(title), note)
+        rows.append(("Load redistributed by the films", f"{fraction * 100:+.2g} %", f"{phase:g}"))
+        notes.append(
+            "Load redistributed by the films: largest change of a contact's load by the separation of "
+            "worm and wheel that the film causes."
+        )
+    head = ("Quantity", "Value", "Phase", "Face\nmm", "Radius\nmm")
+    return Table(
+        head, tuple(rows), cycle.neglected_effects.titled(title), " ".join(filter(None, notes))
+    )
 
 
 def _extreme(
     quantity: Quantity, extreme: Extreme, bodies: tuple[str, str]
 ) -> Iterator[tuple[str, ...]]:
-    """Rows of the extreme of a figure: its value, phase and place, and the reason of its error bar."""
+    """Rows of the extreme of a quantity: its value, phase and place, and its model uncertainty."""
     value = quantity.text(extreme.value)
     value = (
         f"{value} ± {_two(extreme.error * quantity.scale)}"
         if isfinite(extreme.error)
         else f"≥ {value}"
     )
-    value += "" if extreme.model is None else f" ± {_two(extreme.model * quantity.scale)} (model)"
     place = () if extreme.place is None else tuple(f"{part * 1e3:.1f}" for part in extreme.place)
     label = f"  {quantity.words(bodies)}" if quantity.part else quantity.worst_title(bodies)
     yield (label, value, f"{extreme.phase:g}", *place)
-    if extreme.reason is not None:
-        yield "  error bar" if isfinite(extreme.error) else "  no upper bound", extreme.reason
+    if extreme.model is not None:
+        yield "  model uncertainty", f"± {quantity.with_unit(_two(extreme.model * quantity.scale))}"
+
+
+def _reason(quantity: Quantity, extreme: Extreme, bodies: tuple[str, str]) -> str:
+    """Why the uncertainty of an extreme is unusual; empty where it is not."""
+    if extreme.reason is None:
+        return ""
+    what = "numerical uncertainty" if isfinite(extreme.error) else "no upper bound"
+    return f"{quantity.worst_title(bodies)}: {what}, {extreme.reason}."
 
 
 def loss_table(
@@ -121,9 +133,9 @@ def loss_table(
         bar += model_bar(loss.efficiency_model_error, 100.0, "")
         mean += model_bar(loss.model_error / loss.power)
     parts = (
-        ("error by the scenes' errors", loss.scene_error),
-        ("by the phases", loss.phase_error),
-        ("by friction at the ends", loss.end_error),
+        ("uncertainty from the contacts", loss.scene_error),
+        ("from interpolation between phases", loss.phase_error),
+        ("from extrapolation to mesh ends", loss.end_error),
     )
     rows: tuple[tuple[Quantity | str, str], ...] = (
         (power, f"{power.text(loss.power)} ± {_two(loss.error)}{rough}"),
@@ -132,16 +144,16 @@ def loss_table(
         (wheel, wheel.with_unit(f"{loss.wheel_torque:.5g}")),
         (worm, worm.text(loss.worm_torque)),
         (efficiency, f"{loss.efficiency * 100:.2f} % {bar}{missing}"),
-        ("  power the other way", f"{loss.reverse_efficiency * 100:.2f} % {bar}{missing}"),
+        ("  wheel driving", f"{loss.reverse_efficiency * 100:.2f} % {bar}{missing}"),
     )
     heading = AS_IF_SMOOTH.capitalize() if neglected_effects.as_if_smooth else "Value"
     return Table(
-        head=("Figure", heading, *(["Rough, by\nthe standard"] if beside else [])),
+        head=("Quantity", heading, *(["Rough, by\nthe standard"] if beside else [])),
         rows=tuple(
             (row, value) if isinstance(row, str) else (row.title(), value, *_beside(row, beside))
             for row, value in rows
         ),
-        title=neglected_effects.titled("Loss of all teeth"),
+        title=neglected_effects.titled("Power loss of all teeth"),
         note="" if heating is None else heating.words,
     )
 

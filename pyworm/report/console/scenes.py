@@ -25,9 +25,9 @@ _RUBBING = {"friction_coefficient", "power_loss"}
 """Figures that roughness adds to where it carries load."""
 
 TERMS = {
-    "phase": "Phase: place in the mesh, from 0 where a contact begins to 1 where it ends.",
-    "side lobe": "Side lobe: one of the two places beside and behind the middle of a contact where the film "
-    "is thinnest.",
+    "phase": "Phase: mesh phase of a contact, 0 at its first and 1 at its last point.",
+    "side lobe": "Side lobe: one of the two film constrictions at the sides of a contact, downstream of its "
+    "centre.",
 }
 """Word in tables -> what it means, written below them."""
 
@@ -38,7 +38,7 @@ def figures_table(
     published: Mapping[str, PublishedValue],
     bodies: tuple[str, str] = BODIES,
 ) -> Table:
-    """Figures of one solved scene, beside the published values.
+    """Figures of one solved contact, with the published values.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def figures_table(
     figures = plain_attributes({**scene_summary(scene), **summary})
     neglected_effects = NeglectedEffects.read(summary)
     mixed = "film_min_model_error" in summary
-    head = ("Figure", "Value", *(["Model\nuncertainty"] if mixed else []))
+    head = ("Quantity", "Value", *(["± model"] if mixed else []))
 
     def cells(quantity: Quantity) -> Iterator[tuple[str, ...]]:
         label = f"  {quantity.words(bodies)}" if quantity.part else quantity.title(bodies)
@@ -69,17 +69,17 @@ def figures_table(
         yield tuple(row) if beside is None else (*row, beside.text)
         reason = figures.get(f"{quantity.error_key}_reason")
         if error is not None and reason is not None and not unknown:
-            yield _reason_label(error), reason
+            reasons.append(f"{label}: {_reason_label(error)}, {reason}.")
 
+    reasons: list[str] = []
     known = [quantity for quantity in listed("figures") if figures.get(quantity.key) is not None]
     rows = [row for quantity in known for row in cells(quantity)]
-    rows += [*_regime_rows(summary), *_solution_rows(summary)]
     words = [*([] if scene.phase is None else ["phase"]), summary["film_min_kind"]]
     return Table(
         head=(*head, "Published") if published else head,
         rows=tuple(rows),
         title=neglected_effects.titled(_title(scene)),
-        note=_terms(words),
+        note=" ".join((*reasons, _terms(words))).strip(),
     )
 
 
@@ -91,13 +91,23 @@ def _errors(quantity: Quantity, figures: Mapping[str, Any]) -> tuple[float | Non
     return figures.get(quantity.error_key), UNKNOWN if model == inf else _bar(quantity, model)
 
 
-def _solution_rows(summary: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """The last grid, whether the solution converged, and which figures the accuracy refers to."""
-    yield "Grid", _grid(summary["grid"])
-    yield "Converged", _converged(summary)
+def solution_table(summary: Mapping[str, Any]) -> Table:
+    """Regime of one solved contact, its last grid, whether it converged, and which accuracy was requested.
+
+    Parameters
+    ----------
+    summary : mapping
+        `Solution.summary()` of its solution.
+    """
+    rows = [
+        *_regime_rows(summary),
+        ("Grid", _grid(summary["grid"])),
+        ("Converged", _converged(summary)),
+    ]
     if "accuracy_of" in summary:
         words = accuracy_words(summary["accuracy"], summary["accuracy_of"])
-        yield "Accuracy asked for", words
+        rows.append(("Requested accuracy", words))
+    return Table(("Regime and solution", ""), tuple(rows), texts=(1,))
 
 
 def _terms(words: Sequence[str]) -> str:
@@ -108,9 +118,10 @@ def _terms(words: Sequence[str]) -> str:
 def scenes_table(
     scenes: Sequence[Scene | LineScene], summaries: Sequence[Mapping[str, Any]]
 ) -> Table:
-    """Figures for comparing scenes, one row each; the specific film thickness where roughness is known.
+    """Figures for comparing contacts, one row each; the specific film thickness where roughness is known.
 
-    Of a scene that did not converge nothing simulated is shown.
+    Nothing simulated is shown for a contact that did not converge. The column of convergence is left away
+    where all converged with the requested accuracy.
 
     Parameters
     ----------
@@ -126,7 +137,9 @@ def scenes_table(
     dry, pressure, central, thin, ratio = (QUANTITIES[name] for name in _COMPARED)
     head = [dry.column, pressure.column, central.column, "± %", thin.column, "± %"]
     head += [*(["model\n± %"] if mixed else []), *([ratio.column] if rough else [])]
-    rows = []
+    rows: list[tuple[str, ...]] = []
+    perfect = all(values["converged"] and values["accurate"] for values in summaries)
+    status_head = () if perfect else ("Converged",)
     for scene, label, values in zip(scenes, labels, summaries, strict=True):
         cells = [""] * len(head)
         if values["converged"]:
@@ -140,13 +153,14 @@ def scenes_table(
                 *([_percent(values, thin.model_key)] if mixed else []),
                 *([f"{values[ratio.key]:.3g}"] if rough else []),
             ]
-        rows.append((label, *cells, f"{values['seconds']:.1f}", _converged(values)))
+        status = [_converged(values)] * len(status_head)
+        rows.append((label, *cells, f"{values['seconds']:.1f}", *status))
     return Table(
-        head=(places, *head, "s", "Con-\nver-\nged"),
+        head=(places, *head, QUANTITIES["solve_time"].column, *status_head),
         rows=tuple(rows),
-        title=_at_worst(summaries).titled("All scenes"),
-        note=_terms(places.lower().split("\n")),
-        texts=(len(head) + 2,),
+        title=_at_worst(summaries).titled("All contacts"),
+        note=f"{_terms(places.lower().split(chr(10)))} t: elapsed time.".strip(),
+        texts=() if perfect else (len(head) + 2,),
         narrow=True,
     )
 
@@ -170,7 +184,13 @@ def heat_table(
     friction = QUANTITIES["friction_coefficient"]
     mixed = any(friction.model_key in values for values in summaries)
     rows: list[tuple[str, ...]] = []
-    head = [friction.column, "± %", *(["model\n± %"] if mixed else []), "Loss"]
+    losses = [
+        QUANTITIES[name]
+        for name in _LOSSES
+        if any(QUANTITIES[name].key in values for values in summaries)
+    ]
+    head = [friction.column, "± %", *(["model\n± %"] if mixed else [])]
+    head += [loss.column for loss in losses]
     if heated:
         head += [
             f"{body.capitalize()}\n{quantity.shown}" for body, quantity in _warmest(bodies)
@@ -179,12 +199,11 @@ def heat_table(
         if not values["converged"]:
             rows.append((label, "not converged"))
             continue
-        loss = next(QUANTITIES[name] for name in _LOSSES if QUANTITIES[name].key in values)
         cells = [
             _number(friction, values),
             _percent(values, friction.error_key),
             *([_percent(values, friction.model_key)] if mixed else []),
-            loss.with_unit(_number(loss, values)),
+            *(_number(loss, values) if loss.key in values else "" for loss in losses),
         ]
         if "temperature_max_C" in values:
             flat = plain_attributes(values)
@@ -195,7 +214,7 @@ def heat_table(
         head=(heading, *head),
         rows=tuple(rows),
         title=neglected_effects.titled(
-            neglected_effects.qualified("Friction and heat of all scenes")
+            neglected_effects.qualified("Friction and temperatures of all contacts")
         ),
         narrow=True,
     )
@@ -253,7 +272,7 @@ def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:
         name for name in INDEX_NAMES if all(getattr(scene, name) is not None for scene in scenes)
     ]
     if not names:
-        return "Scene", [scene.name for scene in scenes]
+        return "Contact", [scene.name for scene in scenes]
     heading = "\n".join(name.replace("_roll_", "-\nroll\n") for name in names)
     parts = [[getattr(scene, name) for name in names] for scene in scenes]
     return heading.capitalize(), [
@@ -285,7 +304,9 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
         if quantity.key in summary
     ]
     rows += [*_regime_rows(plan.regime.summary()), ()]
-    rows.append(("Accuracy wanted", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}"))
+    rows.append(
+        ("Requested accuracy", f"{plan.accuracy * 100:g} % of {', '.join(plan.quantities)}")
+    )
     lacking = no_friction(plan.effects)
     if lacking and "friction_coefficient" not in plan.target.figures:
         rows.append(("No friction", lacking))
@@ -297,7 +318,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
     rows.append(("Expected time", duration(expected.seconds)))
     rows.append(("Expected convolutions", rough(expected.convolutions)))
     title = "\n".join(filter(None, (_title(scene), words)))
-    return Table(("Scene", ""), tuple(rows), title, texts=(1,))
+    return Table(("Contact", ""), tuple(rows), title, texts=(1,))
 
 
 def effects_table(effects: Sequence[Judgement], title: str) -> Table:
@@ -351,8 +372,8 @@ def _directions(value: Any) -> str:
 
 
 def _reason_label(error: float) -> str:
-    """What the reason of an unusual error bar is the reason of."""
-    return "  error bar" if isfinite(error) else "  no upper bound"
+    """What the reason of an unusual uncertainty is the reason of."""
+    return "numerical uncertainty" if isfinite(error) else "no upper bound"
 
 
 def _at_least(error: float) -> str:

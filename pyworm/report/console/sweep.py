@@ -37,12 +37,12 @@ def unconverged(result: SweepResult) -> list[str]:
     scenes = result.table.sizes["scene"]
     reasons = Counter(result.table["stop_reason"].values[~result.converged].tolist())
     sentences = [
-        f"{count} of {scenes} scenes did not converge: {reason}"
+        f"{count} of {scenes} contacts did not converge: {reason}"
         for reason, count in reasons.most_common()
     ]
     wide = int((result.converged & ~result.accurate).sum())
     if wide:
-        sentences.append(f"{wide} of {scenes} scenes are {LESS_ACCURATE}")
+        sentences.append(f"{wide} of {scenes} contacts are {LESS_ACCURATE}")
     return sentences
 
 
@@ -62,21 +62,24 @@ def rows_table(result: SweepResult) -> Table:
     head = [_heading(key, data[key].attrs.get("units", "")) for key in varied]
     for quantity in shown:
         rubbing = quantity.name == "friction_coefficient" and neglected_effects.as_if_smooth
-        head.append(f"{quantity.column}\nas if\nsmooth" if rubbing else quantity.column)
+        head.append(f"{quantity.column}\nsmooth\nsurfaces" if rubbing else quantity.column)
         head += ["±\n%"] if quantity.name in FILMS else []
-    rows = []
+    perfect = bool((result.converged & result.accurate).all())
+    status_head = () if perfect else ("Converged",)
+    rows: list[tuple[str, ...]] = []
     for number in range(data.sizes["scene"]):
         row = data.isel(scene=number)
         cells = [_cell(row[key].item()) for key in varied]
         for quantity in shown:
             cells += _figure(row, quantity)
         accurate = "yes" if row["accurate"] == 1 else "less accurate"
-        rows.append((*cells, accurate if row["converged"] == 1 else "NO"))
+        status = [accurate if row["converged"] == 1 else "NO"] * len(status_head)
+        rows.append((*cells, *status))
     return Table(
-        head=(*head, "Con-\nverged"),
+        head=(*head, *status_head),
         rows=tuple(rows),
         title=neglected_effects.titled(result.title),
-        texts=(len(head),),
+        texts=(len(head),) if status_head else (),
         narrow=True,
     )
 

@@ -320,8 +320,8 @@ def test_a_scene_without_solution_is_a_row_with_its_reason(tmp_path, capsys, mon
     assert main(arguments) == NOT_CONVERGED
     reason = "a field holds a value that is not finite"
     printed = capsys.readouterr()
-    assert f"3 of 6 scenes did not converge: {reason}" in printed.out
-    assert f"3 of 6 scenes did not converge: {reason}" in printed.err
+    assert f"3 of 6 contacts did not converge: {reason}" in printed.out
+    assert f"3 of 6 contacts did not converge: {reason}" in printed.err
     table = open_sweep(tmp_path / "out" / "sweep.nc").table
     assert table["stop_reason"].values[3:].tolist() == [reason] * 3
     assert np.isnan(table["film_min_m"].values).tolist() == [False] * 3 + [True] * 3

@@ -163,7 +163,7 @@ def test_temperatures_are_printed_where_heat_was_simulated(tmp_path, capsys, sol
     solve_at_once(**{part: getattr(hot, part) for part in parts})
     arguments = ["run", DRIVE, "--phase", "0.4", "0.6", "--out", str(tmp_path / "out")]
     assert main(arguments) == CONVERGED
-    assert "Friction and heat of all scenes" in capsys.readouterr().out
+    assert "Friction and temperatures of all contacts" in capsys.readouterr().out
     assert main([*arguments, "--json"]) == CONVERGED
     scene = json.loads(capsys.readouterr().out)["scenes"][0]
     for key in ("temperature_max_C", "temperature_max_error_K"):

@@ -10,7 +10,7 @@ from synthetic_solution import make_solution
 import pyworm
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.quantity_text import percent, with_bars
-from pyworm.report.console.scenes import figures_table
+from pyworm.report.console.scenes import figures_table, solution_table
 from pyworm.report.explore.scenes import scene_rows
 from pyworm.result.accuracy import accuracy_words
 from pyworm.solver.estimate import Estimate
@@ -43,8 +43,9 @@ def test_an_unresolved_spike_is_a_lower_bound_everywhere():
 def test_the_console_shows_the_bound_and_what_is_accurate():
     scene = pyworm.load("cases/ball_pag_460.toml").scene()
     table = figures_table(scene, spiked().summary(), {})
-    text = "\n".join(" ".join(row) for row in table.rows)
+    text = "\n".join((*map(" ".join, table.rows), table.note))
     assert "≥ 864.5 MPa" in text and "no upper bound" in text and "inf" not in text
+    text = "\n".join(map(" ".join, solution_table(spiked().summary()).rows))
     assert "1 % of minimum film thickness, central film thickness" in text
 
 

@@ -206,18 +206,18 @@ def test_the_summary_shows_the_worst_of_every_figure(worm):
     specific, where = key_results[label]
     assert specific == f"{film / 0.34**0.5 * 1e6:.4g} ± 1.3 %" and where == f"phase {thin.phase:g}"
     friction = max(of.figures.friction_coefficient.value for of in result.solutions)
-    assert key_results["Maximum friction coefficient, as if smooth"][0].startswith(
+    assert key_results["Maximum friction coefficient, smooth surfaces"][0].startswith(
         f"{friction:.4g} ±"
     )
     losses = [of.figures.power_loss.value for of in result.solutions]
     # a pair is in mesh for 239.8 deg of the worm's turn, the next comes after 120 deg
     loss = np.mean(losses) * 239.8 / 120
     assert float(
-        key_results["Power loss of the teeth, as if smooth"][0].split(" W ±")[0]
+        key_results["Power loss of the teeth, smooth surfaces"][0].split(" W ±")[0]
     ) == pytest.approx(loss, rel=1e-3)
     output = 6.69e3 * 50 * np.pi * 3 / 59  # 14 kN on each of two teeth, on an arm of 239 mm
     efficiency = float(
-        key_results["Efficiency of the teeth, forward, as if smooth"][0].split(" %")[0]
+        key_results["Efficiency of the teeth, forward, smooth surfaces"][0].split(" %")[0]
     )
     assert efficiency == pytest.approx(100 * output / (output + loss), abs=0.02)
     pitting = key_results["S_H, pitting of the wheel's flanks"]

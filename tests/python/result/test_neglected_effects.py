@@ -41,7 +41,7 @@ EFFECTS = (
     Judgement("viscosity-across", False, 0.01, {"film": 0.01, "friction": 0.02}, "within 2 %"),
     Judgement("roughness", False, 0.9, {"film": 0.53, "friction": 0.53}, "not simulated"),
 )
-WORDS = "not simulated: roughness up to 53 %, squeeze up to 40 %"
+WORDS = "neglected: roughness up to 53 %, squeeze up to 40 %"
 
 
 def rough_worm(phase=0.5, roughness=0.6e-6, **changes):
@@ -72,8 +72,7 @@ def test_effects_that_are_off_count_beyond_the_accuracy_the_largest_first():
     boundless = replace(EFFECTS[1], influence={"film": 0.1, "friction": np.inf})
     assert beyond([boundless], 0.02) == {"squeeze": 1.0}
     assert (
-        NeglectedEffects(beyond([boundless], 0.02)).words
-        == "not simulated: squeeze by more than 99 %"
+        NeglectedEffects(beyond([boundless], 0.02)).words == "neglected: squeeze by more than 99 %"
     )
     assert NeglectedEffects(beyond(EFFECTS, 0.02)).words == WORDS
 
@@ -147,7 +146,7 @@ def test_the_opening_names_lubrication_least_film_and_the_standard(rough, case):
     sentence, film, beside = opening(rough.solutions, standard_loss(case).words)
     assert sentence == (
         "The worst of 2 contacts runs in mixed lubrication (central film thickness 2.3, minimum film "
-        "thickness 1.1 times the composite roughness), which is not simulated."
+        "thickness 1.1 times the composite roughness), with smooth surfaces assumed."
     )
     thin = min(of.figures.film_min.value for of in rough.solutions)
     assert film == f"Minimum film thickness {thin * 1e6:.4g} µm ± 1.3 % (numerical); {WORDS}"
@@ -163,9 +162,9 @@ def test_without_a_roughness_the_opening_says_which_one_would_matter():
     )
     assert of_thick.lubrication == "unknown" and not of_thick.as_if_smooth
     assert of_thick.sentence == (
-        "Roughness is not given: figures are those of smooth surfaces, and lubrication is not judged. Above "
-        "a composite roughness of 0.5 µm (Rq) it would be mixed; two ground surfaces of Ra 0.4 µm have "
-        "0.71 µm."
+        "Roughness is not given: smooth surfaces are assumed, and the lubrication regime is not judged. "
+        "Above a composite roughness of 0.5 µm (Rq) it would be mixed; two ground surfaces of Ra 0.4 µm "
+        "have 0.71 µm."
     )
     both = worst([of_thin, NeglectedEffects(), of_thick])
     assert both.mixed_above_roughness_m == 0.3e-6
@@ -194,9 +193,12 @@ def test_tables_begin_with_what_was_left_out_and_head_friction_as_if_smooth(case
         scenes_table([scene], [summary]),
         heat_table([scene], [summary]),
     ):
-        assert f"{WORDS}; error bars are numerical" in table.title
+        assert f"{WORDS}; uncertainties: numerical" in table.title
     labels = figures_table(scene, summary, {}).column(0)
-    assert "Friction coefficient, as if smooth" in labels and "Power loss, as if smooth" in labels
+    assert (
+        "Friction coefficient, smooth surfaces" in labels
+        and "Power loss, smooth surfaces" in labels
+    )
     separated = rough_worm(roughness=0.2e-6, effects=()).summary()
     plain = figures_table(scene, separated, {})
     assert "\n" not in plain.title and "Friction coefficient" in plain.column(0)
@@ -215,16 +217,16 @@ def test_pictures_and_reports_show_what_was_left_out(rough):
     )
     named = {part.title: part.blocks for part in report.sections}
     for title in ("Key results", "Film and pressure", "Friction, loss and temperature"):
-        assert "error bars are numerical" in named[title][0].text
+        assert "uncertainties: numerical" in named[title][0].text
     tables = [block for block in named["Key results"] if isinstance(block, Table)]
     rows = {row[0] for table in tables for row in table.rows}
-    assert "Efficiency of the teeth, forward, as if smooth" in rows
+    assert "Efficiency of the teeth, forward, smooth surfaces" in rows
     assert "  rough, by the standard" in rows
 
 
 def test_ratings_head_the_simulation_as_if_smooth(rough, case):
     worm, flanks, films, *bearings = ratings(rating_request(case), rough)
-    assert worm.headings == ("Standard", "Simulation, as if smooth")
+    assert worm.headings == ("Standard", "Simulation, smooth surfaces")
     assert all(WORDS in rating.titled for rating in (worm, flanks, films))
     assert all(bearing.titled == bearing.title for bearing in bearings)
     assert "simulation" in worm.summary()
@@ -244,7 +246,7 @@ def test_check_shows_what_the_plan_leaves_out(capsys, monkeypatch):
     assert main(line) == 0
     shown = capsys.readouterr().out
     assert "runs in mixed lubrication" in shown.split("│")[0]
-    assert "not simulated: squeeze up to" in " ".join(shown.split())
+    assert "neglected: squeeze up to" in " ".join(shown.split())
     assert main([*line, "--effects", "auto,-roughness,-squeeze", "--json"]) == 0
     (scene,) = json.loads(capsys.readouterr().out)["scenes"]
     off = {
@@ -267,9 +269,10 @@ def test_a_run_opens_with_what_was_left_out(tmp_path, capsys):
     path.write_text(text)
     line = ["run", str(path), "--accuracy", "20%", "--out", str(tmp_path / "out")]
     assert main([*line, "--effects", "auto,-roughness"]) == 0
-    first = " ".join(capsys.readouterr().out.split("┏")[0].split())
+    first = " ".join(capsys.readouterr().out.split("Quantity")[0].split())
     assert "This contact runs in boundary lubrication" in first
-    assert "(numerical); not simulated: roughness" in first
+    assert "Neglected: roughness" in first and "smooth surfaces" in first
+    assert first.index("Lubrication regime") < first.index("Minimum film thickness")
     assert "No friction, loss and efficiency by a standard" in first
 
 
@@ -289,7 +292,7 @@ def test_a_sweep_s_table_shows_the_worst_of_its_scenes():
     assert swept.neglected_effects.lambda_central == pytest.approx(1.4 / 0.9)
     shown = rows_table(swept)
     assert WORDS in shown.title
-    assert "µ\nas if\nsmooth" in shown.head
+    assert "µ\nsmooth\nsurfaces" in shown.head
     odd = replace(swept, table=table.assign(lubrication=("scene", ["of no kind"] * 3)))
     assert odd.neglected_effects.lubrication == "unknown"
 
@@ -359,7 +362,7 @@ def test_rough_teeth_are_warmed_by_the_larger_loss(more, by):
     smooth = BOUNDARY_CYCLE.loss.power
     found = heating_loss(BOUNDARY_CYCLE, StandardLoss(0.03, 0.9, more * smooth, "book"))
     assert found.by == by and found.power == max(more, 1.0) * smooth
-    assert "as if smooth" in found.words and "book" in found.words
+    assert "smooth surfaces" in found.words and "book" in found.words
 
 
 def test_separated_teeth_are_warmed_by_the_simulated_loss():
@@ -372,7 +375,7 @@ def test_separated_teeth_are_warmed_by_the_simulated_loss():
 def test_the_table_of_losses_has_the_standard_beside():
     standard = StandardLoss(0.0312, 0.8812, 567.8, "book")
     table = loss_table(BOUNDARY_CYCLE, standard, None)
-    assert table.head[1] == "As if smooth"
+    assert table.head[1] == "Smooth surfaces"
     beside = dict(zip(table.column(0), table.column(2), strict=True))
     assert beside["Power loss of the teeth"] == "567.8 W"
     assert beside["Mean friction coefficient of the teeth"] == "0.0312"
@@ -402,7 +405,10 @@ def test_the_sump_is_as_warm_as_the_standard_s_loss_makes_it(tmp_path, monkeypat
     assert power > 1000
     sump = tasks[0].case.drive.oil.heat.inlet_temperature - 273.15
     assert sump == pytest.approx(20 + (power + 500) / 40, abs=0.5)
-    assert f"{power:.4g} W of rough teeth" in said[0] and "300 W simulated as if smooth" in said[0]
+    assert (
+        f"{power:.4g} W of rough teeth" in said[0]
+        and "300 W simulated with smooth surfaces" in said[0]
+    )
     heating = heating_of(tasks[0].case, cycle, standard_loss(case))
     assert heating.summary() == {
         "taken_W": pytest.approx(power, rel=5e-3),
