@@ -15,6 +15,7 @@ from pyworm.io.terminal import print_message, print_result
 
 if TYPE_CHECKING:
     from pyworm.batch.task import Task
+    from pyworm.io.console import Console
     from pyworm.result.result import Result
 from pyworm.cli.shared import (
     CONVERGED,
@@ -253,6 +254,13 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
             console.print(loss_table(cycle, standard, heating))
     if case.drive is not None and (cycle is None or cycle.loss is None):
         console.print(NO_LOSS if loss is None else loss_sentence(loss))
+    _show_shortfalls(console, summaries, failed)
+
+
+def _show_shortfalls(
+    console: "Console", summaries: Sequence[dict[str, Any]], failed: dict[str, str]
+) -> None:
+    """Contacts that did not converge, are less accurate than requested, or could not be solved."""
     for summary in summaries:
         if not summary["converged"]:
             console.print(f"{summary['name']} did not converge: {summary['stop_reason']}")

@@ -241,7 +241,7 @@ def test_printed_figures_stand_beside_those_of_their_phase(worm):
     solution = worm[0].solutions[1]  # phase 0.5, which the paper shows
     celsius = solution.figures.temperature_max_film.value - 273.15
     assert beside["Maximum film temperature"] == ("117 °C", f"{celsius:.4g} °C")
-    assert beside["Relative radius of curvature, larger"] == ("3.046 m", "3.049 m")
+    assert beside["Larger radius of relative curvature"] == ("3.046 m", "3.049 m")
     assert "phase 0.25" not in words(worm[1], "Beside the source's figures")
 
 
