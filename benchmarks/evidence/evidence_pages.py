@@ -16,6 +16,7 @@ writes all tables anew. Programs that record data do so, too.
 
 import re
 import tomllib
+from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from statistics import median
@@ -28,6 +29,10 @@ TABLES = tomllib.loads(Path(__file__).with_name("tables.toml").read_text())
 TABLE = re.compile(r"<!-- table: (.*?) -->\n.*?<!-- end -->", re.DOTALL)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 NOT_RECORDED = "not recorded"
+
+UNITS = {"um": "µm", "urad": "µrad", "degC": "°C", "degF": "°F"}
+"""How pages write units of data."""
+UNIT = re.compile(rf"\b(?:{'|'.join(UNITS)})\b")
 
 
 def _number(text: str) -> float:
@@ -51,6 +56,7 @@ GATHERED: dict[str, Callable[[Sequence[str]], str]] = {
     "smallest": lambda texts: min(texts, key=_number),
     "median": lambda texts: f"{median(map(_number, texts)):.3g}",
     "values": lambda texts: ", ".join(dict.fromkeys(texts)),
+    "counts": lambda texts: ", ".join(f"{n} {text}" for text, n in Counter(texts).items()),
 }
 """How the values of some rows become one. Empty ones do not count; the number of a text is its first."""
 
@@ -59,7 +65,8 @@ def markdown(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A table."""
     lines = ["|---" * len(columns) + "|"]
     for cells in (columns, *rows):
-        lines.append("|" + " |".join(cell.replace("|", "\\|") for cell in cells) + " |")
+        shown = (re.sub(UNIT, lambda unit: UNITS[unit[0]], cell) for cell in cells)
+        lines.append("|" + " |".join(cell.replace("|", "\\|") for cell in shown) + " |")
     return "\n".join([lines[1], lines[0], *lines[2:]])
 
 

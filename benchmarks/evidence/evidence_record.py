@@ -56,7 +56,7 @@ def record(
         if kept:
             origin = _of_both(known.origin, origin)
     if "commit" in columns:
-        origin = replace(origin, commit="one for each row")
+        origin = replace(origin, commit="of each row")
     save(name, DataFile(origin, tuple(columns), (*kept, *rows)))
     print(markdown(columns, rows), f"-> {path_of(name).relative_to(ROOT)}", sep="\n\n", flush=True)
     write_tables()

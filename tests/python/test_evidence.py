@@ -117,7 +117,7 @@ def test_results_of_the_hard_suite_are_rows_of_its_data(data, monkeypatch):
     for seed in (1, 2, 2):
         record_drives([run], seed)
     found = read("hard_drives")
-    assert found.origin.commit == "one for each row"
+    assert found.origin.commit == "of each row"
     assert [row[0] for row in found.rows] == ["1", "2"]
     assert found.rows[1][1:] == (
         "0", "worm", "5 %", "5", "3", "427", "240", "incomplete", "a reason", "abc",
