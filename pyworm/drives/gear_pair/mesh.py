@@ -221,13 +221,25 @@ class GearPairMesh(Lubricated):
         """The lubricated contact at a phase as it is then, without its past."""
         return self._line(phase) if self.contact == "line" else self._point(phase)
 
+    @property
+    def _direction(self) -> float:
+        """Sign along x of the surfaces' velocities relative to the contact line.
+
+        x runs to the pinion's tip. Where the pinion drives, the contact line runs to it, and the surfaces
+        pass the other way: oil enters on the side of the pinion's tip.
+        """
+        return -1.0 if self.driver == "pinion" else 1.0
+
     def _line(self, phase: float) -> LineScene:
-        contact = self.contacts(phase)
+        contact, direction = self.contacts(phase), self._direction
         return LineScene(
             name=_name(phase),
             gap=GearSection(self.gap(phase)),
             radius=float(contact.radius),
-            velocities=(float(contact.pinion_velocity), float(contact.gear_velocity)),
+            velocities=(
+                direction * float(contact.pinion_velocity),
+                direction * float(contact.gear_velocity),
+            ),
             load=float(contact.unit_load),
             bodies=self.bodies,
             oil=self.oil_supplied,
@@ -240,16 +252,19 @@ class GearPairMesh(Lubricated):
         What the height of the flank over the plane adds to their velocities is neglected: relative to
         them it is that height over the radius of curvature.
         """
-        contact = self.contacts(phase)
+        contact, direction = self.contacts(phase), self._direction
         helix = self.teeth.system.base_helix_angle
         along = self.teeth.face_width**2 / (8 * self.lead_crowning * cos(helix) ** 2)
         return Scene(
             name=_name(phase),
             gap=self.gap(phase),
             radii=(float(contact.radius), along),
-            motions=(
-                RigidMotion(float(contact.pinion_velocity), 0.0, -self.pinion_speed * sin(helix)),
-                RigidMotion(float(contact.gear_velocity), 0.0, self.gear_speed * sin(helix)),
+            motions=tuple(
+                RigidMotion(direction * velocity, 0.0, direction * spin)
+                for velocity, spin in (
+                    (float(contact.pinion_velocity), -self.pinion_speed * sin(helix)),
+                    (float(contact.gear_velocity), self.gear_speed * sin(helix)),
+                )
             ),
             load=float(self.normal_force * contact.load_share),
             bodies=self.bodies,

@@ -144,7 +144,7 @@ def _history(
     diffusivity: float,
     coarse: Grid | LineGrid,
 ) -> kernel.FluxHistory:
-    """Fluxes into a body at some times and the present one, as they have spread since, at nodes of a coarse grid.
+    """Fluxes into a body at some times and the present one, as they have spread since, on a coarse grid.
 
     `diffusivity` is that of the body [m2/s], `ages` are those of the times [s].
     """
