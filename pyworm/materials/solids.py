@@ -112,11 +112,6 @@ def constants(name: str) -> dict[str, Any]:
     return table
 
 
-def is_plastic(name: str) -> bool:
-    """Whether a material of the table softens with temperature."""
-    return "modulus_by_temperature" in _tables()[name]
-
-
 def source(name: str) -> str:
     """What the constants of a material of the table rest on."""
     return str(_tables()[name]["source"])

@@ -21,9 +21,6 @@ from pyworm.io.shown import ShownFields
 ROELANDS_PRESSURE = 1.96e8
 """Pole pressure [Pa] of Roelands' law in its usual rounding (Roelands 1966)."""
 
-ROELANDS_PRESSURE_COEFFICIENT = 5.1e-9
-"""Reciprocal pole pressure [1/Pa] in the form of Sharif et al. (2001), equation 20."""
-
 LARGEST_ALPHA = 1e-6
 """Largest pressure-viscosity coefficient [1/Pa]: a tenfold viscosity in some MPa."""
 

@@ -240,19 +240,6 @@ class RollerEnvelope:
         y, z = point[1] - self.centre_distance, point[2]
         return np.stack([point[0], self.centre_distance + cos * y - sin * z, sin * y + cos * z])
 
-    def roller_distance(self, point: Array, wheel_angle: Array) -> tuple[Array, Array]:
-        """Distance of points (3, ...) of the drive frame from a roller's profile, and place along its axis.
-
-        The distance [m] is taken square to the roller's axis times cos(gamma): exact to first order, with the
-        sign of the true one. The place along the axis is from the roller's middle [m].
-        """
-        _, _, axis, middle = self.axes(wheel_angle)
-        arm = point - middle
-        place = dot(arm, axis)
-        out = np.sqrt(np.maximum(dot(arm, arm) - place**2, 0.0))
-        radius, gamma = self.profile(place)
-        return (out - radius) * np.cos(gamma), place
-
 
 def _wide(vector: Array, like: Array) -> Array:
     """A single vector (3,) with as many axes as vectors (3, ...)."""

@@ -56,7 +56,7 @@ def test_base_pitch_is_that_of_the_tangent_planes():
     """Turning the screw by a pitch moves each tangent plane along its normal by the base pitch."""
     screw = Helicoid(BASE, LEAD, 0.0)
     moved = screw.base_travel * 2 * pi / THREADS
-    assert closed.normal_base_pitch(LEAD, BASE_ANGLE, THREADS) == pytest.approx(moved, rel=1e-12)
+    assert LEAD * cos(BASE_ANGLE) / THREADS == pytest.approx(moved, rel=1e-12)
     # pi m_n cos(alpha_n), as of any rack
     normal = closed.normal_module(MODULE, LEAD_ANGLE)
     assert moved == pytest.approx(pi * normal * cos(ANGLE), rel=1e-12)

@@ -12,7 +12,9 @@ from pyworm.materials.body import Body, named_body, reduced_modulus
 from pyworm.materials.softening import modulus_at
 
 CURVE = (("20 degC", "4 GPa"), ("100 degC", "1 GPa"))
-PLASTICS = [name for name in solids.materials() if solids.is_plastic(name)]
+PLASTICS = [
+    name for name in solids.materials() if "modulus_by_temperature" in solids.constants(name)
+]
 
 
 def body(**given):

@@ -262,10 +262,3 @@ def _as_powers(node: Array, height: Array, rounding: float) -> Array:
     series = np.polynomial.chebyshev.chebfit(node, height, node.size - 1)
     kept = int(np.flatnonzero(np.abs(series) > rounding).max()) + 1
     return np.polynomial.chebyshev.cheb2poly(series[:kept])[::-1].copy()
-
-
-def ground_by(
-    disc: Disc, lead: float, reference: float, radii: tuple[float, float]
-) -> DiscHelicoid:
-    """The flank that a disc grinds on a worm with a reference radius [m], between two radii [m]."""
-    return DiscHelicoid(disc, reference, lead / (2 * pi), *radii)

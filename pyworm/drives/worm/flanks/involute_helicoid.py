@@ -49,11 +49,6 @@ def normal_pressure_angle(lead: float, base_radius: float, radius: float) -> flo
     return acos(min(ratio, 1.0))
 
 
-def normal_base_pitch(lead: float, base_lead_angle: float, threads: int) -> float:
-    """Distance of neighbouring flanks along their common normal [m], lead cos(gamma_b) / threads."""
-    return lead * cos(base_lead_angle) / threads
-
-
 def axial_profile(radius: float, base_radius: float, lead: float) -> float:
     """Height of the flank along the axis over a radius at or outside the base cylinder [m].
 

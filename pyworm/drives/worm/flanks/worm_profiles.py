@@ -42,9 +42,6 @@ flank, half a space beside it, has a slightly different angle."""
 CONCAVE_PROFILES = ("ZC", "ZC2")
 """Profiles of concave worms, which need a positive profile shift."""
 
-DISC_PROFILES = ("ZK", "ZC")
-"""Profiles that depend on the disc that grinds them."""
-
 BLADE_STEPS = 6
 """Corrections of a hob's blade angle; each leaves a hundredth of the difference or less."""
 
