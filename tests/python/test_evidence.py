@@ -11,7 +11,7 @@ from evidence_data import DATA, DataFile, Origin, path_of, read, save
 from evidence_pages import NOT_RECORDED, names_on, table, with_tables
 from evidence_record import record
 from hard_record import record_contacts, record_drives
-from reproduce import LIST, commands
+from reproduce import LIST, commands, run
 from trial import Verdict
 
 ROOT = Path(__file__).parents[2]
@@ -65,6 +65,13 @@ def test_short_commands_and_those_of_some_data():
     assert command == "python benchmarks/validation/line.py"
     with pytest.raises(SystemExit, match="no_such"):
         commands(["no_such"])
+    with pytest.raises(SystemExit, match="choose NUMBER, SEED"):
+        commands(["hard_drives"])
+
+
+def test_a_command_of_the_list_runs_with_its_variables(capfd):
+    run("GIVEN=7 python -c 'import os; print(os.environ[\"GIVEN\"])'")
+    assert capfd.readouterr().out.splitlines()[-1] == "7"
 
 
 @pytest.fixture
