@@ -38,12 +38,3 @@ def test_a_mistake_gives_the_message_of_the_page(key, tmp_path, capsys):
     case.write_text(CASE.replace(*MISTAKES[key], 1))
     assert main(["check", str(case)]) == 2
     assert message in capsys.readouterr().err
-
-
-def test_the_exit_codes_are_those_of_the_reference():
-    codes = {
-        name: re.findall(r"^\| (\d+(?:, \d+)*) \|", (ROOT / name).read_text(), re.M)
-        for name in ("docs/how-to/troubleshooting.md", "docs/reference/commands.md")
-    }
-    first, second = (sorted(", ".join(found).split(", ")) for found in codes.values())
-    assert first == second
