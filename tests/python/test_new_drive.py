@@ -1,11 +1,10 @@
-"""A drive is added as docs/how-to/add-a-drive.md says, by a package of its own, and all commands know it."""
+"""A gear type is added by a package of its own, as docs/how-to/add-a-drive.md says, and all commands know it."""
 
 import json
 import re
 import tomllib
 
 import pytest
-from pages import files_written
 from source_copy import ROOT, Folder
 
 from pyworm.drives.kinds import BUILT_IN, KINDS
@@ -13,15 +12,23 @@ from pyworm.result.result import open_result
 
 PAGE = (ROOT / "docs/how-to/add-a-drive.md").read_text()
 CASE = "cases/eccentric_cam.toml"
+EXAMPLE = ROOT / "examples/eccentric_cam"
+FILES = {
+    file.relative_to(EXAMPLE).as_posix(): file.read_text()
+    for folder in (".", "cases", "eccentric_cam")
+    for file in sorted((EXAMPLE / folder).glob("*"))
+    if file.suffix in (".py", ".toml")
+}
+"""Files of the example: name -> content."""
 
 
 @pytest.fixture(scope="module")
 def outside(tmp_path_factory) -> Folder:
     """A folder with the package of the page, installed beside pyworm as an installer leaves it."""
     installed = Folder(tmp_path_factory.mktemp("installed"))
-    for name, content in files_written(PAGE).items():
+    for name, content in FILES.items():
         installed.write(name, content)
-    project = tomllib.loads(files_written(PAGE)["pyproject.toml"])["project"]
+    project = tomllib.loads(FILES["pyproject.toml"])["project"]
     about = f"{project['name'].replace('-', '_')}-{project['version']}.dist-info"
     installed.write(
         f"{about}/METADATA", f"Name: {project['name']}\nVersion: {project['version']}\n"
@@ -39,7 +46,7 @@ def ran(outside) -> str:
 
 
 def test_a_drive_is_one_folder_outside_of_pyworm():
-    assert sorted(files_written(PAGE)) == [
+    assert sorted(FILES) == [
         CASE,
         "eccentric_cam/__init__.py",
         "eccentric_cam/case.py",
@@ -47,6 +54,7 @@ def test_a_drive_is_one_folder_outside_of_pyworm():
         "eccentric_cam/plots.py",
         "pyproject.toml",
     ]
+    assert all(f"`{name}`" in PAGE for name in FILES if "__init__" not in name)
 
 
 def test_its_kind_is_known_where_it_is_installed_alone(outside):
@@ -61,7 +69,7 @@ def test_it_is_checked_and_planned(outside):
 
 
 def test_parts_that_do_not_fit_are_refused(outside):
-    text = files_written(PAGE)[CASE]
+    text = FILES[CASE]
     (outside.root / "wide.toml").write_text(text.replace('"4 mm"', '"20 mm"'))
     ended = outside.python("-m", "pyworm.cli", "check", "wide.toml")
     assert ended.returncode == 2
@@ -120,7 +128,7 @@ def test_films_are_all_that_is_rated_of_a_drive_that_no_standard_knows(rated):
 
 def test_no_oil_is_chosen_for_it(rated):
     wanted = re.search(r"^\[oil_choice\]\n(.+\n)+", (ROOT / "cases/oil_zi.toml").read_text(), re.M)
-    (rated.root / "wanted.toml").write_text(files_written(PAGE)[CASE] + "\n" + wanted[0])
+    (rated.root / "wanted.toml").write_text(FILES[CASE] + "\n" + wanted[0])
     ended = rated.python("-m", "pyworm.cli", "oil", "choose", "wanted.toml")
     assert ended.returncode == 2
     assert "no oil can be chosen for a drive of this kind" in ended.stderr

@@ -1,0 +1,1 @@
+"""An eccentric cam against a flat tappet."""
