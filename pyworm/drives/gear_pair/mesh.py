@@ -259,12 +259,17 @@ class GearPairMesh(Lubricated):
             name=_name(phase),
             gap=self.gap(phase),
             radii=(float(contact.radius), along),
-            motions=tuple(
-                RigidMotion(direction * velocity, 0.0, direction * spin)
-                for velocity, spin in (
-                    (float(contact.pinion_velocity), -self.pinion_speed * sin(helix)),
-                    (float(contact.gear_velocity), self.gear_speed * sin(helix)),
-                )
+            motions=(
+                RigidMotion(
+                    direction * float(contact.pinion_velocity),
+                    0.0,
+                    -direction * self.pinion_speed * sin(helix),
+                ),
+                RigidMotion(
+                    direction * float(contact.gear_velocity),
+                    0.0,
+                    direction * self.gear_speed * sin(helix),
+                ),
             ),
             load=float(self.normal_force * contact.load_share),
             bodies=self.bodies,

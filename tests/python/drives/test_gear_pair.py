@@ -86,7 +86,7 @@ def test_rigid_bodies_agree_with_the_contacts(increaser):
 
 
 def test_surfaces_pass_the_contact_line_against_its_way(spur, increaser):
-    """Rotations give the sign along x, to the pinion's tip: a driving pinion's contact line runs to its tip."""
+    """Rotations give the sign along x: the contact line of a driving pinion runs to its tip."""
     for drive in (spur, increaser):
         teeth, angle = drive.teeth, drive.teeth.pressure_angle
         # the pinion's flank faces along the line of action; it turns that way where it drives
