@@ -17,7 +17,7 @@ from pyworm.batch.sweep import Sweep, label, load_sweep
 from pyworm.batch.sweep_run import run_sweep
 from pyworm.io import units
 from pyworm.io.console import progress_bar
-from pyworm.io.given import kind_of, number, row, text
+from pyworm.io.given import WithUnit, kind_of, number, row, text
 from pyworm.io.progress import Progress
 from pyworm.io.terminal import print_message
 from pyworm.result.result import Result
@@ -31,7 +31,7 @@ def sweep(
     make: str | Path | Callable[..., Scene | LineScene],
     *,
     out: str | Path | None = None,
-    accuracy: float | str = 0.01,
+    accuracy: WithUnit = 0.01,
     effects: str = "auto",
     quantities: Sequence[str] | None = None,
     fields: bool = False,
@@ -93,7 +93,7 @@ def traction_curve(
     scene: Scene,
     slide_roll_ratios: Sequence[float],
     *,
-    accuracy: float | str = 0.01,
+    accuracy: WithUnit = 0.01,
     effects: str = "auto",
     out: str | Path | None = None,
     processes: int = 1,
@@ -184,7 +184,7 @@ def _study(
     )
 
 
-def _accuracy(given: float | str) -> float:
+def _accuracy(given: WithUnit) -> float:
     """An accuracy as a number."""
     return number("accuracy", given, kind_of(units.Share))
 

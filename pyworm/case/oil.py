@@ -24,7 +24,7 @@ from pyworm.case.table import Table, plain
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG
 from pyworm.formulas.unit_factors import DEGREES_40
 from pyworm.io import units
-from pyworm.io.given import kind_of, number, text
+from pyworm.io.given import WithUnit, kind_of, number, text
 from pyworm.io.plain_values import AboveZeroToOne, PositiveNumber, Text
 from pyworm.io.present import present
 from pyworm.materials.base_stock import Base
@@ -361,7 +361,7 @@ def _of_liquid(table: dict[str, Any]) -> dict[str, Any]:
     return {"name": name, **tables, **table}
 
 
-def named_liquid(name: str, temperature: float | str) -> Oil:
+def named_liquid(name: str, temperature: WithUnit) -> Oil:
     """A liquid of the literature whose laws were fitted to measurements (`pyworm/materials/liquids.toml`).
 
     Parameters

@@ -16,7 +16,10 @@ import numpy as np
 
 from pyworm.io.quantity import Kind, doubt, parse
 
-Given = float | str | Sequence[float | str] | np.ndarray
+WithUnit = float | str
+"""What stands for a number with a dimension: the number in SI, or a text with its unit."""
+
+Given = WithUnit | Sequence[WithUnit] | Sequence[Sequence[WithUnit]] | np.ndarray
 """What stands for numbers with a dimension: numbers in SI, texts with units, or rows of both."""
 
 MAX_VALUE_LENGTH = 40
@@ -108,7 +111,7 @@ def row(name: str, value: Any) -> Sequence[Any] | np.ndarray:
 
 
 @overload
-def in_si(name: str, value: float | str, annotated: Any) -> float: ...
+def in_si(name: str, value: WithUnit, annotated: Any) -> float: ...
 
 
 @overload

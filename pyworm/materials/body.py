@@ -1,12 +1,13 @@
 """The solids in contact: elastic and thermal constants."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
-from pyworm.io.given import in_si, take, text
+from pyworm.io.given import WithUnit, in_si, take, text
 from pyworm.io.plain_values import AboveZeroToOne
 from pyworm.io.present import present
 from pyworm.io.shown import ShownFields
@@ -80,6 +81,31 @@ class Body(ShownFields, SolidConstants):
     long_waves: LongWaves | None = None
     """Its waves longer than those of the roughness; None where they are not known."""
 
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(
+            self,
+            youngs_modulus: WithUnit,
+            poisson_ratio: float,
+            density: WithUnit | None = ...,
+            conductivity: WithUnit | None = ...,
+            specific_heat: WithUnit | None = ...,
+            bulk_temperature: WithUnit | None = ...,
+            roughness: WithUnit | None = ...,
+            roughness_slope: float = ...,
+            roughness_aspect: float = ...,
+            lay: WithUnit = ...,
+            asperity_density: float = ...,
+            boundary_friction_factor: float = ...,
+            topography: Topography | None = ...,
+            long_waves: LongWaves | None = ...,
+            *,
+            modulus_by_temperature: Sequence[Sequence[WithUnit]] = ...,
+            asperity_sharpness: float | None = ...,
+            hardness: WithUnit | None = ...,
+            temperature_limit: WithUnit | None = ...,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         """Read quantities with units; refuse impossible constants of a solid."""
         take(self)
@@ -117,7 +143,7 @@ class Body(ShownFields, SolidConstants):
         """Thermal diffusivity [m2/s]; ValueError likewise."""
         return present(self.conductivity, "conductivity") / self.heat_capacity
 
-    def warm_at(self, inlet: float | str) -> "Body":
+    def warm_at(self, inlet: WithUnit) -> "Body":
         """The solid under oil that enters at a temperature [K]: as warm where it has none of its own."""
         inlet = in_si("inlet", inlet, units.Temperature)
         return replace(self, bulk_temperature=inlet) if self.bulk_temperature is None else self
@@ -159,7 +185,7 @@ def composite_roughness(body_1: Body, body_2: Body) -> float | None:
 
 
 def named_body(
-    material: str, roughness: float | str | None = None, bulk_temperature: float | str | None = None
+    material: str, roughness: WithUnit | None = None, bulk_temperature: WithUnit | None = None
 ) -> Body:
     """A solid of the list of materials (`pyworm/materials/solids.toml`).
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from math import asinh, exp, expm1, inf, sinh
-from typing import Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 import scipy
@@ -11,7 +11,7 @@ import scipy
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import one_of, positive, scalar, within
 from pyworm.io import units
-from pyworm.io.given import in_si, kind_of, number, take
+from pyworm.io.given import WithUnit, in_si, kind_of, number, take
 from pyworm.io.plain_values import AboveZeroToOne, Fraction, NumberOrZero, PositiveNumber
 from pyworm.io.shown import ShownFields
 
@@ -102,6 +102,23 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
     table: tuple[tuple[float, float], ...] = ()
     """Pairs of Newtonian stress eta rate and stress tau, both over G, increasing (`FlowLaw.of`)."""
 
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(
+            self,
+            law: FlowLawName,
+            *,
+            limit: WithUnit = ...,
+            limit_pressure: float = ...,
+            stress: WithUnit = ...,
+            stress_pressure: WithUnit = ...,
+            stress_temperature: WithUnit = ...,
+            exponent: float = ...,
+            yasuda: float = ...,
+            branches: tuple[Branch, ...] = ...,
+            table: tuple[tuple[float, float], ...] = ...,
+        ) -> None: ...
+
     def __post_init__(self) -> None:
         """Refuse impossible values of the constants that the law uses."""
         take(self, sizes=False)  # a continuation goes through larger stresses than any oil has
@@ -131,7 +148,7 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
             )
 
     @classmethod
-    def of(cls, function: Callable[[float], float], stress: float | str, **limit: Any) -> "FlowLaw":
+    def of(cls, function: Callable[[float], float], stress: WithUnit, **limit: Any) -> "FlowLaw":
         """The law by which a function gives the stress [Pa] at a Newtonian one, viscosity times rate [Pa].
 
         Parameters
@@ -168,12 +185,12 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
         shape_at: Array = np.exp(curve(inside) + slope * (place - inside))
         return shape_at
 
-    def limit_at(self, pressure: float | str) -> float:
+    def limit_at(self, pressure: WithUnit) -> float:
         """Limiting stress tauL [Pa] at a pressure [Pa]."""
         pressure = in_si("pressure", pressure, units.PressureCoordinate)
         return max(self.limit + self.limit_pressure * pressure, LEAST_LIMIT)
 
-    def stress_at(self, newtonian: float | str, pressure: float | str) -> float:
+    def stress_at(self, newtonian: WithUnit, pressure: WithUnit) -> float:
         """Shear stress [Pa] at a shear rate and a pressure [Pa], at the inlet's temperature.
 
         Parameters

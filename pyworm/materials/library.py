@@ -14,7 +14,7 @@ from pyworm.formulas import oil_properties
 from pyworm.formulas.gear_oil import ISO_GRADES
 from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_MILLIMETRE
 from pyworm.io import units
-from pyworm.io.given import Given, in_si, kind_of, number, text
+from pyworm.io.given import Given, WithUnit, in_si, kind_of, number, text
 from pyworm.io.present import present
 from pyworm.io.shown import Shown
 from pyworm.materials.base_stock import (
@@ -127,7 +127,7 @@ class NamedOil(Shown):
             return self.stock.conductivity
         return oil_properties.conductivity(self.stock.density_15, temperature)
 
-    def flow(self, temperature: float | str) -> FlowLaw:
+    def flow(self, temperature: WithUnit) -> FlowLaw:
         """Flow law: Eyring's up to a limiting stress.
 
         Both stresses are constants of the base stock, or follow from its limiting traction coefficient and
@@ -145,7 +145,7 @@ class NamedOil(Shown):
         stress = float(oil_properties.eyring_stress(self.alpha(temperature), coefficient))
         return FlowLaw("eyring-limited", stress=stress, limit=stress, limit_pressure=coefficient)
 
-    def oil(self, temperature: float | str) -> Oil:
+    def oil(self, temperature: WithUnit) -> Oil:
         """The oil of a contact whose inlet has a temperature [K].
 
         Roelands' exponents are those by which viscosity, alpha and the slope of viscosity with

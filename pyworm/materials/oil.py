@@ -6,13 +6,14 @@ converge.
 
 from dataclasses import dataclass, replace
 from math import exp, log
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import Given, in_si, kind_of, take
+from pyworm.io.given import Given, WithUnit, in_si, kind_of, take
 from pyworm.io.present import present
 from pyworm.io.quantity_text import as_text
 from pyworm.io.shown import Shown
@@ -97,6 +98,20 @@ class Oil(Shown):
     """Relative uncertainty of the pressure-viscosity coefficient [-]: its base stock's for an oil of the
     library, zero where it was measured."""
 
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(
+            self,
+            viscosity: ViscosityLaw | TabulatedViscosity,
+            density: Density | TabulatedDensity,
+            flow: FlowLaw | None = ...,
+            heat: OilHeat | None = ...,
+            supply: WithUnit | OilLayer | None = ...,
+            boundary_friction: float = ...,
+            boundary_friction_spread: float | None = ...,
+            alpha_spread: float = ...,
+        ) -> None: ...
+
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the oil in words, at its inlet temperature and ambient pressure."""
         law, heat = self.viscosity, self.heat
@@ -141,7 +156,7 @@ class Oil(Shown):
             return self.supply.at(across)
         return np.full(np.shape(across), self.supply)
 
-    def eta(self, pressure: float | str, rise: float | str = 0.0) -> float:
+    def eta(self, pressure: WithUnit, rise: WithUnit = 0.0) -> float:
         """Viscosity [Pa s] at a pressure [Pa] and a temperature above the inlet's [K]."""
         pressure = in_si("pressure", pressure, units.PressureCoordinate)
         rise = in_si("rise", rise, units.TemperatureRise)
@@ -172,7 +187,7 @@ class Oil(Shown):
         law, heat = self.viscosity, self.thermal
         return law.THINNING.beta(law, heat.viscosity_exponent, heat.inlet_temperature)
 
-    def warmed(self, rise: float | str) -> "Oil":
+    def warmed(self, rise: WithUnit) -> "Oil":
         """The oil at an inlet temperature higher by some kelvin, by its own laws.
 
         Roelands: ln eta + 9.67 falls as the distance from the pole of temperature to the power -s0, at every

@@ -1,14 +1,16 @@
 """The layer of oil that arrives at a contact, where it is not the same everywhere across the track."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import within
 from pyworm.io import units
-from pyworm.io.given import Given, in_si, take
+from pyworm.io.given import Given, WithUnit, in_si, take
 from pyworm.io.shown import ShownFields
 
 
@@ -26,6 +28,10 @@ class OilLayer(ShownFields):
     """Places across the entrainment from the contact point, to its left, increasing [m]."""
     thickness: tuple[units.FilmOrZero, ...]
     """Thickness of the oil on both surfaces together there [m]; in between linear, beyond as at the ends."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(self, across: Sequence[WithUnit], thickness: Sequence[WithUnit]) -> None: ...
 
     def __post_init__(self) -> None:
         """Refuse what is no profile."""

@@ -5,14 +5,14 @@ from itertools import pairwise
 
 import numpy as np
 
-from pyworm.io.given import kind_of, number
+from pyworm.io.given import WithUnit, kind_of, number
 from pyworm.io.units import MaterialTemperature, Modulus, Temperature
 
 Points = tuple[tuple[MaterialTemperature, Modulus], ...]
 """Temperatures [K] and Young's moduli there [Pa], in order of temperature."""
 
 
-def points(name: str, given: Sequence[Sequence[float | str]]) -> Points:
+def points(name: str, given: Sequence[Sequence[WithUnit]]) -> Points:
     """Points of a modulus over temperature, numbers in SI or texts with units.
 
     Raises

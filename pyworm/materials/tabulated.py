@@ -10,7 +10,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from hashlib import sha256
-from typing import Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 import scipy
@@ -18,7 +18,7 @@ import scipy
 from pyworm.formulas.arrays import Array, Values
 from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
-from pyworm.io.given import Given, in_si, kind_of
+from pyworm.io.given import Given, WithUnit, in_si, kind_of
 from pyworm.io.quantity_text import as_text
 
 Law = Callable[[Array, Array], Values]
@@ -65,6 +65,12 @@ class Tabulated(ABC):
 
     KIND: ClassVar[Any]
     """Type of the property in `pyworm.io.units`."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(
+            self, pressures: Given, temperatures: Given, values: Given, reference: WithUnit
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         """Refuse what is no table."""
@@ -117,9 +123,9 @@ class Tabulated(ABC):
     def of(
         cls,
         function: Law,
-        reference: float | str,
-        largest_pressure: float | str = LARGEST_PRESSURE,
-        temperatures: Sequence[float | str] | None = None,
+        reference: WithUnit,
+        largest_pressure: WithUnit = LARGEST_PRESSURE,
+        temperatures: Sequence[WithUnit] | None = None,
     ) -> Self:
         """The table of a function.
 
@@ -152,7 +158,7 @@ class Tabulated(ABC):
         )
         return cls(pressures, warmths, values, reference)
 
-    def at(self, temperature: float | str) -> Self:
+    def at(self, temperature: WithUnit) -> Self:
         """The property of an oil that enters at another temperature [K]."""
         return replace(self, reference=in_si("temperature", temperature, units.Temperature))
 

@@ -2,10 +2,11 @@
 
 from dataclasses import dataclass
 from math import inf
+from typing import TYPE_CHECKING
 
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import kind_of, number, take
+from pyworm.io.given import WithUnit, kind_of, number, take
 from pyworm.io.shown import ShownFields
 
 
@@ -55,6 +56,27 @@ class OilHeat(ShownFields, HeatCourse):
     supply_temperature: units.Temperature | None = None
     """Temperature of the oil before it met bodies of another one, which it has taken since [K]; None where it
     is the inlet's."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(
+            self,
+            inlet_temperature: WithUnit,
+            viscosity_exponent: WithUnit,
+            conductivity: WithUnit,
+            specific_heat: WithUnit,
+            expansivity: WithUnit = ...,
+            supply_temperature: WithUnit | None = ...,
+            *,
+            expansivity_decay: WithUnit = ...,
+            conductivity_c1: WithUnit = ...,
+            conductivity_c2: WithUnit = ...,
+            heat_capacity_b0: WithUnit = ...,
+            heat_capacity_b1: WithUnit = ...,
+            heat_capacity_b2: WithUnit = ...,
+            heat_capacity_k1: WithUnit = ...,
+            heat_capacity_k2: WithUnit = ...,
+        ) -> None: ...
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows in words; the unit of the viscosity's exponent is that of the oil's law."""

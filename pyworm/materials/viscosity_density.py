@@ -15,7 +15,7 @@ import numpy as np
 from pyworm.formulas.oil_properties import ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import Given, in_si, kind_of, number, take
+from pyworm.io.given import Given, WithUnit, in_si, kind_of, number, take
 from pyworm.io.shown import ShownFields
 
 ROELANDS_PRESSURE = 1.96e8
@@ -61,7 +61,7 @@ class ViscosityLaw(ShownFields, ABC):
         """Viscosity [Pa s] at a pressure or pressures [Pa]."""
 
     @abstractmethod
-    def with_eta0(self, eta0: float | str) -> Self:
+    def with_eta0(self, eta0: WithUnit) -> Self:
         """The law of another viscosity at ambient pressure [Pa s], alpha being kept."""
 
     @abstractmethod
@@ -134,6 +134,10 @@ class Barus(ViscosityLaw):
     alpha: units.PressureViscosityOrZero
     """Pressure-viscosity coefficient [1/Pa]."""
 
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(self, eta0: WithUnit, alpha: WithUnit) -> None: ...
+
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
         take(self, sizes=False)  # a law that is warmed may thin beyond what an oil has
@@ -151,7 +155,7 @@ class Barus(ViscosityLaw):
         """alpha, and no pole."""
         return self.alpha, 1.0
 
-    def with_eta0(self, eta0: float | str) -> Self:
+    def with_eta0(self, eta0: WithUnit) -> Self:
         """The law of another viscosity at ambient pressure [Pa s]."""
         return replace(self, eta0=number("eta0", eta0, kind_of(units.Viscosity), sizes=False))
 
@@ -173,6 +177,10 @@ class Roelands(ViscosityLaw):
     p0: units.Pressure = ROELANDS_PRESSURE
     """Pole pressure [Pa]."""
 
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(self, eta0: WithUnit, z: float, p0: WithUnit = ...) -> None: ...
+
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
         take(self, sizes=False)  # a law that is warmed may thin beyond what an oil has
@@ -186,9 +194,7 @@ class Roelands(ViscosityLaw):
         positive("p0", self.p0, "Pa")
 
     @classmethod
-    def from_alpha(
-        cls, eta0: float | str, alpha: float | str, p0: float | str = ROELANDS_PRESSURE
-    ) -> Self:
+    def from_alpha(cls, eta0: WithUnit, alpha: WithUnit, p0: WithUnit = ROELANDS_PRESSURE) -> Self:
         """The law whose slope at p = 0 is Barus' alpha [1/Pa]: z = alpha p0 / (ln eta0 + 9.67)."""
         eta0 = number("eta0", eta0, kind_of(units.Viscosity))
         alpha = number("alpha", alpha, kind_of(units.PressureViscosityOrZero))
@@ -205,7 +211,7 @@ class Roelands(ViscosityLaw):
         """z and the pole."""
         return self.z, self.p0
 
-    def with_eta0(self, eta0: float | str) -> Self:
+    def with_eta0(self, eta0: WithUnit) -> Self:
         """The law of another viscosity at ambient pressure [Pa s], with the z of the same alpha."""
         return self.from_alpha(eta0, self.alpha, self.p0)
 
@@ -213,7 +219,7 @@ class Roelands(ViscosityLaw):
         """The law of another alpha, and so another z."""
         return replace(self, z=factor * self.z)
 
-    def s0(self, beta: float | str, temperature: float | str) -> float:
+    def s0(self, beta: WithUnit, temperature: WithUnit) -> float:
         """Exponent of temperature [-] by which -d ln eta/dT is beta [1/K] at p = 0 and a temperature [K]."""
         beta = in_si("beta", beta, units.TemperatureCoefficient)
         temperature = in_si("temperature", temperature, units.Temperature)
@@ -243,6 +249,10 @@ class Density(ShownFields):
     d2: units.PressureCoefficientOrZero
     """Coefficient [1/Pa]."""
 
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(self, rho0: WithUnit, d1: WithUnit, d2: WithUnit) -> None: ...
+
     def __post_init__(self) -> None:
         """Refuse impossible constants of an oil."""
         take(self)
@@ -250,17 +260,17 @@ class Density(ShownFields):
         within("d1, d2", [self.d1, self.d2], 0, inf, "1/Pa")
 
     @classmethod
-    def incompressible(cls, rho0: float | str) -> "Density":
+    def incompressible(cls, rho0: WithUnit) -> "Density":
         """Constant density."""
         return cls(in_si("rho0", rho0, units.OilDensity), 0.0, 0.0)
 
     @classmethod
-    def dowson_higginson(cls, rho0: float | str) -> "Density":
+    def dowson_higginson(cls, rho0: WithUnit) -> "Density":
         """The form 1 + 0.6e-9 p / (1 + 1.7e-9 p)."""
         return cls(in_si("rho0", rho0, units.OilDensity), 0.6e-9, 1.7e-9)
 
     @classmethod
-    def dowson_higginson_pole(cls, rho0: float | str) -> "Density":
+    def dowson_higginson_pole(cls, rho0: WithUnit) -> "Density":
         """The form (5.9e8 + 1.34 p) / (5.9e8 + p): close to the other, not identical."""
         return cls(in_si("rho0", rho0, units.OilDensity), 0.34 / 5.9e8, 1 / 5.9e8)
 

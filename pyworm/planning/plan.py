@@ -8,7 +8,7 @@ import numpy as np
 
 from pyworm.formulas.regimes import Regime
 from pyworm.io import units
-from pyworm.io.given import kind_of, number, row, unusual
+from pyworm.io.given import WithUnit, kind_of, number, row, unusual
 from pyworm.io.quantity_text import percent
 from pyworm.io.shown import Shown
 from pyworm.materials.flow_laws import NEWTONIAN
@@ -120,7 +120,7 @@ class Plan(Shown):
 
 def plan(
     scene: Scene | LineScene,
-    accuracy: float | str = 0.01,
+    accuracy: WithUnit = 0.01,
     effects: str = "auto",
     quantities: Sequence[str] | None = None,
 ) -> Plan:
@@ -176,7 +176,7 @@ def _require_conduction(scene: Scene | LineScene) -> None:
 
 def plan_of(
     scene: Scene | LineScene,
-    accuracy: float | str = 0.01,
+    accuracy: WithUnit = 0.01,
     effects: str = "auto",
     quantities: Sequence[str] | None = None,
 ) -> Plan:

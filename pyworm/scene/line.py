@@ -4,17 +4,21 @@ The contact is the same all along the line. x runs across the line with its orig
 velocities are those of the surfaces along x, relative to the (moving) contact point.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
-from pyworm.io.given import Given, kind_of, number, take
+from pyworm.io.given import Given, WithUnit, kind_of, number, take
 from pyworm.io.shown import ShownFields
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Oil
 from pyworm.scene.contact import FROM_GAP, Contact, as_arrays, radii_of
+from pyworm.scene.life import Past
 
 LineGap = Callable[[Array], tuple[Array, Flags]]
 """x [m] -> undeformed gap [m] and a boolean, true where both surfaces exist. The gap is finite everywhere."""
@@ -26,6 +30,10 @@ class Parabola(ShownFields):
 
     radius: units.Radius
     """Relative radius of curvature [m]."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(self, radius: WithUnit) -> None: ...
 
     def __post_init__(self) -> None:
         """Refuse a radius that there is not."""
@@ -66,6 +74,29 @@ class LineScene(Contact):
     grid. By default that of the gap, which a `Parabola` has."""
     velocities: tuple[float, float]
     """Velocity of body 1 and of body 2 [m/s]."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(
+            self,
+            *,
+            name: str,
+            gap: LineGap,
+            load: WithUnit,
+            bodies: tuple[Body, Body],
+            oil: Oil,
+            phase: float | None = ...,
+            slide_roll_ratio: float | None = ...,
+            section: str | None = ...,
+            station: float | None = ...,
+            separation: WithUnit | None = ...,
+            past: Past[Any] | None = ...,
+            rigid: bool = ...,
+            smooth: bool = ...,
+            travelled: Sequence[Sequence[WithUnit]] | None = ...,
+            radius: WithUnit = ...,
+            velocities: tuple[WithUnit, WithUnit],
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         """Take the radius of the gap; refuse another one, and what are no velocities."""

@@ -4,18 +4,22 @@ The tangent plane carries x and y with their origin at the contact point; z poin
 Velocities are those of the surfaces relative to the (moving) contact point, projected on the plane.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from math import atan2
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import Given, take
+from pyworm.io.given import Given, WithUnit, take
 from pyworm.io.shown import ShownFields
+from pyworm.materials.body import Body
+from pyworm.materials.oil import Oil
 from pyworm.scene.contact import FROM_GAP, Contact, as_arrays, radii_of
+from pyworm.scene.life import Past
 
 Gap = Callable[[Array, Array], tuple[Array, Flags]]
 """(x, y) [m] -> undeformed gap [m] and a boolean, true where both surfaces exist.
@@ -39,6 +43,10 @@ class Paraboloid(ShownFields):
     """Relative radius of curvature along x [m]."""
     radius_y: units.Radius
     """Relative radius of curvature along y [m]."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(self, radius_x: WithUnit, radius_y: WithUnit) -> None: ...
 
     def __post_init__(self) -> None:
         """Refuse radii that there are not."""
@@ -67,6 +75,10 @@ class RigidMotion(ShownFields):
     """Velocity along y at the contact point [m/s]."""
     spin: units.Spin = 0.0
     """Angular velocity about the common normal [rad/s], positive from x to y."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(self, u: WithUnit, v: WithUnit, spin: WithUnit = ...) -> None: ...
 
     def __post_init__(self) -> None:
         """Refuse velocities that there are not."""
@@ -102,6 +114,29 @@ class Scene(Contact):
     default those of the gap, which a `Paraboloid` and a `SampledGap` have."""
     motions: tuple[Motion, Motion]
     """Velocity field of body 1 and of body 2."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(
+            self,
+            *,
+            name: str,
+            gap: Gap,
+            load: WithUnit,
+            bodies: tuple[Body, Body],
+            oil: Oil,
+            phase: float | None = ...,
+            slide_roll_ratio: float | None = ...,
+            section: str | None = ...,
+            station: float | None = ...,
+            separation: WithUnit | None = ...,
+            past: Past[Any] | None = ...,
+            rigid: bool = ...,
+            smooth: bool = ...,
+            travelled: Sequence[Sequence[WithUnit]] | None = ...,
+            radii: tuple[WithUnit, WithUnit] = ...,
+            motions: tuple[Motion, Motion],
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         """Take the radii of the gap; refuse others, and what is no motion."""

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 import scipy
@@ -45,6 +46,10 @@ class SampledGap:
     """Evenly or unevenly spaced, increasing coordinates across [m]."""
     gap: Array
     """Undeformed gap [m], shape (y, x); NaN where a body is missing."""
+
+    if TYPE_CHECKING:  # given with units, kept as numbers in SI
+
+        def __init__(self, x: Given, y: Given, gap: Given) -> None: ...
 
     def __post_init__(self) -> None:
         """Refuse an array that is no gap over x and y."""

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from pyworm.io import units
-from pyworm.io.given import kind_of, number
+from pyworm.io.given import WithUnit, kind_of, number
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.planning.plan import plan
 from pyworm.scene.point import Scene, require_point
@@ -17,9 +17,9 @@ from pyworm.solver.solve import solve
 def passes(
     scene: Scene,
     count: int,
-    accuracy: float | str = 0.05,
+    accuracy: WithUnit = 0.05,
     effects: str = "auto",
-    replenished: float | str = 0.0,
+    replenished: WithUnit = 0.0,
 ) -> Iterator[Solution]:
     """Solve passes of a contact over one track, as of rollers or balls in a row, one after another.
 

@@ -1,0 +1,94 @@
+"""Types that the package ships: a script of public uses is clean, and stated signatures are the fields."""
+
+import ast
+import dataclasses
+import inspect
+import subprocess
+import sys
+import textwrap
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import pyworm
+from pyworm.io.given import quantities
+
+ROOT = Path(__file__).parents[2]
+SCRIPT = ROOT / "tests" / "data" / "public_uses.py"
+
+
+def errors(script: Path) -> list[str]:
+    """What mypy says of a script, as strictly as it can."""
+    command = ["mypy", "--strict", "--no-error-summary", "--follow-imports=silent", str(script)]
+    ended = subprocess.run(
+        [sys.executable, "-m", *command], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert not ended.stderr
+    return [line for line in ended.stdout.splitlines() if ": error:" in line]
+
+
+def test_twenty_public_uses_are_clean():
+    uses = {
+        node.attr
+        for node in ast.walk(ast.parse(SCRIPT.read_text()))
+        if isinstance(node, ast.Attribute)
+        and isinstance(node.value, ast.Name)
+        and node.value.id == "pyworm"
+    }
+    assert len(uses & set(pyworm.__all__)) >= 20
+    assert (ROOT / "pyworm" / "py.typed").exists()
+    assert not errors(SCRIPT)
+
+
+def test_wrong_uses_are_seen(tmp_path):
+    script = tmp_path / "wrong.py"
+    script.write_text(
+        "import pyworm\n"
+        "pyworm.Barus([0.04], 2e-8)\n"
+        'pyworm.Paraboloid("10 mm", radius=2.0)\n'
+        'text: str = pyworm.Parabola("10 mm").radius\n'
+    )
+    assert [line.split(":")[1] for line in errors(script)] == ["2", "3", "4"]
+
+
+def stated() -> Iterator[tuple[type, ast.FunctionDef]]:
+    """Public dataclasses that take quantities, and the `__init__` that a type checker reads."""
+    for name in pyworm.__all__:
+        kind = getattr(pyworm, name)
+        if not (inspect.isclass(kind) and dataclasses.is_dataclass(kind) and quantities(kind)):
+            continue
+        for owner in kind.__mro__[:-1]:
+            found = [
+                node
+                for node in ast.walk(ast.parse(textwrap.dedent(inspect.getsource(owner))))
+                if isinstance(node, ast.FunctionDef) and node.name == "__init__"
+            ]
+            if found:
+                yield kind, found[0]
+                break
+        else:
+            pytest.fail(f"{name} states no types of what it takes")
+
+
+@pytest.mark.parametrize(
+    ("kind", "init"), list(stated()), ids=lambda value: getattr(value, "__name__", "")
+)
+def test_stated_arguments_are_the_fields(kind, init):
+    given = inspect.signature(kind).parameters.values()
+    needed = len(init.args.args) - len(init.args.defaults)
+    arguments = [
+        (argument.arg, "positional", number >= needed)
+        for number, argument in enumerate(init.args.args)
+    ][1:] + [
+        (argument.arg, "keyword", default is not None)
+        for argument, default in zip(init.args.kwonlyargs, init.args.kw_defaults, strict=True)
+    ]
+    assert arguments == [
+        (
+            one.name,
+            "keyword" if one.kind is inspect.Parameter.KEYWORD_ONLY else "positional",
+            one.default is not inspect.Parameter.empty,
+        )
+        for one in given
+    ]
