@@ -1,4 +1,4 @@
-"""A gear type is added by a package of its own, as docs/how-to/add-a-drive.md says, and all commands know it."""
+"""A drive is added as docs/how-to/add-a-drive.md says, by a package of its own; all commands know it."""
 
 import json
 import re
