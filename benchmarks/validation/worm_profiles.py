@@ -144,11 +144,11 @@ def rows_of(meshes: dict[str, Mesh]) -> list[tuple[str, ...]]:
 
 def draw(meshes: dict[str, Mesh]) -> Figure:
     """Patterns on the wheel's flank, above radii, loads and films over the phase."""
-    figure = new_figure(12, 10, "One worm drive of every profile, a = 100 mm, 2/39, x = 0.75")
-    rows = figure.subfigures(2, height_ratios=(2, 4))
-    rows[0].supylabel("distance from the wheel's axis / mm", fontsize="medium")
+    figure = new_figure(12, 11, "One worm gear set with every profile, a = 100 mm, 2/39, x = 0.75")
+    rows = figure.subfigures(2, height_ratios=(3, 4))
+    rows[0].supylabel("radius / mm", fontsize="medium")
     rows[0].supxlabel(
-        "along the face / mm, the worm's threads leave on the right; coloured: pressed at the five phases; "
+        "face width coordinate / mm, the worm's threads leave on the right; colours: pressure at the five phases; "
         "line: path of contact, from the tip to the root",
         fontsize="medium",
     )
@@ -158,8 +158,8 @@ def draw(meshes: dict[str, Mesh]) -> Figure:
         axes.set_title(name, color=PROFILES[name])
     below = rows[1].subplots(2, 2, sharex=True).ravel()
     labels = (
-        "long radius / m",
-        "short radius / mm",
+        "larger radius of curvature / m",
+        "smaller radius of curvature / mm",
         "normal load / kN",
         "minimum film thickness / µm",
     )
@@ -174,7 +174,7 @@ def draw(meshes: dict[str, Mesh]) -> Figure:
         axes.set_ylim(bottom=0)
         axes.grid(True, color="0.9")
     for axes in below[2:]:
-        axes.set_xlabel("phase")
+        axes.set_xlabel("mesh phase")
     below[1].legend(frameon=False, ncols=3)
     return figure
 
