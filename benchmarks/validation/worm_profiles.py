@@ -148,8 +148,8 @@ def draw(meshes: dict[str, Mesh]) -> Figure:
     rows = figure.subfigures(2, height_ratios=(3, 4))
     rows[0].supylabel("radius / mm", fontsize="medium")
     rows[0].supxlabel(
-        "face width coordinate / mm, the worm's threads leave on the right; colours: pressure at the five phases; "
-        "line: path of contact, from the tip to the root",
+        "face width coordinate / mm, the worm's threads leave on the right; colours: pressure at the "
+        "five phases; line: path of contact, from the tip to the root",
         fontsize="medium",
     )
     panels = rows[0].subplots(2, -(-len(meshes) // 2), sharex=True, sharey=True).ravel()
