@@ -82,7 +82,7 @@ def run(
     missing = store.missing(task for task in tasks if task.key not in earlier)
     before = sum(task not in missing for task in tasks)
     if before:
-        print_message(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+        print_message(f"{before} of {len(tasks)} contacts were solved before, in {directory}")
     if executor is None and len(missing) == 1:
         store = replace(store, sole=True)
     reasons = solve_all(missing, store, executor, progress)
@@ -155,7 +155,7 @@ def _solved_before(path: Path, store: Store, print_message: Callable[[str], None
     except FileNotFoundError:
         return {}
     except ValueError as error:
-        print_message(f"{error}; its scenes are solved again")
+        print_message(f"{error}; its contacts are solved again")
         return {}
 
 

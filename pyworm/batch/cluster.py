@@ -26,7 +26,7 @@ PATIENCE = 30
 LOOK = 2
 """How often to look whether there are workers [s]."""
 
-RESUME_HINT = "scenes already solved are kept, the same command continues from there"
+RESUME_HINT = "contacts already solved are kept, the same command continues from there"
 
 
 @contextmanager

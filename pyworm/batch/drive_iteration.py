@@ -287,14 +287,14 @@ def _told(found: dict[str, dict[str, Any]]) -> list[str]:
             if key != "lifts":
                 said.append(f"{table}.{key} = {value:g}")
             elif value is not None:
-                said.append(f"{table}.{_told_lifts(value)}")
+                said.append(f"{table}.lifts of {_told_lifts(value)}")
     return said
 
 
 def _told_lifts(given: Sequence[tuple[float, float]]) -> str:
-    """Phases and lifts in words."""
+    """Range of lifts in words."""
     lifts = [1e6 * lift for _, lift in given]
-    return f"lifts of {min(lifts):.2f} to {max(lifts):.2f} µm"
+    return f"{min(lifts):.2f} to {max(lifts):.2f} µm"
 
 
 def load_change(case: Case, new: Case, phases: Sequence[float]) -> float:

@@ -47,7 +47,7 @@ class Overrun:
         """What took so long, in one sentence."""
         why = "; ".join(self.reasons) or SHARED
         taken, expected = duration(self.taken), duration(self.expected)
-        return f"took {taken} of processor time where {expected} were expected: {why}"
+        return f"took {taken} of CPU time where {expected} were expected: {why}"
 
 
 def processor_seconds() -> float:

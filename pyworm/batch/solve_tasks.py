@@ -49,7 +49,7 @@ def solve_all(
             share = _share(tell, position, len(tasks))
             reasons[task.key] = solve_and_keep(task, store, share)
     else:
-        tell(f"0 of {len(tasks)} scenes", 0.0)
+        tell(f"0 of {len(tasks)} contacts", 0.0)
         count, watched = len(tasks), isinstance(executor, WorkerPool)
         futures = {
             executor.submit(solve_for, task.key, task, store, _line(number, count, watched)): task
@@ -57,7 +57,7 @@ def solve_all(
         }
         for done, future in enumerate(as_completed(futures), 1):
             reasons[futures[future].key] = _reason(future, futures[future], store)
-            tell(f"{done} of {len(tasks)} scenes", done / len(tasks))
+            tell(f"{done} of {len(tasks)} contacts", done / len(tasks))
     return {task.key: why for task in tasks if (why := reasons[task.key]) is not None}
 
 

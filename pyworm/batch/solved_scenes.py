@@ -94,7 +94,7 @@ class Store:
         except ValueError as error:
             raise OSError(f"{error}; the same command solves it again") from error
         if result.provenance.get("keys") != [task.key] or len(result.solutions) != 1:
-            raise OSError(f"{file} holds another scene; the same command solves it again")
+            raise OSError(f"{file} holds another contact; the same command solves it again")
         if not self.serves(result.solutions[0]):
             raise OSError(f"{file} has rounded fields; the same command solves it again")
         return result

@@ -21,7 +21,7 @@ from pyworm.planning.effects.effect import FILM
 from pyworm.result.formula_summary import formula_summary
 from pyworm.result.sweep_result import SweepResult, sweep_table
 
-BY_FORMULA = "films by formula, as accurate as asked for"
+BY_FORMULA = "film thickness by formula, with the requested accuracy"
 
 _ACCURATE = {"converged": True, "accurate": True, "stop_reason": BY_FORMULA}
 """Stop reason of a scene that needed no solve."""
@@ -92,11 +92,11 @@ def solve_share(
     found = store.solved(tasks)
     if found:
         before = sum(task.key in found for task in tasks)
-        print_message(f"{before} of {len(tasks)} scenes were solved before, in {directory}")
+        print_message(f"{before} of {len(tasks)} contacts were solved before, in {directory}")
     if not fields:
         given = _by_formula(task for task in tasks if task.key not in found)
         if given:
-            print_message(f"{len(given)} of {len(tasks)} scenes need no solve: {BY_FORMULA}")
+            print_message(f"{len(given)} of {len(tasks)} contacts need no solve: {BY_FORMULA}")
         found |= given
     missing = list({task.key: task for task in tasks if task.key not in found}.values())
     return solve_all(missing, store, executor, progress), found

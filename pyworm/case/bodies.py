@@ -61,7 +61,7 @@ class BodyTable(Table, SolidConstants):
     def _surface_alone(self) -> Self:
         for name in (*_ROUGHNESSES, *_OF_HEIGHTS, "lay"):
             if self.surface is not None and getattr(self, name) is not None:
-                raise ValueError(f"{name} means nothing beside surface, whose heights give it")
+                raise ValueError(f"{name} has no effect with surface, whose heights give it")
         return self
 
     @model_validator(mode="before")
@@ -99,17 +99,17 @@ class BodyTable(Table, SolidConstants):
             )
         for name in _OF_HEIGHTS:
             if getattr(self, name) is not None and not known:
-                raise ValueError(f"{name} needs roughness (Rq) or roughness_ra (Ra) beside it")
+                raise ValueError(f"{name} needs roughness (Rq) or roughness_ra (Ra) with it")
         if self.asperity_sharpness is not None and self.roughness_slope is not None:
             raise ValueError(
                 "give either roughness_slope (rough on all scales) or asperity_sharpness (asperities of one "
                 "radius), one of the two"
             )
         if self.asperity_density is not None and self.asperity_sharpness is None:
-            raise ValueError("asperity_density needs asperity_sharpness beside it, such as 0.01")
+            raise ValueError("asperity_density needs asperity_sharpness with it, such as 0.01")
         if self.lay is not None and self.roughness_aspect is None:
             raise ValueError(
-                "lay needs roughness_aspect beside it, such as 3: without it there is no lay"
+                "lay needs roughness_aspect with it, such as 3: without it there is no lay"
             )
         return self
 

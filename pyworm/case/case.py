@@ -116,9 +116,9 @@ class Case(Shown):
 
     @property
     def mesh_places(self) -> dict[str, tuple[Any, ...]]:
-        """Sections, phases and stations of its drive's mesh to solve, by name; empty without a drive.
+        """Sections, phases and stations of the mesh of its gears to solve, by name; empty without gears.
 
-        Phases at which the contact carries no load are left out, unless none carries any.
+        Phases at which the contact carries no load are omitted, unless none carries any.
         """
         listed = self._listed_places
         if "phase" not in listed:
@@ -150,14 +150,14 @@ class Case(Shown):
 
     @property
     def phases_under_load(self) -> tuple[float, ...]:
-        """Tenths of the mesh cycle at which its drive's contact carries load; empty without a drive."""
+        """Tenths of the mesh cycle at which the contact of its gears carries load; empty without gears."""
         if self.drive is None:
             return ()
         return tuple(tenth / 10 for tenth in range(1, 10) if not self.drive.idle(tenth / 10))
 
     @property
     def slide_roll_ratios(self) -> tuple[float, ...]:
-        """Slide-roll ratios of a traction curve; empty where velocities are given, or a drive."""
+        """Slide-roll ratios of a traction curve; empty where velocities are given, or gears."""
         tables = self.tables
         if not isinstance(tables, PointCase | GapCase):
             return ()
@@ -208,7 +208,7 @@ class Case(Shown):
         Raises
         ------
         CaseError
-            The parts do not make a drive.
+            The parts do not make a gear set.
         """
         if not isinstance(self.tables, DriveCase):
             return None
@@ -307,7 +307,7 @@ class Case(Shown):
         return self.tables.load_key if isinstance(self.tables, DriveCase) else "contact.load"
 
     def _mesh_place(self, wanted: dict[str, Any]) -> ContactIndex:
-        """A place of the drive's mesh, by default the first that the case lists."""
+        """A position in the mesh, by default the first that the case lists."""
         given: dict[str, Any] = {}
         sections = present(self.drive, "drive").sections
         for name, value in wanted.items():
@@ -316,7 +316,7 @@ class Case(Shown):
                 given[name] = listed[0] if listed else None
                 continue
             if listed is None:
-                raise CaseError(f"{name} {value}: the drive of {self.name} has no {name}s")
+                raise CaseError(f"{name} {value}: the gears of {self.name} has no {name}s")
             if name == "section" and value not in (*listed, *sections):
                 raise CaseError(f"section {value}: choose one of {', '.join(sections)}")
             if name != "section" and not 0 <= value <= 1:
@@ -330,7 +330,7 @@ class Case(Shown):
         Parameters
         ----------
         **wanted : sequence, optional
-            Others, by the names of `ContactIndex`; of several phases those without load are left out.
+            Others, by the names of `ContactIndex`; of several phases those without load are omitted.
         """
         if phases := wanted.get("phase"):
             wanted["phase"] = _without(self.idle_phases(phases), phases)
@@ -360,7 +360,7 @@ def load(path: str | Path) -> Case:
     Raises
     ------
     CaseError
-        Whatever is wrong first, in one sentence.
+        The first error found, as one line.
     """
     path = Path(path)
     data = read_toml(path)

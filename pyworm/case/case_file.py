@@ -106,5 +106,5 @@ class CaseTable(FileTable):
                         f"bodies.{name}.{key} is missing; [oil.heat]{named} asks for it"
                     )
             if self.oil.heat is None and body.bulk_temperature is not None:
-                raise ValueError(f"bodies.{name}.bulk_temperature means nothing without [oil.heat]")
+                raise ValueError(f"bodies.{name}.bulk_temperature has no effect without [oil.heat]")
         return self

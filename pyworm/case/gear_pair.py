@@ -71,7 +71,7 @@ class GearPairCase(RatedCase):
     @model_validator(mode="after")
     def _scuffing_with_heat(self) -> Self:
         if self.oil.heat is None and self.surfaces and self.surfaces.scuffing_temperature:
-            raise ValueError("surfaces.scuffing_temperature means nothing without [oil.heat]")
+            raise ValueError("surfaces.scuffing_temperature has no effect without [oil.heat]")
         return self
 
     def make_drive(self) -> GearPairDrive:

@@ -30,7 +30,7 @@ OPTIONAL = {
     "face_width": ("face width of the wheel", "30 mm"),
     "hand": ("hand of the threads", "right"),
     "hob_oversize": ("reference diameter of the hob beyond the worm's", "1.6 mm"),
-    "starts_per_hour": ("starts of the drive in an hour, which wear the wheel", "2"),
+    "starts_per_hour": ("starts of the gear unit in an hour, which wear the wheel", "2"),
     "ambient_temperature": ("temperature of the surroundings", "20 C"),
 }
 """Number that may be left out, likewise."""
@@ -164,8 +164,8 @@ _RATED = {
 
 _TEXT = """\
 title = {title}
-source = "Drawing of the drive"
-accuracy = "5 %" # largest numerical error of films and pressures
+source = "Drawing of the gear unit"
+accuracy = "5 %" # maximum numerical error of films and pressures
 
 # As drawn, in the terms of DIN 3975 and ISO 1122-2. Keys behind a # have the value that is taken as usual:
 # take the # away where the drawing has another one. pyworm check prints the whole drawing back.
@@ -180,7 +180,7 @@ worm_speed = {worm_speed}
 wheel_torque = {wheel_torque}
 phases = [{phases}]
 
-# Constants of materials come by name; any of them may stand beside it. finish: the usual roughness of flanks
+# Constants of materials come by name; any of them may stand with it. finish: the usual roughness of flanks
 # so made; roughness_ra = "0.4 um" in its place gives a measured one.
 
 [bodies.worm]

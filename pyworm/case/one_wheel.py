@@ -53,7 +53,7 @@ def check_rated_temperature(rating: WormRatingTable, oil: OilTable, cooled: bool
         return
     if cooled:
         raise ValueError(
-            "worm_rating.sump_temperature means nothing with [cooling], which finds it"
+            "worm_rating.sump_temperature has no effect with [cooling], which finds it"
         )
     inlet = oil.heat.inlet_temperature
     if abs(sump - inlet) > ONE_TEMPERATURE:

@@ -52,7 +52,8 @@ class PastTable(Table, LoadHistory):
         for key, factors in given.items():
             if len(factors) != len(self.times):
                 raise ValueError(
-                    f"{key} has {len(factors)} factors and times {len(self.times)}; each time wants one"
+                    f"{key} has {len(factors)} factors and times {len(self.times)}; "
+                    "one factor per time required"
                 )
             if factors[-1] != 1:
                 raise ValueError(
@@ -60,7 +61,7 @@ class PastTable(Table, LoadHistory):
                 )
         self._check_separation()
         if self.load is not None and min(self.load) < 0:
-            raise ValueError(f"load has a factor of {min(self.load):g}; a contact does not pull")
+            raise ValueError(f"load has a factor of {min(self.load):g}; load must not be negative")
         return self
 
     def _check_separation(self) -> None:
@@ -70,7 +71,7 @@ class PastTable(Table, LoadHistory):
         if len(self.separation) != len(self.times):
             raise ValueError(
                 f"separation has {len(self.separation)} lengths and times {len(self.times)}; "
-                "each time wants one"
+                "one factor per time required"
             )
         if self.load is None or min(self.load) > 0:
             raise ValueError(
@@ -79,7 +80,7 @@ class PastTable(Table, LoadHistory):
         apart = [gap for gap, load in zip(self.separation, self.load, strict=True) if load == 0]
         if not min(apart) > 0:
             raise ValueError(
-                f"separation is {min(apart):g} m where nothing is carried; surfaces that are apart have one "
+                f"separation is {min(apart):g} m where the load is zero; surfaces that are apart have one "
                 "above zero"
             )
 

@@ -89,7 +89,7 @@ class SurfaceTable(Table):
             raise ValueError("give either file or generated, one of the two")
         for name in ("spacing", "height_unit"):
             if self.file is None and getattr(self, name) is not None:
-                raise ValueError(f"{name} means nothing without file")
+                raise ValueError(f"{name} has no effect without file")
         return self
 
     def lie_in(self, directory: Path) -> None:

@@ -96,7 +96,7 @@ class OperationTable(Table):
             for name in ("sharing", "friction", "lifts"):
                 if getattr(self, name) is not None:
                     raise ValueError(
-                        f"{name} means nothing with the load of one tooth, give a torque or a power instead "
+                        f"{name} has no effect with the load of one tooth, give a torque or a power instead "
                         "of load"
                     )
         return self
@@ -106,7 +106,7 @@ class OperationTable(Table):
         if self.lifts is None:
             return self
         if self.sharing == "equal":
-            raise ValueError("lifts means nothing with sharing = equal, by which no tooth yields")
+            raise ValueError("lifts has no effect with sharing = equal, by which no tooth yields")
         phases = [phase for phase, _ in self.lifts]
         if any(after <= before for before, after in pairwise(phases)):
             listed = ", ".join(f"{phase:g}" for phase in phases)
@@ -133,7 +133,7 @@ class WormCase(RatedCase):
             )
         for name, body in self.bodies:
             if body.bulk_temperature is not None:
-                raise ValueError(f"bodies.{name}.bulk_temperature means nothing with [cooling]")
+                raise ValueError(f"bodies.{name}.bulk_temperature has no effect with [cooling]")
         return self
 
     @property
@@ -168,7 +168,7 @@ class WormCase(RatedCase):
     def _stiffness_with_sharing(self) -> Self:
         if self.drive.stiffness is not None and self.operation.load is not None:
             raise ValueError(
-                "drive.stiffness means nothing with operation.load, the load of one tooth; give a torque "
+                "drive.stiffness has no effect with operation.load, the load of one tooth; give a torque "
                 "or a power instead"
             )
         return self
@@ -356,7 +356,7 @@ class WormCase(RatedCase):
         """The drive by the standard, whatever it is rated for; ValueError of the load of one tooth."""
         load = drive.transmission
         if load is None:
-            raise ValueError("the load of one tooth is given, which is no balance of a drive")
+            raise ValueError("the load of one tooth is given, which is no balance of a gear set")
         torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
         point = operating_point(drive, torque)
         bare = self.model_copy(update={"worm_rating": None}).rating_as_run()

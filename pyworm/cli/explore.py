@@ -16,7 +16,7 @@ def add_explore(commands: argparse._SubParsersAction) -> None:
     )
     command.add_argument("result", type=Path, metavar="RESULT")
     command.add_argument(
-        "--out", type=Path, metavar="FILE.html", help="default: beside the results"
+        "--out", type=Path, metavar="FILE.html", help="default: next to the results"
     )
     command.set_defaults(command=_explore)
 

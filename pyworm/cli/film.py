@@ -163,7 +163,7 @@ def _show(rows: list[dict[str, Any]]) -> None:
         listed = ", ".join(
             f"{effect} {influence_percent(share)}" for effect, share in largest.items()
         )
-        console.print(f"Left out, and what each may change at most: {listed}.")
+        console.print(f"Neglected, and what each may change at most: {listed}.")
 
 
 def _with_bar(film: Quantity, row: dict[str, Any]) -> str:

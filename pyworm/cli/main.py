@@ -84,12 +84,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _stopped(options: argparse.Namespace) -> str:
     if "jobs" in options:
-        return "stopped; scenes already solved are kept, the same command continues from there"
+        return "stopped; contacts already solved are kept, the same command continues from there"
     return "stopped, nothing written"
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(prog="pyworm", description="What does the oil do between these teeth?")
+    parser = _Parser(prog="pyworm", description="Elastohydrodynamic lubrication of gear contacts")
     parser.add_argument("--version", action=_Version)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
     for add in (

@@ -20,9 +20,9 @@ def add_new(commands: argparse._SubParsersAction) -> None:
         "new", help="write a worm drive's case file from its drawing's numbers"
     )
     new.add_argument("case", type=Path, metavar="CASE.toml", help="the file to be written")
-    new.add_argument("--title", help="by default the drive's size")
+    new.add_argument("--title", help="by default the size of the gear unit")
     for key, (what, example) in (ASKED | OPTIONAL).items():
-        asked = "asked for if not given" if key in ASKED else "taken as usual if not given"
+        asked = "requested if not given" if key in ASKED else "taken as usual if not given"
         new.add_argument(
             f"--{key.replace('_', '-')}",
             metavar="VALUE",
@@ -34,7 +34,7 @@ def add_new(commands: argparse._SubParsersAction) -> None:
 def _new(options: argparse.Namespace) -> int:
     path = options.case
     if path.exists():
-        raise CaseError(f"{path}: is there already; give another name, or remove it first")
+        raise CaseError(f"{path}: already exists; choose another name, or remove it first")
     if path.suffix != ".toml":
         raise CaseError(f"{path}: must end in .toml")
     answers = {key: getattr(options, key) for key in OPTIONAL if getattr(options, key) is not None}

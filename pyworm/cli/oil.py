@@ -26,7 +26,7 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
     oil = commands.add_parser("oil", help="oils: choose one for a case, show, chart, list all")
     which = oil.add_subparsers(required=True, metavar="WHAT")
 
-    choose = which.add_parser("choose", help="the oil for the drive of a case, step by step")
+    choose = which.add_parser("choose", help="the oil for the gears of a case, step by step")
     choose.add_argument("case", type=Path, metavar="CASE.toml")
     add_json(choose)
     choose.set_defaults(command=_choose)

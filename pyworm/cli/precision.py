@@ -87,6 +87,6 @@ def _precision(options: argparse.Namespace) -> int:
         console = Console()
         console.print(cheapest_table(studied))
         for line in studied.omitted:
-            console.print(f"left out: {line}")
+            console.print(f"omitted: {line}")
         console.print(f"Results  {directory}/precision.*", soft_wrap=True)
     return CONVERGED

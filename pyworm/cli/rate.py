@@ -29,7 +29,7 @@ def add_rate(commands: argparse._SubParsersAction) -> None:
     )
     rate.add_argument("case", type=Path, metavar="CASE.toml")
     rate.add_argument(
-        "--result", type=Path, metavar="RESULT", help="result of the same drive, shown beside"
+        "--result", type=Path, metavar="RESULT", help="result of the same gears, shown with it"
     )
     add_anyway(rate)
     add_json(rate)
@@ -63,7 +63,7 @@ def _rate(options: argparse.Namespace) -> int:
         raise CaseError(
             f"{options.case}: {why}"
             if why
-            else f"{options.case}: nothing is asked to be rated; give [worm_rating] or [bearings.NAME]"
+            else f"{options.case}: no rating is requested; give [worm_rating] or [bearings.NAME]"
         )
     for warning in (*([] if differ is None else [differ]), *request.warnings):
         print_message(f"warning: {warning}")

@@ -23,11 +23,9 @@ def add_report(commands: argparse._SubParsersAction) -> None:
     )
     report.add_argument("results", type=Path, nargs="+", metavar="RESULT")
     report.add_argument(
-        "--out", type=Path, metavar="FILE.html", help="default: beside the first result"
+        "--out", type=Path, metavar="FILE.html", help="default: next to the first result"
     )
-    report.add_argument(
-        "--pdf", action="store_true", help="print it to a PDF beside it, by Chromium"
-    )
+    report.add_argument("--pdf", action="store_true", help="also as PDF, printed by Chromium")
     report.add_argument("--drawing", metavar="NUMBER", help="drawing number on the page to sign")
     report.add_argument("--customer", metavar="NAME", help="customer on the page to sign")
     report.add_argument(

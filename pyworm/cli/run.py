@@ -44,7 +44,7 @@ def add_run(commands: argparse._SubParsersAction) -> None:
         "--fields",
         choices=("rounded", "full"),
         default="rounded",
-        help="rounded (default): fields in the results file to a tenth of the error bars; full: all digits",
+        help="rounded (default): fields to a tenth of their numerical uncertainty; full: all digits",
     )
     run.add_argument(
         "--pictures",
@@ -122,7 +122,7 @@ def _show_files(
         more = "; --pictures all: those of every contact" if options.pictures == "key" else ""
         print_result(f"Pictures  {directory}/*.png ({len(pictures)}{more})")
         if table is not None:
-            print_result(f"Life      {table}: figures with error bars at every instant")
+            print_result(f"Life      {table}: results with uncertainties at every time")
 
 
 def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:

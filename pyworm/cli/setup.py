@@ -93,7 +93,7 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
     """The shim under the wheel, told to a fitter."""
     if options.place or options.size:
         raise CaseError(
-            "--shim moves the wheel that is cut; leave out --place and --size, which set the hob"
+            "--shim moves the wheel that is cut; omit --place and --size, which set the hob"
         )
     with stage("shifting the wheel"):
         shim = None if case.drive is None else case.drive.wheel_shim(wanted)
@@ -184,7 +184,7 @@ def _print(rows: dict[str, Row], life: list[Row]) -> None:
         )
     if life:
         shown(
-            "The hob over its life, swivelled anew after each regrinding",
+            "The hob over its service life, swivelled anew after each regrinding",
             {f"{row['hob_oversize_m'] * 1e3:.3g} mm left": row for row in life},
         )
 

@@ -80,7 +80,9 @@ def warn_of_refusals(tasks: Sequence["Task"]) -> None:
         if task.plan.refusal is not None:
             reasons.setdefault(task.plan.refusal, []).append(task.scene.name)
     for reason, names in reasons.items():
-        print_message(f"warning: {', '.join(names)}: will not be as accurate as asked: {reason}")
+        print_message(
+            f"warning: {', '.join(names)}: will not reach the requested accuracy: {reason}"
+        )
 
 
 def opened_result(path: Path) -> "Result":

@@ -26,7 +26,7 @@ def add_sweep(commands: argparse._SubParsersAction) -> None:
     )
     sweep.add_argument("sweep", type=Path, metavar="SWEEP.toml")
     sweep.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
-    sweep.add_argument("--fields", action="store_true", help="store the fields of every scene")
+    sweep.add_argument("--fields", action="store_true", help="store the fields of every contact")
     sweep.add_argument(
         "--share",
         type=_sweep_part,
@@ -70,7 +70,7 @@ def _sweep(options: argparse.Namespace) -> int:
                 print_message(f"a scene could not be solved: {reason}")
             solved = len(sweep.tasks) - len(reasons)
             print_message(
-                f"share {share[0]}/{share[1]}: ended, {solved} of {len(sweep.tasks)} scenes solved"
+                f"share {share[0]}/{share[1]}: ended, {solved} of {len(sweep.tasks)} contacts solved"
             )
             return NOT_CONVERGED if reasons else CONVERGED
         result = run_sweep(sweep, *how)

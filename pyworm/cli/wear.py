@@ -1,4 +1,4 @@
-"""pyworm wear: the wear of a worm drive's wheel over its life."""
+"""pyworm wear: the wear of the wheel of a worm gear set over its service life."""
 
 import argparse
 from collections.abc import Sequence
@@ -35,7 +35,9 @@ ACCURACY = "10 %"
 
 def add_wear(commands: argparse._SubParsersAction) -> None:
     """Add the command `wear`."""
-    wear = commands.add_parser("wear", help="wear of a worm drive's wheel over its life")
+    wear = commands.add_parser(
+        "wear", help="wear of the wheel of a worm gear set over its service life"
+    )
     add_case(wear)
     wear.add_argument("--hours", type=float, required=True, metavar="H", help="time to simulate")
     how = wear.add_mutually_exclusive_group()
@@ -62,7 +64,7 @@ def add_wear(commands: argparse._SubParsersAction) -> None:
         type=float,
         default=0.25,
         metavar="UM",
-        help="largest error of the depth in a step in micrometres, and 2 %% of the deepest place beside it "
+        help="maximum error of the depth in a step in micrometres, in addition to 2 %% of the maximum depth "
         "(default: %(default)g)",
     )
     wear.add_argument(

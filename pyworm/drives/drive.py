@@ -37,7 +37,7 @@ class Drive(Lubricated, ABC):
     @property
     def assumptions(self) -> tuple[str, ...]:
         """Assumptions of its loads and its geometry, a sentence each."""
-        return ("The load of each contact is that of the drive.",)
+        return ("The load of each contact is that of the gear set.",)
 
     @property
     def usual_values(self) -> tuple[str, ...]:
@@ -124,7 +124,7 @@ class Drive(Lubricated, ABC):
     def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
         """Some of its contacts under errors of mounting, at unchanged load."""
         return Misalignment(
-            "How misalignment changes the contacts of this drive is not known in closed form."
+            "How misalignment changes the contacts of this gear set is not known in closed form."
         )
 
     def hob_setup(self, wanted: dict[str, float]) -> HobSetup | None:

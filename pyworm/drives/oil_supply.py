@@ -135,7 +135,7 @@ class Lubricated:
             return None
         teeth = self.lubricated_teeth()
         if teeth is None:
-            raise ValueError("method: how the teeth of this kind of drive carry oil is not known")
+            raise ValueError("method: how the teeth of this kind of gears carry oil is not known")
         return oil_supply(self.lubrication, teeth, self.oil)
 
     @property

@@ -28,21 +28,21 @@ class Film:
     def central_number(self) -> float:
         """Film in the middle of one contact [m], by a formula that gives it."""
         if self.central is None:
-            raise ValueError("the formula gives no central film")
+            raise ValueError("the formula gives no central film thickness")
         return float(self.central)
 
     @property
     def minima(self) -> Values:
         """Minimum films of one contact or of several [m], by a formula that gives them."""
         if self.minimum is None:
-            raise ValueError("the formula gives no minimum film")
+            raise ValueError("the formula gives no minimum film thickness")
         return self.minimum
 
     @property
     def minimum_number(self) -> float:
         """Minimum film of one contact [m], by a formula that gives it."""
         if self.minimum is None:
-            raise ValueError("the formula gives no minimum film")
+            raise ValueError("the formula gives no minimum film thickness")
         return float(self.minimum)
 
 

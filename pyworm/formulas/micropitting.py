@@ -208,12 +208,12 @@ def permissible_specific_film(tested: float, material_factor: float = 1.0) -> fl
         W_W [-]: 1 of case carburised steel (0.95 with more than 25 % of retained austenite), 1.5 nitrided,
         0.65 induction or flame hardened, 0.5 through hardened.
     """
-    positive("specific film of the test", tested, "")
+    positive("specific film thickness of the test", tested, "")
     within("material factor", material_factor, 0.1, 3, "")
     return TEST_FACTOR * material_factor * tested
 
 
 def micropitting_safety(specific_film: Values, permissible: float) -> Values:
     """S_lambda [-], specific film over the permissible one."""
-    positive("permissible specific film", permissible, "")
+    positive("permissible specific film thickness", permissible, "")
     return np.asarray(specific_film) / permissible

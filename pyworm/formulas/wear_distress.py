@@ -26,7 +26,7 @@ def composite_roughness(roughness_1: float, roughness_2: float) -> float:
 
 def specific_film(film_min: Values, roughness: Values) -> Values:
     """lambda [-], minimum film over composite roughness, both in metres; NaN where there is no film."""
-    within("minimum film", np.nan_to_num(film_min, nan=0.0), 0, 1e-3, "m")
+    within("minimum film thickness", np.nan_to_num(film_min, nan=0.0), 0, 1e-3, "m")
     within("composite roughness", roughness, MIN_ROUGHNESS, np.sqrt(2) * MAX_ROUGHNESS, "m")
     return np.asarray(film_min) / roughness
 

@@ -77,7 +77,7 @@ def wear_intensity(
     lubrication, family : str
         As of `pyworm.formulas.worm_curves.base_wear`.
     """
-    within("mean minimum film", film, 1e-9, 1e-4, "m")
+    within("mean minimum film thickness", film, 1e-9, 1e-4, "m")
     positive("W_S", structure, "")
     positive("W_H", pressure, "")
     return base_wear(oil, film * 1e6 * structure * pressure, lubrication, family)

@@ -87,7 +87,7 @@ class Oil(Shown):
     heat: OilHeat | None = None
     """How it takes heat; None where that is not known, and cannot be simulated."""
     supply: units.Film | OilLayer | None = None
-    """Thickness of the oil that arrives at a contact, on both surfaces together [m], or its profile across
+    """Thickness of the inlet film of a contact, on both surfaces together [m], or its profile across
     the track; None where there is always enough."""
     boundary_friction: float = BOUNDARY_FRICTION
     """Friction coefficient of the bodies' asperities in contact under this oil [-]."""
@@ -150,7 +150,7 @@ class Oil(Shown):
             within("boundary_friction_spread", self.boundary_friction_spread, 0, 1, "")
 
     def layer_at(self, across: Given) -> Array:
-        """Thickness of the oil that arrives at places across the entrainment [m], where it is limited."""
+        """Thickness of the inlet film at places across the entrainment [m], where it is limited."""
         across = in_si("across", across, units.Offset)
         if isinstance(self.supply, OilLayer):
             return self.supply.at(across)

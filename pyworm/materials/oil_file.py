@@ -36,7 +36,7 @@ def read_oil(path: str | Path) -> NamedOil:
     Raises
     ------
     CaseError
-        Whatever is wrong first, in one sentence.
+        The first error found, as one line.
     """
     data = read_toml(Path(path))
     try:

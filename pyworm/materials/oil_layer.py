@@ -16,7 +16,7 @@ from pyworm.io.shown import ShownFields
 
 @dataclass(frozen=True, repr=False)
 class OilLayer(ShownFields):
-    """Thickness of the oil that arrives at a contact, over the place across its track.
+    """Thickness of the inlet film of a contact, over the place across its track.
 
     Raises
     ------

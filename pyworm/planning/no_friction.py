@@ -28,6 +28,6 @@ def no_friction(effects: Sequence[Judgement]) -> str:
     *others, last = off
     names = f"{', '.join(others)} and {last}" if others else last
     return (
-        f"the oil's flow law and heat are left out ({names}), and a Newtonian oil of one temperature would "
+        f"the oil's flow law and heat are neglected ({names}), and a Newtonian oil of one temperature would "
         "have many times the friction; it is found with --effects auto or all"
     )

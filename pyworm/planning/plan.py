@@ -40,9 +40,9 @@ class Plan(Shown):
     """Effects, model, grids and tolerance of a solve."""
 
     accuracy: float
-    """Relative error wanted in the quantities asked for [-]."""
+    """Relative error required in the requested quantities [-]."""
     quantities: tuple[str, ...]
-    """Quantities asked for, of `pyworm.planning.effects.effect.QUANTITIES`."""
+    """Requested quantities, of `pyworm.planning.effects.effect.QUANTITIES`."""
     asked: str | None
     """Effects named by the user; None where the accuracy decides."""
     effects: tuple[Judgement, ...]
@@ -50,14 +50,14 @@ class Plan(Shown):
     regime: Regime
     """The regime of lubrication."""
     target: AccuracyTarget
-    """The figures whose error bars the accuracy is asked of."""
+    """The results to whose numerical uncertainties the accuracy refers."""
     model: Model
     """Levels across the film and heat, as the kernel simulates them."""
     grids: tuple[Grid | LineGrid, ...]
     """Grids from the outermost to the first one of the figures; finer ones are added as needed."""
     wider_grids: tuple[Grid | LineGrid, ...]
-    """Grids of the same spacing to a window of twice the reach, for the window error; empty if that is not to
-    be estimated, and no part of error bars."""
+    """Grids of the same spacing to a domain of twice the size, for the domain truncation error; empty if
+    that is not to be estimated, and no part of uncertainties."""
     largest_grid: int
     """Nodes beyond which grids are not refined further."""
     tolerance: float
@@ -67,7 +67,7 @@ class Plan(Shown):
     refusal: str | None = None
     """Reason why no grid is refined, the film needing far more nodes than allowed; else None."""
     excluded: Mapping[str, str] = field(default_factory=dict)
-    """Effects left out whatever the accuracy requires, and the reason of each."""
+    """Effects neglected whatever the accuracy requires, and the reason of each."""
     contact: tuple[float, ...] = ()
     """Load, reduced modulus, viscosity, radii and velocities of the contact that it is made for."""
 
@@ -98,7 +98,7 @@ class Plan(Shown):
 
     @property
     def may_grow(self) -> bool:
-        """Whether it leaves out effects that the solution may call for."""
+        """Whether it neglects effects that the solution may call for."""
         neglected_effects = {
             effect.name for effect in self.effects if not effect.on and effect.influence
         }
@@ -107,9 +107,9 @@ class Plan(Shown):
         )
 
     def simplified(self, scene: Scene | LineScene) -> Scene | LineScene:
-        """The scene without the effects that are left out.
+        """The scene without the neglected effects.
 
-        Where the user leaves out the oil's flow law, no law remains, since the friction of a Newtonian oil
+        Where the user neglects the oil's flow law, no law remains, since the friction of a Newtonian oil
         would be meaningless.
         """
         simple = simplified(scene, self.on)
@@ -137,7 +137,7 @@ def plan(
         otherwise a choice as of `planning.effects.selection.chosen`: "all", "isothermal", or names of
         effects with commas.
     quantities : sequence of str, optional
-        Quantities asked for: "film", "friction", "temperature"; by default all that the oil's data allow.
+        Requested quantities: "film", "friction", "temperature"; by default all that the oil's data allow.
 
     Returns
     -------
@@ -204,7 +204,7 @@ def plan_of(
     beside = beside_auto(effects)
     asked = effects if beside is None else None
     beside = beside or BesideAuto()
-    excluded = dict.fromkeys(beside.excluded, "left out as asked")
+    excluded = dict.fromkeys(beside.excluded, "neglected as requested")
     for name in beside.required:
         require(scene, name, effects)
     try:
@@ -258,8 +258,8 @@ def _require_any(quantities: tuple[str, ...], asked: str | None, found: Mapping[
     """Refuse effects without which nothing that is asked for would be found; ValueError."""
     if asked is not None and not any(found[quantity] for quantity in quantities):
         raise ValueError(
-            f"quantities: {', '.join(quantities)} cannot be found with effects = {asked}, which leaves out "
-            "the oil's flow law and heat; ask for film, or for effects = auto"
+            f"quantities: {', '.join(quantities)} cannot be found with effects = {asked}, which neglects "
+            "the oil's flow law and heat; request film, or effects = auto"
         )
 
 

@@ -40,7 +40,7 @@ def draw_life(result: Result, life: ContactLife) -> Figure:
         draw for name, draw in PANELS.items() if name in ("load", "entrainment", *life.figures)
     ]
     size = 9, PANEL * len(drawn) + 1.2
-    words = "over its life" if life.phases is not None else "over its past"
+    words = "over one mesh engagement" if life.phases is not None else "over its load history"
     what = joined(result.case_name, f"{life.place} {words}".strip(), of_all(life.solutions).note)
     spaced = {
         "nrows": len(drawn),
@@ -56,7 +56,7 @@ def draw_life(result: Result, life: ContactLife) -> Figure:
     panels[-1, 0].set_xlabel(
         "time / ms"
         if life.phases is None
-        else f"phase of the mesh cycle, passed in {life.span * MILLI:.3g} ms from end to end"
+        else f"mesh phase (cycle duration {life.span * MILLI:.3g} ms)"
     )
     return figure
 

@@ -51,7 +51,7 @@ def draw_precision(study: Study, heading: str) -> Figure:
     rows, columns = (len(shown) + 1) // 2, min(len(shown), 2)
     width = PANEL_WIDTH * columns
     omitted = [fill(line, int(FOOTER_LETTERS_PER_INCH * width)) for line in study.omitted]
-    footer = "\n".join(["Left out: " + "; ".join(omitted)] if omitted else [])
+    footer = "\n".join(["Omitted: " + "; ".join(omitted)] if omitted else [])
     footer = fill(footer, int(FOOTER_LETTERS_PER_INCH * width))
     bottom = 1.15 + 0.17 * footer.count("\n")
     height = PANEL_HEIGHT * rows + 0.5 + bottom
@@ -111,7 +111,7 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
     panel.yaxis.set_major_formatter(FuncFormatter(lambda fraction, _: percent(fraction)))
     panel.yaxis.set_minor_formatter(NullFormatter())
     panel.set_title(QUANTITIES[name].title(), fontsize="medium")
-    panel.set_xlabel("processor time / s")
+    panel.set_xlabel("CPU time / s")
     panel.set_ylabel("relative error")
     panel.legend(
         handles=handles, loc="upper left", bbox_to_anchor=(1.01, 1.0), fontsize=8, frameon=False

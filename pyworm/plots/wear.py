@@ -41,8 +41,8 @@ def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
         )  # fmt: skip
         axes.set_title(f"after {steps[index].hours:.4g} h", fontsize="small")
         axes.set_xlabel("along the face / mm")
-        axes.set_ylabel("from the wheel's axis / mm")
-        figure.colorbar(drawn, ax=axes, label="worn off / µm", pad=0.03)
+        axes.set_ylabel("radius / mm")
+        figure.colorbar(drawn, ax=axes, label="wear depth / µm", pad=0.03)
     for axes in panels[1, len(chosen) :]:
         axes.set_axis_off()
     return figure
@@ -60,7 +60,7 @@ def _draw_depth(axes: Axes, steps: Sequence["WearFigures"], limit: float) -> Non
     if steps[-1].depth_max_m > 0.3 * limit:
         axes.axhline(limit * MICRO, color="tab:red", linestyle=":", label="allowed")
     axes.set_xlabel("h")
-    axes.set_ylabel("worn off / µm")
+    axes.set_ylabel("wear depth / µm")
     axes.legend(frameon=False, fontsize="small")
     axes.grid(True, color="0.9")
 

@@ -181,7 +181,7 @@ class _Study:
 
     def _refined(self, model: Fidelity, until: float, wide: bool = False) -> Curve:
         """Solve the grids of a model until they are fine enough or the next would end after `until` [s]."""
-        name = f"{model.name}, window twice as far" if wide else model.name
+        name = f"{model.name}, domain twice as wide" if wide else model.name
         points = self._taken(name, grid_sequence(model, wide), until, model)
         return Curve(
             name, "parameter" if wide else "model", points, {} if wide else _limits(points)
@@ -244,7 +244,7 @@ class _Study:
             if here.converged and wider.converged
         ]
         if not pairs:
-            self._omitted.append("the error by the window, from the band too")
+            self._omitted.append("the error by the domain, also from the band")
         beta = predicted(self._scene).inlet_beta
         references = {}
         for figure in self._figures_shown(complete):

@@ -82,7 +82,7 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         ratios = sorted(film / roughness for film in least)
         span = " to ".join(dict.fromkeys(f"{film:.3g}" for film in (ratios[0], ratios[-1])))
         words.append(
-            f"lambda by the minimum films of the formulas: {span} "
+            f"lambda by the minimum film thickness of the formulas: {span} "
             f"(composite roughness {roughness * 1e6:.3g} µm)."
         )
     if scene.oil.heat is not None and prediction.speed > 0:

@@ -198,7 +198,7 @@ def scuffing(
     doubts: tuple[str, ...] = ()
     if bars:
         doubts = (
-            "theta_S belongs to the standard's friction: its S_B decides, the simulated one tells how "
+            "theta_S belongs to the standard's friction: its S_B decides, the simulated one shows how "
             "much hotter or cooler these flanks are.",
         )
     value = float(scuffing_safety(contact, oil_temperature, limit.value))
@@ -245,7 +245,7 @@ def micropitting(
     doubts: tuple[str, ...] = ()
     if bars:
         doubts = (
-            "lambda_GFP belongs to the standard's film: its S_lambda decides, the simulated one tells "
+            "lambda_GFP belongs to the standard's film: its S_lambda decides, the simulated one shows "
             "how much thinner or thicker these films are.",
         )
     return _barred(named, float(micropitting_safety(specific, limit.value)), inputs, doubts, bars)
@@ -272,7 +272,7 @@ def _barred(
     safety = Safety(**named, value=value, inputs=inputs, doubts=doubts, error=error, model=model)
     if not safety.open:
         return safety
-    return replace(safety, doubts=(*doubts, "The verdict would turn within the error bars."))
+    return replace(safety, doubts=(*doubts, "The verdict would turn within the uncertainty."))
 
 
 def simulated_safeties(

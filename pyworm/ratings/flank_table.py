@@ -81,7 +81,7 @@ def flank_table(
         figures=tuple(figures),
         words=(
             "Simulated temperatures are the largest of both flanks in a contact, simulated films the least; "
-            "specific films are over Ra, mean of both flanks.",
+            "specific film thickness is over Ra, mean of both flanks.",
             *words,
         ),
         neglected_effects=neglected_effects,
@@ -135,7 +135,7 @@ def _rows(
         ),
         ("contact_temperature_simulated_C", "Contact temperature, simulated", "°C", 1.0, celsius),
         ("S_B_simulated", "S_B, simulated", "", 1.0, safety),
-        ("specific_film_simulated", "Specific film, simulated", "", 1.0, specific),
+        ("specific_film_simulated", "Specific film thickness, simulated", "", 1.0, specific),
         ("S_lambda_simulated", "S_lambda, simulated", "", 1.0, film_safety),
     ]
     return (
@@ -184,7 +184,7 @@ def _closed_rows(
     return [
         ("contact_temperature_C", "Contact temperature, Blok", "°C", 1.0, celsius),
         ("S_B", "S_B", "", 1.0, safety),
-        ("specific_film", "Specific film, ISO/TS 6336-22", "", 1.0, specific),
+        ("specific_film", "Specific film thickness, ISO/TS 6336-22", "", 1.0, specific),
         ("S_lambda", "S_lambda", "", 1.0, film_safety),
         (
             "contact_temperature_blok_C",

@@ -159,10 +159,10 @@ def _practice_steps(duty: OilDuty) -> list[Step]:
 def _film_step(duty: OilDuty) -> Step:
     wanted = duty.specific_film * duty.roughness
     return Step(
-        "Film that is wanted",
-        f"lambda = {duty.specific_film:g} over a composite roughness of {duty.roughness * 1e6:.3g} um asks "
-        f"for a minimum film of {wanted * 1e6:.3g} um. Below 1 the teeth rest on their roughness, from "
-        "3 on the film keeps them apart.",
+        "Required film thickness",
+        f"lambda = {duty.specific_film:g} over a composite roughness of {duty.roughness * 1e6:.3g} um "
+        f"requires a minimum film thickness of {wanted * 1e6:.3g} um. Below 1 the teeth rest on their "
+        "roughness, from 3 on the film keeps them apart.",
     )
 
 

@@ -40,7 +40,7 @@ def oil_duty(request: RatingRequest) -> OilDuty:
         return OilDuty(**common, **_gear_pair(duty, table))
     if isinstance(duty, WormDuty):
         return OilDuty(**common, **_worm(duty, table))
-    raise CaseError("no oil can be chosen for a drive of this kind")
+    raise CaseError("no oil can be chosen for gears of this kind")
 
 
 def _worm(duty: WormDuty, table: OilChoiceTable) -> dict:

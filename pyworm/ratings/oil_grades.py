@@ -73,7 +73,7 @@ def line_film(
 
     return FilmLaw(
         film,
-        "minimum film of a line contact, Dowson and Higginson (1968)",
+        "minimum film thickness of a line contact, Dowson and Higginson (1968)",
         "h = 2.65 R U^0.70 G^0.54 W^-0.13, U = eta u/(E' R), G = alpha E', W = w/(E' R), at the thinnest "
         f"place of the line of action with R = {radius * 1e3:.3g} mm, u = {speed:.3g} m/s, "
         f"w = {load_per_length * 1e-3:.0f} N/mm, E' = {reduced_modulus * 1e-9:.0f} GPa",
@@ -83,7 +83,7 @@ def line_film(
 def worm_film(
     gear: WormGear, worm_speed: float, torque: float, reduced_modulus: float, base: Base
 ) -> FilmLaw:
-    """The mean minimum film of a worm gear by the standards; arguments as of `WormConditions`."""
+    """The mean minimum film thickness of a worm gear by the standards; arguments as of `WormConditions`."""
 
     def film(viscosity: float, alpha: float) -> float:
         return minimum_film(
@@ -98,7 +98,7 @@ def worm_film(
 
     return FilmLaw(
         film,
-        "mean minimum film of a worm gear, methods of DIN 3996",
+        "mean minimum film thickness of a worm gear, methods of DIN 3996",
         "h = 21 h* alpha^0.6 eta^0.7 n^0.7 a^1.39 E^0.03/T^0.13 um (alpha in m2/N, eta in Pa s) with h* = "
         f"{gear.film_parameter:.4f}, n = {worm_speed * RPM:.0f} rpm, "
         f"a = {gear.centre_distance * 1e3:.1f} mm, E = {reduced_modulus * 1e-6:.0f} N/mm2, "

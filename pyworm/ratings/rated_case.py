@@ -278,7 +278,7 @@ def unconverged(result: Result | None) -> tuple[str, ...]:
     if result is None:
         return ()
     return tuple(
-        f"{ContactIndex.of(solution)} did not converge and is left out: {solution.stop_reason}."
+        f"{ContactIndex.of(solution)} did not converge and is not included: {solution.stop_reason}."
         for solution in result.unsound
     )
 
@@ -305,7 +305,7 @@ def not_rated(request: RatingRequest, possible: tuple[Rating, ...]) -> tuple[str
     if request.rated_as is GearPairDuty:
         left.append("Pitting and tooth root strength: no formulas of them are known here.")
     if request.drive is not None and request.rated_as is None:
-        left.append("Teeth or rollers: no standard that is known here covers this kind of drive.")
+        left.append("Teeth or rollers: no standard that is known here covers this kind of gears.")
     if not request.tables.bearings:
         left.append("Bearings: the case has no [bearings.NAME].")
     return tuple(left)

@@ -74,7 +74,7 @@ def standard_loss(case: Case) -> StandardLoss | NoStandard:
             return _gear_pair(duty)
     except ValueError as error:  # CaseError, and what lies outside the methods
         return NoStandard(str(error))
-    what = "a contact without a drive" if case.drive is None else "a drive of this kind"
+    what = "a contact without gears" if case.drive is None else "gears of this kind"
     return NoStandard(f"none is known for {what}")
 
 

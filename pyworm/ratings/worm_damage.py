@@ -17,7 +17,7 @@ from pyworm.result.result import Result
 
 NO_RATING = (
     "ISO/TS 14521 and DIN 3996 rate neither scuffing nor micropitting of worm gears, and limits of steel "
-    "gears do not hold for their wheels: temperatures and specific films compare variants."
+    "gears do not hold for their wheels: temperatures and specific film thickness compare variants."
 )
 
 
@@ -41,6 +41,6 @@ def worm_flanks(duty: WormDuty, oil: Oil, result: Result) -> Rating:
         MEAN_TO_RMS * float(np.mean(heights)) if len(heights) == len(duty.roughness) else None,
         of_all(result.solutions),
         words=(NO_RATING,),
-        title="Temperatures and specific films at each solved contact",
+        title="Temperatures and specific film thickness at each solved contact",
         source="simulation",
     )

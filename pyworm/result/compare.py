@@ -22,14 +22,14 @@ class Comparison(Shown):
 
     @property
     def ratios(self) -> dict[str, Estimate]:
-        """Second over first by figure, with the error bars of both."""
+        """Second over first by figure, with the uncertainties of both."""
         return {
             name: second / first for name, (first, second) in self.figures.items() if first.value
         }
 
     @property
     def differ(self) -> tuple[str, ...]:
-        """Figures whose difference is more than both error bars."""
+        """Figures whose difference is more than both uncertainties."""
         return tuple(
             name for name, (first, second) in self.figures.items() if not first.agrees_with(second)
         )
@@ -49,7 +49,7 @@ class Comparison(Shown):
 
 
 def compare(first: Solution, second: Solution) -> Comparison:
-    """Set the figures of two solutions beside each other.
+    """Compare the results of two solutions.
 
     Parameters
     ----------

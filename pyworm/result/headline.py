@@ -33,7 +33,7 @@ def less_accurate(solutions: Sequence[Solution]) -> str:
     wide = [solution for solution in solutions if solution.converged and not solution.accurate]
     if not wide:
         return ""
-    return "Less accurate than asked for: " + ", ".join(solution.name for solution in wide) + "."
+    return "Less accurate than requested: " + ", ".join(solution.name for solution in wide) + "."
 
 
 def without_friction(solutions: Sequence[Solution]) -> str:

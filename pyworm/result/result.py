@@ -60,7 +60,7 @@ class Result(Shown):
     solutions: tuple[Solution, ...]
     """One for each scene, in the order of the mesh cycle or the sweep."""
     mesh_cycle: "xr.Dataset | None"
-    """The unloaded mesh cycle of a drive, as `Drive.cycle_data` makes it."""
+    """The unloaded mesh cycle of gears, as `Drive.cycle_data` makes it."""
     provenance: dict
     """Version of pyworm, effects, tolerances and all else that is needed to repeat the run."""
 
@@ -88,7 +88,7 @@ class Result(Shown):
 
     @property
     def cycle_data(self) -> "xr.Dataset":
-        """The mesh cycle of a drive; ValueError of a result without one."""
+        """The mesh cycle of the gears; ValueError of a result without one."""
         return present(self.mesh_cycle, "the result's mesh cycle")
 
     @property
@@ -141,7 +141,7 @@ class Result(Shown):
 
     @property
     def shortfall(self) -> str | None:
-        """Why a run does not have all figures with the accuracy asked for; None where it has."""
+        """Why a run does not have the requested accuracy; None where it has."""
         wide = [
             f"{solution.name}: {solution.stop_reason}"
             for solution in self.sound.solutions
@@ -157,7 +157,7 @@ class Result(Shown):
 
     @property
     def thinnest(self) -> int:
-        """Number of the converged contact with the thinnest film; of all contacts if none converged."""
+        """Number of the contact with the minimum film thickness among those converged, or all if none is."""
         judged = self.sound.solutions or self.solutions
         thinnest = min(judged, key=lambda solution: solution.figures.film_min.value)
         return next(
@@ -230,10 +230,10 @@ def _read(groups: "dict[str, xr.Dataset]") -> Result:
         from_json(kind, provenance.get(name, kind()), f"provenance.{name}")
     mesh_cycle = groups.get("/mesh_cycle")
     if mesh_cycle is not None:
-        from_json(str, mesh_cycle.attrs.get("drive"), "the drive of the mesh cycle")
+        from_json(str, mesh_cycle.attrs.get("drive"), "the kind of gears of the mesh cycle")
     scenes = [name for name in groups if re.fullmatch(r"/scene_\d+", name)]
     if not scenes:
-        raise ValueError("it has no scenes")
+        raise ValueError("it has no contacts")
     scenes.sort(key=lambda name: int(name.removeprefix("/scene_")))  # a file may list them by name
     return Result(
         case_name=from_json(str, attributes["case_name"], "case_name"),

@@ -60,7 +60,7 @@ def rounded(solution: Solution) -> Solution:
             }
             parts[part] = PlainDataset(variables, data.coords, dict(data.attrs))
     fields = parts["fields"]
-    marked = {**fields.attrs, _MARK: f"to {OF_ERROR_BAR:g} of error bars"}
+    marked = {**fields.attrs, _MARK: f"to {OF_ERROR_BAR:g} of the uncertainties"}
     parts["fields"] = PlainDataset(fields.variables, fields.coords, marked)
     return solution.changed(**parts)
 

@@ -182,7 +182,7 @@ def _flaws_of_figures(solution: Solution) -> Iterator[str]:
         if not isfinite(estimate.value):
             yield f"it is marked as converged, but its {name} is {estimate.value}"
         if not estimate.error >= 0:
-            yield f"it is marked as converged, but the error bar of its {name} is {estimate.error}"
+            yield f"it is marked as converged, but the numerical uncertainty of {name} is {estimate.error}"
     sizes = {name: estimates[name].value for name in ("film_min", "film_central", "pressure_max")}
     for name, value in (sizes | {"load": solution.load}).items():
         if solution.converged and not value > 0:

@@ -72,13 +72,13 @@ class SweepResult(Shown):
 
     @property
     def accurate(self) -> np.ndarray:
-        """Whether the solution of each scene has the accuracy asked for."""
+        """Whether the solution of each scene has the requested accuracy."""
         accurate: np.ndarray = self.table["accurate"].values == 1
         return accurate
 
     @cached_property
     def neglected_effects(self) -> NeglectedEffects:
-        """Effects left out of the figures, at the worst of the converged scenes."""
+        """Effects neglected in the results, at the worst of the converged scenes."""
         influences = {
             str(name): column.values[self.converged].tolist()
             for name, column in self.table.items()
@@ -175,10 +175,10 @@ def _check(result: SweepResult) -> None:
     """Refuse an impossible table; ValueError with the first error."""
     table = result.table
     if not table.sizes.get("scene"):
-        raise ValueError("it has no scenes")
+        raise ValueError("it has no contacts")
     for name, column in table.variables.items():
         if column.dims != ("scene",):
-            raise ValueError(f"{name} does not have one value for each scene")
+            raise ValueError(f"{name} does not have one value for each contact")
         if column.dtype.kind not in "iufb" and not all(
             isinstance(entry, str) for entry in column.values
         ):
@@ -226,7 +226,7 @@ def sweep_table(
 
 
 def _neglected_effects(row: Mapping[str, float | str]) -> NeglectedEffects:
-    """Effects left out of the figures of a scene, from its row; invalid entries are ignored."""
+    """Effects neglected in the results of a scene, from its row; invalid entries are ignored."""
     numbers = {
         name: number
         for name, number in row.items()

@@ -247,6 +247,6 @@ def _given_radii(given: tuple[Any, ...], of_gap: tuple[float, ...] | None) -> tu
         key = "radii" if len(radii) > 1 else "radius"
         raise ValueError(
             f"radii {theirs} m contradict the gap, whose radii are {its} m; leave them out, and where "
-            f"dataclasses.replace changes the gap, give {key}=None beside it"
+            f"dataclasses.replace changes the gap, give {key}=None with it"
         )
     return radii

@@ -52,12 +52,12 @@ class FormulaFilms(Shown):
     central: Array
     """Film at the contact point [m]."""
     minimum: Array
-    """Least film [m]."""
+    """Minimum film thickness [m]."""
     central_error: Array
-    """Relative error of the central film that 19 of 20 contacts kept which the fit had not seen [-]; infinite
+    """Relative error of the central film thickness, 95 % of contacts outside the fit [-]; infinite
     outside the box of the atlas."""
     minimum_error: Array
-    """Relative error of the least film, likewise [-]."""
+    """Relative error of the minimum film thickness, likewise [-]."""
     inside: Flags
     """Whether the contact is in that box."""
     groups: AtlasGroups
@@ -85,7 +85,7 @@ class FormulaFilms(Shown):
 
     @property
     def deflection(self) -> Values:
-        """Deflection over minimum film, above 1 of elastic bodies (`pyworm.formulas.regimes`) [-]."""
+        """Deflection over minimum film thickness, above 1 if elastic (`pyworm.formulas.regimes`) [-]."""
         return self._measures[0]
 
     @property
@@ -119,7 +119,7 @@ class FormulaFilms(Shown):
         )
 
     def specific(self, roughness: Given) -> Array:
-        """Central film over the composite roughness [m]: lambda [-]."""
+        """Central film thickness over the composite roughness [m]: lambda [-]."""
         roughness = in_si("roughness", roughness, units.Roughness)
         positive("composite roughness", roughness, "m")
         return self.central / roughness
@@ -144,7 +144,7 @@ def film(
     """Films of point contacts by the formula of the atlas; numbers or arrays that broadcast together.
 
     Isothermal, smooth, with enough oil, whatever the oil's flow law: heat, shear thinning, roughness and a
-    short supply are left out. A contact outside the box of the atlas has infinite errors.
+    short supply are neglected. A contact outside the box of the atlas has infinite errors.
 
     Parameters
     ----------
@@ -304,7 +304,7 @@ def film_of(scene: Scene, reduced: bool = False) -> FormulaFilms:
         The contact.
     reduced : bool, optional
         Whether by heat and shear thinning too, where oil and bodies have the data and the contact is in the
-        box of the thermal contacts; `holds` tells whether they are.
+        box of the thermal contacts; `holds` shows whether they are.
 
     Raises
     ------

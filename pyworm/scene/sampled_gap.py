@@ -118,7 +118,7 @@ class SampledGap:
 
     @cached_property
     def _datum(self) -> float:
-        """Value of the array at the contact point [m]; a constant only shifts the rigid film."""
+        """Value of the array at the contact point [m]; a constant only shifts the bodies."""
         return float(self._height(np.zeros(1), np.zeros(1))[0])
 
     @cached_property
@@ -135,7 +135,7 @@ class SampledGap:
 
     @cached_property
     def _half_window(self) -> tuple[float, float]:
-        """Half sides of the window about the contact point in which curvatures are fitted [m]."""
+        """Half sides of the rectangle about the contact point in which curvatures are fitted [m]."""
         return tuple(
             max(FIT_FRACTION * np.ptp(axis), 2.5 * np.diff(axis).max()) for axis in (self.x, self.y)
         )

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Self
 
-LESS_ACCURATE = "less accurate than asked for"
+LESS_ACCURATE = "less accurate than requested"
 """Beginning of the message of a converged solution whose error bars are wider than asked for."""
 
-_ACCURATE = "the figures are as accurate as asked for"
+_ACCURATE = "the results have the requested accuracy"
 
 
 class Ending(StrEnum):
@@ -29,7 +29,7 @@ class Ending(StrEnum):
     ACCURATE = "accurate", _ACCURATE
     ACCURATE_BUT_FOR_SPIKE = (
         "accurate but for spike",
-        f"{_ACCURATE} but for the film's largest temperature, the {{spike}}",
+        f"{_ACCURATE} but for the maximum film temperature, the {{spike}}",
     )
     ACCURATE_BUT_FOR_CONDUCTION = (
         "accurate but for conduction",
@@ -43,19 +43,19 @@ class Ending(StrEnum):
     )
     COARSER_REQUEST = (
         "coarser request",
-        f"{LESS_ACCURATE}, {{error}}: asked for {{accuracy}}, {{reason}}",
+        f"{LESS_ACCURATE}, {{error}}: requested {{accuracy}}, {{reason}}",
     )
     WINDOW_OF_FILM = (
         "window of film",
-        "the end of the window leaves an error of {error}: films depend on surfaces far out",
+        "domain truncation error of the film {error}: enlarge the domain",
     )
     WINDOW_OF_HEAT = (
         "window of heat",
-        "the end of the window leaves an error of {error}: bodies exchange heat far out",
+        "domain truncation error of heat conduction {error}: enlarge the domain",
     )
     NO_WIDER_FILM = (
         "no wider film",
-        "no film was found in the wider window, which shows the error by the end of this one",
+        "no film was found in the wider domain, which shows the domain truncation error",
     )
     NO_SHEAR_STRESS = (
         "no shear stress",
@@ -66,11 +66,11 @@ class Ending(StrEnum):
         "no film was found whose stresses and temperatures the laws of the oil bear",
     )
     NO_DRY_CONTACT = "no dry contact", "the dry contact did not converge"
-    RESIDUAL = "residual", "the residual stayed at {residual:.1e}, {tolerance:.1e} is wanted"
+    RESIDUAL = "residual", "the residual stayed at {residual:.1e}, {tolerance:.1e} is required"
     NOT_RESOLVED = "not resolved", "the largest grid allowed does not resolve the film"
     NOT_COMPARED = (
         "not compared",
-        "the largest grid allowed leaves no second grid, or window, to compare with",
+        "the largest grid allowed leaves no second grid, or domain, to compare with",
     )
     LARGEST_GRID = "largest grid", "the largest grid allowed leaves an error of {error}"
     OUT_OF_REACH = (

@@ -21,26 +21,26 @@ class Estimate:
     """A figure, its relative error by origin (`pyworm.solver.error_estimate`), and its model uncertainty."""
 
     value: float
-    """The figure in SI units, extrapolated to infinitely fine grids and an endless window where it can be
+    """The figure in SI units, extrapolated to infinitely fine grids and an infinite domain where it can be
     (`pyworm.solver.grid_limit`, `pyworm.solver.window_limit`)."""
     grid: float
     """Discretisation error, from grids of halving spacing [-]."""
     domain: float = 0.0
-    """Window error, from a window of twice the reach [-]."""
+    """Domain truncation error, from a domain of twice the size [-]."""
     algebra: float = 0.0
     """Algebraic error by stopping the Newton iteration [-]."""
     approximation: float = 0.0
     """Error of a temperature by the approximation of conduction in the bodies
-    (`fortran/heat/conduction_model.f90`), of all figures by the levels across the film and, where it is
+    (`fortran/heat/conduction_model.f90`), of all results by the levels across the film and, where it is
     transient, by the integration in time (`pyworm.solver.transient`) [-]."""
     reason: str | None = None
-    """Reason why this figure alone has an infinite error bar."""
+    """Reason why this figure alone has an infinite uncertainty."""
     on_grid: float | None = None
-    """The figure on the finest grid in its window, to which the fields belong; None where it is not known
+    """The figure on the finest grid in its domain, to which the fields belong; None where it is not known
     apart."""
     model: float | None = None
     """Relative uncertainty by the assumptions of averaged roughness (`roughness_uncertainty`), by the
-    temperature of the oil that arrives between bodies of another one than its supply's
+    temperature of the inlet film between bodies of another one than its supply's
     (`arrival_uncertainty`) and, of films, by a pressure-viscosity coefficient that was not measured
     (`oil_uncertainty`), no part of `error`; None where there is none of these."""
     datum: float = 0.0
@@ -49,23 +49,23 @@ class Estimate:
 
     @property
     def error(self) -> float:
-        """Relative numerical error bar [-].
+        """Relative numerical uncertainty [-].
 
-        Grid, window and algebra are estimates of errors of unknown and unrelated signs, whose squares add;
+        Grid, domain and iteration give estimates of errors of unknown and unrelated signs, whose squares add;
         approximations are bounds of errors that do not depend on chance, which are added to that.
         """
         return hypot(self.grid, self.domain, self.algebra) + self.approximation
 
     @property
     def bar(self) -> float:
-        """The error bar in the unit of the figure."""
+        """The uncertainty in the unit of the result."""
         return self.error * abs(self.value - self.datum)
 
     def __float__(self) -> float:
         return float(self.value)
 
     def __format__(self, form: str) -> str:
-        """The value in a form, by default of four digits, and its error bar."""
+        """The value in a form, by default of four digits, and its uncertainty."""
         value = f"{self.value:{form or '.4g'}}"
         if isinf(self.error):
             return with_bars(value, self.error, reason=self.reason)
@@ -127,7 +127,7 @@ class Estimate:
         return self._with(other, lambda first, second: first.value >= second.value)
 
     def agrees_with(self, other: "Estimate | float") -> bool:
-        """Whether both error bars together cover the difference."""
+        """Whether both uncertainties together cover the difference."""
         bar = other.bar if isinstance(other, Estimate) else 0.0
         return abs(self.value - float(other)) <= self.bar + bar
 

@@ -325,7 +325,7 @@ class GridSequence:
             exact = WindowLimit(0.0, 0.0)
             self._window = dict.fromkeys(self._iteration.reading.figures, exact)
             return None
-        self._tell("wider window", 1 - 0.7 ** (self._refinements + 1))
+        self._tell("wider domain", 1 - 0.7 ** (self._refinements + 1))
         try:
             wider, iteration = self._in_wider_window(plan.wider_grids)
             seen = self._falls_seen(iteration.reading)

@@ -26,7 +26,7 @@ class DryFigures:
     """Figures of the dry contact under the same load."""
 
     pressure_max: float
-    """Largest pressure [Pa]."""
+    """Maximum pressure [Pa]."""
     length: float
     """Extent of the contact along its long direction [m]."""
     width: float
@@ -40,13 +40,13 @@ class Figures(Shown):
     """The figures of one lubricated contact."""
 
     film_min: Estimate
-    """Minimum film [m] (sub-grid)."""
+    """Minimum film thickness [m] (sub-grid)."""
     film_central: Estimate
     """Film at the contact point [m]."""
     pressure_max: Estimate
-    """Largest pressure [Pa]."""
+    """Maximum pressure [Pa]."""
     film_min_at: tuple[float, ...]
-    """Place of the minimum film along each direction of the grid [m]: (x, y), or (x,) of a line contact."""
+    """Position of the minimum film thickness [m]: (x, y) along the grid, or (x,) of a line contact."""
     moes_m: float
     """Moes' load parameter along the entrainment."""
     moes_l: float
@@ -56,12 +56,12 @@ class Figures(Shown):
     mass_error: float
     """Net over gross mass flow through the outline of the contact."""
     residual: float
-    """Summed Reynolds residual over the summed wedge flow, at the end."""
+    """Summed Reynolds residual over the summed Couette flow, at the end."""
     film_min_kind: str = "exit"
-    """Kind of the minimum film: "side lobe", "exit" or "middle"; of a line contact always "exit"."""
+    """Location of the minimum film thickness: "side lobe", "exit" (of all line contacts) or "middle"."""
     film_exit_min: float | None = None
-    """Minimum film on the entrainment line through the contact point [m]; None for a line contact, where it
-    is the minimum film."""
+    """Minimum film thickness on the entrainment line through the contact point [m]; None for a line
+    contact, where it is the minimum film thickness."""
     film_exit_min_at: float | None = None
     """Place of that film on the entrainment line [m]; None for a line contact."""
     lift: float | None = None
@@ -73,7 +73,7 @@ class Figures(Shown):
     """Friction over load along the sliding [-]; None where the shear of the film was not computed. Friction
     counts where both surfaces exist and the pressure is above 1 % of the largest. It is the sum there of the
     shear stress in the middle of the film, of oil and asperities, times the area of a node, over the whole
-    load, a part of which may lie beyond the window of the fields."""
+    load, a part of which may lie beyond the domain of the fields."""
     power_loss: Estimate | None = None
     """Work of the friction [W] (of a line contact for each length [W/m]), which counts like it; None where
     the shear of the film was not computed."""
@@ -81,12 +81,12 @@ class Figures(Shown):
     """Largest shear rate [1/s], which counts where the friction does; None where the shear of the film was
     not computed."""
     temperature_max_body_1: Estimate | None = None
-    """Largest temperature of the surface of body 1 [K], the error relative to the rise over the inlet
+    """Maximum temperature of the surface of body 1 [K], the error relative to the rise over the inlet
     temperature; None where heat was not simulated."""
     temperature_max_body_2: Estimate | None = None
-    """Largest temperature of the surface of body 2, likewise [K]."""
+    """Maximum temperature of the surface of body 2, likewise [K]."""
     temperature_max_film: Estimate | None = None
-    """Largest temperature inside the film, likewise [K]."""
+    """Maximum temperature inside the film, likewise [K]."""
     asperity_load_fraction: Estimate | None = None
     """Share of the load that asperities carry [-]; None where roughness was not simulated."""
     friction_boundary: Estimate | None = None
@@ -107,7 +107,7 @@ class Figures(Shown):
         }
 
     def values(self) -> dict[str, float]:
-        """Values of the simulated figures that have error bars, by name."""
+        """Values of the simulated results that have uncertainties, by name."""
         return {
             name: figure.value
             for name, figure in vars(self).items()
@@ -152,7 +152,7 @@ class Solution(Shown):
     load: float
     """Normal load [N], of a line contact that for each length [N/m]."""
     converged: bool
-    """Whether the figures may be trusted within their error bars, which may be wider than asked for
+    """Whether the figures may be trusted within their uncertainties, which may be larger than requested
     (`accurate`)."""
     ending: Ending
     """How the solve ended."""
@@ -185,18 +185,18 @@ class Solution(Shown):
     composite_roughness: float | None = None
     """Root mean square height of both surfaces together [m]; None if it is not known."""
     profile: "xr.Dataset | None" = None
-    """Over level, across the film at its hottest point: level_position, profile_temperature,
+    """Over level, across the film at its maximum temperature: level_position, profile_temperature,
     profile_velocity_x, profile_velocity_y; and profile_x, profile_y, its place (no y of a line contact). None
     where heat was not simulated."""
     life: "xr.Dataset | None" = None
     """Over instant, of a transient film since the contact solved before it, or since its first touch:
-    life_seconds, life_phase, life_load, and by each figure's name life_NAME and life_NAME_error; over frame
-    and nodes: frame_seconds, frame_x, frame_y, frame_pressure, frame_film (no y of a line contact), of rough
-    surfaces frame_rubbing. They are of the transient solve's own grids. None of a steady film."""
+    life_seconds, life_phase, life_load, and by the name of a quantity life_NAME and life_NAME_error; over
+    frame and nodes: frame_seconds, frame_x, frame_y, frame_pressure, frame_film (no y of a line contact), of
+    rough surfaces frame_rubbing. They are of the transient solve's own grids. None of a steady film."""
     effects: tuple[Judgement, ...] = ()
     """Every effect, judged by the solved figures."""
     accuracy: float = 0.0
-    """Relative error asked for [-]; 0 where it is not known, so that every effect left out counts."""
+    """Requested relative error [-]; 0 where it is not known, so that every neglected effect counts."""
     accuracy_of: tuple[str, ...] = ()
     """Names of the figures to which it refers (`pyworm.planning.target.AccuracyTarget`); empty where that is
     not known."""
@@ -245,12 +245,12 @@ class Solution(Shown):
 
     @property
     def accurate(self) -> bool:
-        """Whether the figures have the accuracy asked for."""
+        """Whether the figures have the requested accuracy."""
         return self.ending.accurate
 
     @property
     def neglected_effects(self) -> NeglectedEffects:
-        """Effects left out of the figures; the lubrication of a film that did not converge is unknown."""
+        """Effects neglected in the results; the lubrication of a film that did not converge is unknown."""
         figures = self.figures
         films = (figures.film_central.value, figures.film_min.value) if self.converged else ()
         share = figures.asperity_load_fraction
@@ -278,7 +278,7 @@ class Solution(Shown):
         return replace(self, **{part: self.held(part) for part in DATASETS} | changes)
 
     def summary(self) -> dict:
-        """The scalars of this solution as one object, units in the keys, effects left out first.
+        """The scalars of this solution as one object, units in the keys, neglected effects first.
 
         Places and grids are lists with an entry for each direction, [x, y] or [x]; temperatures are objects
         with an entry for each body and the film. Values that are not simulated, not known or not defined for
@@ -315,7 +315,7 @@ class Solution(Shown):
         }
 
     def figure_text(self, quantity: Quantity) -> str:
-        """A figure with its unit and error bars, of temperatures in K; empty without it, or unconverged."""
+        """A result with its unit and uncertainties (temperatures: K); empty without it, or unconverged."""
         figure = quantity.value_in(self)
         if figure is None or not self.converged:
             return ""

@@ -36,7 +36,7 @@ def solve(
     scene : Scene or LineScene
         The contact.
     plan : Plan
-        Its plan, by `pyworm.plan`, which cannot be left out.
+        Its plan, by `pyworm.plan`, which is required.
     progress : callable, optional
         Called with what is being done and the fraction of the work that is done, 0 to 1.
     rates : Rates, optional
@@ -65,7 +65,7 @@ def solve(
         sequence = GridSequence(plan.simplified(scene), plan, rates, report, stopwatch)
         warm_start = sequence.begin(warm_start)
         if rates is not None and sequence.wants_finer_rates:
-            report(f"{scene.name}: its past, on a finer grid", 0.0)
+            report(f"{scene.name}: its history, on a finer grid", 0.0)
             rates = finer(scene, plan, rates)
             if not rates.finest:
                 continue
@@ -165,7 +165,7 @@ def _rates_of_change(
     if SQUEEZE.name not in plan.on:
         return plan, None
     if rates is None:
-        report(f"{scene.name}: its past", 0.0)
+        report(f"{scene.name}: its history", 0.0)
         rates = rates_at_present(scene, plan)
     if rates.flaw is not None and plan.asked is None:
         return steady(plan, f"not found: {rates.flaw}"), None

@@ -105,9 +105,9 @@ def _scales(
     if unit is not None and file_unit is None:
         raise ValueError(f'has numbers in "{unit}"; heights are needed')
     if file_unit is None and metres is None:
-        raise ValueError('does not give its unit; give height_unit = "um" beside it')
+        raise ValueError('does not give its unit; give height_unit = "um" with it')
     if file_unit is not None and metres is not None:
-        raise ValueError(f"gives its own unit, {unit}; leave out height_unit")
+        raise ValueError(f"gives its own unit, {unit}; omit height_unit")
     scale = file_unit if file_unit is not None else present(metres, "height_unit")
     steps = None
     if sides is not None:
@@ -115,11 +115,11 @@ def _scales(
         steps = step_x, step_y
     if steps is None and spacing is None:
         raise ValueError(
-            'does not give the distance of its points; give spacing = "0.5 um" beside it'
+            'does not give the distance of its points; give spacing = "0.5 um" with it'
         )
     if steps is None or (spacing is not None and not plausible_side(shape, steps)):
         step = present(spacing, "spacing")
         return scale, (step, step)
     if spacing is not None:
-        raise ValueError("gives the distance of its points; leave out spacing")
+        raise ValueError("gives the distance of its points; omit spacing")
     return scale, steps

@@ -64,6 +64,6 @@ def _places(coordinate: Array, name: str) -> tuple[Array, float]:
     if not beside <= OFF_GRID:
         raise ValueError(
             f"is a list of points on no regular grid: along {name} they lie up to {beside:.2g} of their "
-            "distance beside it; give heights over a grid, interpolated by the instrument's program"
+            "distance away from it; give heights over a grid, interpolated by the instrument's program"
         )
     return number, step

@@ -107,11 +107,11 @@ def _require_given(
         unit = likely_unit(float(finite.std()) if finite.size else 0.0)
         distance = ' and spacing = "0.5 um"' if spacing is None else ""
         raise ValueError(
-            f'has numbers without a unit; give height_unit = "{unit}"{distance} beside it, or its own'
+            f'has numbers without a unit; give height_unit = "{unit}"{distance} with it, or its own'
         )
     if spacing is None:
         raise ValueError(
-            'does not give the distance of its points; give spacing = "0.5 um" beside it, or its own'
+            'does not give the distance of its points; give spacing = "0.5 um" with it, or its own'
         )
     return metres, spacing
 
@@ -163,7 +163,7 @@ def _of_text(
     if min(rows, columns) == 1 or columns == 2:
         raise ValueError("is a profile along a line; heights of an area are needed")
     if header.height_metres is not None and metres is not None:
-        raise ValueError("gives its own unit in its header; leave out height_unit")
+        raise ValueError("gives its own unit in its header; omit height_unit")
     metres = header.height_metres if metres is None else metres
     if columns == 3 and header.sides is None:
         return _of_points(numbers, header.metres, metres, spacing)
@@ -172,7 +172,7 @@ def _of_text(
         file_steps = header.sides[0] / columns, header.sides[1] / rows
     if file_steps is not None and spacing is not None:
         if plausible_side((columns, rows), file_steps):
-            raise ValueError("gives the distance of its points in its header; leave out spacing")
+            raise ValueError("gives the distance of its points in its header; omit spacing")
         file_steps = None
     metres, step = _require_given(numbers, metres, spacing if file_steps is None else file_steps[0])
     return numbers.T * metres, (step, step) if file_steps is None else file_steps
@@ -186,7 +186,7 @@ def _of_points(
 ) -> tuple[Array, tuple[float, float]]:
     """Heights [m] and spacing [m] of a list of points, `file_units` the metres of its x and y."""
     if file_units is not None and spacing is not None:
-        raise ValueError("gives the units of x and y in its header; leave out spacing")
+        raise ValueError("gives the units of x and y in its header; omit spacing")
     metres, step = _require_given(
         points[:, 2], metres, spacing if file_units is None else file_units[0]
     )

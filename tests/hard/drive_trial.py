@@ -143,7 +143,7 @@ def _called(words: Sequence[str], case: Path, out: Path, limit: float) -> Called
 
 
 def _waited(process: subprocess.Popen, until: float) -> tuple[int, float]:
-    """Exit code of a process and processor time of it and its own processes [s]; stopped at a time."""
+    """Exit code of a process and CPU time of it and its own processes [s]; stopped at a time."""
     previous = signal.signal(signal.SIGALRM, lambda number, frame: os.killpg(process.pid, 9))
     signal.setitimer(signal.ITIMER_REAL, max(until - monotonic(), 1e-3))
     try:

@@ -92,7 +92,7 @@ def test_its_report_says_what_it_knows_and_what_not(outside, ran):
     for said in (
         "Entrainment over a turn",
         "The tappet presses with the same force all the time and does not turn.",
-        "How misalignment changes the contacts of this drive is not known in closed form.",
+        "How misalignment changes the contacts of this gear set is not known in closed form.",
         "only drives of kind worm, gear-pair, roller-worm are",
     ):
         assert said in report
@@ -121,7 +121,7 @@ def test_films_are_all_that_is_rated_of_a_drive_that_no_standard_knows(rated):
     told = json.loads(rated.pyworm("rate", CASE, "--json"))
     assert [one["rating"] for one in told["ratings"]] == ["films"]
     assert told["not_rated"] == [
-        "Teeth or rollers: no standard that is known here covers this kind of drive.",
+        "Teeth or rollers: no standard that is known here covers this kind of gears.",
         "Bearings: the case has no [bearings.NAME].",
     ]
 
@@ -131,4 +131,4 @@ def test_no_oil_is_chosen_for_it(rated):
     (rated.root / "wanted.toml").write_text(FILES[CASE] + "\n" + wanted[0])
     ended = rated.python("-m", "pyworm.cli", "oil", "choose", "wanted.toml")
     assert ended.returncode == 2
-    assert "no oil can be chosen for a drive of this kind" in ended.stderr
+    assert "no oil can be chosen for gears of this kind" in ended.stderr

@@ -53,4 +53,4 @@ class EccentricCamCase(DriveCase):
 
 
 CASE = EccentricCamCase
-"""Tables and keys of a case file of this kind of drive."""
+"""Tables and keys of a case file of this kind of gears."""

@@ -45,8 +45,8 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 
 MIRRORED = (
-    "The left-hand worm is computed as its mirror image, a right-hand one that turns the other way: all "
-    "figures are the same, and pictures show the mirror image, the leaving side where it is in both."
+    "The left-hand worm is computed as its mirror image, a right-hand one that turns the other way: the "
+    "results are equal, and pictures show the mirror image, the leaving side where it is in both."
 )
 
 
@@ -102,7 +102,7 @@ class WormDrive(WormMesh, Drive):
             load = (
                 f"The teeth in mesh share {shared.torque:.4g} N m of the {shared.shaft} ({shared.sharing} "
                 f"sharing, friction {shared.friction:.2g} in the balance of torques"
-                f"{', with the lift of their films' if shared.lifts else ''})."
+                f"{', with the separation by their films' if shared.lifts else ''})."
             )
         else:
             load = (

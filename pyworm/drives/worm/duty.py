@@ -53,7 +53,7 @@ def worm_duty(mesh: WormMesh) -> WormDuty:
     factor = point.gear.diameter_factor
     as_drawn = mesh.worm.reference_radius is not None
     reference = "as drawn" if as_drawn else "the reference cylinder one module below the worm's tip"
-    torque = "wheel torque as the drive has it"
+    torque = "wheel torque of the gear set"
     if mesh.tooth_load is not None:
         torque = (
             f"wheel torque of {mesh.tooth_load / 1e3:.3g} kN on each of {mesh.mean_teeth_in_contact:.2f} "
@@ -64,7 +64,7 @@ def worm_duty(mesh: WormMesh) -> WormDuty:
         deflection=None if mesh.shaft_deflection is None else mesh.shaft_deflection.deflection,
         contact_ratio=mesh.mean_teeth_in_contact,
         words=(
-            f"Derived from the drive: axial module {mesh.module * 1e3:.3f} mm; diameter factor "
+            f"Derived from the gears: axial module {mesh.module * 1e3:.3f} mm; diameter factor "
             f"{factor:.2f}, {reference}; profile shift of the wheel {mesh.profile_shift:.3f}; {torque}.",
         ),
     )

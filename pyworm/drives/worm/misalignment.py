@@ -25,9 +25,9 @@ ERRORS = (
 """Label with the error in thousandths, its entry (`WormDrive.varied`), its size in both directions."""
 
 METHOD = (
-    "Misalignment by the drive's own geometry: the contact is found again at the same phases, on the flanks "
-    "as they are, at an edge where they touch there; pressures are those of dry contacts under the same load "
-    "of the tooth. Where a contact comes to rest on an edge no closed form gives its film (run the case with "
+    "Misalignment by the exact geometry of the gears: the contact is found again at the same phases, on "
+    "the exact flanks, at an edge where they touch there; pressures are those of dry contacts under the same "
+    "load of the tooth. Where a contact comes to rest on an edge no closed form gives its film (run the case with "
     "[drive.assembly]); one that rests on an edge without the error keeps its film."
 )
 

@@ -122,7 +122,7 @@ def as_line(scene: AnyContact) -> AnyContact:
     if axis is None:
         raise ValueError(
             f"{scene.name}: entrainment and sliding do not lie along one axis of the contact; "
-            "second-dimension cannot be left out"
+            "second-dimension cannot be neglected"
         )
     radius = scene.radii[axis]
     pressure = hertz(*scene.radii, scene.load, scene.reduced_modulus).pressure_max

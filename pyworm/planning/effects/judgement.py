@@ -101,7 +101,7 @@ def _decided(
     if effect.without is None:
         return False, "not simulated"
     if asked is not None:
-        return (True, "asked for") if effect.name in asked else (False, "not asked for")
+        return (True, "requested") if effect.name in asked else (False, "not requested")
     if effect.part_of is not None and not judgements[effect.part_of].on:
         return False, f"none without {effect.part_of}"
     return None
@@ -127,7 +127,7 @@ def _bring(effect: Effect, judgements: dict[str, Judgement], excluded: Mapping[s
     """Switch on the effects that an effect needs, and those that ease its solution, unless excluded."""
     if not judgements[effect.name].on:
         return
-    for verb, names in (("goes with", effect.together), ("eases", effect.eased_by)):
+    for verb, names in (("goes with", effect.together), ("stabilises", effect.eased_by)):
         for name in set(names) - excluded.keys():
             other = judgements[name]
             if not other.on and other.indicator is not None:

@@ -65,7 +65,7 @@ def _by_compression(prediction: Prediction) -> Influence:
 COMPRESSIBILITY = Effect(
     name="compressibility",
     symbol="rho/rho0 - 1",
-    source="Dowson and Higginson (1966); central film as 1/rho",
+    source="Dowson and Higginson (1966); central film thickness as 1/rho",
     indicator=_compression,
     influence=_by_compression,
     without=lambda scene: replace(

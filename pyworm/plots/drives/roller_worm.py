@@ -163,7 +163,7 @@ def _draw_lambda(axes: Axes, cycle: "xr.Dataset") -> None:
             )
     axes.set_ylim(bottom=0)
     other.set_ylim(0, 1.05)
-    axes.set_ylabel("specific film lambda")
+    axes.set_ylabel(QUANTITIES["specific_film"].words())
     other.set_ylabel("film left by heat\n(Wilson and Sheu, dashed)")
 
 
@@ -199,7 +199,7 @@ def draw_roller_sensitivity(result: Result) -> Figure:
 
 CYCLE_PICTURES = {
     "mesh_cycle_drive": CyclePicture(
-        "The drive: rollers, worm flanks and contact lines", draw_roller_drive
+        "Gear set: rollers, worm flanks and contact lines", draw_roller_drive
     ),
     "mesh_cycle_regimes": CyclePicture(
         "Regimes of lubrication over the mesh cycle", draw_roller_regimes

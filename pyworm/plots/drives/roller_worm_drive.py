@@ -18,7 +18,7 @@ def draw_roller_drive(result: Result) -> Figure:
     """The drive from the front and from above; rollers in mesh are dark, contact lines red."""
     cycle = result.cycle_data
     figure = new_figure(11, 5.6, f"{result.case_name}  ·  rollers, worm flanks and contact lines")
-    views = ((24, -100, "the drive"), (90, -90, "along the wheel's axis"))
+    views = ((24, -100, "the gear set"), (90, -90, "along the wheel's axis"))
     for number, (elevation, azimuth, title) in enumerate(views):
         axes = figure.add_subplot(1, 2, number + 1, projection="3d")
         axes.set_proj_type("ortho")

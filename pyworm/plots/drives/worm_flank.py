@@ -42,7 +42,7 @@ def draw_flank(result: Result) -> Figure | None:
     shown = [QUANTITIES[name] for name in _PANELS if name in field]
     rows = (len(shown) + 1) // 2
     gaps = ", ".join(f"{solution.phase:g}" for solution in result.unsound)
-    what = f"wheel flank, phase {gaps} not converged and left out" if gaps else "wheel flank"
+    what = f"wheel flank, phase {gaps} not converged, not shown" if gaps else "wheel flank"
     figure = new_figure(13, 2.4 * rows + 0.5, result_heading(result, what))
     axes = figure.subplots(rows, 2, squeeze=False).ravel()
     places = field["face"] * MILLI, field["radius"] * MILLI
@@ -103,8 +103,8 @@ def _draw_tooth(axes: Axes, cycle: "xr.Dataset") -> None:
     axes.set_ylim(low - 0.15 * (high - low), high + 0.08 * (high - low))
     name_sides(axes, cycle.attrs.get("driver", "worm") == "worm", root=0.02)
     axes.set_aspect("equal")
-    axes.set_xlabel("along the face / mm")
-    axes.set_ylabel("from the wheel's\naxis / mm")
+    axes.set_xlabel("face width coordinate / mm")
+    axes.set_ylabel("radius / mm")
 
 
 def name_sides(axes: Axes, leaving_right: bool, root: float) -> None:

@@ -40,7 +40,7 @@ def draw_pattern(result: Result) -> Figure | None:
             _draw_marks(panel, here, here[separation].values * MICRO, thickness)
             _name_sides(panel, leaving_right=forward == (number == 0))
             panel.set_title(f"{names[number]}, {load}: {float(here[part]):.0%} marked", fontsize=9)
-        row[0].set_ylabel("distance from the wheel's axis / mm")
+        row[0].set_ylabel("radius / mm")
     for panel in axes[-1]:
         panel.set_xlabel("along the face / mm")
     return figure

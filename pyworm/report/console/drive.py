@@ -11,7 +11,7 @@ def drive_table(drive: Drive) -> Table | None:
     if not geometry_table:
         return None
     rows = tuple(described_row(key, value) for key, value in geometry_table.items())
-    return Table(("", ""), rows, "The drive as computed")
+    return Table(("", ""), rows, "Gear set as computed")
 
 
 def described_row(key: str, value: float | str) -> tuple[str, str]:

@@ -300,7 +300,7 @@ def plan_table(scene: Scene | LineScene, plan: Plan, expected: Expectation) -> T
             quantity.title() + _directions(summary[quantity.key]),
             _value(quantity, summary[quantity.key]),
         )
-        for quantity in listed("scene")
+        for quantity in listed("contact")
         if quantity.key in summary
     ]
     rows += [*_regime_rows(plan.regime.summary()), ()]

@@ -117,7 +117,7 @@ def scene_rows(solution: Solution, bodies: tuple[str, str]) -> list[list[str]]:
         for quantity in listed("explore")
         if (text := solution.figure_text(quantity))
     ]
-    wide = "" if solution.accurate else ", less accurate than asked for"
+    wide = "" if solution.accurate else ", less accurate than requested"
     accuracy = accuracy_words(solution.accuracy, solution.accuracy_of)
-    stated = [["Accuracy asked for", accuracy]] if accuracy else []
+    stated = [["Requested accuracy", accuracy]] if accuracy else []
     return [*rows, ["Converged", f"yes{wide}" if solution.converged else "NO"], *stated]

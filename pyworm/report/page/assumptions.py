@@ -37,13 +37,13 @@ def plan_section(result: Result) -> Section | None:
         where = "on" if len(on) == len(solutions) else f"on at {', '.join(on)}" if on else "off"
         rows.append((effects[0].name, where, _reason(solutions, effects), _influence(effects)))
     words = (
-        "Influence is the largest that leaving the effect out would have on what was asked for, at any "
+        "Influence is the largest that leaving the effect out would have on the requested quantities, at any "
         "contact, judged by the solutions."
     )
     wanted = {plan["accuracy"] for plan in result.provenance.get("plans", ())}
     asked = " and ".join(f"{fraction * 100:g} %" for fraction in sorted(wanted))
     table = Table(("Effect", "", "Reason", "Influence"), tuple(rows), note=words)
-    return Section(f"Effects simulated and left out (accuracy asked for: {asked})", (table,))
+    return Section(f"Effects simulated and neglected (requested accuracy: {asked})", (table,))
 
 
 def _reason(solutions: Sequence[Solution], effects: Sequence[Judgement]) -> str:
@@ -82,7 +82,7 @@ def assumptions_of(found: Findings) -> Items:
     elif any(table.nesting_index is not None for table in case.tables.bodies.surfaces.values()):
         items.append(
             "Waves longer than the nesting index rest in the gap where they rest in the contact; those that "
-            "roll through a steady film are in the model's error bar."
+            "roll through a steady film are in the model uncertainty."
         )
     if "squeeze" not in on:
         items.append("A steady film (the table of effects estimates the influence of squeeze).")

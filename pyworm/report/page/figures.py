@@ -99,7 +99,7 @@ def life_rows(case: Case, ratings: tuple[Rating, ...]) -> tuple[Row, ...]:
     table = getattr(case.tables, "worm_rating", None)
     rows = []
     if table is not None and table.life is not None:
-        rows.append(("Life asked for", f"{table.life / HOUR:.6g} h", "of the case"))
+        rows.append(("Required life", f"{table.life / HOUR:.6g} h", "of the case"))
     for number, step in enumerate(() if table is None else table.spectrum, 1):
         torque = QUANTITIES["wheel_torque"].text(step.wheel_torque)
         load = f"{torque}, {step.worm_speed * PER_MINUTE:.4g} 1/min"
@@ -271,7 +271,7 @@ def printed_section(found: Findings) -> Section | None:
         if rows:
             title = place_of(solution)
             blocks.append(Table(("", "Printed", "Computed"), rows, title=title))
-    return Section("Beside the source's figures", tuple(blocks)) if blocks else None
+    return Section("Comparison with published values", tuple(blocks)) if blocks else None
 
 
 def _si_unit(quantity: Quantity) -> str:

@@ -81,7 +81,7 @@ def _approach(time_grid: TimeGrid, seconds: float) -> float:
     """Approach of the dry bodies at a time, on the first moving grid [m]."""
     contact, grid = contact_at(time_grid, seconds), time_grid.grid(seconds, 0)
     if isinstance(contact, LineScene) or isinstance(grid, LineGrid):
-        raise TypeError("the lift is that of a point contact")
+        raise TypeError("the separation is that of a point contact")
     x, y = grid.mesh()
     gap, covered = contact.gap(x, y)
     guess = scales(contact).hertz.pressure(x, y)

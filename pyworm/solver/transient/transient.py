@@ -345,8 +345,7 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     # finer grids of the present film would not mend that
     if not left_of_heat <= error_budget.TIME * plan.accuracy:
         flaw = (
-            "the transient solve through the contact's life leaves an error of "
-            f"{percent(left_of_heat)}"
+            f"the transient solve through the engagement leaves an error of {percent(left_of_heat)}"
         )
     coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
     life = _life(scene, plan, rates, readings, turned)

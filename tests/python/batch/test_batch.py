@@ -264,7 +264,7 @@ def test_a_stopped_run_continues_where_it_ended(tmp_path, capsys, whole_run, end
     if end != signal.SIGKILL:
         assert process.returncode == 128 + end
         assert said == (
-            "pyworm: stopped; scenes already solved are kept, the same command continues from there\n"
+            "pyworm: stopped; contacts already solved are kept, the same command continues from there\n"
         )
     assert not (tmp_path / "result.nc").exists()
     given_up = time.monotonic() + 30
@@ -274,7 +274,7 @@ def test_a_stopped_run_continues_where_it_ended(tmp_path, capsys, whole_run, end
     kept = len(list(tmp_path.glob("scenes/[!.]*.nc")))
     assert 0 < kept < 10
     assert main([*RUN, "--out", str(tmp_path)]) == CONVERGED
-    assert re.match(rf"pyworm: {kept} of 10 scenes were solved before", capsys.readouterr().err)
+    assert re.match(rf"pyworm: {kept} of 10 contacts were solved before", capsys.readouterr().err)
     assert_same_scenes(open_result(tmp_path / "result.nc"), whole_run)
     assert not (tmp_path / "scenes").exists()
 
@@ -290,7 +290,7 @@ def test_a_worker_killed_in_mid_run_costs_its_own_scene(tmp_path, capsys, whole_
     assert process.returncode == NOT_CONVERGED
     assert len(partly.solutions) == 9
     assert main([*RUN, "--out", str(tmp_path), "-j", "2"]) == CONVERGED
-    assert "9 of 10 scenes were solved before" in capsys.readouterr().err
+    assert "9 of 10 contacts were solved before" in capsys.readouterr().err
     assert_same_scenes(open_result(tmp_path / "result.nc"), whole_run)
 
 
@@ -301,7 +301,7 @@ def test_a_second_run_solves_nothing_and_more_places_only_themselves(
     assert main([*arguments, "0", "1"]) == CONVERGED
     assert capsys.readouterr().err == ""
     assert main([*arguments, "1", "2", "0"]) == CONVERGED
-    assert "2 of 3 scenes were solved before" in capsys.readouterr().err
+    assert "2 of 3 contacts were solved before" in capsys.readouterr().err
     monkeypatch.setattr("pyworm.batch.task.solve", None)
     assert main([*arguments, "2", "1"]) == CONVERGED
     result = open_result(tmp_path / "result.nc")

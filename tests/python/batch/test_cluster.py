@@ -134,7 +134,7 @@ def test_a_scheduler_lost_on_the_way_is_one_sentence_and_what_was_solved_is_kept
     scheduler.kill()
     said = process.communicate(timeout=60)[1]
     assert said == (
-        f"pyworm: --scheduler {address}: was lost; scenes already solved are kept, "
+        f"pyworm: --scheduler {address}: was lost; contacts already solved are kept, "
         "the same command continues from there\n"
     )
     assert process.returncode == FAILED
@@ -147,7 +147,7 @@ def test_lost_workers_are_reported_and_waited_for_until_an_interrupt(cluster, tm
     for worker in workers:
         worker.kill()
     assert process.stderr.readline() == (
-        f"pyworm: --scheduler {address}: has no workers, waiting for some; scenes already solved are kept, "
+        f"pyworm: --scheduler {address}: has no workers, waiting for some; contacts already solved are kept, "
         "the same command continues from there\n"
     )
     process.terminate()

@@ -239,7 +239,7 @@ def _case_is_no_table(groups):
         (_scalar("figures", "film_min", "value", value=-1e-6), "its film_min is -1e-06"),
         (_scalar("figures", "pressure_max", value=[1]), "figures.pressure_max is [1]"),
         (_no_field, "scene_000: the field pressure is missing"),
-        (_no_scenes, "it has no scenes"),
+        (_no_scenes, "it has no contacts"),
         (_case_is_no_table, "case is [1, 2]"),
     ],
 )
@@ -441,7 +441,7 @@ def test_an_interrupted_run_keeps_what_is_finished(tmp_path):
     said = process.communicate()[1]
     assert process.returncode == 128 + signal.SIGINT
     assert said == (
-        "pyworm: stopped; scenes already solved are kept, the same command continues from there\n"
+        "pyworm: stopped; contacts already solved are kept, the same command continues from there\n"
     )
     kept = list(out.glob("scenes/*"))
     assert kept and all(open_result(path).converged for path in kept)

@@ -44,7 +44,7 @@ def test_a_run_of_the_usual_time_says_nothing(run, monkeypatch):
 def test_the_contact_that_took_longest_is_named_first(run):
     case, tasks, (first, second) = run
     found = overrun(case, tasks, Solved([taking(first, 1.0e4), taking(second, 2.0e4)]), LONG)
-    assert found.sentence.startswith("took 1000000 s of processor time where ")
+    assert found.sentence.startswith("took 1000000 s of CPU time where ")
     assert [of.split(" (")[0] for of in found.reasons] == [second.name, first.name]
     assert all("each Newton step took longer" in reason for reason in found.reasons)
 
@@ -90,4 +90,4 @@ def test_the_command_tells_it(monkeypatch, tmp_path, capsys):
         str(tmp_path),
     ]
     assert main(["run", str(TRACTION), "--slide-roll-ratio", "0", *how]) == command.CONVERGED
-    assert "of processor time where" in capsys.readouterr().err
+    assert "of CPU time where" in capsys.readouterr().err

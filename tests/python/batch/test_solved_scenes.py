@@ -114,7 +114,7 @@ def test_a_sweep_over_a_damaged_scene_solves_it_again(tmp_path, capsys):
     damaged.write_text(damaged.read_text()[:100])
     assert main(command) == CONVERGED
     told = capsys.readouterr()
-    assert told.err.startswith("pyworm: 1 of 2 scenes were solved before, in ")
+    assert told.err.startswith("pyworm: 1 of 2 contacts were solved before, in ")
     timed = dict.fromkeys(("seconds", "convolutions"))
     assert [row | timed for row in json.loads(told.out)["scenes"]] == [row | timed for row in whole]
 
@@ -214,5 +214,5 @@ def test_the_only_scene_is_kept_where_its_result_cannot_be_written(tmp_path, mon
     assert [path.stem for path in (tmp_path / SCENES).iterdir()] == [task.key]
     said = []
     run(case, tasks, tmp_path, print_message=said.append)
-    assert said == [f"1 of 1 scenes were solved before, in {tmp_path}"]
+    assert said == [f"1 of 1 contacts were solved before, in {tmp_path}"]
     assert [path.name for path in tmp_path.iterdir()] == [RESULT_NAME]

@@ -264,7 +264,7 @@ def test_a_sweep_writes_a_table_and_a_picture(solved, capsys, monkeypatch):
     capsys.readouterr()
     assert main(["sweep", str(path), "--out", str(out), "--json"]) == CONVERGED
     said = capsys.readouterr()
-    assert "6 of 6 scenes were solved before" in said.err
+    assert "6 of 6 contacts were solved before" in said.err
     content = json.loads(said.out)
     assert content["scenes"][4]["film_min_m"] == table["film_min_m"].values[4]
     (out / "sweep.png").unlink()
@@ -297,7 +297,7 @@ def test_a_longer_sweep_solves_what_is_new_and_keeps_fields_if_asked(solved, tmp
     (tmp_path / "scenes").symlink_to(out / "scenes")
     arguments = ["sweep", str(longer), "--out", str(tmp_path)]
     assert main(arguments) == CONVERGED
-    assert "6 of 9 scenes were solved before" in capsys.readouterr().err
+    assert "6 of 9 contacts were solved before" in capsys.readouterr().err
     assert main([*arguments, "--fields"]) == CONVERGED
     assert capsys.readouterr().err == ""
     table = open_sweep(tmp_path / "sweep.nc").table
@@ -329,7 +329,7 @@ def test_a_scene_without_solution_is_a_row_with_its_reason(tmp_path, capsys, mon
     monkeypatch.undo()
     assert main([*arguments, "--json"]) == CONVERGED
     said = capsys.readouterr()
-    assert "3 of 6 scenes were solved before" in said.err
+    assert "3 of 6 contacts were solved before" in said.err
     assert all(scene["converged"] for scene in json.loads(said.out)["scenes"])
 
 

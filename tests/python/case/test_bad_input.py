@@ -43,12 +43,12 @@ def refuse(tmp_path, monkeypatch, capsys):
         (
             'load = "14 kN"',
             'load = "14 kN"\nfriction = 0.01',
-            "friction means nothing with the load",
+            "friction has no effect with the load",
         ),
         (
             'load = "14 kN"',
             'wheel_torque = "4 kN m"\nsharing = "equal"\nlifts = [[0.5, "1 um"]]',
-            "lifts means nothing with sharing = equal",
+            "lifts has no effect with sharing = equal",
         ),
         (
             'load = "14 kN"',
@@ -59,7 +59,7 @@ def refuse(tmp_path, monkeypatch, capsys):
         (
             "[drive.worm]",
             'stiffness = "1 N/um"\n[drive.worm]',
-            "drive.stiffness means nothing with",
+            "drive.stiffness has no effect with",
         ),
         (
             "[bodies.worm]",
@@ -113,7 +113,7 @@ def refuse(tmp_path, monkeypatch, capsys):
         (
             "threads = 3",
             'threads = 3\nbacklash = "1 mm"',
-            "drive.backlash means nothing without modu",
+            "drive.backlash has no effect without modu",
         ),
         (
             "threads = 3",
@@ -183,15 +183,15 @@ def test_wrong_values_in_a_line_contact(refuse, old, new, sentence):
         ),
         (
             "roughness_slope = 0.01",
-            "roughness_slope needs roughness (Rq) or roughness_ra (Ra) beside",
+            "roughness_slope needs roughness (Rq) or roughness_ra (Ra) with",
         ),
-        ('roughness = "1 um"\nlay = "90 deg"', "lay needs roughness_aspect beside it, such as 3"),
+        ('roughness = "1 um"\nlay = "90 deg"', "lay needs roughness_aspect with it, such as 3"),
         ('roughness = "1 um"\nroughness_aspect = 20', "roughness_aspect = 20"),
         ('hardness = "1 kPa"', "hardness between 1 MPa and 200 GPa"),
         ("asperity_sharpness = 0.01", "asperity_sharpness needs roughness (Rq)"),
         (
             'roughness = "1 um"\nasperity_density = 0.04',
-            "asperity_density needs asperity_sharpness beside it, such as 0.01",
+            "asperity_density needs asperity_sharpness with it, such as 0.01",
         ),
         (
             'roughness = "1 um"\nasperity_sharpness = 0.01\nroughness_slope = 0.01',
@@ -353,7 +353,7 @@ def test_wrong_values_of_heat(refuse, old, new, sentence):
 
 def test_a_bulk_temperature_without_heat(refuse):
     text = changed(CONTACT, ("[bodies.body_2]", '[bodies.body_2]\nbulk_temperature = "60 degC"'))
-    assert "bodies.body_2.bulk_temperature means nothing without [oil.heat]" in refuse(text)
+    assert "bodies.body_2.bulk_temperature has no effect without [oil.heat]" in refuse(text)
 
 
 @pytest.mark.parametrize(

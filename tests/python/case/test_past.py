@@ -67,19 +67,39 @@ def test_surfaces_come_from_apart_where_their_separation_is_given(tmp_path):
         (LINE, '"0 ms", ', '"1 ms", ', 'past: times begin at "0 s" and rise'),
         (LINE, '"2 ms", "7 ms"', '"7 ms", "2 ms"', 'past: times begin at "0 s" and rise'),
         (LINE, "speed = [-0.6667, -0.6667, 1]", "", "past: give the factors of load, of speed, or"),
-        (LINE, "-0.6667, 1]", "1]", "past: speed has 2 factors and times 3; each time wants one"),
+        (
+            LINE,
+            "-0.6667, 1]",
+            "1]",
+            "past: speed has 2 factors and times 3; one factor per time required",
+        ),
         (
             LINE,
             "-0.6667, 1]",
             "-0.6667, 2]",
             "past: speed ends with 2; the last time is the present",
         ),
-        (BALL, "10, 1, 1]", "-1, 1, 1]", "past: load has a factor of -1; a contact does not pull"),
+        (
+            BALL,
+            "10, 1, 1]",
+            "-1, 1, 1]",
+            "past: load has a factor of -1; load must not be negative",
+        ),
         (BALL, '"2.2 ms"', '"2.2"', 'past.times[4] = "2.2": must be a time with its unit'),
         (BALL, "load = [1, 1", "lode = [1, 1", "past.lode: no such key; did you mean load?"),
-        (DROP, '"1 um"]', "]", "past: separation has 2 lengths and times 3; each time wants one"),
+        (
+            DROP,
+            '"1 um"]',
+            "]",
+            "past: separation has 2 lengths and times 3; one factor per time required",
+        ),
         (DROP, "[0, 0, 1]", "[1, 1, 1]", "past: separation holds where the factor of load is 0"),
-        (DROP, '"1 um", "1 um"', '"0 um", "1 um"', "past: separation is 0 m where nothing is"),
+        (
+            DROP,
+            '"1 um", "1 um"',
+            '"0 um", "1 um"',
+            "past: separation is 0 m where the load is zero",
+        ),
     ],
 )
 def test_pasts_that_make_no_sense_are_refused(text, old, new, sentence, tmp_path, capsys):

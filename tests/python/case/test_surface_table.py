@@ -70,7 +70,7 @@ def test_the_case_of_a_result_has_its_surface_but_no_file(tmp_path, flank):
     [
         ("", "give either file or generated"),
         (f'{GAUSSIAN}\nfile = "flank.npy"', "give either file or generated"),
-        (f'{GAUSSIAN}\nspacing = "1 um"', "spacing means nothing without file"),
+        (f'{GAUSSIAN}\nspacing = "1 um"', "spacing has no effect without file"),
         (GAUSSIAN.replace("gaussian", "fractal"), "generated.spectrum"),
         (GAUSSIAN.replace(", seed = 1", ""), "bodies.body_1.surface.generated.seed is missing"),
         (
@@ -80,7 +80,7 @@ def test_the_case_of_a_result_has_its_surface_but_no_file(tmp_path, flank):
         ('file = "none.npy"', 'bodies.body_1.surface.file = "none.npy": no such file'),
         (
             'file = "flank.npy"',
-            'give height_unit = "um" and spacing = "0.5 um" beside it',
+            'give height_unit = "um" and spacing = "0.5 um" with it',
         ),
         (f'{ARRAY}\nnesting_index = "2.5 mm"', "nesting_index of 2500 um is longer than the area"),
         (f'{ARRAY}\noutliers = "drop"', 'outliers = "drop": must be "refuse", "fill" or "keep"'),
@@ -121,5 +121,5 @@ def test_figures_beside_heights_are_refused(tmp_path):
     path = _case(tmp_path, GAUSSIAN)
     text = path.read_text()
     path.write_text(changed(text, ("[bodies.body_1]\n", '[bodies.body_1]\nroughness = "1 um"\n')))
-    with pytest.raises(CaseError, match="roughness means nothing beside surface"):
+    with pytest.raises(CaseError, match="roughness has no effect with surface"):
         pyworm.load(path)

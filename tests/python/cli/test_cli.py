@@ -295,7 +295,7 @@ def test_a_result_that_could_not_be_written_leaves_what_was_solved(
     monkeypatch.setattr(Result, "save", save)
     monkeypatch.setattr("pyworm.batch.task.solve", None)
     assert main(two) == CONVERGED
-    assert "2 of 2 scenes were solved before" in capsys.readouterr().err
+    assert "2 of 2 contacts were solved before" in capsys.readouterr().err
     assert (out / "result.nc").is_file()
 
 

@@ -170,7 +170,7 @@ def test_wrong_numbers_are_refused_and_nothing_is_written(
 def test_a_file_is_not_written_over(tmp_path, capsys):
     path = tmp_path / "unit.toml"
     path.write_text("mine")
-    assert "is there already" in refusal(words(path), tmp_path, capsys)
+    assert "already exists" in refusal(words(path), tmp_path, capsys)
     assert path.read_text() == "mine"
 
 

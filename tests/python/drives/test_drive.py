@@ -65,7 +65,7 @@ def test_a_drive_with_nothing_to_say_says_so():
     scene = drive.scene(0.0)
     assert drive.body_names == ("body 1", "body 2")
     assert drive.warnings == ()
-    assert drive.assumptions == ("The load of each contact is that of the drive.",)
+    assert drive.assumptions == ("The load of each contact is that of the gear set.",)
     assert drive.normal_load(0.0) == scene.load
     assert not drive.scene_data(scene).variables
     assert drive.mesh_loss([]) is None

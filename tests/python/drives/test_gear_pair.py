@@ -510,7 +510,7 @@ def test_a_scuffing_temperature_needs_heat(tmp_path):
     )
     path = tmp_path / "case.toml"
     path.write_text(text)
-    with pytest.raises(CaseError, match="scuffing_temperature means nothing without"):
+    with pytest.raises(CaseError, match="scuffing_temperature has no effect without"):
         pyworm.load(path)
 
 

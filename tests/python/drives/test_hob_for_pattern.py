@@ -98,7 +98,7 @@ def test_the_command_tells_a_fitter_the_nearest_shim(tmp_path, capsys, monkeypat
             "--place 2: must be a place along the face with its unit",
         ),
         ("worm_drawing", ["--size", "150%"], "--size 150%: must lie between 0 and 100 %"),
-        ("worm_drawing", ["--shim", "--size", "30%"], "leave out --place and --size"),
+        ("worm_drawing", ["--shim", "--size", "30%"], "omit --place and --size"),
         ("spur_pair", ["--shim"], "has no wheel that a shim could move; give a worm drive"),
     ],
 )

@@ -189,7 +189,7 @@ def test_an_effect_that_was_missed_costs_no_second_climb_of_the_grids():
     assert [told[number] for number in called] == [
         f"{scene.name}: calls for {', '.join(sorted(missed))} too"
     ]
-    windows = [number for number, message in enumerate(told) if "wider window" in message]
+    windows = [number for number, message in enumerate(told) if "wider domain" in message]
     assert called[0] < windows[0]
     assert len(windows) == 1
     on = {one.name for one in solution.effects if one.on}
@@ -226,7 +226,7 @@ def test_effects_asked_for_are_judged_but_not_revised():
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.1, "isothermal", ("film",)))
     heat = judged(solution)["film-heating"]
     assert not heat.on
-    assert heat.reason == "not asked for"
+    assert heat.reason == "not requested"
     assert heat.influence["film"] > 0.02
 
 
@@ -296,7 +296,7 @@ def test_roughness_is_an_effect_like_any_other():
     assert roughness.on
     assert roughness.influence["film"] > 0.05
     without = pyworm.plan(rough, 0.05, "auto,-roughness")
-    assert judged(without)["roughness"].reason == "left out as asked"
+    assert judged(without)["roughness"].reason == "neglected as requested"
     assert without.on == pyworm.plan(rough, 0.05).on - {"roughness"}
     smooth = replace(rough, bodies=tuple(replace(body, roughness=None) for body in rough.bodies))
     with pytest.raises(
@@ -400,10 +400,10 @@ def test_squeeze_is_simulated_where_the_accuracy_needs_it_or_it_is_named():
         (changed, "auto", True, "more than 5 %"),
         (same, "auto", False, "within 5 %"),
         (same, "auto,squeeze", True, "though within 5 %"),
-        (changed, "auto,-squeeze", False, "left out as asked"),
-        (changed, "all", True, "asked for"),
-        (changed, "isothermal", False, "not asked for"),
-        (changed, "isothermal,squeeze", True, "asked for"),
+        (changed, "auto,-squeeze", False, "neglected as requested"),
+        (changed, "all", True, "requested"),
+        (changed, "isothermal", False, "not requested"),
+        (changed, "isothermal,squeeze", True, "requested"),
     ):
         told = judged(pyworm.plan(scene, 0.05, effects))["squeeze"]
         assert (told.on, told.reason) == (on, why)

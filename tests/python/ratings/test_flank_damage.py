@@ -149,7 +149,7 @@ def test_a_verdict_that_turns_within_its_bars_says_so():
     near = gears(**TESTED, required_micropitting=value * (1 + 1e-6))
     made = safeties(near, result)["S_lambda_simulated"]
     assert made.verdict == "not sufficient" and made.open
-    assert "turn within the error bars" in made.doubts[-1]
+    assert "turn within the uncertainty" in made.doubts[-1]
     far = safeties(gears(**TESTED, required_micropitting=value / 9), result)
     assert not far["S_lambda_simulated"].open
 

@@ -122,7 +122,7 @@ COOLED = (
 @pytest.mark.parametrize(
     ("line", "sentence"),
     [
-        ('sump_temperature = "70 degC"', "means nothing with [cooling]"),
+        ('sump_temperature = "70 degC"', "has no effect with [cooling]"),
         ('ambient_temperature = "20 degC"', "differs from cooling.ambient_temperature"),
         ('bearings = "fixed and floating"', "differs from cooling.bearings"),
         ("immersion_factor = 0.8", "differs from cooling.immersion"),

@@ -49,7 +49,7 @@ def test_a_mesh_cycle_is_not_lost_for_a_phase_with_wider_bars():
     assert not cycle.missing
     assert cycle.loss.power == before.loss.power
     assert cycle.loss.scene_error > 1.5 * before.loss.scene_error
-    assert f"Less accurate than asked for: {first.name}." in opening(torn.solutions, "")
+    assert f"Less accurate than requested: {first.name}." in opening(torn.solutions, "")
     assert torn.stop_reason is None
     assert torn.shortfall.startswith(f"{first.name}: {LESS_ACCURATE}")
     assert result.shortfall is None

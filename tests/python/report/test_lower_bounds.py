@@ -34,7 +34,7 @@ def test_an_unresolved_spike_is_a_lower_bound_everywhere():
     assert str(SPIKE) == "≥ 8.645e+08 (unresolved pressure spike, 1.7 nodes wide)"
     rows = dict(scene_rows(spiked(), ("body 1", "body 2")))
     assert rows["Maximum pressure"] == bound
-    assert rows["Accuracy asked for"] == "1 % of minimum film thickness, central film thickness"
+    assert rows["Requested accuracy"] == "1 % of minimum film thickness, central film thickness"
     assert with_bars("1 K", inf, 0.1) == "≥ 1 K ± 10 % (model) (error not known)"
     assert with_bars("1 K", 0.02) == "1 K ± 2 %"
     assert with_bars("1 K", 0.02, inf) == "1 K ± 2 % ± unknown (model)"

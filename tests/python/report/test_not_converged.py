@@ -183,7 +183,7 @@ def test_the_flank_map_is_not_blended_across_a_phase_that_failed():
     assert passed[1] < 0.9 * passed[0]
     assert float(flank_map(torn)["film"].min()) > 0
     title = draw_flank(torn).get_suptitle()
-    assert "phase 0.5 not converged and left out" in title
+    assert "phase 0.5 not converged, not shown" in title
 
 
 def test_extremes_of_the_cycle_leave_out_what_did_not_converge():

@@ -43,12 +43,12 @@ SECTIONS = [
     "Film and pressure",
     "Friction, loss and temperature",
     "Ratings: gears, scuffing, bearings",
-    "Beside the source's figures",
+    "Comparison with published values",
     "Sensitivity",
     "The whole cycle",
     "Contacts",
     "What was assumed",
-    "Effects simulated and left out (accuracy asked for: 2 %)",
+    "Effects simulated and neglected (requested accuracy: 2 %)",
     "Inputs",
     "Provenance",
 ]
@@ -237,12 +237,12 @@ def test_every_figure_of_a_contact_has_its_error_bar(worm):
 
 
 def test_printed_figures_stand_beside_those_of_their_phase(worm):
-    beside = rows(worm[1], "Beside the source's figures")
+    beside = rows(worm[1], "Comparison with published values")
     solution = worm[0].solutions[1]  # phase 0.5, which the paper shows
     celsius = solution.figures.temperature_max_film.value - 273.15
     assert beside["Maximum film temperature"] == ("117 °C", f"{celsius:.4g} °C")
     assert beside["Larger radius of relative curvature"] == ("3.046 m", "3.049 m")
-    assert "phase 0.25" not in words(worm[1], "Beside the source's figures")
+    assert "phase 0.25" not in words(worm[1], "Comparison with published values")
 
 
 def test_ratings_and_those_left_out_are_shown(worm, increaser):

@@ -36,7 +36,7 @@ CASES = Path(__file__).parents[3] / "cases"
 
 EFFECTS = (
     Judgement("film-heating", True, 0.3, {"film": 1.7, "friction": 0.4}, "more than 2 %"),
-    Judgement("squeeze", False, 0.1, {"film": 0.4, "friction": 0.1}, "left out as asked"),
+    Judgement("squeeze", False, 0.1, {"film": 0.4, "friction": 0.1}, "neglected as requested"),
     Judgement("starvation", False, None, {}, "flooded"),
     Judgement("viscosity-across", False, 0.01, {"film": 0.01, "friction": 0.02}, "within 2 %"),
     Judgement("roughness", False, 0.9, {"film": 0.53, "friction": 0.53}, "not simulated"),
@@ -344,7 +344,7 @@ def test_without_a_rating_table_the_case_s_own_oil_counts_or_the_reason_is_given
     assert named.friction * 0.95 == pytest.approx(whole.friction)  # Y_W of its bronze
     for name, reason in (
         ("zi_drive", "worm_rating.oil is missing"),
-        ("ball_pag_460", "a contact without a drive"),
+        ("ball_pag_460", "a contact without gears"),
         ("spur_pair", None),
     ):
         other = standard_loss(pyworm.load(CASES / f"{name}.toml"))

@@ -104,14 +104,14 @@ def test_a_run_rounds_and_all_digits_are_solved_for_again(solved, tmp_path, caps
     small = file.stat().st_size
     capsys.readouterr()
     assert main(words) == CONVERGED
-    assert "1 of 1 scenes were solved before" in capsys.readouterr().err
+    assert "1 of 1 contacts were solved before" in capsys.readouterr().err
     assert main([*words, "--fields", "full"]) == CONVERGED
     assert "solved before" not in capsys.readouterr().err
     assert not is_rounded(open_result(file).solutions[0])
     assert small < file.stat().st_size / 2
     # what has more digits than wanted serves
     assert main(words) == CONVERGED
-    assert "1 of 1 scenes were solved before" in capsys.readouterr().err
+    assert "1 of 1 contacts were solved before" in capsys.readouterr().err
 
 
 def test_pictures_are_drawn_by_name_and_an_unknown_one_is_refused(solved, tmp_path, capsys):

@@ -214,9 +214,9 @@ def test_films_are_used_whose_temperatures_at_an_edge_are_not_known():
         stop = Stop(Ending.LARGEST_GRID, "no finer grid")
         return with_wider_bars(stop, found, figures, plan)
 
-    assert told(0.1, 0.3).reason == "less accurate than asked for, 30 %: no finer grid"
+    assert told(0.1, 0.3).reason == "less accurate than requested, 30 %: no finer grid"
     assert told(0.1, np.inf).reason == (
-        "less accurate than asked for, 10 %, of temperatures more than 50 %: no finer grid"
+        "less accurate than requested, 10 %, of temperatures more than 50 %: no finer grid"
     )
     assert told(0.1, 0.3).ending.converged and told(0.1, np.inf).ending.converged
     assert told(0.6, 0.3) == Stop(Ending.LARGEST_GRID, "no finer grid")

@@ -258,5 +258,5 @@ def test_a_finer_request_ends_no_worse_than_a_coarser_one(film, monkeypatch):
     if film != "accurate":
         assert solution.figures.film_min == usual.figures.film_min
         assert solution.converged
-        assert solution.stop_reason.startswith("less accurate than asked for, ")
+        assert solution.stop_reason.startswith("less accurate than requested, ")
         assert solution.stop_reason.endswith("asked for 1 %, films depend on surfaces far out")

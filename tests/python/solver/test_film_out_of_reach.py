@@ -90,6 +90,6 @@ def test_it_is_told_once_before_anything_is_solved(capsys):
     plans = [(scene, pyworm.plan(scene, 0.1)), (easy, pyworm.plan(easy, 0.1))]
     warn_of_refusals([SimpleNamespace(scene=of, plan=plan) for of, plan in [*plans, plans[0]]])
     said = capsys.readouterr().err
-    assert said.count("will not be as accurate as asked") == 1
+    assert said.count("will not reach the requested accuracy") == 1
     assert f"{scene.name}, {scene.name}: " in said
     assert plans[0][1].refusal in said.replace("\n", " ")

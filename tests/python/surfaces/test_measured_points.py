@@ -182,6 +182,6 @@ def test_the_command_ends_in_figures_or_a_sentence(tmp_path, capsys):
     np.savetxt(path, np.stack([x.ravel(), y.ravel(), ROUGH[:20, :20].ravel() * 1e6], axis=1))
     assert main(["surface", str(path)]) == 2
     said = capsys.readouterr().err
-    assert 'give height_unit = "um" and spacing = "0.5 um" beside it' in said
+    assert 'give height_unit = "um" and spacing = "0.5 um" with it' in said
     assert main(["surface", str(path), "--height-unit", "um", "--spacing", "0.5 um"]) == 0
     assert "20 x 20, 0.01 x 0.01 mm" in capsys.readouterr().out

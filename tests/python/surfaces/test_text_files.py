@@ -61,7 +61,7 @@ def test_a_header_gives_unit_and_distance(tmp_path, program):
 @pytest.mark.parametrize("key", ["height_unit", "spacing"])
 def test_what_the_header_says_is_not_given_twice(tmp_path, key):
     path = written(tmp_path, HEADERS["Gwyddion"][0] + rows(HEIGHTS))
-    with pytest.raises(ValueError, match=f"in its header; leave out {key}"):
+    with pytest.raises(ValueError, match=f"in its header; omit {key}"):
         read_heights(path, **{key: GIVEN[key]})
 
 

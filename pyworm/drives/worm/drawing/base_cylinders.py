@@ -92,7 +92,7 @@ def check_no_cylinder_of_the_hob(given: Mapping[str, Any]) -> None:
     for name in OF_HOB:
         if given.get(name) is not None:
             raise ValueError(
-                f"{key_of(name)} means nothing beside module, of which the hob follows by hob.oversize and "
+                f"{key_of(name)} has no effect with module, of which the hob follows by hob.oversize and "
                 "wheel.root_diameter; leave it out, or give the base cylinders of worm and hob and no module"
             )
 
@@ -111,7 +111,7 @@ def _check(profile: Profile, given: Mapping[str, Any]) -> None:
     for name in sorted(given.keys() - {*_REQUIRED_NUMBERS, *_ALLOWED}):
         if given[name] is not None:
             raise ValueError(
-                f"{key_of(name)} means nothing without module, where the flanks are those of base cylinders"
+                f"{key_of(name)} has no effect without module, where the flanks are those of base cylinders"
             )
     for name in _REQUIRED_NUMBERS:
         if given[name] is None:

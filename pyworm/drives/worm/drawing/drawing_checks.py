@@ -168,7 +168,7 @@ def _mm(value: float) -> str:
 def _as_radius(name: str, value: float, right: float) -> str:
     """The question whether a diameter is a radius; empty where it is none."""
     halved = name.endswith("diameter") and abs(2 * value / right - 1) < 0.02
-    return "; is it a radius? a diameter is wanted" if halved else ""
+    return "; is it a radius? a diameter is required" if halved else ""
 
 
 def _check_distance(drawing: Drawing) -> None:
@@ -191,7 +191,7 @@ def _check_between(name: str, value: float, low: float, high: float, why: str) -
     """Refuse a diameter outside an open range; a radius in its place is recognised."""
     if low < value < high:
         return
-    meant = "; is it a radius? a diameter is wanted" if low < 2 * value < high else ""
+    meant = "; is it a radius? a diameter is required" if low < 2 * value < high else ""
     if low < value / 2 < high:
         meant = f"; did you mean {_mm(value / 2)}?"
     raise ValueError(

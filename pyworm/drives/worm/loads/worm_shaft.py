@@ -161,7 +161,7 @@ def _diameter(shaft: WormShaft, worm: Worm) -> float:
     if diameter > 2 * worm.tip_radius:
         raise ValueError(
             f"shaft.diameter is {diameter * 1e3:.4g} mm, thicker than the worm's tip, "
-            f"{2e3 * worm.tip_radius:.4g} mm; that of a uniform shaft which bends as much is wanted, "
+            f"{2e3 * worm.tip_radius:.4g} mm; that of a uniform shaft which bends as much is required, "
             f"as a rule near the worm's root diameter, {2e3 * worm.root_radius:.4g} mm"
         )
     return diameter

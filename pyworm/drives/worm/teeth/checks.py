@@ -151,7 +151,7 @@ def _check_base(name: str, screw: Worm | Hob) -> None:
     if abs(angle - given) > TABLE_ROUNDING:
         for factor, slip in (
             (0.5, f"did you mean {radius * 1e3:.2f} mm?"),
-            (2, f"is it a radius? a diameter is wanted, {radius * 4e3:.2f} mm"),
+            (2, f"is it a radius? a diameter is required, {radius * 4e3:.2f} mm"),
         ):
             if abs(atan2(screw.lead, 2 * pi * factor * radius) - given) <= TABLE_ROUNDING:
                 raise ValueError(

@@ -78,7 +78,7 @@ def _check_wheel(gears: WormGears) -> None:
     if throat <= worm.tip_radius < low:
         raise ValueError(
             f"wheel.throat_diameter is {_mm(2 * throat)}: {about}; is it that of the throat's groove? the "
-            "wheel's own in its throat is wanted"
+            "wheel's own in its throat is required"
         )
     tip, over = wheel.tip_radius, f"throat_diameter is {_mm(2 * throat)}"
     if throat < tip / 2 < throat + tallest:
@@ -100,7 +100,7 @@ def _twice(key: str, radius: float, why: str) -> str:
 def _half(key: str, radius: float, why: str) -> str:
     """The refusal of a radius in the place of a diameter."""
     size = 2 * radius
-    return f"{key} is {_mm(size)}: {why}; is it a radius? a diameter is wanted, {_mm(2 * size)}"
+    return f"{key} is {_mm(size)}: {why}; is it a radius? a diameter is required, {_mm(2 * size)}"
 
 
 def _mm(value: float) -> str:
