@@ -11,10 +11,10 @@ from pathlib import Path
 
 import pytest
 from attribute_literals import attribute_literals
+from folders import ROOT
 
 import pyworm
 
-ROOT = Path(__file__).parents[2]
 PACKAGE = Path(pyworm.__file__).parent
 NAMES = [name for name in pyworm.__all__ if name not in ("__version__", "formulas", "plots")]
 

@@ -5,7 +5,8 @@ from itertools import chain
 from pathlib import Path
 from unicodedata import combining, normalize
 
-ROOT = Path(__file__).parents[2]
+from folders import ROOT
+
 PAGE = ROOT / "docs/reference/bibliography.md"
 ENTRY = re.compile(r'^- <a id="([\w-]+)"></a>\*\*(.+?)\.\*\* (.+)$', re.M)
 """Anchor, authors with the year or number of a standard, reference."""

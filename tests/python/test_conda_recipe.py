@@ -2,11 +2,10 @@
 
 import re
 import tomllib
-from pathlib import Path
 
 import yaml
+from folders import ROOT
 
-ROOT = Path(__file__).parents[2]
 RECIPE = yaml.safe_load((ROOT / "tools/conda-forge/recipe.yaml").read_text())
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 

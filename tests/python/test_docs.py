@@ -4,14 +4,13 @@ import re
 import shlex
 from functools import partial
 from itertools import chain
-from pathlib import Path
 
 import pytest
+from folders import ROOT
 
 import pyworm
 from pyworm.cli.main import _parser, main
 
-ROOT = Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 LESSONS = [
     *sorted((ROOT / "docs/tutorials").glob("*.md")),

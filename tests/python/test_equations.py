@@ -1,14 +1,11 @@
 """Equations of the pages become MathML, and a bad one fails the site."""
 
-from pathlib import Path
-
 import pytest
 from equations import Equations, mathml
+from folders import ROOT
 from markdown import Markdown
 from mkdocs.commands.build import build
 from mkdocs.config import load_config
-
-ROOT = Path(__file__).parents[2]
 
 PAGE = r"""# A page
 

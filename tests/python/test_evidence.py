@@ -3,18 +3,17 @@
 import re
 import shlex
 import sys
-from pathlib import Path
 
 import pytest
 from drive_trial import DriveVerdict
 from evidence_data import DATA, DataFile, Origin, path_of, read, save
 from evidence_pages import NOT_RECORDED, names_on, table, with_tables
 from evidence_record import record
+from folders import ROOT
 from hard_record import record_contacts, record_drives
 from reproduce import LIST, commands, run
 from trial import Verdict
 
-ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs/evidence").glob("*.md"))
 NAMES = sorted(path.stem for path in DATA.glob("*.csv"))
 LISTED = [dict(zip(read(LIST).columns, row, strict=True)) for row in read(LIST).rows]

@@ -6,14 +6,13 @@ import shutil
 import subprocess
 import sys
 from functools import cache
-from pathlib import Path
 
 import pytest
+from folders import ROOT
 
 import pyworm
 from pyworm.kernel.core import EXTENSION
 
-ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "fortran/examples"
 BUILT = EXTENSION.parent
 ONE = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}

@@ -5,7 +5,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-KERNEL = Path(__file__).parents[2] / "fortran"
+from folders import ROOT
+
+KERNEL = ROOT / "fortran"
 
 OTHER_LANGUAGES = {"bindings.f90", "pyworm_contact_c.f90", "lapack.f90"}
 """Files whose procedures are called from Python or C, or are LAPACK's: they take numbers and arrays alone."""

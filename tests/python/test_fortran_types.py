@@ -10,10 +10,11 @@ on what else is in the file. Allocatable components are released whole, each for
 import re
 from collections import Counter
 from collections.abc import Iterator
-from pathlib import Path
 from typing import NamedTuple
 
-KERNEL = Path(__file__).parents[2] / "fortran"
+from folders import ROOT
+
+KERNEL = ROOT / "fortran"
 
 DEFINITION = re.compile(
     r"^ *type\b(?:[^:(\n]*extends\((\w+)\))?[^:(\n]*:: *(\w+)\n(.*?)^ *end type",

@@ -3,12 +3,11 @@
 import json
 import runpy
 import sys
-from pathlib import Path
 
 import matplotlib
 import pytest
+from folders import ROOT
 
-ROOT = Path(__file__).parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.py"))
 CASES = {"reversal": "reversal_line.toml", "worm_mid_mesh": "zi_sharif_2001.toml"}
 

@@ -7,10 +7,9 @@ from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
+from folders import PACKAGE
 
 from pyworm.drives.kinds import BUILT_IN, name_of
-
-PACKAGE = Path(__file__).parents[2] / "pyworm"
 
 FLOORS = {
     "formulas": 1, "io": 1,

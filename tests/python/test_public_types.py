@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from folders import ROOT
 
 import pyworm
 from pyworm.io.given import quantities
 
-ROOT = Path(__file__).parents[2]
 SCRIPT = ROOT / "tests" / "data" / "public_uses.py"
 
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from folders import ROOT
 
 import pyworm
 from pyworm.cli.main import main
 
-ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs/tutorials/quick-start.md").read_text()
 CASE = ROOT / "cases/ball_pag_460.toml"
 

@@ -8,10 +8,9 @@ from pathlib import Path
 
 import mesonpy
 import pytest
+from folders import ROOT
 
 import pyworm
-
-ROOT = Path(__file__).parents[2]
 
 pytestmark = [
     pytest.mark.long,

@@ -1,14 +1,13 @@
 """The page of troubleshooting has every outcome of a solve, and its messages are those of the program."""
 
 import re
-from pathlib import Path
 
 import pytest
+from folders import ROOT
 
 from pyworm.cli.main import main
 from pyworm.solver.ending import Ending
 
-ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs/how-to/troubleshooting.md").read_text()
 CASE = (ROOT / "cases/ball_pag_460.toml").read_text()
 

@@ -3,9 +3,10 @@
 import os
 import subprocess
 import sys
-from pathlib import Path
 
-TOOL = Path(__file__).parents[2] / "tools/pythons.py"
+from folders import ROOT
+
+TOOL = ROOT / "tools/pythons.py"
 
 
 def found(path, *, says=None):

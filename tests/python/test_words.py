@@ -15,12 +15,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from folders import ROOT
 
 import pyworm
 from pyworm.cli.main import _parser
 from pyworm.io.quantities import QUANTITIES
 
-ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "pyworm"
 
 PAGES = [

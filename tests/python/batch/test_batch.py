@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from cheap_tasks import CHEAP, TRACTION, Deadly, some_tasks
+from folders import CASES
 
 from pyworm.batch.provenance import program_digest
 from pyworm.batch.solve_tasks import solve_all
@@ -27,7 +28,6 @@ from pyworm.plots.draw import draw
 from pyworm.result.result import open_result
 from pyworm.scene.index import ContactIndex
 
-CASES = Path(__file__).parents[3] / "cases"
 RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--json")
 WITHOUT_PICTURES = """
 import sys, pyworm.plots.draw

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from cheap_tasks import CHEAP, Deadly, some_tasks
+from folders import CASES
 
 from pyworm.batch.cluster import cluster as workers_of
 from pyworm.batch.solve_tasks import solve_all, solve_for
@@ -26,7 +27,6 @@ pytest.importorskip("distributed")
 
 pytestmark = pytest.mark.long
 
-CASES = Path(__file__).parents[3] / "cases"
 
 SWEEP = f"""
 title = "Friction of a ball on a disc"

@@ -9,7 +9,6 @@ import threading
 import time
 from dataclasses import replace
 from functools import cache
-from pathlib import Path
 
 import fuzz
 import fuzz_results
@@ -17,6 +16,7 @@ import netCDF4
 import numpy as np
 import pytest
 import xarray as xr
+from folders import CASES
 from hypothesis import HealthCheck, Phase, given, settings
 
 import pyworm
@@ -26,7 +26,6 @@ from pyworm.planning.grid import Grid
 from pyworm.result.netcdf import as_netcdf
 from pyworm.result.result import _load, open_result
 
-CASES = Path(__file__).parents[3] / "cases"
 TRACTION = CASES / "traction_steel.toml"
 GAP = CASES / "gap_example.toml"
 CHEAP = ("--accuracy", "30%", "--effects", "isothermal", "--json")

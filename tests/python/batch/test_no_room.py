@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from full_disk import Disk, files, refusals
 
 from pyworm.case.new_worm import ASKED
@@ -18,7 +19,6 @@ from pyworm.result.export import write_csv, write_vtk
 from pyworm.result.result import open_result
 from pyworm.solver.cost.calibration import calibration
 
-CASES = Path(__file__).parents[3] / "cases"
 POINT = CASES / "point_m20_l10.toml"
 COARSE = ("--accuracy", "30%", "--effects", "isothermal")
 

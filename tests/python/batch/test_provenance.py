@@ -6,12 +6,11 @@ from hashlib import sha256
 from pathlib import Path
 
 import pytest
+from folders import ROOT
 
 from pyworm import _core, kernel
 from pyworm.batch import provenance
 from pyworm.batch.provenance import where_and_when
-
-ROOT = Path(__file__).parents[3]
 
 
 def test_provenance_names_compiler_flags_and_kernel():

@@ -5,10 +5,10 @@ import os
 import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 from pyworm.batch.case_run import RESULT_NAME, SCENES, run
 from pyworm.batch.solve_tasks import solve_all
@@ -19,7 +19,7 @@ from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED
 from pyworm.result.result import Result, open_result
 
-TRACTION = Path(__file__).parents[3] / "cases" / "traction_steel.toml"
+TRACTION = CASES / "traction_steel.toml"
 RUN = ("run", str(TRACTION), "--accuracy", "30%", "--effects", "isothermal", "--json")
 
 TOGETHER = """

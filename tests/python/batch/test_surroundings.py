@@ -7,11 +7,11 @@ import shutil
 import subprocess
 import sys
 import threading
-from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray
+from folders import CASES, DATA
 from killed import killed_and_resumed
 from refusals import changed
 
@@ -22,8 +22,6 @@ from pyworm.io.cache import cache_directory
 from pyworm.result.result import open_result
 from pyworm.scene.summary import scene_summary
 
-CASES = Path(__file__).parents[3] / "cases"
-DATA = Path(__file__).parents[2] / "data"
 POINT = (CASES / "point_m20_l10.toml").read_text()
 COARSE = ("--accuracy", "30%", "--effects", "isothermal", "--pictures", "none")
 

@@ -4,10 +4,10 @@ import csv
 import json
 import re
 import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -24,7 +24,6 @@ from pyworm.plots.sweep import sweep_figure
 from pyworm.report.console.sweep import rows_table
 from pyworm.result.sweep_result import SweepResult, open_sweep, sweep_table
 
-CASES = Path(__file__).parents[3] / "cases"
 SHIPPED = sorted((CASES / "sweeps").glob("*.toml"))
 
 LINE = f"""

@@ -1,18 +1,18 @@
 """A traction curve from its case file to its picture."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
 from contact_edge import shares_of_contact
+from folders import CASES
 
 from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED
 from pyworm.result.result import open_result
 from pyworm.solver.level import CONTACT_PRESSURE
 
-CASE = str(Path(__file__).parents[3] / "cases" / "traction_steel.toml")
+CASE = str(CASES / "traction_steel.toml")
 RATIOS = ("-0.5", "0", "0.5")
 
 

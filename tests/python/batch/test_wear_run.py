@@ -2,11 +2,11 @@
 
 import itertools
 import json
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from folders import DATA
 from full_disk import Disk, files, refusals
 
 import pyworm
@@ -18,7 +18,7 @@ from pyworm.cli.shared import FAILED
 from pyworm.plots.wear import draw_wear
 from pyworm.result.flank_wear import FlankGrid, Pass
 
-DATA = Path(__file__).parents[2] / "data" / "zi_a100.toml"
+DATA = DATA / "zi_a100.toml"
 GRID = FlankGrid(np.linspace(-6e-3, 6e-3, 25), np.linspace(81e-3, 85e-3, 9))
 
 

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from refusals import changed, refusal
 
 from pyworm.cli.shared import BAD_INPUT
 
-CASES = Path(__file__).parents[3] / "cases"
 DRIVE = (CASES / "zi_sharif_2001.toml").read_text()
 CONTACT = (CASES / "point_m20_l10.toml").read_text()
 LINE = (CASES / "line_m20_l10.toml").read_text()

@@ -2,11 +2,11 @@
 
 import json
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
+from folders import ROOT
 
 from pyworm.case.case import load
 from pyworm.formulas.hertz import hertz
@@ -20,7 +20,6 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.sampled_gap import SampledGap
 from pyworm.scene.scales import line_scales
 
-ROOT = Path(__file__).parents[3]
 CASES = ROOT / "cases"
 FILES = sorted(CASES.glob("*.toml"))
 RATINGS = [path for path in FILES if not re.search(r"(?m)^\[(drive|contact)\]", path.read_text())]

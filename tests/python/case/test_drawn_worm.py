@@ -4,11 +4,11 @@ import json
 import re
 import tomllib
 from functools import cache
-from pathlib import Path
 from typing import get_args
 
 import numpy as np
 import pytest
+from folders import ROOT
 from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
 from pyworm.case.bodies import BodyTable
@@ -18,7 +18,6 @@ from pyworm.cli.main import main
 from pyworm.io.input_error import CaseError
 from pyworm.ratings.rated_case import rating_request, ratings
 
-ROOT = Path(__file__).parents[3]
 TEXT = (ROOT / "cases/worm_drawing.toml").read_text()
 
 

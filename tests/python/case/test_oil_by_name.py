@@ -2,9 +2,9 @@
 
 import json
 from dataclasses import astuple
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -16,7 +16,7 @@ from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.library import named_oil, names
 from pyworm.materials.viscosity_density import Barus
 
-CASE = Path(__file__).parents[3] / "cases" / "ball_pag_460.toml"
+CASE = CASES / "ball_pag_460.toml"
 OIL = CASE.read_text().partition("[oil]")[0]
 """The shipped case without its oil."""
 

@@ -1,14 +1,13 @@
 """`[past]` of contacts written directly."""
 
 import pickle
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from refusals import changed, refusal
 
 import pyworm
 
-CASES = Path(__file__).parents[3] / "cases"
 LINE = (CASES / "reversal_line.toml").read_text()
 BALL = (CASES / "impact_ball.toml").read_text()
 

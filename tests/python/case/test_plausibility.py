@@ -3,9 +3,9 @@
 import json
 import tomllib
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.case.case import case_of
@@ -15,7 +15,6 @@ from pyworm.report.page.build import build_report
 from pyworm.result.result import open_result
 from pyworm.scene.plausibility import overheated
 
-CASES = Path(__file__).parents[3] / "cases"
 FILES = {
     "zi": "zi_drive",
     "pair": "spur_pair",

@@ -1,9 +1,8 @@
 """`[bodies.NAME.surface]`: what it makes of a body, and the one sentence for what is wrong with it."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from folders import CASES
 from refusals import changed
 
 import pyworm
@@ -11,7 +10,6 @@ from pyworm.case.case import case_again
 from pyworm.io.input_error import CaseError
 from pyworm.surfaces.topography_pair import TopographyPair
 
-CASES = Path(__file__).parents[3] / "cases"
 POINT = (CASES / "point_m20_l10.toml").read_text()
 GAUSSIAN = (
     'generated = { spectrum = "gaussian", roughness = "0.1 um", '

@@ -3,10 +3,10 @@
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, fields
-from pathlib import Path
 from typing import Literal, get_type_hints
 
 import pytest
+from folders import ROOT
 from pydantic import ValidationError
 from pydantic.fields import FieldInfo
 
@@ -15,8 +15,6 @@ from pyworm.case.kinds import SUBJECTS, case_model
 from pyworm.case.table import Table, plain
 from pyworm.io import units
 from pyworm.kernel.numbers import flow_numbers
-
-ROOT = Path(__file__).parents[3]
 
 
 @dataclass(frozen=True)

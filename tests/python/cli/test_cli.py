@@ -7,6 +7,7 @@ from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
+from folders import CASES
 from synthetic_solution import make_hot_worm
 from zi_drives import without_allowed_errors
 
@@ -18,7 +19,6 @@ from pyworm.kernel.core import KernelError
 from pyworm.result.result import Result, open_result
 from pyworm.solver.ending import Ending
 
-CASES = Path(__file__).parents[3] / "cases"
 CASE = str(CASES / "point_m20_l10.toml")
 DRIVE = str(CASES / "zi_sharif_2001.toml")
 

@@ -1,13 +1,11 @@
 """pyworm film: tables and JSON of films by the formula of the atlas."""
 
 import json
-from pathlib import Path
 
 import pytest
+from folders import CASES
 
 from pyworm.cli.main import main
-
-CASES = Path(__file__).parents[3] / "cases"
 
 
 def printed(capsys, *arguments):

@@ -2,11 +2,9 @@
 
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
-
-CASES = Path(__file__).parents[3] / "cases"
+from folders import CASES
 
 WORM = ("pyworm.drives.worm.drive", "pyworm.drives.worm.teeth")
 """The worm drive; the names of its profiles, which `pyworm new` asks for, are in a room below these."""

@@ -6,9 +6,9 @@ Celsius, millimetres for metres or megapascal for pascal fall out of it.
 
 import json
 import re
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from swept_cycle import PHASES, cycle_result
 from synthetic_solution import line_with_heat, make_hot_worm, make_line_solution
 
@@ -16,7 +16,6 @@ from pyworm.cli.main import main
 from pyworm.io.json import as_json
 from pyworm.result.mesh_cycle import drive_cycle
 
-CASES = Path(__file__).parents[3] / "cases"
 RATED = "bearing_nu2210", "oil_zi", "zi_sharif_2001", "errichello_speed_increaser"
 
 RANGES = {

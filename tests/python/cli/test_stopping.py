@@ -8,10 +8,9 @@ import time
 from pathlib import Path
 
 import pytest
+from folders import CASES
 
 from pyworm.batch.workers import WorkerPool
-
-CASES = Path(__file__).parents[3] / "cases"
 
 PATIENCE = 30
 """Seconds within which whatever ends does: far above what a busy machine needs, far below what would hang."""

@@ -1,9 +1,8 @@
 """What every drive answers: the shipped ones, and one of which no more is known than its contacts."""
 
-from pathlib import Path
-
 import pytest
 import xarray as xr
+from folders import CASES
 from roller_sections import coarse_cycle
 from zi_drives import coarse_patterns
 
@@ -13,7 +12,6 @@ from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty, WormDuty
 from pyworm.drives.kinds import BUILT_IN, module_of
 
-CASES = Path(__file__).parents[3] / "cases"
 SHIPPED = {
     "worm": ("zi_sharif_2001", WormDuty),
     "gear-pair": ("errichello_speed_increaser", GearPairDuty),

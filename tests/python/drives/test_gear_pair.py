@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 from math import cos, hypot, pi, radians, sin, sqrt
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -21,7 +21,6 @@ from pyworm.plots.drives.gear_pair import draw_film_and_temperature, draw_line_o
 from pyworm.result.result import Result, open_result
 from pyworm.scene.line import LineScene
 
-CASES = Path(__file__).parents[3] / "cases"
 SPUR_TEXT = (CASES / "spur_pair.toml").read_text()
 STEEL = Body(206e9, 0.3)
 """Steel of which no roughness is known, nor how it takes heat."""

@@ -2,9 +2,9 @@
 
 import json
 import re
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from refusals import refusal
 from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
@@ -13,7 +13,6 @@ from pyworm.cli.main import main
 from pyworm.drives.worm.patterns import hob_for_pattern
 from pyworm.drives.worm.patterns.hob_for_pattern import TOLERANCES, found_setting, mark_of
 
-CASES = Path(__file__).parents[3] / "cases"
 DRAWING = (CASES / "worm_drawing.toml").read_text()
 
 

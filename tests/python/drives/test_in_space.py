@@ -1,17 +1,16 @@
 """Drives of line contacts in space: what is drawn touches where the contact is and does not overlap."""
 
 from math import cos, sin
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from matplotlib.path import Path as Outline
 from scipy.interpolate import CubicSpline
 
 import pyworm
 from pyworm.scene.index import ContactIndex
 
-CASES = Path(__file__).parents[3] / "cases"
 PHASES = (0.02, 0.3, 0.62, 0.98)
 
 

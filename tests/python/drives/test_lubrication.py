@@ -1,16 +1,15 @@
 """Oil of drives from a bath or from jets: the layer at the mesh, what is assumed, and rules of practice."""
 
 import tomllib
-from pathlib import Path
 
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.case.case import case_of
 from pyworm.io.input_error import CaseError
 from pyworm.planning.effects.starvation import STARVATION
 
-CASES = Path(__file__).parents[3] / "cases"
 BATH = {"method": "bath", "body": "wheel", "depth": "40 mm"}
 JETS = {"method": "jets", "flow": "1 l/min"}
 

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from rich.console import Console
 from roller_sections import coarse_cycle
 
@@ -35,7 +36,6 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales
 
-CASES = Path(__file__).parents[3] / "cases"
 REFERENCE = (CASES / "roller_ref.toml").read_text()
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from zi_drives import coarse_springs
 
 from pyworm.case.case import case_of
@@ -18,7 +19,6 @@ from pyworm.ratings.worm_loads import rated_loads
 from pyworm.ratings.worm_safeties import safeties
 from pyworm.ratings.worm_verdict import failures
 
-CASES = Path(__file__).parents[3] / "cases"
 TEXT = (CASES / "worm_drawing.toml").read_text()
 
 

@@ -1,10 +1,10 @@
 """Flanks in space, for pictures, are those that touch."""
 
 from math import radians
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.drives.worm.drawing.usual_values import completed
@@ -12,7 +12,6 @@ from pyworm.drives.worm.flanks.wheel_envelope import turned
 from pyworm.drives.worm.patterns.hob_setting import drawn_gears
 from pyworm.drives.worm.shapes import in_space
 
-CASES = Path(__file__).parents[3] / "cases"
 UNIT = {
     "centre_distance": 0.1,
     "threads": 2,

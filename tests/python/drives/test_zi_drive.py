@@ -5,10 +5,10 @@ from the paper's own equations and table 2; nothing is compared with an earlier 
 """
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.cli.main import main
@@ -17,7 +17,7 @@ from pyworm.formulas.film import nijenbanning_venner_moes
 from pyworm.result.result import open_result
 from pyworm.scene.scales import scales
 
-CASE = Path(__file__).parents[3] / "cases" / "zi_drive.toml"
+CASE = CASES / "zi_drive.toml"
 PHASES = "0.2", "0.5", "0.8"
 INLET = 60 + 273.15
 EYRING, LIMIT = 3e6, 100e6

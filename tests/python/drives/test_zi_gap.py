@@ -1,10 +1,10 @@
 """Gap, curvatures and velocities over the tangent plane."""
 
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import DATA
 from scipy.optimize import brentq, root
 from zi_drives import WHEEL, WORM, changed, sharif
 
@@ -17,7 +17,6 @@ from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
 from pyworm.drives.worm.teeth.tooth_form import flank_start
 
 PHASES = (0.0, 0.3, 0.5, 1.0)
-DATA = Path(__file__).parents[2] / "data"
 
 
 def window(half_x, half_y, count):

@@ -1,9 +1,8 @@
 """Geometry that cannot work is refused in one clear sentence."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from folders import DATA
 from zi_drives import DEGREE, HOB, MM, WHEEL, WORM, changed, sharif
 
 import pyworm
@@ -11,8 +10,6 @@ from pyworm.case.case import case_of
 from pyworm.drives.worm.flanks.contact_curve import HobError
 from pyworm.drives.worm.loads.load_sharing import Transmission
 from pyworm.io.toml import read_toml
-
-DATA = Path(__file__).parents[2] / "data"
 
 
 def small_hob():

@@ -1,10 +1,10 @@
 """Temperatures of a worm drive from its losses; the search for a loss that agrees with itself."""
 
 import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.batch import drive_iteration
@@ -13,8 +13,6 @@ from pyworm.case.case import case_of
 from pyworm.drives.tooth_loss import Loss
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.result.mesh_cycle import DriveCycle, Extreme
-
-CASES = Path(__file__).parents[3] / "cases"
 
 
 @pytest.fixture(scope="module")

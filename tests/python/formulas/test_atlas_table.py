@@ -2,13 +2,12 @@
 
 import csv
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
+from folders import ROOT
 
-ROOT = Path(__file__).parents[3]
 ATLAS = ROOT / "atlas"
 
 

@@ -1,10 +1,10 @@
 """Film formulas against published and independently computed films, and their exact limits."""
 
 from math import cos, isclose, pi, sin
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import DATA
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -25,8 +25,6 @@ from pyworm.formulas.film import (
     point_groups,
     radii_at_angle,
 )
-
-DATA = Path(__file__).parents[2] / "data"
 
 
 def read(name):

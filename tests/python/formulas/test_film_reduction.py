@@ -4,18 +4,17 @@ import csv
 import sys
 import warnings
 from dataclasses import fields, replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 import xarray as xr
+from folders import ROOT
 
 import pyworm
 from pyworm.formulas.film_atlas import AtlasGroups
 from pyworm.formulas.film_reduction import HeatGroups, reduction
 from pyworm.scene.formula_heat import heat_groups
 
-ROOT = Path(__file__).parents[3]
 ATLAS = ROOT / "atlas"
 
 CONTACT = AtlasGroups(80.0, 4.0, 3.0, 0.4, 0.0, 0.9, 0.1)

@@ -1,17 +1,15 @@
 """Hertz contacts against published ellipses, exact limits and quadrature of their own pressure."""
 
 from math import cos, isclose, pi, sin, sqrt
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import DATA
 from scipy.integrate import quad
 
 from pyworm.formulas.hertz import hertz, hertz_line
 
-ELLIPSES = np.loadtxt(
-    Path(__file__).parents[2] / "data" / "hertz_ellipses.csv", delimiter=",", skiprows=6
-)
+ELLIPSES = np.loadtxt(DATA / "hertz_ellipses.csv", delimiter=",", skiprows=6)
 
 
 def test_worm_contact_of_sharif_2001():

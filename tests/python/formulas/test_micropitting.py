@@ -2,10 +2,10 @@
 
 from itertools import pairwise
 from math import pi
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -23,7 +23,6 @@ from pyworm.formulas.micropitting import (
 from pyworm.formulas.scuffing import effusivity
 from pyworm.materials.library import named_oil
 
-CASES = Path(__file__).parents[3] / "cases"
 STEEL = float(effusivity(46.0, 7830.0, 465.0))
 
 

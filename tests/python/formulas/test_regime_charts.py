@@ -2,10 +2,10 @@
 
 import sys
 from math import sqrt
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import ROOT
 
 from pyworm.formulas.film import LineGroups, PointGroups, dowson_higginson, moes_line
 from pyworm.formulas.regime_charts import (
@@ -18,8 +18,6 @@ from pyworm.formulas.regime_charts import (
     point_parameters,
 )
 from pyworm.formulas.regimes import REGIMES, line_measures
-
-ROOT = Path(__file__).parents[3]
 
 BORDERS = [
     # RI-RV at g_V = 5.07

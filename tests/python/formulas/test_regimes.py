@@ -3,10 +3,10 @@
 import sys
 from dataclasses import replace
 from math import sqrt
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import ROOT
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
@@ -21,8 +21,6 @@ from pyworm.formulas.regimes import (
     line_regime,
     regime_number,
 )
-
-ROOT = Path(__file__).parents[3]
 
 
 def line_at(moes_m, moes_l, speed=0.5e-12):

@@ -3,9 +3,9 @@
 import json
 import tomllib
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -18,7 +18,6 @@ from pyworm.io.input_error import CaseError, toml
 from pyworm.io.plain_values import MOST_COUNTED
 from pyworm.io.toml import read_toml
 
-CASES = Path(__file__).parents[3] / "cases"
 DRIVES = ("zi_sharif_2001", "worm_drawing", "roller_ref", "spur_pair", "errichello_speed_increaser")
 
 

@@ -4,17 +4,16 @@ import io
 import os
 import time
 import zipfile
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 from pyworm.case.case import load
 from pyworm.io.input_error import CaseError
 from pyworm.io.toml import MAX_FILE_BYTES, read_toml
 from pyworm.scene.gap_file import read_gap
 
-CASES = Path(__file__).parents[3] / "cases"
 CASE = (CASES / "point_m20_l10.toml").read_text()
 LOAD = 'load = "3.6774 N"'
 

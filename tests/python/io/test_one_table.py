@@ -3,14 +3,13 @@
 import ast
 import re
 from collections import Counter
-from pathlib import Path
 
 import pytest
+from folders import PACKAGE
 
 from pyworm.io import quantities
 from pyworm.io.quantities import KEY_UNITS, QUANTITIES, SCALES, attributes, listed, read_key
 
-PACKAGE = Path(__file__).parents[3] / "pyworm"
 TABLE = PACKAGE / "io/quantities.py"
 
 SHOWN = [of for of in QUANTITIES.values() if of.shown or of.places]

@@ -1,15 +1,14 @@
 """Long work says what it does, once; short work says nothing."""
 
-from pathlib import Path
 from time import sleep
 
 import pytest
+from folders import CASES
 
 from pyworm.cli.main import main
 from pyworm.io.stage import long_stages_said, stage
 from pyworm.solver.cost import calibration
 
-CASES = Path(__file__).parents[3] / "cases"
 PATIENCE = 0.06
 
 

@@ -5,15 +5,14 @@ import json
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
+from folders import CASES
 
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT
 from pyworm.io.terminal import plain
 
-CASES = Path(__file__).parents[3] / "cases"
 BALL = CASES / "ball_pag_460.toml"
 TITLE = 'title = "Steel ball on a bronze disc in an oil known by its name"'
 PROGRAM = "import sys; from pyworm.cli.main import main; sys.exit(main())"

@@ -1,10 +1,10 @@
 """Objects that no oil, solid or contact is: refused when they are made, since a solve may well converge."""
 
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.materials.body import Body
@@ -14,7 +14,6 @@ from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Barus, Density, Roelands
 from pyworm.scene.point import Paraboloid
 
-CASES = Path(__file__).parents[3] / "cases"
 VISCOSITY, DENSITY = Roelands(0.04, 0.6), Density.dowson_higginson(870.0)
 HEAT = {"inlet_temperature": 333.15, "viscosity_exponent": 1.1, "conductivity": 0.14}
 

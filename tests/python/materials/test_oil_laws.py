@@ -5,6 +5,7 @@ from math import log, log10
 from pathlib import Path
 
 import pytest
+from folders import CASES
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -17,7 +18,6 @@ from pyworm.materials.base_stock import BASES, base_stock
 from pyworm.materials.library import named_oil, names, oil_from_index, oil_from_viscosities
 from pyworm.materials.oil_file import read_oil
 
-CASES = Path(__file__).parents[3] / "cases"
 TABLE = Path(pyworm.__file__).parent / "materials" / "oils.toml"
 
 C = 273.15

@@ -4,13 +4,14 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from folders import CASES
 
 from pyworm.case.case import case_again, case_of
 from pyworm.io.input_error import CaseError
 from pyworm.materials import solids
 from pyworm.materials.body import Body, named_body, reduced_modulus
 
-CASE = (Path(__file__).parents[3] / "cases/worm_drawing.toml").read_text()
+CASE = (CASES / "worm_drawing.toml").read_text()
 
 
 def bodies(worm='material = "16MnCr5"', wheel='material = "CuSn12Ni2-C-GZ"'):

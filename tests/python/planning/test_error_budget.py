@@ -1,13 +1,11 @@
 """Shares of the asked accuracy: they leave room for the grid, and stand in one file."""
 
 import re
-from pathlib import Path
 
 import pytest
+from folders import PACKAGE
 
 from pyworm.planning import error_budget
-
-PACKAGE = Path(__file__).parents[3] / "pyworm"
 
 
 def test_the_shares_leave_room_for_the_grid():

@@ -2,14 +2,13 @@
 
 from dataclasses import replace
 from math import pi
-from pathlib import Path
 
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.planning.prediction import predicted
 
-CASES = Path(__file__).parents[3] / "cases"
 HEAT = 1e7
 """Heat made for each area [W/m2]."""
 

@@ -5,9 +5,9 @@ import re
 from dataclasses import replace
 from io import StringIO
 from math import hypot, inf
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from hypothesis import given
 from hypothesis import strategies as st
 from rich.console import Console
@@ -24,7 +24,6 @@ from pyworm.scene.summary import scene_summary
 from pyworm.solver.cost.expected_time import Expectation
 from pyworm.solver.solution import Estimate
 
-CASES = Path(__file__).parents[3] / "cases"
 ROUGH = {
     "spur_pair": (0.51e-6, 0.40e-6),
     "errichello_speed_increaser": (20 * 25.4e-9, 20 * 25.4e-9),

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+from folders import CASES
 from synthetic_solution import make_result, make_worm_solution
 
 from pyworm.batch.workers import WorkerPool
@@ -23,7 +24,7 @@ from pyworm.plots.draw import SCENE_PICTURES, draw
 from pyworm.result.result import open_result
 from pyworm.solver.ending import Ending
 
-CASE = Path(__file__).parents[3] / "cases" / "point_m20_l10.toml"
+CASE = CASES / "point_m20_l10.toml"
 RUN = ("run", str(CASE), "--accuracy", "30%", "--effects", "isothermal", "--pictures", "all")
 
 KILLED = """

@@ -3,10 +3,10 @@
 import json
 import tomllib
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from synthetic_solution import line_with_heat, make_hot_worm, make_line_solution, make_mesh_cycle
 
 import pyworm
@@ -18,7 +18,6 @@ from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.result.result import Result
 from pyworm.solver.estimate import Estimate
 
-CASES = Path(__file__).parents[3] / "cases"
 TESTED = {"base": "PAO", "scuffing_load_stage": 12, "micropitting_load_stage": 9}
 OIL = 60 + 273.15
 

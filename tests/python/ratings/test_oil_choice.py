@@ -2,10 +2,10 @@
 
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.text import Text
@@ -20,7 +20,6 @@ from pyworm.ratings.rated_case import load_rating_request
 
 C = 273.15
 
-CASES = Path(__file__).parents[3] / "cases"
 ZI_WORM = oil_duty(load_rating_request(CASES / "oil_zi.toml"))
 ERRICHELLO = oil_duty(load_rating_request(CASES / "errichello_speed_increaser.toml"))
 

@@ -5,6 +5,7 @@ from math import atan, pi, tan
 from pathlib import Path
 
 import pytest
+from folders import DATA
 from refusals import changed
 
 from pyworm.case.case import case_of
@@ -12,7 +13,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.ratings.standard_loss import standard_loss
 
-DRIVE = (Path(__file__).parents[2] / "data" / "worm_rated.toml").read_text()
+DRIVE = (DATA / "worm_rated.toml").read_text()
 SYMBOLS = ("S_W", "S_H", "S_delta", "S_F", "S_T")
 
 

@@ -5,6 +5,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from folders import DATA
 from refusals import changed
 from zi_drives import coarse_patterns, coarse_springs
 
@@ -18,7 +19,7 @@ from pyworm.scene.scales import scales
 from pyworm.solver.newton import iterate
 from pyworm.solver.point import contact
 
-DRIVE = (Path(__file__).parents[2] / "data" / "worm_rated.toml").read_text()
+DRIVE = (DATA / "worm_rated.toml").read_text()
 BRONZE = 'material = "CuSn12Ni2-C-GZ"'
 LIGHT = ('wheel_torque = "300 N m"', 'wheel_torque = "60 N m"')
 

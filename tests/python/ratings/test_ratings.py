@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES, DATA
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from refusals import changed, refusal
@@ -29,7 +30,6 @@ from pyworm.ratings.rated_case import rating_request, ratings
 from pyworm.ratings.worm import standard_rating, worm_duty_of_table
 from pyworm.result.result import Result
 
-CASES = Path(__file__).parents[3] / "cases"
 BEARING, WORM, INCREASER = (
     (CASES / f"{name}.toml").read_text()
     for name in ("bearing_nu2210", "oil_zi", "errichello_speed_increaser")
@@ -178,7 +178,7 @@ def test_the_drive_makes_the_same_worm_gear_as_its_table(capsys):
         assert drive[key] == expected, key
 
 
-TRIAL = (Path(__file__).parents[2] / "data" / "zi_a100.toml").read_text()
+TRIAL = (DATA / "zi_a100.toml").read_text()
 
 
 def worm_of(text, tmp_path, capsys, changes=()):

@@ -2,14 +2,12 @@
 
 import json
 from math import atan, cos, log10, pi, tan
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from refusals import changed
 
 from pyworm.cli.main import main
-
-CASES = Path(__file__).parents[3] / "cases"
 
 GEAR = """
 title = "The standards' reference gear"

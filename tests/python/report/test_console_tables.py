@@ -3,9 +3,9 @@
 import json
 from dataclasses import replace
 from io import StringIO
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from rich.console import Console
 from synthetic_solution import (
     INLET,
@@ -20,7 +20,6 @@ from pyworm.case.case import load
 from pyworm.report.console.scenes import figures_table, heat_table
 from pyworm.solver.solution import Estimate
 
-CASES = Path(__file__).parents[3] / "cases"
 SHEAR_KEYS = {"friction_coefficient", "power_loss_W", "shear_rate_max_1_s"}
 HEAT_KEYS = {
     "inlet_temperature_C",

@@ -3,11 +3,11 @@
 import json
 from base64 import b64decode
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from browser import CHROMIUM, WHY_NOT, browse
+from folders import CASES
 from synthetic_solution import line_with_heat, make_line_solution
 
 from pyworm.cli.main import main
@@ -16,8 +16,6 @@ from pyworm.report.explore.packed import packed
 from pyworm.report.explore.page import content, explore
 from pyworm.report.explore.scenes import NODES, scene_rows
 from pyworm.result.result import open_result
-
-CASES = Path(__file__).parents[3] / "cases"
 
 in_browser = pytest.mark.skipif(CHROMIUM is None, reason=WHY_NOT)
 

@@ -3,9 +3,9 @@
 import json
 from dataclasses import replace
 from io import StringIO
-from pathlib import Path
 
 import pytest
+from folders import CASES
 from rich.console import Console
 from source_copy import SourceCopy
 from synthetic_solution import make_hot_worm, make_mesh_cycle
@@ -23,7 +23,7 @@ from pyworm.report.page.html import render
 from pyworm.result.result import Result
 from pyworm.result.sweep_result import SweepResult, sweep_table
 
-CASE = load(Path(__file__).parents[3] / "cases/zi_sharif_2001.toml")
+CASE = load(CASES / "zi_sharif_2001.toml")
 
 SQUEEZED = Quantity(
     "pressure_by_film", "Pa/m", "maximum pressure over film thickness", "MPa/µm", "p/h",

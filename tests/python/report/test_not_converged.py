@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import xarray as xr
+from folders import CASES, DATA
 from matplotlib.axes import Axes
 from swept_cycle import cycle_result
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle, make_solution
@@ -30,7 +31,6 @@ from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.stop_reason import CURE, rests_on_edge
 
-CASES = Path(__file__).parents[3] / "cases"
 REASON = "the residual stayed at 5.0e+02, 1.0e-05 is wanted" + CURE
 PHASES = (0.1, 0.3, 0.5, 0.7, 0.9)
 
@@ -240,7 +240,7 @@ def test_a_film_lost_on_a_sharp_edge_is_sought_on_fewer_grids(lost, found, edge,
 
 def test_the_solver_says_that_a_sharp_edge_is_the_cause():
     """The contact runs out over the worm's sharp tip there; a few grids tell it, and cost little."""
-    case = pyworm.load(Path(__file__).parents[2] / "data" / "zi_a100.toml")
+    case = pyworm.load(DATA / "zi_a100.toml")
     scene = case.scene(phase=0.9)
     plan = pyworm.plan(scene, accuracy=0.5, effects="isothermal")
     solution = pyworm.solve(scene, replace(plan, largest_grid=plan.grids[-1].nodes))

@@ -4,11 +4,11 @@ import re
 import shutil
 import subprocess
 import tomllib
-from pathlib import Path
 
 import matplotlib.image
 import numpy as np
 import pytest
+from folders import CASES
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
 
 import pyworm
@@ -19,7 +19,6 @@ from pyworm.report.page.html import render
 from pyworm.report.page.symbols import inputs_as_text, typeset
 from pyworm.result.result import Result
 
-CASES = Path(__file__).parents[3] / "cases"
 BROWSER = (
     shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 )

@@ -3,16 +3,14 @@
 import re
 from base64 import b64encode
 from hashlib import sha256
-from pathlib import Path
 
 import pytest
 from browser import CHROMIUM, WHY_NOT, browse
+from folders import CASES
 
 from pyworm.cli.main import main
 from pyworm.cli.shared import CONVERGED
 from pyworm.report.policy import policy
-
-CASES = Path(__file__).parents[3] / "cases"
 
 in_browser = pytest.mark.skipif(CHROMIUM is None, reason=WHY_NOT)
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from refusals import refusal
@@ -35,8 +36,6 @@ from pyworm.report.page.sensitivity import sensitivity, thickened
 from pyworm.report.table import Table
 from pyworm.result.result import Result
 from pyworm.scene.scales import scales
-
-CASES = Path(__file__).parents[3] / "cases"
 
 SECTIONS = [
     "Key results",

@@ -1,17 +1,15 @@
 """The pages to sign and that of variants, solved, printed and looked at in Chromium without a window."""
 
-from pathlib import Path
-
 import matplotlib.image
 import numpy as np
 import pytest
 from browser import CHROMIUM, WHY_NOT
+from folders import CASES, ROOT
 from report_pictures import PRINTABLE, take
 
 from pyworm.cli.main import main
 
-CASES = Path(__file__).parents[3] / "cases"
-BUILT = Path(__file__).parents[3] / "build" / "pictures"
+BUILT = ROOT / "build" / "pictures"
 """Pictures of the documentation are taken from here."""
 
 RATED = """

@@ -6,6 +6,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import pytest
+from folders import CASES
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
 
 import pyworm
@@ -15,9 +16,6 @@ from pyworm.report import pdf
 from pyworm.report.page.html import render_variants
 from pyworm.report.page.variants import variants_page
 from pyworm.result.result import Result
-
-CASES = Path(__file__).parents[3] / "cases"
-
 
 RATED = """
 [worm_rating]

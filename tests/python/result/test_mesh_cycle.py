@@ -1,10 +1,10 @@
 """What a mesh cycle comes to: loss and efficiency, extremes and the flank, of made-up solutions."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from lives import life_dataset
 from swept_cycle import (
     LEVER,
@@ -37,8 +37,6 @@ from pyworm.result.result import case_in
 from pyworm.solver.ending import Ending
 from pyworm.solver.solution import Estimate
 from pyworm.solver.transient.lifts import Lift
-
-CASES = Path(__file__).parents[3] / "cases"
 
 
 def test_a_model_uncertainty_without_a_bound_makes_that_of_the_loss_unknown():

@@ -3,10 +3,10 @@
 import json
 from dataclasses import replace
 from math import atan, tan
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from swept_cycle import PHASES, cycle_result
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
 from zi_drives import without_allowed_errors
@@ -31,8 +31,6 @@ from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result, open_result
 from pyworm.result.sweep_result import SweepResult, sweep_table
 from pyworm.solver.neglected_effects import NeglectedEffects, beyond, expected, judged, worst
-
-CASES = Path(__file__).parents[3] / "cases"
 
 EFFECTS = (
     Judgement("film-heating", True, 0.3, {"film": 1.7, "friction": 0.4}, "more than 2 %"),

@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import pytest
+from folders import CASES
 from refusals import changed, refusal
 from synthetic_solution import make_hot_worm, make_mesh_cycle
 
@@ -14,7 +15,6 @@ from pyworm.io.toml import read_toml
 from pyworm.result.result import Result
 from pyworm.result.result_case import as_solved, differences
 
-CASES = Path(__file__).parents[3] / "cases"
 TEXT = (CASES / "zi_sharif_2001.toml").read_text()
 
 

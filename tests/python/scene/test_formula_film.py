@@ -1,14 +1,12 @@
 """Films of contacts by the formula of the atlas, from sizes with units and from scenes."""
 
-from pathlib import Path
 from time import process_time
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
-
-CASES = Path(__file__).parents[3] / "cases"
 
 
 def oil():

@@ -1,10 +1,10 @@
 """Long waves of measured surfaces in the gap: where they rest, where they roll, what is left out."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.case.past import PastTable
@@ -12,7 +12,6 @@ from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.topography import Topography
 from pyworm.scene.waves import moving_waves, opening, waves_in_gap
 
-CASES = Path(__file__).parents[3] / "cases"
 HEIGHT, LENGTH, STEP, ACROSS, ALONG = 50e-9, 400e-6, 5e-6, 240, 320
 PLACES = np.linspace(-200e-6, 200e-6, 41)
 COSINE = HEIGHT * np.cos(2 * np.pi * PLACES / LENGTH)

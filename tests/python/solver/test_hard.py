@@ -4,13 +4,13 @@ import os
 import subprocess
 import sys
 from dataclasses import replace
-from pathlib import Path
 from unittest.mock import Mock
 
 import numpy as np
 import pytest
 import stability
 from draws import DRAWS, HOT_LIMITS, HOT_RANGES, LIMITS, RANGES
+from folders import ROOT
 from named import ISOTHERMAL, REFUSED
 from promise import COUNTS, complaints
 from trial import BriefTrial, Verdict, trial, verdict
@@ -87,7 +87,7 @@ def test_the_promise_holds_for_any_seed(missed, kept):
 
 
 def test_results_of_seeds_are_kept_apart(tmp_path):
-    suite = Path(__file__).parents[2] / "hard"
+    suite = ROOT / "tests" / "hard"
     told = {}
     for seed in ("7", "8"):
         command = [sys.executable, suite, "isothermal:3-3", "--seed", seed, "--out", tmp_path]
@@ -251,7 +251,7 @@ def test_what_is_no_contact_is_refused(name):
 
 
 def test_kernel_statuses_all_have_words():
-    status = Path(__file__).parents[3] / "fortran" / "base" / "status.f90"
+    status = ROOT / "fortran" / "base" / "status.f90"
     numbers = [
         int(line.rpartition("=")[2])
         for line in status.read_text().splitlines()

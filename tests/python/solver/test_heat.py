@@ -2,10 +2,10 @@
 
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
@@ -14,7 +14,6 @@ from pyworm.scene.point import RigidMotion
 from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
 
-CASES = Path(__file__).parents[3] / "cases"
 COARSE = 0.05
 
 

@@ -3,10 +3,10 @@
 import csv
 from dataclasses import replace
 from math import hypot, log1p, pi
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import DATA
 
 import pyworm
 from pyworm.kernel.core import KernelError
@@ -62,7 +62,7 @@ def on_grids(scene, count):
 
 
 def rows():
-    with open(Path(__file__).parents[2] / "data" / "line_films.csv") as file:
+    with open(DATA / "line_films.csv") as file:
         return list(csv.DictReader(line for line in file if not line.startswith("#")))
 
 

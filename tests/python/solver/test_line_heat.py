@@ -1,11 +1,11 @@
 """Sheared and heated line contacts: their limits, symmetries and balances."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 from contact_edge import shares_of_contact
+from folders import CASES
 
 import pyworm
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
@@ -17,7 +17,7 @@ from pyworm.materials.viscosity_density import Barus, Density, Roelands
 from pyworm.planning.model import Model
 from pyworm.scene.line import LineScene, Parabola
 
-CASE = Path(__file__).parents[3] / "cases" / "line_thermal.toml"
+CASE = CASES / "line_thermal.toml"
 
 INLET = 333.15
 STEEL = Body(206e9, 0.3, 7850.0, 47.0, 460.0, INLET)
@@ -266,7 +266,7 @@ def test_the_inlet_temperature_is_in_the_summary(heated):
 
 def test_a_hot_roller_whose_walls_slip_settles_on_every_grid():
     """With a wedge of third order each grid from 500 nodes on took hundreds of steps until it was lost."""
-    case = pyworm.load(Path(__file__).parents[3] / "cases" / "roller_ref.toml")
+    case = pyworm.load(CASES / "roller_ref.toml")
     scene = case.scene(section="left", phase=0.5, station=0.5)
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.01))
     assert solution.converged, solution.stop_reason

@@ -1,9 +1,9 @@
 """Time steps of a transient solution across a jump of the load."""
 
 from itertools import pairwise
-from pathlib import Path
 
 import pytest
+from folders import DATA
 
 import pyworm
 from pyworm.solver.transient import time_integration
@@ -11,7 +11,7 @@ from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import NoFilmError, integrate_in_time
 from pyworm.solver.transient.transient import part_at
 
-HELICAL = Path(__file__).parents[2] / "data" / "helical_a500.toml"
+HELICAL = DATA / "helical_a500.toml"
 
 
 @pytest.fixture(scope="module")

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.cli.main import main
@@ -14,7 +15,7 @@ from pyworm.kernel.core import KernelError
 from pyworm.planning.model import Model
 from pyworm.solver import memory
 
-CASE = Path(__file__).parents[3] / "cases" / "point_m20_l10.toml"
+CASE = CASES / "point_m20_l10.toml"
 
 MEASURE = """
 import sys

@@ -2,17 +2,17 @@
 
 import csv
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
+from folders import CASES, DATA
 
 import pyworm
 from pyworm.formulas.oil_properties import gold_alpha
 from pyworm.materials.base_stock import BASES, base_stock
 from pyworm.solver.oil_uncertainty import FILMS, oil_uncertainty
 
-DATA = Path(__file__).parents[2] / "data/measured_alpha.csv"
-BALL = Path(__file__).parents[3] / "cases/ball_pag_460.toml"
+DATA = DATA / "measured_alpha.csv"
+BALL = CASES / "ball_pag_460.toml"
 
 with DATA.open() as file:
     MEASURED = list(csv.DictReader(file))

@@ -1,13 +1,10 @@
 """Shipped cases against what their sources print."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
-
-CASES = Path(__file__).parents[3] / "cases"
 
 
 def solved(name, accuracy, phase=None, effects="all,-roughness,-squeeze"):

@@ -3,10 +3,10 @@ cost."""
 
 from dataclasses import replace
 from math import exp, pi
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 from rough_bodies import rough
 from rough_rings import dry_rough_pressure
 
@@ -18,8 +18,6 @@ from pyworm.materials.rough_surfaces import RoughPair, RoughSurface
 from pyworm.scene.scales import line_scales
 from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
-
-CASES = Path(__file__).parents[3] / "cases"
 
 
 class SphericalAsperities(RoughPair):

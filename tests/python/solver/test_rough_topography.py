@@ -1,17 +1,15 @@
 """Films between surfaces whose heights are known, beside those of closed curves for the same figures."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.generated import self_affine
 from pyworm.surfaces.parameters import slopes
-
-CASES = Path(__file__).parents[3] / "cases"
 
 
 @pytest.fixture(scope="module")

@@ -1,15 +1,14 @@
 """Transient films between rough surfaces: limits in which another film is known."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.case.past import PastTable
 from pyworm.scene.scales import line_scales
 
-CASES = Path(__file__).parents[3] / "cases"
 EFFECTS = "isothermal,squeeze,roughness"
 
 

@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 from math import hypot
-from pathlib import Path
 
 import numpy as np
 import pytest
 from contacts import ball, steel
+from folders import CASES
 
 import pyworm
 from pyworm.materials.roughness_assumptions import (
@@ -21,8 +21,6 @@ from pyworm.materials.roughness_assumptions import (
 from pyworm.solver import roughness_uncertainty as uncertainty
 from pyworm.solver.line.contact import LineContactSolver
 from pyworm.solver.newton import iterate
-
-CASES = Path(__file__).parents[3] / "cases"
 
 MU_B = 0.1
 """Friction of the asperities of the shipped case."""

@@ -4,11 +4,11 @@ import tomllib
 from dataclasses import replace
 from itertools import pairwise
 from math import cos, pi
-from pathlib import Path
 
 import numpy as np
 import pytest
 from contacts import ball as sliding_ball
+from folders import CASES
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
@@ -20,8 +20,6 @@ from pyworm.materials.oil import Oil
 from pyworm.materials.oil_layer import OilLayer
 from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.target import HEAT_FIGURES
-
-CASES = Path(__file__).parents[3] / "cases"
 
 VISCOSITY, SPEED, LENGTH, THROAT = 0.05, 2.0, 20e-3, 20e-6
 BEARING_OIL = Oil(Barus(VISCOSITY, 1e-15), Density(870.0, 0.0, 1e-9))

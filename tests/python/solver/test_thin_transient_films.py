@@ -1,10 +1,10 @@
 """Transient films that are thin beside the deformation of their bodies."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
+from folders import DATA
 
 import pyworm
 from pyworm.planning.grid import Grid
@@ -23,8 +23,6 @@ from pyworm.solver.transient.time_integration import (
 )
 from pyworm.solver.transient.time_steps import Step
 from pyworm.solver.transient.transient import part_at
-
-DATA = Path(__file__).parents[2] / "data"
 
 
 def course_and_scene(name, accuracy=0.05):

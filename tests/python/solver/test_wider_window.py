@@ -1,11 +1,11 @@
 """The film of a narrow window as the initial guess in a wider one, and what the narrow one cuts off."""
 
 from dataclasses import replace
-from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from folders import CASES
 
 import pyworm
 from pyworm.planning.grid import Grid
@@ -14,7 +14,7 @@ from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.point.level import guess_around
 
-TRACTION = Path(__file__).parents[3] / "cases" / "traction_steel.toml"
+TRACTION = CASES / "traction_steel.toml"
 
 
 def test_the_film_of_a_grid_that_the_wider_one_does_not_hold_is_taken_where_both_are():
