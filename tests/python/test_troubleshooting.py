@@ -1,4 +1,4 @@
-"""The page of troubleshooting has every outcome of a solve, and its messages are those of the program."""
+"""The page of troubleshooting has every outcome of a solve but the good one, with the program's messages."""
 
 import re
 
@@ -24,7 +24,12 @@ def messages() -> set[str]:
 
 
 @pytest.mark.parametrize(
-    "ending", [ending for ending in Ending if re.sub(r"\{\w+\}", "", ending.message)]
+    "ending",
+    [
+        ending
+        for ending in Ending
+        if re.sub(r"\{\w+\}", "", ending.message) and ending != Ending.ACCURATE
+    ],
 )
 def test_every_outcome_of_a_solve_is_on_the_page(ending):
     assert re.sub(r"\{[^}]+\}", "…", ending.message) in messages()
