@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from folders import ROOT
+from printed_rows import NUMBER, numbers, same_row
 
 import pyworm
 from pyworm.cli.main import main
@@ -13,7 +14,6 @@ from pyworm.cli.main import main
 PAGE = (ROOT / "docs/tutorials/quick-start.md").read_text()
 CASE = ROOT / "cases/ball_pag_460.toml"
 
-NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]\d+)?")
 TABLE = re.compile(r"^```\n(.*?)^```$", re.M | re.S)
 REFUSAL = re.compile(r"^    pyworm: (?!warning)(.*)$", re.M)
 COMMENT = re.compile(r"^    pyworm run cases/ball_pag_460.toml (--\S+ \S+) +# (.*)$", re.M)
@@ -24,22 +24,6 @@ def wide_terminal():
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("COLUMNS", "110")
         yield
-
-
-def numbers(text):
-    return [float(number) for number in NUMBER.findall(text)]
-
-
-def same_row(shown, printed):
-    """Whether a row of the page is one that is printed: words the same, values to 1e-3, error bars to 2 %."""
-    first, *bars = numbers(shown) or [0.0]
-    found, *now = numbers(printed) or [0.0]
-    words = [" ".join(NUMBER.sub("#", row).replace("│", " ").split()) for row in (shown, printed)]
-    return (
-        words[0] == words[1]
-        and found == pytest.approx(first, rel=1e-3)
-        and now == pytest.approx(bars, rel=0.02)
-    )
 
 
 def printed_by(capsys, *words):
