@@ -8,7 +8,7 @@ import sys
 import threading
 import time
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 
 import fuzz
 import fuzz_results
@@ -33,28 +33,25 @@ CHEAP = ("--accuracy", "30%", "--effects", "isothermal", "--json")
 # ------------------------------------------------------------------------------------ case files
 
 
-@settings(
-    max_examples=150,
+drawn = partial(
+    settings,
     deadline=None,
     derandomize=True,
     database=None,
     phases=[Phase.generate],
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )
+"""Settings of tests that draw their inputs, the same ones in each run."""
+
+
+@drawn(max_examples=150)
 @given(mutant=fuzz.mutants(fuzz.QUICK))
 def test_a_mutated_case_is_planned_or_refused_in_one_sentence(tmp_path, mutant):
     _, _, flaws = fuzz.outcome(mutant, tmp_path)
     assert flaws == [], f"{mutant.base}: {mutant.what}"
 
 
-@settings(
-    max_examples=12,
-    deadline=None,
-    derandomize=True,
-    database=None,
-    phases=[Phase.generate],
-    suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
-)
+@drawn(max_examples=12)
 @given(mutant=fuzz.mutants(("point_m20_l10", "line_thermal")))
 def test_a_mutated_case_that_can_be_planned_is_solved_or_marked(tmp_path, mutant):
     _, _, flaws = fuzz.solved(mutant, tmp_path)

@@ -7,25 +7,17 @@ from pathlib import Path
 import numpy as np
 import pytest
 from folders import CASES
-from zi_drives import coarse_patterns, coarse_springs
 
 from pyworm.case.case import case_again, case_of
 from pyworm.drives.worm.teeth.gap import surface_points
 from pyworm.drives.worm.teeth.tooth import wheel_radius
 from pyworm.io.input_error import CaseError
 
+pytestmark = pytest.mark.usefixtures("coarse_mesh")
+
 TEXT = (CASES / "worm_drawing.toml").read_text()
 FACE, RADIUS = np.linspace(-15, 15, 7), np.linspace(76, 86, 5)
 AXIAL, HEIGHT = np.linspace(-24, 24, 7), np.linspace(15, 24, 4)
-
-
-@pytest.fixture(scope="module", autouse=True)
-def coarse():
-    """Fewer places, phases and loads."""
-    with pytest.MonkeyPatch.context() as patch:
-        coarse_patterns(patch)
-        coarse_springs(patch)
-        yield
 
 
 def grid(deviation) -> str:

@@ -6,23 +6,16 @@ import re
 import pytest
 from folders import CASES
 from refusals import refusal
-from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
+from zi_drives import without_allowed_errors
 
 import pyworm
 from pyworm.cli.main import main
 from pyworm.drives.worm.patterns import hob_for_pattern
 from pyworm.drives.worm.patterns.hob_for_pattern import TOLERANCES, found_setting, mark_of
 
+pytestmark = pytest.mark.usefixtures("coarse_mesh")
+
 DRAWING = (CASES / "worm_drawing.toml").read_text()
-
-
-@pytest.fixture(scope="module", autouse=True)
-def coarse():
-    """Fewer places, phases and loads: a set-up is looked for at many."""
-    with pytest.MonkeyPatch.context() as patch:
-        coarse_patterns(patch)
-        coarse_springs(patch)
-        yield
 
 
 @pytest.fixture(scope="module")

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from worm_drawings import of_profile
 
 from pyworm.case.case import case_of
 from pyworm.drives.worm.drawing.design import Assembly
-from pyworm.drives.worm.drawing.usual_values import completed
 from pyworm.drives.worm.loads.dry_contact import dry_contact_of
 from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.worm.teeth.gears import WormGears
@@ -141,21 +141,7 @@ def test_flanks_seen_over_aligned_tangent_planes_have_the_contact_of_their_own(d
 
 @pytest.mark.parametrize("profile", ["ZN", "ZK", "ZC"])
 def test_other_profiles_are_seen_likewise(profile):
-    shift = 0.5 if profile == "ZC" else -0.5
-    of, _ = with_swivel(
-        completed(
-            {
-                "centre_distance": 0.1 + (shift + 0.5) * 4e-3,
-                "threads": 2,
-                "teeth": 41,
-                "module": 4e-3,
-                "diameter_factor": 10.0,
-                "pressure_angle": radians(23 if profile == "ZC" else 20),
-                "face_width": 30e-3,
-            },
-            profile,
-        )[0]
-    )
+    of, _ = with_swivel(of_profile(profile))
     far = drawn_gears(of, Assembly(centre_distance=0.3 * MM, shaft_angle=-2e-3))
     assert isinstance(far.cycle.path, SeenPath)
     touch = far.first_touch(far.cycle.contact(0.5))

@@ -6,6 +6,7 @@ from math import atan, cos, pi, radians, sin, tan
 import numpy as np
 import pytest
 import scipy
+from worm_drawings import SWIVELLED
 
 from pyworm.drives.worm.drawing.drawing import Drawing
 from pyworm.drives.worm.drawing.usual_values import completed
@@ -16,21 +17,9 @@ from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
 from pyworm.drives.worm.teeth.gears import WormGears
 from pyworm.drives.worm.teeth.tooth_form import worm_thickness
 
-UNIT = {
-    "centre_distance": 0.1,
-    "threads": 2,
-    "teeth": 41,
-    "module": 4e-3,
-    "diameter_factor": 10.0,
-    "pressure_angle": radians(20),
-    "face_width": 30e-3,
-    "hob_oversize": 1.6e-3,
-    "hob_swivel": radians(0.44),
-}
-
 
 def drawing(**changes) -> Drawing:
-    return completed(UNIT | changes)[0]
+    return completed(SWIVELLED | changes)[0]
 
 
 def filleted(worm: float, wheel: float) -> WormGears:
@@ -39,7 +28,7 @@ def filleted(worm: float, wheel: float) -> WormGears:
 
 def test_the_fillet_of_a_straight_flank_begins_where_the_triangle_has_it():
     """ZA is straight in its axial section, at the pressure angle of its drawing."""
-    gears = drawn_gears(completed(UNIT | {"worm_fillet_radius": 1e-3}, "ZA")[0])
+    gears = drawn_gears(completed(SWIVELLED | {"worm_fillet_radius": 1e-3}, "ZA")[0])
     expected = 15.2e-3 + 1e-3 * (1 - sin(radians(20)))
     assert gears.worm_tooth.form_radius == pytest.approx(expected, abs=1e-12)
 
@@ -116,7 +105,7 @@ def test_a_fillet_below_the_base_cylinder_takes_nothing_of_the_flank():
 
 
 def test_the_usual_fillet_is_told_and_gets_smaller_in_a_narrow_root():
-    of, taken = completed(UNIT)
+    of, taken = completed(SWIVELLED)
     assert of.worm_fillet_radius == of.wheel_fillet_radius == pytest.approx(0.8e-3)
     told = [one for one in taken if "fillet_radius" in one]
     assert [one.partition(" = ")[0] for one in told] == [
@@ -124,7 +113,7 @@ def test_the_usual_fillet_is_told_and_gets_smaller_in_a_narrow_root():
         "wheel.fillet_radius",
     ]
     assert all("0.8 mm, 0.2 modules or what fits, assumed without a source" in one for one in told)
-    narrow = completed(UNIT | {"pressure_angle": radians(28)}, "ZA")[0]
+    narrow = completed(SWIVELLED | {"pressure_angle": radians(28)}, "ZA")[0]
     half = (pi / 4 - 1.2 * tan(radians(28))) * 4e-3
     most = half * cos(radians(28)) / (1 - sin(radians(28)))
     assert narrow.worm_fillet_radius == pytest.approx(0.8 * most)
@@ -132,7 +121,7 @@ def test_the_usual_fillet_is_told_and_gets_smaller_in_a_narrow_root():
 
 def steep(profile, threads, diameter_factor, pressure_angle):
     """A drawing of a worm of a large lead angle, with what is usual of its fillets."""
-    given = {key: value for key, value in UNIT.items() if not key.startswith("hob_")}
+    given = {key: value for key, value in SWIVELLED.items() if not key.startswith("hob_")}
     given |= {"threads": threads, "teeth": 61, "diameter_factor": diameter_factor}
     given |= {"pressure_angle": radians(pressure_angle)}
     given |= {"centre_distance": given["module"] * (diameter_factor + 61 + 1) / 2}

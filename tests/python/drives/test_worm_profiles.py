@@ -7,6 +7,7 @@ from math import atan, cos, degrees, hypot, radians, tan
 import numpy as np
 import pytest
 from scipy.optimize import brentq, minimize_scalar
+from worm_drawings import of_profile
 from zi_drives import coarse_patterns, sharif, without_allowed_errors
 
 import pyworm
@@ -21,26 +22,12 @@ from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
 from pyworm.drives.worm.teeth.gears import WormGears
 
 PROFILES = ("ZA", "ZN", "ZI", "ZK", "ZC", "ZC2")
-SHIFT = {"ZC": 0.5, "ZC2": 0.5}
 
 
 @cache
 def drawing(profile):
     """a = 100 mm, 2/41, m 4 mm, q 10; of ZC with the positive profile shift that it needs."""
-    shift = SHIFT.get(profile, -0.5)
-    of, _ = completed(
-        {
-            "centre_distance": 0.1 + (shift + 0.5) * 4e-3,
-            "threads": 2,
-            "teeth": 41,
-            "module": 4e-3,
-            "diameter_factor": 10.0,
-            "pressure_angle": radians(23 if profile in SHIFT else 20),
-            "face_width": 30e-3,
-            "hob_oversize": 1.6e-3,
-        },
-        profile,
-    )
+    of = of_profile(profile, hob_oversize=1.6e-3)
     return replace(of, hob_swivel=0.9 * of.normal_swivel)
 
 

@@ -1,10 +1,9 @@
 """Flanks in space, for pictures, are those that touch."""
 
-from math import radians
-
 import numpy as np
 import pytest
 from folders import CASES
+from worm_drawings import SWIVELLED
 
 import pyworm
 from pyworm.drives.worm.drawing.usual_values import completed
@@ -12,17 +11,6 @@ from pyworm.drives.worm.flanks.wheel_envelope import turned
 from pyworm.drives.worm.patterns.hob_setting import drawn_gears
 from pyworm.drives.worm.shapes import in_space
 
-UNIT = {
-    "centre_distance": 0.1,
-    "threads": 2,
-    "teeth": 41,
-    "module": 4e-3,
-    "diameter_factor": 10.0,
-    "pressure_angle": radians(20),
-    "face_width": 30e-3,
-    "hob_oversize": 1.6e-3,
-    "hob_swivel": radians(0.44),
-}
 PHASES = (0.2, 0.5, 0.8)
 
 
@@ -31,7 +19,7 @@ def gears(request):
     """Involute flanks, which have closed forms, and ground ones, which are points."""
     if request.param == "ZI":
         return pyworm.load(CASES / "zi_drive.toml").drive
-    return drawn_gears(completed(UNIT, request.param)[0])
+    return drawn_gears(completed(SWIVELLED, request.param)[0])
 
 
 def about(axis, angle, points):

@@ -1,10 +1,11 @@
 """A worm gear by its drawing: the design table that follows, what is taken as usual, form of its teeth."""
 
 from dataclasses import replace
-from math import atan2, cos, degrees, pi, radians, sin, sqrt
+from math import atan2, cos, degrees, pi, sin, sqrt
 
 import numpy as np
 import pytest
+from worm_drawings import BY_HOB
 from zi_drives import changed, sharif
 
 from pyworm.drives.worm.drawing.design import Design
@@ -22,20 +23,9 @@ from pyworm.drives.worm.teeth.tooth_outline import flank_places
 from pyworm.materials.body import Body
 from pyworm.materials.topography import Topography
 
-UNIT = {
-    "centre_distance": 0.1,
-    "threads": 2,
-    "teeth": 41,
-    "module": 4e-3,
-    "diameter_factor": 10.0,
-    "pressure_angle": radians(20),
-    "face_width": 30e-3,
-    "hob_oversize": 1.6e-3,
-}
-
 
 def drawing(**changes):
-    return completed(UNIT | changes)[0]
+    return completed(BY_HOB | changes)[0]
 
 
 def test_the_design_table_is_that_computed_by_hand():
@@ -77,7 +67,7 @@ def test_hob_and_worm_have_one_base_pitch_and_one_normal_in_the_pitch_point(over
 
 
 def test_what_is_left_out_is_taken_as_usual_and_told():
-    least = {key: UNIT[key] for key in list(UNIT)[:5]}
+    least = {key: BY_HOB[key] for key in list(BY_HOB)[:5]}
     of, taken = completed(least)
     assert degrees(of.pressure_angle) == pytest.approx(20)
     assert of.hob_oversize == pytest.approx(0.8e-3)
@@ -89,7 +79,7 @@ def test_what_is_left_out_is_taken_as_usual_and_told():
 
 
 def test_a_given_number_is_neither_changed_nor_told():
-    of, taken = completed(UNIT | {"worm_tip_diameter": 47e-3, "backlash": 0.2e-3})
+    of, taken = completed(BY_HOB | {"worm_tip_diameter": 47e-3, "backlash": 0.2e-3})
     assert of.worm_tip_diameter == 47e-3 and of.backlash == 0.2e-3
     assert not [one for one in taken if one.startswith(("worm.tip_diameter", "backlash"))]
 

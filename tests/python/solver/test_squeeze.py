@@ -34,18 +34,16 @@ class Plate:
         return np.zeros(x.shape), np.abs(x) <= self.width / 2 * (1 + 1e-9)
 
 
+def steel_ball():
+    """A steel ball whose scales, and so its window, are those of a large load."""
+    motions = ((CRAWL, 0.0),) * 2
+    oil = mineral(VISCOSITY, 1e-12)
+    return point("ball", (RADIUS, RADIUS), 5000.0, motions, (STEEL, STEEL), oil)
+
+
 def cylinder():
-    """A steel cylinder whose scales, and so its window, are those of a large load."""
-    motion = (CRAWL, 0.0)
-    ball = point(
-        "ball",
-        (RADIUS, RADIUS),
-        5000.0,
-        (motion, motion),
-        (STEEL, STEEL),
-        mineral(VISCOSITY, 1e-12),
-    )
-    return as_line(ball)
+    """A steel cylinder likewise."""
+    return as_line(steel_ball())
 
 
 def integrated(contact_at, kinks=(), refinement=0, effects=None):
@@ -138,15 +136,7 @@ def test_a_body_that_is_let_go_sinks_as_the_closed_form_says(kind):
 
 def test_a_ball_that_is_lowered_presses_as_the_closed_form_says():
     """6 pi eta V R^2 / h in an endless window; beyond a circle of radius L is h / (h + L^2 / 2R) of it."""
-    motion = (CRAWL, 0.0)
-    ball = point(
-        "ball",
-        (RADIUS, RADIUS),
-        5000.0,
-        (motion, motion),
-        (STEEL, STEEL),
-        mineral(VISCOSITY, 1e-12),
-    )
+    ball = steel_ball()
     time_grid, records = integrated(
         lambda at: replace(ball, separation=APART - APPROACH * at),
         refinement=2,
