@@ -10,12 +10,15 @@ from line import OILS, line
 from plan_scenes import STEEL, mineral, point
 
 import pyworm
+from pyworm.io.quantity_text import percent
 from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.planning.prediction import predicted
+from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.scales import line_scales
 from pyworm.solver.ending import Ending
+from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.transient import time_integration, time_steps
 from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.differences import backward_weights, weights
@@ -205,6 +208,38 @@ def test_a_past_whose_film_is_not_found_is_reported(monkeypatch):
     assert not transient.converged and "found no converged film" in transient.stop_reason
     assert transient.ending is Ending.RATE_OF_CHANGE
     assert transient.figures.film_min.error == np.inf
+
+
+@pytest.mark.parametrize("left, ending", [(0.15, Ending.WIDER_BARS), (0.4, Ending.RATE_OF_CHANGE)])
+def test_a_rate_less_accurate_than_asked_for_is_used_with_wider_bars(left, ending, monkeypatch):
+    """Up to what leaves a film of use; its figures have that error, and those of the grids."""
+
+    def errors(readings, kind, turned):
+        return dict.fromkeys(readings[-1].figures, left)
+
+    monkeypatch.setattr(transient_module, "_errors", errors)
+    monkeypatch.setattr(transient_module, "MAX_SOLVES", 2)
+    solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), "isothermal,squeeze")
+    assert solution.ending is ending
+    assert solution.converged == (ending is Ending.WIDER_BARS)
+    assert f"leaves an error of {percent(left)}" in solution.stop_reason
+    assert solution.accuracy == 0.05 and not solution.accurate
+    if solution.converged:
+        assert left < solution.figures.film_min.error < 1.3 * left
+
+
+def test_temperatures_of_no_use_do_not_widen_the_bars_of_films():
+    scene = ball()
+    plan = pyworm.plan(scene, 0.05, "all")
+    level = SOLVERS[type(scene)](scene, plan).begin(plan.grids)[0]
+    known = transient_module.Transient(None, level, {}, "a flaw", left=0.07, left_of_heat=0.9)
+    assert known.usable
+    attainable = known.attainable(plan)
+    assert attainable.accuracy == pytest.approx(0.1)
+    assert not set(HEAT_FIGURES) & set(attainable.target.figures)
+    all_of_use = replace(known, left_of_heat=0.14).attainable(plan)
+    assert all_of_use.accuracy == pytest.approx(0.2)
+    assert set(HEAT_FIGURES) <= set(all_of_use.target.figures)
 
 
 @pytest.mark.parametrize("kind", [lambda scene: scene, as_line])
