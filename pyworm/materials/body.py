@@ -82,29 +82,19 @@ class Body(ShownFields, SolidConstants):
     """Its waves longer than those of the roughness; None where they are not known."""
 
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
-
+        # fmt: off
         def __init__(
-            self,
-            youngs_modulus: WithUnit,
-            poisson_ratio: float,
-            density: WithUnit | None = ...,
-            conductivity: WithUnit | None = ...,
-            specific_heat: WithUnit | None = ...,
-            bulk_temperature: WithUnit | None = ...,
-            roughness: WithUnit | None = ...,
-            roughness_slope: float = ...,
-            roughness_aspect: float = ...,
-            lay: WithUnit = ...,
-            asperity_density: float = ...,
-            boundary_friction_factor: float = ...,
-            topography: Topography | None = ...,
-            long_waves: LongWaves | None = ...,
-            *,
+            self, youngs_modulus: WithUnit, poisson_ratio: float, density: WithUnit | None = ...,
+            conductivity: WithUnit | None = ..., specific_heat: WithUnit | None = ...,
+            bulk_temperature: WithUnit | None = ..., roughness: WithUnit | None = ...,
+            roughness_slope: float = ..., roughness_aspect: float = ..., lay: WithUnit = ...,
+            asperity_density: float = ..., boundary_friction_factor: float = ...,
+            topography: Topography | None = ..., long_waves: LongWaves | None = ..., *,
             modulus_by_temperature: Sequence[Sequence[WithUnit]] = ...,
-            asperity_sharpness: float | None = ...,
-            hardness: WithUnit | None = ...,
-            temperature_limit: WithUnit | None = ...,
+            asperity_sharpness: float | None = ..., hardness: WithUnit | None = ...,
+            temperature_limit: WithUnit | None = ...
         ) -> None: ...
+        # fmt: on
 
     def __post_init__(self) -> None:
         """Read quantities with units; refuse impossible constants of a solid."""

@@ -103,21 +103,14 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
     """Pairs of Newtonian stress eta rate and stress tau, both over G, increasing (`FlowLaw.of`)."""
 
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
-
+        # fmt: off
         def __init__(
-            self,
-            law: FlowLawName,
-            *,
-            limit: WithUnit = ...,
-            limit_pressure: float = ...,
-            stress: WithUnit = ...,
-            stress_pressure: WithUnit = ...,
-            stress_temperature: WithUnit = ...,
-            exponent: float = ...,
-            yasuda: float = ...,
-            branches: tuple[Branch, ...] = ...,
-            table: tuple[tuple[float, float], ...] = ...,
+            self, law: FlowLawName, *, limit: WithUnit = ..., limit_pressure: float = ...,
+            stress: WithUnit = ..., stress_pressure: WithUnit = ..., stress_temperature: WithUnit = ...,
+            exponent: float = ..., yasuda: float = ..., branches: tuple[Branch, ...] = ...,
+            table: tuple[tuple[float, float], ...] = ...
         ) -> None: ...
+        # fmt: on
 
     def __post_init__(self) -> None:
         """Refuse impossible values of the constants that the law uses."""

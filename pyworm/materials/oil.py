@@ -99,18 +99,14 @@ class Oil(Shown):
     library, zero where it was measured."""
 
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
-
+        # fmt: off
         def __init__(
-            self,
-            viscosity: ViscosityLaw | TabulatedViscosity,
-            density: Density | TabulatedDensity,
-            flow: FlowLaw | None = ...,
-            heat: OilHeat | None = ...,
-            supply: WithUnit | OilLayer | None = ...,
-            boundary_friction: float = ...,
-            boundary_friction_spread: float | None = ...,
-            alpha_spread: float = ...,
+            self, viscosity: ViscosityLaw | TabulatedViscosity, density: Density | TabulatedDensity,
+            flow: FlowLaw | None = ..., heat: OilHeat | None = ...,
+            supply: WithUnit | OilLayer | None = ..., boundary_friction: float = ...,
+            boundary_friction_spread: float | None = ..., alpha_spread: float = ...
         ) -> None: ...
+        # fmt: on
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the oil in words, at its inlet temperature and ambient pressure."""

@@ -58,25 +58,16 @@ class OilHeat(ShownFields, HeatCourse):
     is the inlet's."""
 
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
-
+        # fmt: off
         def __init__(
-            self,
-            inlet_temperature: WithUnit,
-            viscosity_exponent: WithUnit,
-            conductivity: WithUnit,
-            specific_heat: WithUnit,
-            expansivity: WithUnit = ...,
-            supply_temperature: WithUnit | None = ...,
-            *,
-            expansivity_decay: WithUnit = ...,
-            conductivity_c1: WithUnit = ...,
-            conductivity_c2: WithUnit = ...,
-            heat_capacity_b0: WithUnit = ...,
-            heat_capacity_b1: WithUnit = ...,
-            heat_capacity_b2: WithUnit = ...,
-            heat_capacity_k1: WithUnit = ...,
-            heat_capacity_k2: WithUnit = ...,
+            self, inlet_temperature: WithUnit, viscosity_exponent: WithUnit, conductivity: WithUnit,
+            specific_heat: WithUnit, expansivity: WithUnit = ..., supply_temperature: WithUnit | None = ...,
+            *, expansivity_decay: WithUnit = ..., conductivity_c1: WithUnit = ...,
+            conductivity_c2: WithUnit = ..., heat_capacity_b0: WithUnit = ...,
+            heat_capacity_b1: WithUnit = ..., heat_capacity_b2: WithUnit = ...,
+            heat_capacity_k1: WithUnit = ..., heat_capacity_k2: WithUnit = ...
         ) -> None: ...
+        # fmt: on
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows in words; the unit of the viscosity's exponent is that of the oil's law."""

@@ -76,27 +76,15 @@ class LineScene(Contact):
     """Velocity of body 1 and of body 2 [m/s]."""
 
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
-
+        # fmt: off
         def __init__(
-            self,
-            *,
-            name: str,
-            gap: LineGap,
-            load: WithUnit,
-            bodies: tuple[Body, Body],
-            oil: Oil,
-            phase: float | None = ...,
-            slide_roll_ratio: float | None = ...,
-            section: str | None = ...,
-            station: float | None = ...,
-            separation: WithUnit | None = ...,
-            past: Past[Any] | None = ...,
-            rigid: bool = ...,
-            smooth: bool = ...,
-            travelled: Sequence[Sequence[WithUnit]] | None = ...,
-            radius: WithUnit = ...,
-            velocities: tuple[WithUnit, WithUnit],
+            self, *, name: str, gap: LineGap, load: WithUnit, bodies: tuple[Body, Body], oil: Oil,
+            phase: float | None = ..., slide_roll_ratio: float | None = ..., section: str | None = ...,
+            station: float | None = ..., separation: WithUnit | None = ..., past: Past[Any] | None = ...,
+            rigid: bool = ..., smooth: bool = ..., travelled: Sequence[Sequence[WithUnit]] | None = ...,
+            radius: WithUnit = ..., velocities: tuple[WithUnit, WithUnit]
         ) -> None: ...
+        # fmt: on
 
     def __post_init__(self) -> None:
         """Take the radius of the gap; refuse another one, and what are no velocities."""

@@ -116,27 +116,15 @@ class Scene(Contact):
     """Velocity field of body 1 and of body 2."""
 
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
-
+        # fmt: off
         def __init__(
-            self,
-            *,
-            name: str,
-            gap: Gap,
-            load: WithUnit,
-            bodies: tuple[Body, Body],
-            oil: Oil,
-            phase: float | None = ...,
-            slide_roll_ratio: float | None = ...,
-            section: str | None = ...,
-            station: float | None = ...,
-            separation: WithUnit | None = ...,
-            past: Past[Any] | None = ...,
-            rigid: bool = ...,
-            smooth: bool = ...,
-            travelled: Sequence[Sequence[WithUnit]] | None = ...,
-            radii: tuple[WithUnit, WithUnit] = ...,
-            motions: tuple[Motion, Motion],
+            self, *, name: str, gap: Gap, load: WithUnit, bodies: tuple[Body, Body], oil: Oil,
+            phase: float | None = ..., slide_roll_ratio: float | None = ..., section: str | None = ...,
+            station: float | None = ..., separation: WithUnit | None = ..., past: Past[Any] | None = ...,
+            rigid: bool = ..., smooth: bool = ..., travelled: Sequence[Sequence[WithUnit]] | None = ...,
+            radii: tuple[WithUnit, WithUnit] = ..., motions: tuple[Motion, Motion]
         ) -> None: ...
+        # fmt: on
 
     def __post_init__(self) -> None:
         """Take the radii of the gap; refuse others, and what is no motion."""
