@@ -13,6 +13,7 @@ from typing import Any, NoReturn
 from pyworm.batch.workers import WorkerDiedError
 from pyworm.cli.check import add_check
 from pyworm.cli.doctor import add_doctor
+from pyworm.cli.examples import add_examples
 from pyworm.cli.explore import add_explore
 from pyworm.cli.film import add_film
 from pyworm.cli.new import add_new
@@ -110,6 +111,7 @@ def _parser() -> argparse.ArgumentParser:
         add_doctor,
     ):
         add(commands)
+    add_examples(parser)
     return parser
 
 

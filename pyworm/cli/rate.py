@@ -110,21 +110,22 @@ def _show(
     if left:
         console.print("Not rated:")
     for sentence in left:
-        console.print(f"  {sentence}", soft_wrap=True)
+        console.print(f"- {sentence}")
     if request.tables.assumed:
         console.print("Assumed, since the source does not give it:")
     for what, why in assumptions(request.tables).items():
-        console.print(f"  {what}: {why}", soft_wrap=True)
+        console.print(f"- {what}: {why}")
 
 
 def _print(console: "Console", rating: "Rating") -> None:
     from pyworm.report.ratings import rating_table, safeties_table
 
+    if rating.safeties:
+        console.print(safeties_table(rating, inputs=False))
     console.print(rating_table(rating))
     for sentence in rating.basis:
         console.print(sentence)
     if rating.safeties:
-        console.print(safeties_table(rating, inputs=False))
         for safety in rating.safeties:
             by = f"{safety.symbol} ({safety.clause})" if safety.clause else safety.symbol
             console.print(f"{by}: {safety.inputs_as_text}")

@@ -214,14 +214,15 @@ def _show(steps: "Sequence[WearFigures]") -> None:
             f"{step.mass_kg * 1e6:.3g}",
             f"{step.backlash_m * 1e6:.2f}",
             f"{step.pattern_m2 * 1e6:.1f}",
-            f"{step.asperity_share:.1%}",
+            f"{step.asperity_share * 100:.1f}",
             f"{step.friction:.4f}",
             f"{film.number(step.film_min_m):.3g}",
             f"{step.wheel_roughness_m * 1e6:.3g}",
         )
         for step in steps
     )
-    carried = QUANTITIES["asperity_load_fraction"].symbol
-    depths = "deepest\nµm", "mean\nµm", "mg", "play\nµm", "pattern\nmm²"
-    head = ("h", *depths, carried, friction.column, film.column, "Rq\nµm")
+    carried = QUANTITIES["asperity_load_fraction"].column
+    depths = "Max.\ndepth\nµm", "Mean\ndepth\nµm"
+    worn = "Mass\nmg", "Backlash\nµm", "Pattern\nmm²"
+    head = ("Time\nh", *depths, *worn, carried, friction.column, film.column, "Rq\nµm")
     Console().print(Table(head, tuple(rows), "Wear of the wheel", narrow=True))

@@ -9,7 +9,7 @@ def rating_table(rating: Rating) -> Table:
     """The figures of a rating, a column for each of their origins."""
     columns = range(len(rating.columns))
     return Table(
-        head=("Figure", *rating.headings),
+        head=("Quantity", *rating.headings),
         rows=tuple((figure.label, *map(figure.shown, columns)) for figure in rating.figures),
         title=rating.titled,
         note=f"Source: {rating.source}.",

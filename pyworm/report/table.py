@@ -70,11 +70,12 @@ class Table:
         )
         for number, heading in enumerate(self.head):
             text = number == 0 or number in self.texts
-            short = max(map(len, self.column(number)), default=0) <= UNBROKEN
+            longest = max(map(len, self.column(number)), default=0)
+            whole = bool(self.texts) if number == 0 else not text and longest <= UNBROKEN
             table.add_column(
                 heading,
                 justify="left" if text else "right",
-                no_wrap=number not in self.texts and (number == 0 or (not framed and short)),
+                no_wrap=whole and number not in self.texts,
                 overflow="fold",
             )
         for row in self.rows:

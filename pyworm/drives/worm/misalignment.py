@@ -26,9 +26,9 @@ ERRORS = (
 
 METHOD = (
     "Misalignment by the exact geometry of the gears: the contact is found again at the same phases, on "
-    "the exact flanks, at an edge where they touch there; pressures are those of dry contacts under the same "
-    "load of the tooth. Where a contact comes to rest on an edge no closed form gives its film (run the case with "
-    "[drive.assembly]); one that rests on an edge without the error keeps its film."
+    "the exact flanks, at an edge where they touch there; pressures are those of dry contacts under the "
+    "same load of the tooth. Where a contact comes to rest on an edge no closed form gives its film (run "
+    "the case with [drive.assembly]); one that rests on an edge without the error keeps its film."
 )
 
 

@@ -281,9 +281,9 @@ def test_the_table_of_many_processes_and_shares_has_the_same_bits(solved, tmp_pa
     assert main([*arguments, "--share", "1/2"]) == CONVERGED
     log = capsys.readouterr().err.splitlines()
     assert [line for line in log if "ended" in line] == [
-        f"pyworm: share {share}/2: ended, 3 of 3 scenes solved" for share in (2, 1)
+        f"pyworm: share {share}/2: ended, 3 of 3 contacts solved" for share in (2, 1)
     ]
-    assert "pyworm: share 2/2: 0 %, 0 of 3 scenes" in log
+    assert "pyworm: share 2/2: 0 %, 0 of 3 contacts" in log
     assert main([*arguments, "-j", "2"]) == CONVERGED
     assert "6 of 6" in capsys.readouterr().err
     table = open_sweep(tmp_path / "sweep.nc").table.drop_vars(["seconds", "convolutions"])
