@@ -141,7 +141,9 @@ class _Search:
             before, case = case, case.with_found({"operation": found})
             if self._is_close(before, case, list(then), REMAINING_CHANGE_TRANSIENT):
                 break
-        self.print_message(f"transient solution: {_told_lifts(found['lifts'])}")
+        self.print_message(
+            f"transient solution: film-induced separation {_told_lifts(found['lifts'])}"
+        )
         return case
 
     def _estimated(
@@ -189,7 +191,7 @@ class _Search:
             before, case = case, case.with_found({"operation": {"lifts": found}})
             if self._is_close(before, case, list(lifts), REMAINING_CHANGE_TRANSIENT):
                 break
-        self.print_message(f"transient solution: {_told_lifts(found)}")
+        self.print_message(f"transient solution: film-induced separation {_told_lifts(found)}")
         return case
 
     def _is_close(self, case: Case, new: Case, phases: Sequence[float], leaves: float) -> bool:

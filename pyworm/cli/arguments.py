@@ -23,7 +23,10 @@ def add_case(command: argparse.ArgumentParser) -> None:
 def add_places(command: argparse.ArgumentParser) -> None:
     """Which of a case's contacts are meant."""
     command.add_argument(
-        "--section", nargs="+", metavar="NAME", help="sections of a roller worm to solve; else the case's"
+        "--section",
+        nargs="+",
+        metavar="NAME",
+        help="sections of a roller worm to solve; else the case's",
     )
     command.add_argument(
         "--station",
@@ -33,7 +36,11 @@ def add_places(command: argparse.ArgumentParser) -> None:
         help="places along contact lines, 0 to 1, to solve; else the case's",
     )
     command.add_argument(
-        "--phase", type=float, nargs="+", metavar="PHASE", help="mesh phases 0 to 1 to solve; else the case's"
+        "--phase",
+        type=float,
+        nargs="+",
+        metavar="PHASE",
+        help="mesh phases 0 to 1 to solve; else the case's",
     )
     command.add_argument(
         "--slide-roll-ratio",

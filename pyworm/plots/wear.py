@@ -40,7 +40,7 @@ def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
             cmap="inferno", vmin=0, vmax=deepest, rasterized=True,
         )  # fmt: skip
         axes.set_title(f"after {steps[index].hours:.4g} h", fontsize="small")
-        axes.set_xlabel("along the face / mm")
+        axes.set_xlabel("face width coordinate / mm")
         axes.set_ylabel("radius / mm")
         figure.colorbar(drawn, ax=axes, label="wear depth / µm", pad=0.03)
     for axes in panels[1, len(chosen) :]:

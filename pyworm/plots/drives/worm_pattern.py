@@ -42,7 +42,7 @@ def draw_pattern(result: Result) -> Figure | None:
             panel.set_title(f"{names[number]}, {load}: {float(here[part]):.0%} marked", fontsize=9)
         row[0].set_ylabel("radius / mm")
     for panel in axes[-1]:
-        panel.set_xlabel("along the face / mm")
+        panel.set_xlabel("face width coordinate / mm")
     return figure
 
 

@@ -298,7 +298,7 @@ def test_pictures_of_the_cycle():
     whole = cycle_result(PHASES[::6])
     assert any("tooth pair" in axes.get_ylabel() for axes in draw["mesh_cycle"](whole).axes)
     labels = {axes.get_xlabel() for axes in draw["mesh_cycle_flank"](whole).axes}
-    assert "along the face / mm" in labels
+    assert "face width coordinate / mm" in labels
     assert draw["mesh_cycle_flank"](cycle_result(PHASES[:2])) is None
 
 
@@ -440,7 +440,7 @@ def test_motion_changes_the_lifts_of_steady_films(tmp_path, lifting, monkeypatch
     # one transient solve, under the loads that follow from steady lifts, leaves a twentieth of its change
     assert asked == [(False, ()), (True, steady_lifts)]
     assert lifting[:2] == [(drive_iteration.ESTIMATE_ACCURACY, ()), (0.02, lifts)]
-    assert "lifts of 1.50 to 5.10 µm" in said[1]
+    assert "film-induced separation 1.50 to 5.10 µm" in said[1]
 
 
 def test_lifts_of_a_coarse_solution_come_from_transient_solutions_alone(
