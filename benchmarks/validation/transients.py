@@ -368,13 +368,13 @@ def draw(time_grids: dict[str, Transient], path: str) -> None:
     for ax, (name, time_grid) in zip(axes.flat, time_grids.items(), strict=True):
         unit = 1e-6 if name.startswith("rigid") else 1.0
         ax.plot(
-            time_grid.times, time_grid.steady / unit, color="0.7", label="steady film of each time"
+            time_grid.times, time_grid.steady / unit, color="0.7", label="steady film thickness"
         )
         ax.plot(time_grid.times, time_grid.theory / unit, "k--", label="theory")
-        ax.plot(time_grid.times, time_grid.solved / unit, "C0", label="transient solve")
+        ax.plot(time_grid.times, time_grid.solved / unit, "C0", label="transient solution")
         ax.set_title(name)
-        ax.set_xlabel("time, ms" if unit < 1 else "time, transits")
-        ax.set_ylabel("film, µm" if unit < 1 else "central film over that before")
+        ax.set_xlabel("time / ms" if unit < 1 else "time / transits")
+        ax.set_ylabel("film thickness / µm" if unit < 1 else "central film thickness / initial")
     figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=3)
     figure.savefig(path, dpi=110)
 
