@@ -114,8 +114,8 @@ class DriveTrial:
 
     def _kept(self, words: Sequence[str], limit: float) -> Path:
         text = case_text(self.drawn.tables)
-        made_of = (program_digest(), text, *words, f"{limit:g} s")
-        key = sha256("\n".join(made_of).encode()).hexdigest()[:24]
+        inputs_of = (program_digest(), text, *words, f"{limit:g} s")
+        key = sha256("\n".join(inputs_of).encode()).hexdigest()[:24]
         return self.directory / f"{words[0]}-{key}.json"
 
 

@@ -77,7 +77,7 @@ class Base:
 
 def bases(directory: Path, names: tuple[str, ...] = (*RUNS, "sweep")) -> list[Base]:
     """Sound files of these cases."""
-    made = []
+    built = []
     for name in names:
         out = directory / name
         if name == "sweep":
@@ -87,10 +87,10 @@ def bases(directory: Path, names: tuple[str, ...] = (*RUNS, "sweep")) -> list[Ba
             command = ["run", str(CASES / f"{name}.toml"), *COARSE, *RUNS[name], "--out", str(out)]
         with _without_pictures(), redirect_stdout(io.StringIO()), redirect_stderr(io.StringIO()):
             main(command)
-        made.append(
+        built.append(
             Base(name, (out / ("sweep.nc" if name == "sweep" else "result.nc")).read_bytes())
         )
-    return made
+    return built
 
 
 def mutated(base: Base, rng: random.Random, directory: Path) -> tuple[str, bytes]:

@@ -67,10 +67,10 @@ def drive(number: int, seed: int = SEED) -> Drawn:
     """The drive of a number: seven of ten worm sets, a spur and a helical pair, a roller worm."""
     random = np.random.default_rng([seed, 5, number])
     kind = KINDS[number % len(KINDS)]
-    made = {"worm": worm, "spur": spur, "helical": helical, "roller": roller}[kind](random)
+    built = {"worm": worm, "spur": spur, "helical": helical, "roller": roller}[kind](random)
     title = f"{kind.capitalize()} drive {number} of seed {seed}"
     head = {"title": title, "source": "drawn at random (tests/hard/gear_draws.py)"}
-    return Drawn(head | made.tables, made.traits | {"kind": kind})
+    return Drawn(head | built.tables, built.traits | {"kind": kind})
 
 
 def worm(random: np.random.Generator) -> Drawn:

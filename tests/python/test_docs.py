@@ -150,8 +150,8 @@ def _spoken(line: str) -> list[list[str]]:
 @called("page", PAGES)
 def test_files_that_are_named_exist(page):
     text = page.read_text()
-    made = {file.relative_to(EXAMPLE).as_posix() for file in EXAMPLE.rglob("*.*")}
-    named = {ROOT / name for name in FILE.findall(text) if "NAME" not in name and name not in made}
+    built = {file.relative_to(EXAMPLE).as_posix() for file in EXAMPLE.rglob("*.*")}
+    named = {ROOT / name for name in FILE.findall(text) if "NAME" not in name and name not in built}
     linked = {page.parent / link for link in LINK.findall(text) if "://" not in link}
     assert not [str(path) for path in named | linked if not path.exists()]
 

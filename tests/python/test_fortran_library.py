@@ -37,14 +37,14 @@ def linked(tmp_path_factory):
     folder = tmp_path_factory.mktemp("examples")
 
     def program(source, *arguments):
-        made = folder / source.stem
+        built = folder / source.stem
         compiler = "gfortran" if source.suffix == ".f90" else "gcc"
         runtime = [] if compiler == "gfortran" else ["-lgfortran"]
         include = [f"-I{BUILT / 'libworm.a.p'}", f"-I{ROOT / 'fortran/library'}"]
         folders = run("pkg-config", "--libs-only-L", "fftw3", "openblas").split()
         library = [BUILT / "libworm.a", *folders, *FLAGS, *runtime]
-        run(compiler, "-O2", "-Wall", "-Werror", source, *include, *library, "-o", made)
-        return run(made, *arguments)
+        run(compiler, "-O2", "-Wall", "-Werror", source, *include, *library, "-o", built)
+        return run(built, *arguments)
 
     return program
 
@@ -177,18 +177,18 @@ def test_without_compilers_it_says_what_to_install(tmp_path):
     for name in ("sh", "make", "id"):
         (tools / name).symlink_to(shutil.which(name))
     (tools / "python3").symlink_to(sys._base_executable)
-    made = subprocess.run(
+    built = subprocess.run(
         [tools / "make", "fortran-library"],
         capture_output=True,
         text=True,
         env={"PATH": str(tools)},
         cwd=tmp_path,
     )
-    assert made.returncode == 2
-    assert "not found" not in made.stderr
+    assert built.returncode == 2
+    assert "not found" not in built.stderr
     libraries = "pkg-config libfftw3-dev libopenblas-dev"
-    assert f"pyworm: install gfortran gcc libc6-dev {libraries}" in made.stderr
-    assert "then run make again" in made.stderr
+    assert f"pyworm: install gfortran gcc libc6-dev {libraries}" in built.stderr
+    assert "then run make again" in built.stderr
 
 
 @pytest.mark.long
@@ -196,14 +196,14 @@ def test_the_library_is_built_from_a_bare_clone(tmp_path):
     """make fortran-library, and a program that asks pkg-config alone."""
     run("git", "clone", "--quiet", ROOT, tmp_path / "clone")
     bare = {**ONE, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}  # what no virtual environment has added
-    made = subprocess.run(
+    built = subprocess.run(
         ["make", "fortran-library", f"PREFIX={tmp_path}/installed"],
         capture_output=True,
         text=True,
         env=bare,
         cwd=tmp_path / "clone",
     )
-    assert made.returncode == 0, made.stderr
+    assert built.returncode == 0, built.stderr
     installed = tmp_path / "installed"
     found = {
         path.relative_to(installed).as_posix() for path in installed.rglob("*") if path.is_file()
@@ -218,6 +218,6 @@ def test_the_library_is_built_from_a_bare_clone(tmp_path):
         check=True,
         env=ask,
     ).stdout.split()
-    made = tmp_path / "dry_hertz"
-    run("gfortran", EXAMPLES / "dry_hertz.f90", *flags, f"-Wl,-rpath,{installed}/lib", "-o", made)
-    assert numbers(run(made))[0] == pytest.approx(1085.65, rel=1e-3)
+    built = tmp_path / "dry_hertz"
+    run("gfortran", EXAMPLES / "dry_hertz.f90", *flags, f"-Wl,-rpath,{installed}/lib", "-o", built)
+    assert numbers(run(built))[0] == pytest.approx(1085.65, rel=1e-3)

@@ -109,7 +109,7 @@ def texts(values, unit, scale=1.0):
     return f"{float(values) / scale!r} {unit}"
 
 
-def made(cls, name, **others):
+def built(cls, name, **others):
     return lambda value: cls(**{name: value}, **others)
 
 
@@ -160,13 +160,13 @@ def table_by(cls, function, name):
 SCENES = {"Scene": ball, "LineScene": roller}
 
 DIMENSIONED = {
-    "Barus.eta0": (made(pyworm.Barus, "eta0", alpha=2e-8), 0.04, "40 mPa s"),
-    "Barus.alpha": (made(pyworm.Barus, "alpha", eta0=0.04), 2e-8, "20 1/GPa"),
+    "Barus.eta0": (built(pyworm.Barus, "eta0", alpha=2e-8), 0.04, "40 mPa s"),
+    "Barus.alpha": (built(pyworm.Barus, "alpha", eta0=0.04), 2e-8, "20 1/GPa"),
     "Barus.__call__(pressure)": (BARUS, 5e8, "500 MPa"),
     "Barus.with_eta0(eta0)": (BARUS.with_eta0, 0.05, "50 mPa s"),
     "Roelands.with_eta0(eta0)": (ROELANDS.with_eta0, 0.05, "50 mPa s"),
-    "Roelands.eta0": (made(pyworm.Roelands, "eta0", z=0.6), 0.04, "40 mPa s"),
-    "Roelands.p0": (made(pyworm.Roelands, "p0", eta0=0.04, z=0.6), 1.96e8, "196 MPa"),
+    "Roelands.eta0": (built(pyworm.Roelands, "eta0", z=0.6), 0.04, "40 mPa s"),
+    "Roelands.p0": (built(pyworm.Roelands, "p0", eta0=0.04, z=0.6), 1.96e8, "196 MPa"),
     "Roelands.__call__(pressure)": (ROELANDS, 5e8, "500 MPa"),
     "Roelands.from_alpha(eta0)": (lambda v: pyworm.Roelands.from_alpha(v, 2e-8), 0.04, "40 mPa s"),
     "Roelands.from_alpha(alpha)": (lambda v: pyworm.Roelands.from_alpha(0.04, v), 2e-8, "20 1/GPa"),
@@ -177,16 +177,16 @@ DIMENSIONED = {
     ),
     "Roelands.s0(beta)": (lambda v: ROELANDS.s0(v, 333.15), 0.04, "0.04 1/K"),
     "Roelands.s0(temperature)": (lambda v: ROELANDS.s0(0.04, v), 333.15, "60 degC"),
-    "Density.rho0": (made(pyworm.Density, "rho0", d1=6e-10, d2=1.7e-9), 870.0, "0.87 g/cm^3"),
-    "Density.d1": (made(pyworm.Density, "d1", rho0=870.0, d2=1.7e-9), 6e-10, "0.6 1/GPa"),
-    "Density.d2": (made(pyworm.Density, "d2", rho0=870.0, d1=6e-10), 1.7e-9, "1.7 1/GPa"),
+    "Density.rho0": (built(pyworm.Density, "rho0", d1=6e-10, d2=1.7e-9), 870.0, "0.87 g/cm^3"),
+    "Density.d1": (built(pyworm.Density, "d1", rho0=870.0, d2=1.7e-9), 6e-10, "0.6 1/GPa"),
+    "Density.d2": (built(pyworm.Density, "d2", rho0=870.0, d1=6e-10), 1.7e-9, "1.7 1/GPa"),
     "Density.__call__(pressure)": (DENSITY, 5e8, "500 MPa"),
     **{
         f"Density.{name}(rho0)": (getattr(pyworm.Density, name), 870.0, "870 kg/m^3")
         for name in ("incompressible", "dowson_higginson", "dowson_higginson_pole")
     },
     **{
-        f"Body.{name}": (made(pyworm.Body, name, **others), number, text)
+        f"Body.{name}": (built(pyworm.Body, name, **others), number, text)
         for name, others, number, text in (
             ("youngs_modulus", {"poisson_ratio": 0.3}, 207e9, "207 GPa"),
             *(
@@ -268,18 +268,18 @@ DIMENSIONED = {
     "Oil.eta(rise)": (lambda v: WARM.eta(5e8, v), -10.0, "-10 K"),
     "Oil.warmed(rise)": (WARM.warmed, 10.0, "10 K"),
     "OilLayer.across": (
-        made(pyworm.OilLayer, "across", thickness=(1e-6, 2e-6)),
+        built(pyworm.OilLayer, "across", thickness=(1e-6, 2e-6)),
         (-1e-3, 1e-3),
         ("-1 mm", "1 mm"),
     ),
     "OilLayer.thickness": (
-        made(pyworm.OilLayer, "thickness", across=(-1e-3, 1e-3)),
+        built(pyworm.OilLayer, "thickness", across=(-1e-3, 1e-3)),
         (0.0, 2e-6),
         ("0 um", "2 um"),
     ),
     "OilLayer.at(across)": (LAYER.at, 5e-4, "0.5 mm"),
-    "Paraboloid.radius_x": (made(pyworm.Paraboloid, "radius_x", radius_y=0.02), 0.01, "10 mm"),
-    "Paraboloid.radius_y": (made(pyworm.Paraboloid, "radius_y", radius_x=0.02), 0.01, "10 mm"),
+    "Paraboloid.radius_x": (built(pyworm.Paraboloid, "radius_x", radius_y=0.02), 0.01, "10 mm"),
+    "Paraboloid.radius_y": (built(pyworm.Paraboloid, "radius_y", radius_x=0.02), 0.01, "10 mm"),
     "Paraboloid.__call__(x)": (lambda v: pyworm.Paraboloid(0.01, 0.02)(v, 0.0), 1e-4, "0.1 mm"),
     "Paraboloid.__call__(y)": (lambda v: pyworm.Paraboloid(0.01, 0.02)(0.0, v), 1e-4, "0.1 mm"),
     "Parabola.radius": (pyworm.Parabola, 0.01, "10 mm"),

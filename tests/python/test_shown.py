@@ -14,7 +14,7 @@ import pyworm
 EXCEPTIONS = ("CaseError", "KernelError", "UnusualWarning")
 
 
-def made():
+def built():
     """An object of each public class, and what its line has to have in it."""
     steel, oil = pyworm.named_body("16MnCr5"), pyworm.named_oil("PAO VG 220")
     solution = make_solution()
@@ -65,7 +65,7 @@ def made():
 
 
 def test_every_public_object_shows_itself_in_a_line():
-    objects = made()
+    objects = built()
     classes = {name for name in pyworm.__all__ if inspect.isclass(getattr(pyworm, name))}
     assert objects.keys() == classes - set(EXCEPTIONS)
     for name, (one, words) in objects.items():

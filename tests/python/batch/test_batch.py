@@ -48,9 +48,9 @@ def bits(store, tasks):
 
 def test_a_task_takes_its_plan_along_once_made(monkeypatch):
     task, other = some_tasks(2)
-    made = task.plan
+    built = task.plan
     monkeypatch.setattr("pyworm.batch.task.plan_of", lambda *scene_and_more: None)
-    assert [pickle.loads(pickle.dumps(one)).plan for one in (task, other)] == [made, None]
+    assert [pickle.loads(pickle.dumps(one)).plan for one in (task, other)] == [built, None]
 
 
 @pytest.fixture(scope="module")

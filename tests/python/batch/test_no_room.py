@@ -36,7 +36,7 @@ DRAWING = tuple(
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory):
+def built(tmp_path_factory):
     """A directory with a result and a solved sweep."""
     directory = tmp_path_factory.mktemp("made")
     (directory / "two.toml").write_text(SWEEP)
@@ -46,16 +46,16 @@ def made(tmp_path_factory):
     return directory
 
 
-def commands(made, out):
+def commands(built, out):
     """What writes files, and where it is to."""
-    result = str(made / "out" / "result.nc")
+    result = str(built / "out" / "result.nc")
     return {
         "run": ["run", str(POINT), *COARSE, "--pictures", "none", "--out", str(out)],
         "report": ["report", result, "--out", str(out / "report.html")],
         "variants": ["report", result, result, "--out", str(out / "variants.html")],
         "explore": ["explore", result, "--out", str(out / "explore.html")],
         "plot": ["plot", result, "--out", str(out)],
-        "sweep": ["sweep", str(made / "two.toml"), "--out", str(out)],
+        "sweep": ["sweep", str(built / "two.toml"), "--out", str(out)],
         "oil": ["oil", "chart", "mineral VG 220", "--out", str(out)],
         "surface": ["surface", str(CASES / "surfaces/ground.toml"), "--out", str(out)],
         "precision": ["precision", str(POINT), "--out", str(out)],
@@ -73,13 +73,13 @@ SOON = tuple(name for name in NAMES if name != "precision")
 @pytest.mark.parametrize(
     ("name", "room"), [*((name, room) for name in SOON for room in (0, 1000)), ("precision", 0)]
 )
-def test_a_full_disk_leaves_what_was_there_and_nothing_in_part(made, tmp_path, capsys, name, room):
+def test_a_full_disk_leaves_what_was_there_and_nothing_in_part(built, tmp_path, capsys, name, room):
     out = tmp_path / "out"
     out.mkdir()
     for place in ("report.html", "explore.html", "result.nc", "sweep.nc"):
         (out / place).write_bytes(b"of an earlier run")
     before = files(out)
-    command = commands(made, out)[name]
+    command = commands(built, out)[name]
     capsys.readouterr()
     with Disk(room):
         assert main(command) == FAILED
@@ -94,17 +94,17 @@ def test_a_full_disk_leaves_what_was_there_and_nothing_in_part(made, tmp_path, c
 
 
 @pytest.mark.parametrize("name", SOON)
-def test_a_directory_that_takes_no_files_is_named_in_one_sentence(made, capsys, name):
+def test_a_directory_that_takes_no_files_is_named_in_one_sentence(built, capsys, name):
     nowhere = Path("/proc/pyworm")
-    command = commands(made, nowhere)[name]
+    command = commands(built, nowhere)[name]
     capsys.readouterr()
     assert main(command) in (BAD_INPUT, FAILED)
     (said,) = refusals(capsys.readouterr().err)
     assert "/proc" in said
 
 
-def test_other_writers_leave_nothing_in_part(made, tmp_path):
-    (solution,) = open_result(made / "out" / "result.nc").solutions
+def test_other_writers_leave_nothing_in_part(built, tmp_path):
+    (solution,) = open_result(built / "out" / "result.nc").solutions
     arrays = {"depth": np.random.default_rng(1).random(1000)}
     for file, write in (
         ("film.csv", lambda path: write_csv(solution, path)),
@@ -125,7 +125,7 @@ def test_without_room_for_a_cache_the_machine_is_measured_again(tmp_path, monkey
 
 
 @pytest.mark.skipif(pdf.browser() is None, reason="no Chromium on this machine")
-def test_a_full_disk_leaves_no_pdf_and_the_page_stays(made, tmp_path, capsys, monkeypatch):
+def test_a_full_disk_leaves_no_pdf_and_the_page_stays(built, tmp_path, capsys, monkeypatch):
     out = tmp_path / "report.html"
     real = pdf.print_pdf
 
@@ -134,7 +134,7 @@ def test_a_full_disk_leaves_no_pdf_and_the_page_stays(made, tmp_path, capsys, mo
             real(page, target)
 
     monkeypatch.setattr(pdf, "print_pdf", printed)
-    code = main(["report", str(made / "out" / "result.nc"), "--pdf", "--out", str(out)])
+    code = main(["report", str(built / "out" / "result.nc"), "--pdf", "--out", str(out)])
     (said,) = refusals(capsys.readouterr().err)
     assert code in (BAD_INPUT, FAILED) and said.startswith("pyworm: --pdf: ")
     assert len(said.replace(str(tmp_path), "")) < 500

@@ -107,9 +107,9 @@ def turkish(request, tmp_path_factory):
     name = f"tr_TR.{charset}"
     # it warns of what a character set lacks, and exits with 1 then, but writes the locale (--force)
     words = ("localedef", "--force", "-i", "tr_TR", "-f", charset, str(locales / name))
-    made = subprocess.run(words, capture_output=True, text=True, check=False)
+    built = subprocess.run(words, capture_output=True, text=True, check=False)
     if not (locales / name / "LC_NUMERIC").is_file():
-        pytest.skip(f"localedef makes no {name} here: {made.stderr.strip()[-200:]}")
+        pytest.skip(f"localedef makes no {name} here: {built.stderr.strip()[-200:]}")
     return {"LC_ALL": name, "LOCPATH": str(locales), "PYTHONUTF8": "0"}
 
 

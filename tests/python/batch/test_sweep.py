@@ -402,10 +402,10 @@ def test_scenes_solved_before_are_not_made_again(tmp_path, monkeypatch):
     store = Store(tmp_path / "out" / "scenes", fields=False)
     first, second = load_sweep(path, store=store).tasks
     store.keep(first, first.solved())
-    made = []
+    built = []
     monkeypatch.setattr(
-        "pyworm.batch.sweep.case_of", lambda *given: made.append(given[1]) or case_of(*given)
+        "pyworm.batch.sweep.case_of", lambda *given: built.append(given[1]) or case_of(*given)
     )
     again = load_sweep(path, store=store)
     assert [task.key for task in again.tasks] == [first.key, second.key]
-    assert made == ['films: contact.load = "100 kN/m"']
+    assert built == ['films: contact.load = "100 kN/m"']

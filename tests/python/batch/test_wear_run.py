@@ -43,8 +43,8 @@ def contacts(monkeypatch):
     def work(result, grid, rate, side="wheel"):
         rough = result.case.tables.bodies.wheel.roughness
         middle = np.exp(-((grid.face / 2e-3) ** 2))[None, :] * np.ones((len(grid.radius), 1))
-        made = 3e6 * (rough / 0.6e-6) ** 3 * middle
-        return Pass(made, float(made.sum() * grid.cell))
+        built = 3e6 * (rough / 0.6e-6) ** 3 * middle
+        return Pass(built, float(built.sum() * grid.cell))
 
     one = SimpleNamespace(
         figures=SimpleNamespace(
@@ -185,20 +185,20 @@ def test_wear_is_drawn(case, contacts, tmp_path):
 
 def test_the_energy_form_and_the_standards_curve_are_options(monkeypatch, capsys, tmp_path):
     """k = mu/e_R; and the depth that DIN 3996 has for the case, by its hours."""
-    made = []
+    built = []
 
     class StoppedError(Exception):
         pass
 
     def run(case, tasks, plan, directory, print_message, **how):
-        made.append(plan)
+        built.append(plan)
         raise StoppedError
 
     monkeypatch.setattr(wear_run, "WearRun", run)
     for how in (["--energy", "1e16"], ["--calibrate"]):
         with pytest.raises(StoppedError):
             main(["wear", str(DATA), "--hours", "10", "--out", str(tmp_path), *how])
-    by_energy, calibrated = made
+    by_energy, calibrated = built
     assert by_energy.coefficient == pytest.approx(
         pyworm.load(DATA).drive.oil.boundary_friction / 1e16
     )

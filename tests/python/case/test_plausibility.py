@@ -129,11 +129,11 @@ def test_cases_of_the_literature_give_no_warning(path):
 
 def test_contacts_at_other_places_are_checked_too():
     """A load that is too much at a slide-roll ratio that the file does not list is refused there."""
-    made = case("point", '"41.33 N"', '"41.33 N"')
-    heavy = made.tables.contact.model_copy(update={"load": 1e6})
-    made = replace(made, tables=made.tables.model_copy(update={"contact": heavy}))
+    built = case("point", '"41.33 N"', '"41.33 N"')
+    heavy = built.tables.contact.model_copy(update={"load": 1e6})
+    built = replace(built, tables=built.tables.model_copy(update={"contact": heavy}))
     with pytest.raises(CaseError, match=r"contact.load: .* at slide roll ratio 0.3; nothing with"):
-        made.scene(slide_roll_ratio=0.3)
+        built.scene(slide_roll_ratio=0.3)
 
 
 UNUSUAL = ("450 J/(kg K)", "90 J/(kg K)")

@@ -67,15 +67,15 @@ def test_the_written_file_is_rated_for_its_life_with_all_five_safeties(tmp_path)
     table = asked.worm_rating
     assert (table.life, table.application_factor) == pytest.approx((25000 * 3600, 1.25))
     assert table.starts_per_hour == 2
-    made = {of.symbol: of for of in ratings(asked)[0].safeties}
-    assert tuple(made) == ("S_W", "S_H", "S_delta", "S_F", "S_T")
-    assert all(of.value > 0 for of in made.values())
+    built = {of.symbol: of for of in ratings(asked)[0].safeties}
+    assert tuple(built) == ("S_W", "S_H", "S_delta", "S_F", "S_T")
+    assert all(of.value > 0 for of in built.values())
     shorter = tmp_path / "shorter.toml"
     main(words(shorter, life="2500 h"))
     longer_lasting = {of.symbol: of for of in ratings(load_rating_request(shorter))[0].safeties}
     # wear is proportional to the hours; without starts it is less
-    assert longer_lasting["S_W"].value > 10 * made["S_W"].value
-    assert longer_lasting["S_F"].value >= made["S_F"].value
+    assert longer_lasting["S_W"].value > 10 * built["S_W"].value
+    assert longer_lasting["S_F"].value >= built["S_F"].value
 
 
 def test_phases_are_proposed_where_tooth_pairs_carry_load(tmp_path):

@@ -20,10 +20,10 @@ seed = 1
 
 @pytest.fixture
 def heights(tmp_path):
-    made = gaussian(0.4e-6, 20e-6, seed=1)
+    built = gaussian(0.4e-6, 20e-6, seed=1)
     path = tmp_path / "flank.npy"
-    np.save(path, made.height[:128, :96].T * 1e6)
-    return path, made.spacing[0]
+    np.save(path, built.height[:128, :96].T * 1e6)
+    return path, built.spacing[0]
 
 
 def test_a_file_is_shown(heights, capsys):

@@ -267,9 +267,9 @@ def drawn(profile, threads, teeth, factor, distance, pressure_angle=20.0, **size
 
 def test_a_disc_that_undercuts_below_the_root_takes_nothing():
     """4/77 at a lead angle of 23.2 deg: the edge of what a disc of 500 mm grinds lies below the root."""
-    of, made = drawn("ZK", 4, 77, 9.34, 0.248)
-    assert made.worm_flank.start_radius < of.worm_root_diameter / 2 < made.worm_tooth.form_radius
-    assert not any("undercut" in one for one in gear_warnings(made))
+    of, built = drawn("ZK", 4, 77, 9.34, 0.248)
+    assert built.worm_flank.start_radius < of.worm_root_diameter / 2 < built.worm_tooth.form_radius
+    assert not any("undercut" in one for one in gear_warnings(built))
 
 
 @pytest.mark.parametrize(
@@ -279,12 +279,12 @@ def test_a_worm_that_its_disc_undercuts_is_computed_as_that_of_involutes_is(
     threads, teeth, factor, distance
 ):
     """At 31.5 and 34 deg the flank begins above the root, near the base cylinder of ZI, which is higher."""
-    of, made = drawn("ZK", threads, teeth, factor, distance)
+    of, built = drawn("ZK", threads, teeth, factor, distance)
     involutes = drawn("ZI", threads, teeth, factor, distance)[1]
-    begins, base = made.worm_flank.start_radius, involutes.worm_flank.start_radius
+    begins, base = built.worm_flank.start_radius, involutes.worm_flank.start_radius
     assert of.worm_root_diameter / 2 < 0.95 * base < begins < base
-    assert 1 / made.pitch == pytest.approx(1 / involutes.pitch, rel=0.1)
-    for one in (made, involutes):
+    assert 1 / built.pitch == pytest.approx(1 / involutes.pitch, rel=0.1)
+    for one in (built, involutes):
         (said,) = (line for line in gear_warnings(one) if line.startswith("worm: it is undercut"))
         assert f"its flank begins on a diameter of {2e3 * one.worm_flank.start_radius:.4g}" in said
         assert "diameter_factor" in said

@@ -122,9 +122,9 @@ def test_the_standard_rates_the_deflection(drive):
     table = WormRatingTable(oil="PAG VG 220", sump_temperature="80 degC").completed()
     duty = replace(drive.duty(), deflection=0.1e-3)
     loads = rated_loads(table, duty, Path())
-    made = safeties(table, duty, loads, Path())
-    bent = next(of for of in made if of.symbol == "S_delta")
+    built = safeties(table, duty, loads, Path())
+    bent = next(of for of in built if of.symbol == "S_delta")
     assert bent.value == pytest.approx(0.8) and bent.verdict == "not sufficient"
-    assert failures(duty, made, loads) == (
+    assert failures(duty, built, loads) == (
         "S_delta = 0.8 against deflection of the worm's shaft is below 1.",
     )

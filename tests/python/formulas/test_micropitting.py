@@ -43,27 +43,27 @@ def standards_film(radius, pressure, speed_1, speed_2, modulus, roughness, bulk,
 
 def test_films_are_those_of_the_standards_own_units():
     flanks, _ = fzg_test_gears(215.5)
-    made = micropitting_films(flanks, oil("mineral VG 220"), 363.15, 390.0)
+    built = micropitting_films(flanks, oil("mineral VG 220"), 363.15, 390.0)
     for n in (0, 120, 200, 333, 400):
         pressure = np.sqrt(flanks.unit_load[n] * flanks.modulus / (2 * pi * flanks.radius[n]))
         speeds = flanks.speed_1[n], flanks.speed_2[n]
         by_hand = standards_film(
             flanks.radius[n], pressure, *speeds, flanks.modulus, flanks.roughness, 390.0,
-            made.contact_temperature[n], oil("mineral VG 220"),
+            built.contact_temperature[n], oil("mineral VG 220"),
         )  # fmt: skip
-        assert made.specific_film[n] == pytest.approx(by_hand, rel=1e-9)
+        assert built.specific_film[n] == pytest.approx(by_hand, rel=1e-9)
 
 
 def test_flash_is_that_of_the_standards_own_units():
     """sqrt(pi)/2 mu p 1e6 |v1 - v2|/(B1 sqrt v1 + B2 sqrt v2) sqrt(8 rho p/(1000 E)), 0.3 % below 0.80's."""
     flanks, _ = fzg_test_gears(215.5)
-    made = micropitting_films(flanks, oil("mineral VG 220"), 363.15, 390.0)
+    built = micropitting_films(flanks, oil("mineral VG 220"), 363.15, 390.0)
     pressure = np.sqrt(flanks.unit_load * flanks.modulus / (2 * pi * flanks.radius)) * 1e-6
     slid = np.abs(flanks.speed_1 - flanks.speed_2)
     drained = STEEL * (np.sqrt(flanks.speed_1) + np.sqrt(flanks.speed_2))
     width = np.sqrt(8 * flanks.radius * 1e3 * pressure / (1000 * flanks.modulus * 1e-6))
-    flash = np.sqrt(pi) / 2 * made.friction * pressure * 1e6 * slid / drained * width
-    assert made.contact_temperature - 390.0 == pytest.approx(flash, rel=4e-3, abs=1e-6)
+    flash = np.sqrt(pi) / 2 * built.friction * pressure * 1e6 * slid / drained * width
+    assert built.contact_temperature - 390.0 == pytest.approx(flash, rel=4e-3, abs=1e-6)
 
 
 def test_test_gears_are_those_of_the_shipped_spur_pair():
@@ -141,9 +141,9 @@ def standards_oil(viscosity_40, viscosity_100):
 )
 def test_permissible_films_are_about_those_of_the_standards_figure(oil_at, first, last):
     """ISO/TR 15144-1, figure A.1 at load stages 5 and 10, as a public program read it; ours are above."""
-    made = standards_oil(*oil_at)
+    built = standards_oil(*oil_at)
     for stage, read in ((5, first), (10, last)):
-        ratio = permissible_specific_film(film_at_load_stage(stage, made)) / read
+        ratio = permissible_specific_film(film_at_load_stage(stage, built)) / read
         assert 1.0 < ratio < 1.3
 
 

@@ -219,10 +219,10 @@ def test_named_oils_run_in_a_thermal_contact(base, grade):
 
 
 def test_grades_missing_in_the_table_have_the_index_of_the_nearest():
-    made, like = named_oil("mineral VG 1000"), named_oil("mineral VG 680")
-    assert made.kinematic_viscosity(40 + C) == pytest.approx(1000 * MM2, rel=1e-9)
-    assert made.viscosity_index == pytest.approx(like.viscosity_index, abs=0.1)
-    assert "VG 680" in made.source
+    built, like = named_oil("mineral VG 1000"), named_oil("mineral VG 680")
+    assert built.kinematic_viscosity(40 + C) == pytest.approx(1000 * MM2, rel=1e-9)
+    assert built.viscosity_index == pytest.approx(like.viscosity_index, abs=0.1)
+    assert "VG 680" in built.source
 
 
 def test_every_name_has_the_viscosity_of_its_grade():

@@ -93,8 +93,8 @@ def ends_its_process(case_name, solution):
 
 @pytest.fixture(scope="module")
 def result():
-    made = make_result()
-    return replace(made, solutions=tuple(made.solutions), mesh_cycle=None)
+    built = make_result()
+    return replace(built, solutions=tuple(built.solutions), mesh_cycle=None)
 
 
 def test_one_that_fails_costs_no_other(tmp_path, result, monkeypatch):

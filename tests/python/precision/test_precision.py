@@ -122,11 +122,11 @@ SIMPLE = on_grids("simple", (0.1, 1.23), (0.4, 1.08), (1.6, 1.0425))
 
 
 def test_what_is_left_of_an_error_is_split_into_model_and_grid():
-    made = a_study(GOOD, SIMPLE)
-    assert made.model_error(GOOD, "film_min") == pytest.approx(0.0, abs=1e-12)
-    assert made.model_error(SIMPLE, "film_min") == pytest.approx(0.03)
-    assert made.grid_error(SIMPLE, SIMPLE.points[0], "film_min") == pytest.approx(0.2)
-    assert made.error(SIMPLE.points[0], "film_min") == pytest.approx(0.23)
+    built = a_study(GOOD, SIMPLE)
+    assert built.model_error(GOOD, "film_min") == pytest.approx(0.0, abs=1e-12)
+    assert built.model_error(SIMPLE, "film_min") == pytest.approx(0.03)
+    assert built.grid_error(SIMPLE, SIMPLE.points[0], "film_min") == pytest.approx(0.2)
+    assert built.error(SIMPLE.points[0], "film_min") == pytest.approx(0.23)
 
 
 @pytest.mark.parametrize(

@@ -38,22 +38,22 @@ def gears(**tested):
 
 
 def solved(case, *phases, **changes):
-    made = []
+    built = []
     for phase in phases:
         one = line_with_heat(replace(make_line_solution(phase=phase), inlet_temperature=OIL))
-        made.append(replace(one, **changes))
-    return Result(case.name, case.resolved, tuple(made), None, {})
+        built.append(replace(one, **changes))
+    return Result(case.name, case.resolved, tuple(built), None, {})
 
 
 def rated(case, result=None):
     asked = rating_request(case)
-    made = ratings(asked, result)
-    return {of.key: of for of in made}, not_rated(asked, made)
+    built = ratings(asked, result)
+    return {of.key: of for of in built}, not_rated(asked, built)
 
 
 def safeties(case, result=None):
-    made, _ = rated(case, result)
-    return {of.symbol: of for of in made["gear teeth"].safeties}
+    built, _ = rated(case, result)
+    return {of.symbol: of for of in built["gear teeth"].safeties}
 
 
 def test_stage_12_of_a_mineral_oil_of_30_mpa_s_scuffs_at_353_degrees():
@@ -72,25 +72,25 @@ def test_stage_12_of_a_mineral_oil_of_30_mpa_s_scuffs_at_353_degrees():
 
 
 def test_what_the_oil_bears_is_not_known_without_its_tests(untested):
-    made, left = rated(untested)
-    by_name = {of.symbol: of for of in made["gear teeth"].safeties}
+    built, left = rated(untested)
+    by_name = {of.symbol: of for of in built["gear teeth"].safeties}
     assert by_name["S_B"].verdict == by_name["S_lambda"].verdict == "cannot be rated"
     assert any("scuffing_load_stage" in sentence for sentence in left)
     assert any("micropitting_load_stage" in sentence for sentence in left)
     stage = untested.with_found({"gear_rating": {"scuffing_load_stage": 12}})
     assert "base of the oil is missing" in safeties(stage)["S_B"].why
-    assert "flanks" not in made
+    assert "flanks" not in built
 
 
 def test_closed_forms_along_the_line_of_action(untested):
-    made = safeties(gears(**TESTED))
-    assert set(made) == {"S_B", "S_lambda"}
-    hot, limit = made["S_B"].inputs["theta_B_C"], made["S_B"].inputs["theta_S_C"]
-    assert made["S_B"].value == pytest.approx((limit - 60) / (hot - 60))
-    film = made["S_lambda"].inputs
+    built = safeties(gears(**TESTED))
+    assert set(built) == {"S_B", "S_lambda"}
+    hot, limit = built["S_B"].inputs["theta_B_C"], built["S_B"].inputs["theta_S_C"]
+    assert built["S_B"].value == pytest.approx((limit - 60) / (hot - 60))
+    film = built["S_lambda"].inputs
     assert film["Ra_um"] == pytest.approx(0.8 * (0.51 + 0.40) / 2)
     assert film["lambda_GF"] == pytest.approx(film["film_um"] / film["Ra_um"])
-    assert made["S_lambda"].value == pytest.approx(film["lambda_GF"] / film["lambda_GFP"])
+    assert built["S_lambda"].value == pytest.approx(film["lambda_GF"] / film["lambda_GFP"])
     permissible = {"base": "PAO", "permissible_specific_film": film["lambda_GF"] / 2}
     given = safeties(untested.with_found({"gear_rating": permissible}))
     assert given["S_lambda"].value == pytest.approx(2)
@@ -98,8 +98,8 @@ def test_closed_forms_along_the_line_of_action(untested):
 
 def test_gears_that_scuffed_fail_their_rating():
     """Errichello's: contact hotter than the mean scuffing temperature that he prints."""
-    made, _ = rated(pyworm.load(CASES / "errichello_speed_increaser.toml"))
-    teeth = made["gear teeth"]
+    built, _ = rated(pyworm.load(CASES / "errichello_speed_increaser.toml"))
+    teeth = built["gear teeth"]
     assert teeth.safeties[0].value == pytest.approx(0.945, abs=0.01)
     assert any(reason.startswith("S_B = 0.945") for reason in teeth.failed)
 
@@ -113,8 +113,8 @@ def test_simulated_safeties_have_both_bars_and_their_worst_place():
         temperature_max_body_1=Estimate(420.0, grid=0.1, model=0.2, datum=OIL),
     )
     result = replace(result, solutions=(first, replace(last, figures=hotter)))
-    made = safeties(case, result)
-    scuffs = made["S_B_simulated"]
+    built = safeties(case, result)
+    scuffs = built["S_B_simulated"]
     assert scuffs.inputs["at"] == "phase 0.6"
     limit = scuffing_temperature_of_stage(12, case.drive.oil.viscosity.eta0, 0.8)
     assert scuffs.inputs["margin_K"] == pytest.approx(limit - 420.0)
@@ -122,7 +122,7 @@ def test_simulated_safeties_have_both_bars_and_their_worst_place():
     assert (scuffs.error, scuffs.model) == (0.1, 0.2) and scuffs.shown.endswith(
         "± 10 % ± 20 % (model)"
     )
-    film = made["S_lambda_simulated"]
+    film = built["S_lambda_simulated"]
     assert film.value == pytest.approx(
         first.figures.film_min.value / 0.364e-6 / film.inputs["lambda_GFP"]
     )
@@ -146,9 +146,9 @@ def test_a_verdict_that_turns_within_its_bars_says_so():
     result = solved(case, 0.5)
     value = safeties(case, result)["S_lambda_simulated"].value
     near = gears(**TESTED, required_micropitting=value * (1 + 1e-6))
-    made = safeties(near, result)["S_lambda_simulated"]
-    assert made.verdict == "not sufficient" and made.open
-    assert "turn within the uncertainty" in made.doubts[-1]
+    built = safeties(near, result)["S_lambda_simulated"]
+    assert built.verdict == "not sufficient" and built.open
+    assert "turn within the uncertainty" in built.doubts[-1]
     far = safeties(gears(**TESTED, required_micropitting=value / 9), result)
     assert not far["S_lambda_simulated"].open
 
@@ -161,30 +161,30 @@ def test_rough_films_are_not_judged_by_limits_of_smooth_ones():
     touching = replace(one.figures.film_min, value=0.2)
     rough = replace(one, figures=replace(one.figures, asperity_load_fraction=touching))
     result = replace(result, solutions=(rough,))
-    made, _ = rated(case, result)
-    by_name = {of.symbol: of for of in made["gear teeth"].safeties}
+    built, _ = rated(case, result)
+    by_name = {of.symbol: of for of in built["gear teeth"].safeties}
     assert by_name["S_lambda_simulated"].value is None
     assert "20% of the load" in by_name["S_lambda_simulated"].why
     assert by_name["S_lambda"].value is not None and by_name["S_B_simulated"].value is not None
-    assert "S_lambda_simulated" not in made["flanks"].summary()["phase 0.5"]
-    assert made["flanks"].summary()["phase 0.5"]["asperity_share"] == 0.2
-    assert "wear_probability" not in made["gear teeth"].summary()["simulation"]
+    assert "S_lambda_simulated" not in built["flanks"].summary()["phase 0.5"]
+    assert built["flanks"].summary()["phase 0.5"]["asperity_share"] == 0.2
+    assert "wear_probability" not in built["gear teeth"].summary()["simulation"]
 
 
 def test_contacts_without_heat_have_no_simulated_temperature():
     case = gears(**TESTED)
     cold = Result(case.name, case.resolved, (make_line_solution(phase=0.5),), None, {})
-    made = safeties(case, cold)["S_B_simulated"]
-    assert made.value is None and made.why == "heat was not simulated."
+    built = safeties(case, cold)["S_B_simulated"]
+    assert built.value is None and built.why == "heat was not simulated."
 
 
 def test_worm_gears_are_compared_and_not_rated():
     """No limit of steel gears stands beside the temperatures and films of a bronze wheel."""
     case = pyworm.load(CASES / "zi_sharif_2001.toml")
     result = Result(case.name, case.resolved, (make_hot_worm(0.5),), make_mesh_cycle(), {})
-    made, left = rated(case, result)
-    assert {of.symbol for of in made["worm"].safeties} == {"S_W", "S_H", "S_delta", "S_F", "S_T"}
-    flanks = made["flanks"]
+    built, left = rated(case, result)
+    assert {of.symbol for of in built["worm"].safeties} == {"S_W", "S_H", "S_delta", "S_F", "S_T"}
+    flanks = built["flanks"]
     assert flanks.safeties == () and flanks.failed == ()
     assert any(
         "rate neither scuffing nor micropitting of worm gears" in word for word in flanks.words
@@ -208,9 +208,9 @@ def test_tests_of_an_oil_between_steel_gears_say_nothing_about_a_worm_gear():
 def test_json_has_the_safeties(capsys):
     path = CASES / "spur_pair.toml"
     assert main(["rate", str(path), "--json"]) == 0
-    made = json.loads(capsys.readouterr().out)["ratings"][0]["safeties"]
-    assert made["S_B"]["verdict"] == "sufficient" and made["S_B"]["minimum"] == 2
-    assert made["S_lambda"]["value"] == pytest.approx(3.0, abs=0.1)
+    built = json.loads(capsys.readouterr().out)["ratings"][0]["safeties"]
+    assert built["S_B"]["verdict"] == "sufficient" and built["S_B"]["minimum"] == 2
+    assert built["S_lambda"]["value"] == pytest.approx(3.0, abs=0.1)
     assert main(["rate", str(path)]) == 0
     assert "S_lambda, micropitting" in capsys.readouterr().out
 

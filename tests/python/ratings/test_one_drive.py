@@ -24,8 +24,8 @@ def case(*changes):
 def worm(*changes):
     """The worm's rating, and what is not rated."""
     asked = rating_request(case(*changes))
-    made = ratings(asked)
-    return made[0], not_rated(asked, made)
+    built = ratings(asked)
+    return built[0], not_rated(asked, built)
 
 
 def values(rating):
@@ -80,12 +80,12 @@ def test_another_casting_of_the_alloy_is_in_the_headline():
 @pytest.mark.parametrize("material", ["CuZn25Al5Mn4Fe3", "42CrMo4", "CuSn12-GC"])
 def test_a_material_without_strengths_is_said_line_by_line(material):
     rating, left = worm(('"CuSn12Ni2-C-GZ"', f'"{material}"'))
-    made = values(rating)
-    assert made["S_T"] and made["S_W"] is made["S_H"] is made["S_F"] is None
+    built = values(rating)
+    assert built["S_T"] and built["S_W"] is built["S_H"] is built["S_F"] is None
     assert any(of.startswith("S_H") and "worm-gear standard" in of for of in left)
     # friction is known of the alloy; with brass and steel the shaft bends as with tin bronze, which is said
     of_shaft = next(of for of in rating.safeties if of.symbol == "S_delta")
-    assert made["S_delta"] > 0
+    assert built["S_delta"] > 0
     assert any("tin bronze" in of for of in of_shaft.doubts) == (material != "CuSn12-GC")
     assert ("friction" in rating.summary()["standard"]) == (material == "CuSn12-GC")
 
@@ -210,8 +210,8 @@ def test_an_oil_far_colder_than_the_standard_has_it_is_in_the_headline():
 @pytest.mark.parametrize("rpm", [5, 50, 3000, 5000])
 def test_at_any_speed_all_five_safeties_are_rated(rpm):
     rating, left = worm(('"1500 rpm"', f'"{rpm} rpm"'))
-    made = values(rating)
-    assert tuple(made) == SYMBOLS and all(of > 0 for of in made.values())
+    built = values(rating)
+    assert tuple(built) == SYMBOLS and all(of > 0 for of in built.values())
     creeping = [of for of in left if "sliding speed" in of]
     assert bool(creeping) == (rpm == 5)
     assert all("must lie between 0.05 and 25 m/s" in of for of in creeping)

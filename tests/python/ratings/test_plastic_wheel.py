@@ -42,8 +42,8 @@ def hot(temperature):
 
 def worm(case):
     asked = rating_request(case)
-    made = ratings(asked)
-    return made[0], not_rated(asked, made)
+    built = ratings(asked)
+    return built[0], not_rated(asked, built)
 
 
 def test_a_plastic_wheel_is_as_stiff_as_at_its_own_temperature():
@@ -73,23 +73,23 @@ def test_a_wheel_above_its_limit_is_in_the_headline():
 
 def test_a_plastic_wheel_is_rated_line_by_line():
     rating, left = worm(case('material = "PEEK"', hot(90)))
-    made = {of.symbol: of for of in rating.safeties}
+    built = {of.symbol: of for of in rating.safeties}
     for symbol in ("S_W", "S_H", "S_F"):
-        assert made[symbol].value is None and "not covered" in made[symbol].why
+        assert built[symbol].value is None and "not covered" in built[symbol].why
     for symbol in ("S_delta", "S_T", "S_M"):
-        assert made[symbol].value > 0
+        assert built[symbol].value > 0
     figures = rating.summary()["standard"]
     assert {"mean_pressure_Pa", "bulk_temperature_C", "wheel_modulus_Pa"} <= figures.keys()
     assert not {"film_m", "friction", "efficiency", "wear_depth_m"} & figures.keys()
-    assert made["S_M"].value == pytest.approx(250 / figures["bulk_temperature_C"])
+    assert built["S_M"].value == pytest.approx(250 / figures["bulk_temperature_C"])
     assert any("ISO/TS 14521, DIN 3996" in of for of in left)
 
 
 def test_a_limit_that_plastics_have_is_nothing_unusual(recwarn):
     """PEEK is used up to 250 degC, more than any oil."""
-    made = case('material = "PEEK"')
-    assert made.drive.bodies[1].temperature_limit == pytest.approx(523.15)
-    pyworm.plan(made.scene(phase=0.5), accuracy=0.2)
+    built = case('material = "PEEK"')
+    assert built.drive.bodies[1].temperature_limit == pytest.approx(523.15)
+    pyworm.plan(built.scene(phase=0.5), accuracy=0.2)
     assert not [one for one in recwarn if "temperature_limit" in str(one.message)]
 
 

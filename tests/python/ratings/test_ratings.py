@@ -594,9 +594,9 @@ def test_worms_of_unknown_flanks_are_rated_without_them(tmp_path, capsys):
     rough = 'bodies.worm.roughness = "a ground worm"\n'
     smooth = changed(drive, ('roughness = "0.3 um"\n', ""), (rough, ""))
     worm, left = worm_of(smooth, tmp_path, capsys)
-    made = {symbol: of["value"] for symbol, of in worm["safeties"].items()}
-    assert None not in (made["S_H"], made["S_F"], made["S_T"])
-    assert made["S_W"] is made["S_delta"] is None
+    built = {symbol: of["value"] for symbol, of in worm["safeties"].items()}
+    assert None not in (built["S_H"], built["S_F"], built["S_T"])
+    assert built["S_W"] is built["S_delta"] is None
     assert worm["safeties"]["S_delta"]["why"] == "bodies.worm.roughness is missing."
     assert any("Specific film" in of and "roughness is missing" in of for of in left)
 
@@ -656,10 +656,10 @@ def test_a_bearing_is_rated_line_by_line(tmp_path, capsys, old, new, lost, why):
 
 def test_a_worm_gear_in_ester_is_rated_line_by_line(tmp_path, capsys):
     worm, _ = worm_of(ESTER, tmp_path, capsys, [('"PAG VG 460"', '"ester VG 320"')])
-    made = worm["safeties"]
-    assert made["S_F"]["value"] and made["S_T"]["value"]
+    built = worm["safeties"]
+    assert built["S_F"]["value"] and built["S_T"]["value"]
     for symbol in ("S_W", "S_H", "S_delta"):
-        assert "the standards know mineral, PAO, PAG only" in made[symbol]["why"]
+        assert "the standards know mineral, PAO, PAG only" in built[symbol]["why"]
 
 
 def test_a_file_of_ratings_alone_cannot_be_solved(refuse):

@@ -84,30 +84,30 @@ def test_a_worked_example_with_all_safeties(rate):
 
 
 def test_each_safety_has_its_minimum_verdict_and_inputs(rate):
-    made = rate(GEAR)["safeties"]
-    assert {key: of["minimum"] for key, of in made.items()} == {
+    built = rate(GEAR)["safeties"]
+    assert {key: of["minimum"] for key, of in built.items()} == {
         "S_W": 1.1,
         "S_H": 1.0,
         "S_delta": 1.0,
         "S_F": 1.1,
         "S_T": 1.1,
     }
-    for of in made.values():
+    for of in built.values():
         assert of["verdict"] == "sufficient" and of["inputs"] and of["why"] == ""
-    assert any("sign is doubtful" in doubt for doubt in made["S_T"]["doubts"])
-    assert any("Bearings assumed" in doubt for doubt in made["S_delta"]["doubts"])
-    assert made["S_T"]["inputs"]["theta_S_without_fan_C"] > 60
+    assert any("sign is doubtful" in doubt for doubt in built["S_T"]["doubts"])
+    assert any("Bearings assumed" in doubt for doubt in built["S_delta"]["doubts"])
+    assert built["S_T"]["inputs"]["theta_S_without_fan_C"] > 60
 
 
 def test_what_is_missing_cannot_be_rated_and_says_why(rate):
     bare = rate(GEAR, ('wheel_material = "CuSn12Ni2"\nlife = "25000 h"\n', ""))
-    made = bare["safeties"]
+    built = bare["safeties"]
     for symbol in ("S_W", "S_H"):
-        assert made[symbol]["verdict"] == "cannot be rated" and made[symbol]["value"] is None
+        assert built[symbol]["verdict"] == "cannot be rated" and built[symbol]["value"] is None
         why = "worm_rating.wheel_material is missing, worm_rating.life is missing."
-        assert made[symbol]["why"] == why
-    assert made["S_F"]["why"] == "worm_rating.wheel_material is missing."
-    assert made["S_T"]["verdict"] == made["S_delta"]["verdict"] == "sufficient"
+        assert built[symbol]["why"] == why
+    assert built["S_F"]["why"] == "worm_rating.wheel_material is missing."
+    assert built["S_T"]["verdict"] == built["S_delta"]["verdict"] == "sufficient"
     assert any(of.startswith("S_H, pitting") for of in bare["not_rated"])
 
 
@@ -159,20 +159,20 @@ def test_without_a_sump_temperature_the_standards_is_taken(rate):
 @pytest.mark.parametrize("oil", ["mineral VG 220", "PAO VG 220", "PAG VG 220"])
 @pytest.mark.parametrize("lubrication", ["bath", "injection"])
 def test_no_gap_with_any_material_oil_and_lubrication(rate, material, oil, lubrication):
-    made = rate(
+    built = rate(
         GEAR,
         ('"CuSn12Ni2"', f'"{material}"'),
         ('"PAO VG 220"', f'"{oil}"'),
         ("[worm_rating]\n", f'[worm_rating]\nlubrication = "{lubrication}"\n'),
     )
-    assert all(of["value"] > 0 for of in made["safeties"].values())
+    assert all(of["value"] > 0 for of in built["safeties"].values())
 
 
 @pytest.mark.parametrize("name", ["zi_sharif_2001", "oil_zi"])
 def test_cases_of_the_package_are_rated_without_a_gap(name, capsys):
     assert main(["rate", str(CASES / f"{name}.toml"), "--json"]) == 0
-    made = json.loads(capsys.readouterr().out)["ratings"][0]["safeties"]
-    assert all(of["value"] is not None for of in made.values())
+    built = json.loads(capsys.readouterr().out)["ratings"][0]["safeties"]
+    assert all(of["value"] is not None for of in built.values())
 
 
 def test_ordinary_units_are_rated_without_a_gap(tmp_path, capsys):
@@ -186,9 +186,9 @@ def test_ordinary_units_are_rated_without_a_gap(tmp_path, capsys):
         path = tmp_path / f"{name}.toml"
         path.write_text(text)
         assert main(["rate", str(path), "--json"]) == 0
-        made = json.loads(capsys.readouterr().out)["ratings"][0]["safeties"]
-        assert set(made) == set(SYMBOLS)
-        assert all(of["value"] is not None for of in made.values())
+        built = json.loads(capsys.readouterr().out)["ratings"][0]["safeties"]
+        assert set(built) == set(SYMBOLS)
+        assert all(of["value"] is not None for of in built.values())
 
 
 def test_the_table_on_the_console_has_every_verdict(tmp_path, capsys):

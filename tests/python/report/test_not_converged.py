@@ -81,9 +81,9 @@ def drawn(axes: Axes) -> np.ndarray:
 def test_a_negative_film_is_rated_as_if_it_were_not_there(case, torn):
     """Means, the thinnest film and its lubrication are those of the phases that converged."""
     good = replace(torn, solutions=torn.solutions[:-1])
-    made, expected = (ratings(rating_request(case), of) for of in (torn, good))
-    assert [one.summary() for one in made] == [one.summary() for one in expected]
-    assert made[0].summary()["simulation"]["specific_film"] > 0
+    built, expected = (ratings(rating_request(case), of) for of in (torn, good))
+    assert [one.summary() for one in built] == [one.summary() for one in expected]
+    assert built[0].summary()["simulation"]["specific_film"] > 0
 
 
 def test_the_efficiency_of_report_and_rating_names_the_phase_that_it_lacks(case, torn):

@@ -114,8 +114,8 @@ def test_words_of_files_are_no_symbols():
 
 def test_a_contact_without_safeties_has_no_page_to_sign():
     case = pyworm.load(CASES / "line_thermal.toml")
-    made = build_report(Result(case.name, case.resolved, (make_line_solution(),), None, {}))
-    assert made.cover is None and 'class="cover"' not in render(made)
+    built = build_report(Result(case.name, case.resolved, (make_line_solution(),), None, {}))
+    assert built.cover is None and 'class="cover"' not in render(built)
 
 
 def _browse(page, directory, *arguments):

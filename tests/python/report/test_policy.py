@@ -25,15 +25,15 @@ def pages(tmp_path_factory):
     how = ("--accuracy", "10 %", "--out", str(out))
     assert main(["run", str(CASES / "line_m20_l10.toml"), *how]) == CONVERGED
     result = str(out / "result.nc")
-    made = {}
+    built = {}
     for name, words in (
         ("report", ["report", result]),
         ("variants", ["report", result, result]),
         ("explore", ["explore", result]),
     ):
-        made[name] = out / f"{name}.html"
-        assert main([*words, "--out", str(made[name])]) == CONVERGED
-    return made
+        built[name] = out / f"{name}.html"
+        assert main([*words, "--out", str(built[name])]) == CONVERGED
+    return built
 
 
 @pytest.mark.parametrize("name", ["report", "variants", "explore"])

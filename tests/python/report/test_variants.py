@@ -71,9 +71,9 @@ def test_the_page_has_every_variant_and_its_badges(page):
 def test_a_drive_and_a_contact_without_ratings_stand_beside_each_other():
     line = pyworm.load(CASES / "line_thermal.toml")
     other = Result(line.name, line.resolved, (make_line_solution(),), None, {})
-    made = variants_page((variant(), other), ("drive", "contact"))
-    assert all(cells[1] == "" for _, cells in made.verdicts.rows)
-    assert dict(made.figures.rows)["Minimum film thickness"][1]
+    built = variants_page((variant(), other), ("drive", "contact"))
+    assert all(cells[1] == "" for _, cells in built.verdicts.rows)
+    assert dict(built.figures.rows)["Minimum film thickness"][1]
 
 
 @pytest.mark.parametrize("count", [1, 7])

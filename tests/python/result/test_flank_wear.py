@@ -89,11 +89,11 @@ def test_a_tip_that_touches_stays_where_it_is():
 
 
 def test_too_few_phases_for_wear_are_named_with_what_is_needed():
-    made = SimpleNamespace(
+    built = SimpleNamespace(
         solutions=[SimpleNamespace(converged=True, fields={"asperity_pressure"}, phase=0.5)]
     )
     with pytest.raises(ValueError) as refused:
-        flank_wear.flank_grid(made)
+        flank_wear.flank_grid(built)
     assert str(refused.value).startswith("operation.phases: of those solved 1 converged")
     assert "(0.5); wear needs 3 or more" in str(refused.value)
 

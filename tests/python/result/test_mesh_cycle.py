@@ -268,12 +268,12 @@ def test_wear_is_found_where_contacts_move_over_the_edge_of_a_tooth():
         ),
     )
     grid = flank_grid(rough)
-    made, short = (
+    built, short = (
         asperity_pass(of, grid, 0.1) for of in (rough, ending_in_the_contact(rough, 0.5))
     )
-    assert made.volume > 0 and np.isfinite(made.work).all()
-    assert short.volume == pytest.approx(made.volume, rel=1e-9)
-    assert short.work == pytest.approx(made.work, rel=1e-9, abs=1e-9 * made.work.max())
+    assert built.volume > 0 and np.isfinite(built.work).all()
+    assert short.volume == pytest.approx(built.volume, rel=1e-9)
+    assert short.work == pytest.approx(built.work, rel=1e-9, abs=1e-9 * built.work.max())
 
 
 def test_entry_is_the_speed_at_which_oil_comes_in():

@@ -79,13 +79,13 @@ def test_a_further_solve_begins_on_the_grid_before():
 
 
 @pytest.mark.parametrize(("most", "made"), [(1e12, True), (1.0, False)])
-def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, made):
+def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, built):
     monkeypatch.setattr(transient_module, "MOST_WORK", most)
     scene, plan, time_grid = moving(POINT, 0.02)
     assert solves_of_life(plan.accuracy) == 3
     further = motion(scene, plan, time_grid).further
-    assert bool(further) == made
-    if made:
+    assert bool(further) == built
+    if built:
         fourth = time_grid.grid_of_contact(time_grid.begin, 3)
         assert further[-1].nodes == pytest.approx(fourth.nodes, rel=0.1)
     assert transient_module.begin_of_further(time_grid, scene.past.seconds, 4) is None
