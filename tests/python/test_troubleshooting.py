@@ -19,8 +19,8 @@ MISTAKES = {
 
 
 def messages() -> set[str]:
-    """The first cells of the page's tables that are code, without what stands for a value."""
-    return set(re.findall(r"^\| `([^`]+)`", PAGE, re.M))
+    """What begins rows of tables and items of lists and is code, joined where a line breaks."""
+    return {" ".join(text.split()) for text in re.findall(r"^(?:\||-) `([^`]+)`", PAGE, re.M)}
 
 
 @pytest.mark.parametrize(
