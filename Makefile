@@ -19,7 +19,7 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python sanitized hard mutants docs evidence lint clean
+.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python browser sanitized hard mutants docs evidence lint clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
@@ -27,7 +27,7 @@ help:
 	@echo "make wheel    wheels that need no compiler, in dist/, for every Python found (WHEEL_PYTHONS for others)"
 	@echo "make try-wheel  as root: install each of them in a bare Debian without compiler, and run it"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
-	@echo "make test     run the Fortran and the Python tests"
+	@echo "make test     run the Fortran and the Python tests; installs Chromium for those of pages, by apt"
 	@echo "make test-long  run the Python tests that take long, which make test leaves out"
 	@echo "make test-cluster  as root: batches on a one-node Slurm, by Snakemake and dask-jobqueue; installs these"
 	@echo "make sanitized  run the Fortran tests with checks of addresses and of undefined behaviour"
@@ -69,7 +69,7 @@ test: test-fortran test-python
 $(DEBUG)/build.ninja: $(INSTALLED)
 	meson setup $(DEBUG) --buildtype=debug --reconfigure
 
-test-long: $(INSTALLED)
+test-long: $(INSTALLED) browser
 	python -m pytest -n 2 --dist loadfile -m long
 
 test-fortran: $(DEBUG)/build.ninja
@@ -82,7 +82,11 @@ $(SANITIZED)/build.ninja: $(INSTALLED)
 sanitized: $(SANITIZED)/build.ninja
 	meson test -C $(SANITIZED) --suite fortran --timeout-multiplier 10 --print-errorlogs
 
-test-python: $(INSTALLED)
+# Where there is no Chromium and none can be installed, the tests of pages in a browser are skipped.
+browser: $(INSTALLED)
+	tools/setup.sh $(PYTHON) $(VENV) browser
+
+test-python: $(INSTALLED) browser
 	python -m pytest -n 2 --dist loadfile
 
 $(CLUSTER): $(INSTALLED)

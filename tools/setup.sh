@@ -1,7 +1,8 @@
 #!/bin/sh
 # Install what building and running pyworm needs: system packages (only those missing), then a virtual
-# environment with all the rest. Called by the Makefile; usage: tools/setup.sh PYTHON VENV [library]
+# environment with all the rest. Called by the Makefile; usage: tools/setup.sh PYTHON VENV [library | browser]
 # With "library" what the kernel for Fortran and C programs needs alone: compilers, libraries, meson and ninja.
+# With "browser" Chromium alone, for the tests of pages, which are skipped without it: its lack is no failure.
 set -eu
 python=$1
 venv=$2
@@ -9,7 +10,13 @@ wanted=${3:-package}
 
 fail() {
     echo "pyworm: $*" >&2
+    [ "$wanted" != browser ] || exit 0
     exit 1
+}
+
+# Whether there is a browser for the tests of pages (tests/support/browser.py).
+can_browse() {
+    command -v chromium || command -v chromium-browser || command -v google-chrome
 }
 
 # Requirements of the build in pyproject.toml: all, or meson alone.
@@ -36,6 +43,10 @@ raise SystemExit(numbers(sys.stdin.read()) < numbers(asked))
 # Debian names of what is missing. Asked of the tools themselves, not of the package manager: a compiler
 # from elsewhere serves as well.
 missing() {
+    if [ "$wanted" = browser ]; then
+        can_browse >/dev/null || echo chromium
+        return
+    fi
     command -v gfortran >/dev/null || echo gfortran
     echo '#include <stdio.h>' | cc -E - >/dev/null 2>&1 || echo gcc libc6-dev
     if command -v pkg-config >/dev/null; then
@@ -83,6 +94,7 @@ if [ -n "$packages" ]; then
     [ -z "$packages" ] || fail "for $(command -v "$python"), $by_hand"
 fi
 
+[ "$wanted" = browser ] && exit 0
 if [ "$wanted" = library ] && can_build; then
     exit 0
 fi

@@ -85,7 +85,7 @@ def test_the_page_behind_has_figures_life_flanks_and_assumptions(page):
     behind = page[page.index('class="overleaf"') : page.index("<nav>")]
     assert "What the verdicts rest on" in behind
     assert "Minimum film thickness" in behind and "±" in behind
-    assert "Life asked for" in behind and "25000" in behind
+    assert "Required life" in behind and "25000" in behind
     assert "<h3>Assumptions</h3>" in behind and behind.count("<li>") >= 3
 
 
