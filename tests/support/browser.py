@@ -48,6 +48,8 @@ class Page:
             self.errors.append(json.dumps(parameters["exceptionDetails"])[:500])
         if method == "Log.entryAdded" and parameters["entry"]["level"] == "error":
             self.errors.append(parameters["entry"]["text"])
+        if method == "Runtime.consoleAPICalled" and parameters["type"] in ("error", "assert"):
+            self.errors.append(json.dumps(parameters["args"])[:500])
 
     async def open(self, file: Path) -> None:
         """Open a file and wait until it has drawn itself."""
@@ -79,6 +81,22 @@ class Page:
         """A click at a place of the window."""
         for kind in ("mousePressed", "mouseReleased"):
             await self.mouse(kind, x, y, button="left", clickCount=1)
+
+    async def press(self, key: str, code: int) -> None:
+        """A key pressed and released: its name and number, such as Tab and 9."""
+        for kind in ("rawKeyDown", "keyUp"):
+            await self.call("Input.dispatchKeyEvent", type=kind, key=key, code=key,
+                            windowsVirtualKeyCode=code)  # fmt: skip
+
+    async def width(self, pixels: int) -> int:
+        """Width that the page needs on a screen so wide, by which it scrolls sideways if that is more."""
+        await self.call("Emulation.setDeviceMetricsOverride", width=pixels, height=740,
+                        deviceScaleFactor=1, mobile=False)  # fmt: skip
+        return await self.run("document.documentElement.scrollWidth")
+
+    async def medium(self, name: str) -> None:
+        """Show the page as on paper ("print") or on a screen ("screen")."""
+        await self.call("Emulation.setEmulatedMedia", media=name)
 
     async def picture(self, file: Path) -> None:
         """A picture of the whole page."""
