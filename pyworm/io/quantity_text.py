@@ -50,7 +50,7 @@ def with_bars(
 
 def bars(error: float, model: float | None, scale: float = 100.0, unit: str = " %") -> str:
     """Error bars as text, relative ones in per cent: the numerical one and, if there is one, the model's."""
-    return f"± {error * scale:.2g}{unit}{model_bar(model, scale, unit)}"
+    return f"± {rough(error * scale)}{unit}{model_bar(model, scale, unit)}"
 
 
 def model_bar(model: float | None, scale: float = 100.0, unit: str = " %") -> str:
@@ -60,7 +60,7 @@ def model_bar(model: float | None, scale: float = 100.0, unit: str = " %") -> st
     """
     if model is None:
         return ""
-    return f" ± {UNKNOWN if isinf(model) else f'{model * scale:.2g}{unit}'} (model)"
+    return f" ± {UNKNOWN if isinf(model) else rough(model * scale) + unit} (model)"
 
 
 _FINER = {"mm": "µm", "Pa s": "mPa s", "GPa": "MPa", "kN": "N", "kW": "W"}

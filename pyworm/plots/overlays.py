@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.whole_numbers import whole
@@ -20,6 +21,16 @@ def draw_dry_outline(axes: Axes, fields: AnyDataset, colour: str) -> None:
     if pressure.max() > 0:
         x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
         axes.contour(x, y, signed_square(pressure), levels=[0], colors=colour, linewidths=1.2)
+
+
+def dry_outline(fields: AnyDataset) -> list[np.ndarray]:
+    """Lines of the boundary of the dry contact, each over point and axis [mm]; none without a contact."""
+    pressure = fields["dry_pressure"].transpose("y", "x").values
+    if not pressure.max() > 0:
+        return []
+    x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
+    drawn = Figure().add_subplot().contour(x, y, signed_square(pressure), levels=[0])
+    return list(drawn.allsegs[0])
 
 
 def signed_square(pressure: np.ndarray) -> np.ndarray:

@@ -19,24 +19,22 @@ function drawMap() {
   }
 }
 
-/** Outline of the dry contact, whose pressure falls to it as a root: its square is linear between nodes. */
+/** Outline of the dry contact, drawn from the solution's own grid. */
 function outline(panel, one) {
-  const dry = one.fields.dry_pressure && unpacked(one.fields.dry_pressure), [nx, ny] = [one.x[2], one.y[2]];
-  if (!dry) return;
-  const pen = panel.pen, level = (0.05 * span([dry])[1]) ** 2;
-  const height = (column, row) => dry[row * nx + column] ** 2 - level;
+  const pen = panel.pen;
+  pen.save();
+  pen.beginPath();
+  pen.rect(...panel.box);
+  pen.clip();
   pen.strokeStyle = "rgba(255, 255, 255, 0.9)";
   pen.lineWidth = 1.3;
-  pen.beginPath();
-  for (let row = 0; row + 1 < ny; row++) for (let column = 0; column + 1 < nx; column++) {
-    const corners = [[column, row], [column + 1, row], [column + 1, row + 1], [column, row + 1]], cuts = [];
-    corners.forEach((from, n) => {
-      const to = corners[(n + 1) % 4], [a, b] = [height(...from), height(...to)];
-      if (a > 0 !== b > 0) cuts.push(from.map((of, k) => of + (to[k] - of) * a / (a - b)));
-    });
-    cuts.forEach(([x, y], n) => pen[n % 2 ? "lineTo" : "moveTo"](panel.right(place(one.x, x)), panel.down(place(one.y, y))));
+  pen.lineJoin = "round";
+  for (const line of one.outline) {
+    pen.beginPath();
+    line.forEach(([x, y], n) => pen[n ? "lineTo" : "moveTo"](panel.right(x), panel.down(y)));
+    pen.stroke();
   }
-  pen.stroke();
+  pen.restore();
 }
 
 function readMap(event) {

@@ -8,6 +8,7 @@ import numpy as np
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.quantities import QUANTITIES, listed
 from pyworm.plots.layout import MILLI, contact_window
+from pyworm.plots.overlays import dry_outline
 from pyworm.report.explore.colours import FIELDS
 from pyworm.report.explore.packed import packed
 from pyworm.report.page.figures import load_of, place_of
@@ -55,10 +56,18 @@ def _scene(solution: Solution, grid: "xr.Dataset", bodies: tuple[str, str]) -> d
         "x": _axis(grid["x"].values),
         "y": _axis(grid["y"].values) if "y" in grid else None,
         "fields": fields,
+        "outline": _outline(solution),
         "rows": [["Load", load_of(solution)], *scene_rows(solution, bodies)],
         "least": [MILLI * coordinate for coordinate in figures.film_min_at],
         "stopped": "" if solution.converged else solution.stop_reason,
     }
+
+
+def _outline(solution: Solution) -> list[list[list[float]]]:
+    """Lines of the boundary of the dry contact on the solution's own grid [mm]; none of a line contact."""
+    if solution.kind == "line" or "dry_pressure" not in solution.fields:
+        return []
+    return [line.round(5).tolist() for line in dry_outline(solution.fields)]
 
 
 def reduced(solution: Solution) -> "xr.Dataset":
