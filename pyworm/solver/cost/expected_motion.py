@@ -9,7 +9,7 @@ from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
-from pyworm.solver.transient.time_steps import places_of
+from pyworm.solver.transient.time_steps import FIRST_TRANSITS, places_of
 from pyworm.solver.transient.transient import (
     Part,
     begin_of_further,
@@ -19,7 +19,7 @@ from pyworm.solver.transient.transient import (
 
 FURTHER = 0.1
 """Chance that a contact has one more transient solve than its accuracy asks for: two of 31 had. A second one
-more is not expected."""
+more is not expected. One in the first transit of a life that begins under load (`FIRST_TRANSITS`) has one."""
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,8 @@ class Motion:
     """Time steps up to its own time."""
     further: tuple[TimeSteps, ...]
     """Those of one more solve, for it alone; empty where there is none to be had."""
+    chance: float
+    """Chance that it has that one more."""
     shared: tuple[TimeSteps, ...]
     """Those of the whole part of its life, which serve contacts of other times as well."""
     part: Part | None
@@ -78,6 +80,7 @@ def motion(
     return Motion(
         _time_steps(time_grid, range(solves), part.begin, place),
         () if begin is None else _time_steps(time_grid, range(solves, solves + 1), begin, place),
+        1.0 if time_grid.approach is None and place < FIRST_TRANSITS else FURTHER,
         _time_steps(time_grid, range(solves), part.begin, last),
         None if lone else part,
     )

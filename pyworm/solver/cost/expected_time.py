@@ -13,7 +13,7 @@ from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Paraboloid, Scene
 from pyworm.solver.cost.calibration import calibration
-from pyworm.solver.cost.expected_motion import FURTHER, TimeSteps, motion, time_grid_if_any
+from pyworm.solver.cost.expected_motion import TimeSteps, motion, time_grid_if_any
 from pyworm.solver.transient.time_grid import TimeGrid
 from pyworm.solver.transient.transient import Part
 
@@ -74,7 +74,7 @@ def expectation(
         sampled = sum(step.count * (step.nodes * times + making) for step in steps)
         return pace.motion_seconds(plan.work.kind, plan.model, steps) + sampled
 
-    film += FURTHER * taken(moving.further)
+    film += moving.chance * taken(moving.further)
     past = taken(moving.up_to_present)
     return Expectation(film + past, (film + past) / unit, past, taken(moving.shared), moving.part)
 

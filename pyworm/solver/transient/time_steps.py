@@ -17,8 +17,8 @@ the second solve on. Films are thick there, and windows wide: that halves the ti
 
 FIRST_TRANSITS = 1.0
 """Transits after the beginning of a life under load whose time steps are half as long: there the film of the
-first contact is carried through. At phase 0.1 of a slow worm gear set (`tests/hard drive:0 --seed 61002`), half
-a transit after the first contact, that halves the error of the minimum film thickness."""
+first contact is carried through. Half a transit after it, at phase 0.1 of a slow worm gear set (`tests/hard
+drive:0 --seed 61002`), that halves the error of the minimum film thickness."""
 
 
 @dataclass(frozen=True)

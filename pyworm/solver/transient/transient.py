@@ -28,6 +28,7 @@ from pyworm.solver.error_estimate import Reading, change, largest_of_films
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import converge
+from pyworm.solver.stop_reason import MAX_USED_ERROR
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
 from pyworm.solver.transient.time_integration import NoFilmError, RateOfChange, integrate_in_time
 from pyworm.solver.transient.time_records import TimeRecord, curves, until
@@ -63,9 +64,9 @@ minimum or central films of 28 differ by 1.2 and 1.5 times the last change from 
 MAX_CHANGE_RATIO = 0.5
 """Largest ratio of successive changes at which the films settle; else the error is the sum of both."""
 
-USABLE_ERROR = 0.3
-"""Error of the films by the last transient solve up to which one is used although it exceeds the accuracy:
-with what grid, window and algebra add it stays below `stop_reason.MAX_USED_ERROR`."""
+USABLE_ERROR = error_budget.TIME * MAX_USED_ERROR
+"""Error of the films by the last transient solve up to which it is used although it exceeds the accuracy: its
+share of the largest error with which a film is used."""
 
 MAX_SOLVES, MIN_SOLVES = 4, 3
 """Maximum number of transient solves (each costs eight times the previous one); the first three are always
@@ -75,9 +76,9 @@ MOST_WORK = 1.2e8
 """Nodes times time steps of a further one: two and a half minutes of a point contact without heat. Balls and
 ellipses whose entrainment turns round or starts from rest come by it from 12 to 43 % to 1 to 3 %."""
 
-HEAT_TIME_RATIO = 5.0
-"""Time of a node's time step with heat over that without: 5.6 us of `cases/zi_drive.toml`, 1.2 us of an
-ellipse."""
+HEAT_TIME_RATIO, ROUGH_TIME_RATIO = 5.0, 2.5
+"""Time of a node's time step with heat over that without, and with rough surfaces over that with smooth ones:
+5.6 us of `cases/zi_drive.toml`, 1.2 us of an ellipse, 14 to 20 us of slow worm gear sets."""
 
 
 @dataclass(frozen=True)
@@ -208,12 +209,11 @@ def begin_of_further(time_grid: TimeGrid, seconds: float, solves: int) -> float 
     if solves < MIN_SOLVES:
         return begin
     steps = places_of(time_grid, solves, begin, time_grid.place(seconds))
-    work = sum(time_grid.grid_of_contact(seconds, on).nodes for on, _ in steps)
-    return (
-        begin
-        if work * (HEAT_TIME_RATIO if time_grid.plan.model.heated else 1) <= MOST_WORK
-        else None
-    )
+    work: float = sum(time_grid.grid_of_contact(seconds, on).nodes for on, _ in steps)
+    model = time_grid.plan.model
+    work *= HEAT_TIME_RATIO if model.heated else 1
+    work *= ROUGH_TIME_RATIO if model.rough else 1
+    return begin if work <= MOST_WORK else None
 
 
 @dataclass(frozen=True)
