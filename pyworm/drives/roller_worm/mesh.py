@@ -6,8 +6,8 @@ from math import pi
 
 import numpy as np
 
+from pyworm.drives.cached import cached
 from pyworm.drives.oil_supply import Bath, Jets, Lubricated, LubricatedBody, LubricatedTeeth
-from pyworm.drives.remembered import remembered
 from pyworm.drives.roller_worm.envelope import Array, LineContact
 from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films
 from pyworm.drives.roller_worm.gap import ContactFrame, RollerGap, RollerMotion
@@ -90,7 +90,7 @@ class RollerMesh(RollerGears, Lubricated):
         """
         return self.preload + (self.ratio * self.torque if section == "left" else 0.0)
 
-    @remembered
+    @cached
     def shared(self, section: str, wheel_angle: float) -> SharedLoad:
         """Loads of a section's rollers while one of them is at a wheel angle [rad]."""
         part = self.sections[section]
@@ -101,7 +101,7 @@ class RollerMesh(RollerGears, Lubricated):
         """State of a roller at a phase of a section, at fractions of its contact line from 0 to 1."""
         return self._state(section, phase, tuple(stations))
 
-    @remembered
+    @cached
     def _state(self, section: str, phase: float, stations: tuple[float, ...]) -> LineState:
         part = self.sections[section]
         angle = float(part.wheel_angle(phase))
@@ -123,7 +123,7 @@ class RollerMesh(RollerGears, Lubricated):
             films=closed_films(contact.curvature, load, motion, self.bodies, self.oil),
         )
 
-    @remembered
+    @cached
     def _turning(self, section: str, wheel_angle: float) -> float:
         """Speed of a roller about its own axis [rad/s]."""
         part, shared = self.sections[section], self.shared(section, wheel_angle)

@@ -5,8 +5,8 @@ from dataclasses import dataclass, replace
 
 import pytest
 
-from pyworm.drives import remembered as module
-from pyworm.drives.remembered import remembered
+from pyworm.drives import cached as module
+from pyworm.drives.cached import cached
 
 ASKED = []
 
@@ -15,7 +15,7 @@ ASKED = []
 class Asked:
     offset: float
 
-    @remembered
+    @cached
     def sum(self, one, other):
         ASKED.append((one, other))
         return self.offset + one + other

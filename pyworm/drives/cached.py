@@ -21,13 +21,13 @@ class _Found(OrderedDict):
         return _Found, ()
 
 
-def remembered(
+def cached(
     method: Callable[Concatenate[Own, Rest], Kept],
 ) -> Callable[Concatenate[Own, Rest], Kept]:
     """A method of an immutable object that finds each value once; arguments have to be hashable."""
 
     @wraps(method)
-    def recall(self: Own, /, *arguments: Rest.args, **named: Rest.kwargs) -> Kept:
+    def cached_value(self: Own, /, *arguments: Rest.args, **named: Rest.kwargs) -> Kept:
         found = vars(self).setdefault("_found", _Found())
         key = method.__name__, *arguments, *named.items()
         if key not in found:
@@ -38,4 +38,4 @@ def remembered(
         value: Kept = found[key]
         return value
 
-    return recall
+    return cached_value
