@@ -74,11 +74,6 @@ def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
 
     A table that gives its law stands as it is. Keys of others go in place of the named oil's.
 
-    Parameters
-    ----------
-    table : dict
-        As the file has it.
-
     Raises
     ------
     ValidationError

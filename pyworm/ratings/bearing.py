@@ -91,17 +91,7 @@ def _contamination(
 
 
 def rate_bearing_table(name: str, table: BearingTable, directory: Path) -> Rating:
-    """One bearing of a case.
-
-    Parameters
-    ----------
-    name : str
-        Its key in the file.
-    table : BearingTable
-        Tables of the case file.
-    directory : Path
-        Where the file lies.
-    """
+    """One bearing of a case."""
     rated = bearing_life(table, directory)
     columns = ("computed", "printed") if table.published else ("computed",)
     figures = tuple(_figure(rated, table, *row) for row in _FIGURES)

@@ -44,15 +44,7 @@ def _formulas(groups: PointGroups | LineGroups) -> dict[str, tuple[str, Callable
 
 
 def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Rating:
-    """Every film formula at a contact, side by side with the simulated film.
-
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    solution : Solution, optional
-        The same contact solved.
-    """
+    """Every film formula at a contact, side by side with the simulated film."""
     prediction = predicted(scene)
     formulas = _formulas(prediction.groups)
     objections = {

@@ -284,15 +284,7 @@ def unconverged(result: Result | None) -> tuple[str, ...]:
 
 
 def not_rated(request: RatingRequest, possible: tuple[Rating, ...]) -> tuple[str, ...]:
-    """Ratings, and parts of ratings, that a case leaves out, each with the reason.
-
-    Parameters
-    ----------
-    request : RatingRequest
-        The case.
-    possible : tuple of Rating
-        Its ratings.
-    """
+    """Ratings, and parts of ratings, that a case leaves out, each with the reason."""
     left = [sentence for rating in possible for sentence in rating.not_rated]
     failed = [
         (name, outcome)

@@ -34,15 +34,7 @@ ratio above [-]."""
 
 
 def outside_scope(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> tuple[str, ...]:
-    """What of a worm gear lies outside the standard's scope, a sentence each.
-
-    Parameters
-    ----------
-    duty : WormDuty
-        The worm gear.
-    loads : tuple of RatedLoad
-        Every load of its life.
-    """
+    """What of a worm gear lies outside the standard's scope, a sentence each."""
     speeds = [load.rated.sliding_speed for load in loads]
     ratio, distance = duty.contact_ratio, duty.gear.centre_distance
     found = []

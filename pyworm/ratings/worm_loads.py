@@ -37,15 +37,6 @@ class RatedLoad:
 def rated_loads(table: CompletedRating, duty: WormDuty, directory: Path) -> tuple[RatedLoad, ...]:
     """The worm gear under each load of its spectrum, else under that of the drive in the life that is given.
 
-    Parameters
-    ----------
-    table : CompletedRating
-        The rating, completed.
-    duty : WormDuty
-        The worm gear.
-    directory : Path
-        Where the case lies.
-
     Raises
     ------
     CaseError

@@ -29,13 +29,6 @@ def browser() -> str | None:
 def print_pdf(page: Path, pdf: Path) -> None:
     """Print a page.
 
-    Parameters
-    ----------
-    page : Path
-        A page of HTML.
-    pdf : Path
-        Where the PDF goes.
-
     Raises
     ------
     CaseError

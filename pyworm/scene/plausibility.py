@@ -178,15 +178,7 @@ def _judged(scene: Scene | LineScene) -> Iterator[Doubt]:
 
 
 def beyond_limits(names: Iterable[str], bodies: Iterable[Body]) -> tuple[str, ...]:
-    """A sentence for each body that is hotter in bulk than its material bears in continuous use.
-
-    Parameters
-    ----------
-    names : iterable of str
-        What the bodies are called.
-    bodies : iterable of Body
-        The bodies.
-    """
+    """A sentence for each body that is hotter in bulk than its material bears in continuous use."""
     pairs = zip(names, bodies, strict=True)
     return tuple(
         sentence for name, body in pairs if (sentence := _beyond_limit(name, body)) is not None

@@ -34,13 +34,7 @@ TILTS = np.radians([0.0, 15.0, 30.0, 45.0, 60.0])
 
 
 def roller_cycle_data(mesh: RollerMesh) -> "xr.Dataset":
-    """The mesh cycle of both sections.
-
-    Parameters
-    ----------
-    mesh : RollerMesh
-        The mesh.
-    """
+    """The mesh cycle of both sections."""
     return describe(
         xr.Dataset(
             {

@@ -27,15 +27,7 @@ def closed_form_table(cycle: "xr.Dataset") -> Table | None:
 
 
 def cycle_table(cycle: DriveCycle, bodies: tuple[str, str] = BODIES) -> Table:
-    """Extremes of a drive's mesh cycle with their phase and place on the wheel's flank.
-
-    Parameters
-    ----------
-    cycle : DriveCycle
-        The cycle.
-    bodies : tuple of str, optional
-        What the bodies are called.
-    """
+    """Extremes of a drive's mesh cycle with their phase and place on the wheel's flank."""
     title = f"Whole mesh cycle, from {len(cycle.phases)} phases"
     if cycle.unconverged:
         phases = ", ".join(f"{phase:g}" for phase in cycle.unconverged)

@@ -108,15 +108,7 @@ def _computed(result: Result) -> Identity:
 
 
 def overleaf_of(found: Findings, pictures: tuple[Picture | Words, ...]) -> Overleaf:
-    """The page behind the page to sign.
-
-    Parameters
-    ----------
-    found : Findings
-        The findings of the report.
-    pictures : tuple of Picture or Words
-        Flanks, and wear of them.
-    """
+    """The page behind the page to sign."""
     assumed = assumptions_of(found)
     drive = found.case.drive
     usual = () if drive is None else drive.usual_values
