@@ -21,6 +21,9 @@ SCALES = {
 }  # fmt: skip
 """Shown unit -> factor from SI; temperatures in °C also have an offset."""
 
+GREEK = {"lambda": r"\lambda", "eta": r"\eta", "tau": r"\tau", "µ": r"\mu"}
+"""Symbol in letters -> as pictures typeset it."""
+
 ENDINGS = {
     "1": "", "m": "_m", "Pa": "_Pa", "N": "_N", "W": "_W", "N/m": "_N_m", "W/m": "_W_m", "1/s": "_1_s",
     "m/s": "_m_per_s", "K": "_C", "s": "_s",
@@ -156,9 +159,19 @@ class Quantity:
         return _capital(self.worst(bodies))
 
     def axis(self, words: str = "") -> str:
-        """Label of an axis or a colour bar: words, by default the label, and unit."""
+        """Label of an axis or a colour bar: words, by default the label with the symbol, and unit."""
         unit = f"({self.shown})" if "/" in self.shown or " " in self.shown else self.shown
-        return f"{words or self.words()} / {unit}" if unit else words or self.words()
+        label = self.words().removesuffix(f" {self.symbol}")
+        named = words or f"{label} {self.typeset_symbol}".rstrip()
+        return f"{named} / {unit}" if unit else named
+
+    @property
+    def typeset_symbol(self) -> str:
+        """The symbol as pictures typeset it; empty without one."""
+        base, _, index = self.symbol.partition("_")
+        letter = GREEK.get(base, base)
+        below = f"_\\mathrm{{{index}}}" if index else ""
+        return f"${letter}{below}$" if letter else ""
 
     @property
     def column(self) -> str:

@@ -40,7 +40,7 @@ def draw_life(result: Result, life: ContactLife) -> Figure:
         draw for name, draw in PANELS.items() if name in ("load", "entrainment", *life.figures)
     ]
     size = 9, PANEL * len(drawn) + 1.2
-    words = "over one mesh engagement" if life.phases is not None else "over its load history"
+    words = "one mesh engagement" if life.phases is not None else "load history"
     what = joined(result.case_name, f"{life.place} {words}".strip(), of_all(life.solutions).note)
     spaced = {
         "nrows": len(drawn),
@@ -73,7 +73,7 @@ def _draw_speed(axes: Axes, result: Result, life: ContactLife, abscissa: Array) 
     axes.plot(abscissa, _broken(life, life.entrainment), color="0.3")
     low, high = min(0.0, life.entrainment.min()), max(0.0, life.entrainment.max())
     axes.set_ylim(low * 1.1, high * 1.1)
-    axes.set_ylabel("entrainment\n/ (m/s)")
+    axes.set_ylabel(broken(QUANTITIES["entrainment"].axis()))
 
 
 def _draw_films(axes: Axes, result: Result, life: ContactLife, abscissa: Array) -> None:

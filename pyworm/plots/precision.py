@@ -192,9 +192,7 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
         handles.append(
             Line2D([], [], color="0.3", marker="o", linestyle="-.", label="extrapolated", **HOLLOW)
         )
-    handles.append(
-        Line2D([], [], color="0.3", linestyle=":", label="of it, what finer grids take away")
-    )
+    handles.append(Line2D([], [], color="0.3", linestyle=":", label="grid-refinement part"))
     figure.legend(
         handles=handles,
         loc="upper center",

@@ -50,7 +50,7 @@ def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
 
 def _draw_depth(axes: Axes, steps: Sequence["WearFigures"], limit: float) -> None:
     hours = [step.hours for step in steps]
-    axes.plot(hours, [step.depth_max_m * MICRO for step in steps], "o-", label="deepest")
+    axes.plot(hours, [step.depth_max_m * MICRO for step in steps], "o-", label="maximum")
     axes.plot(
         hours, [step.depth_mean_m * MICRO for step in steps], "s-", label="mean in the pattern"
     )
@@ -58,8 +58,8 @@ def _draw_depth(axes: Axes, steps: Sequence["WearFigures"], limit: float) -> Non
         hours, [step.backlash_m * MICRO for step in steps], "^--", color="0.4", label="backlash"
     )
     if steps[-1].depth_max_m > 0.3 * limit:
-        axes.axhline(limit * MICRO, color="tab:red", linestyle=":", label="allowed")
-    axes.set_xlabel("h")
+        axes.axhline(limit * MICRO, color="tab:red", linestyle=":", label="permissible")
+    axes.set_xlabel("time / h")
     axes.set_ylabel("wear depth / µm")
     axes.legend(frameon=False, fontsize="small")
     axes.grid(True, color="0.9")
@@ -69,7 +69,7 @@ def _draw_running_in(axes: Axes, steps: Sequence["WearFigures"]) -> None:
     hours = [step.hours for step in steps]
     axes.plot(hours, [step.friction for step in steps], "o-", color="tab:purple")
     axes.set_ylim(0, 1.15 * max(step.friction for step in steps))
-    axes.set_xlabel("h")
+    axes.set_xlabel("time / h")
     axes.set_ylabel(QUANTITIES["friction_coefficient"].axis(), color="tab:purple")
     shared = axes.twinx()
     shared.plot(hours, [100 * step.asperity_share for step in steps], "s--", color="tab:brown")
@@ -81,7 +81,7 @@ def _draw_pattern(axes: Axes, steps: Sequence["WearFigures"]) -> None:
     hours = [step.hours for step in steps]
     axes.plot(hours, [step.pattern_m2 * 1e6 for step in steps], "o-", color="tab:blue")
     axes.set_ylim(0, 1.15 * max(step.pattern_m2 for step in steps) * 1e6)
-    axes.set_xlabel("h")
+    axes.set_xlabel("time / h")
     axes.set_ylabel("contact pattern / mm²", color="tab:blue")
     films = np.array([step.film_min_m for step in steps]) * MICRO
     axes_film = axes.twinx()

@@ -41,7 +41,7 @@ def draw_history(case_name: str, solution: Solution) -> Figure:
     axes.plot([], [], "--", color="0.3", linewidth=0.9, label="load error")
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set_xlabel("iteration")
-    axes.set_ylabel("residual, relative")
+    axes.set_ylabel("relative residual")
     axes.grid(True, color="0.9")
     figure.legend(loc="lower center", ncols=LEGEND_COLUMNS, frameon=False)
     return figure

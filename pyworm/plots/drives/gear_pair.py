@@ -74,7 +74,7 @@ def draw_line_of_action(result: Result) -> Figure:
         )
         rubbed = unit_load * cycle["friction_load_factor"]
         panels[0].plot(roll, rubbed, color="tab:purple", linestyle="--", label=friction)
-    panels[0].set_ylabel("load for each length\n/ (N/mm)")
+    panels[0].set_ylabel("load per length\n/ (N/mm)")
     panels[0].set_ylim(bottom=0)
     _legend(panels[0], 2)
     panels[1].plot(roll, cycle["closed_form_hertz_pressure"] * MEGA, color="tab:red")
@@ -200,7 +200,7 @@ def _finished(figure: Figure, panels: Iterable[Axes], cycle: "xr.Dataset") -> Fi
     top = panels[0].secondary_xaxis("top")
     top.set_xticks(sorted(places.values()), names)
     top.tick_params(length=0, labelsize="small")
-    panels[-1].set_xlabel("roll angle of the pinion / degrees")
+    panels[-1].set_xlabel("roll angle of the pinion / °")
     return figure
 
 

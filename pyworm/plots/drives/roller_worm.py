@@ -39,7 +39,7 @@ def draw_roller_cycle(result: Result) -> Figure:
     for panel in axes:
         panel.grid(True, color="0.9")
         panel.axvspan(*throat(cycle), color="0.93", zorder=0)
-    axes[-1].set_xlabel("wheel angle of the roller / deg; it travels from left to right")
+    axes[-1].set_xlabel("wheel angle of the roller / ° (motion from left to right)")
     return figure
 
 
@@ -111,7 +111,7 @@ def _draw_load(axes: Axes, cycle: "xr.Dataset") -> None:
     axes.set_ylim(bottom=0)
     other.set_ylim(bottom=0)
     axes.set_ylabel("load of a roller / N")
-    other.set_ylabel("load per length / kN/m (dashed)")
+    other.set_ylabel("load per length / (kN/m) (dashed)")
 
 
 def _draw_motion(axes: Axes, cycle: "xr.Dataset") -> None:
@@ -130,7 +130,7 @@ def _draw_motion(axes: Axes, cycle: "xr.Dataset") -> None:
     axes.plot([], [], color="0.3", label="roller")
     axes.set_ylim(bottom=0)
     other.set_ylim(bottom=0)
-    axes.set_ylabel("velocity across\nthe line / m/s")
+    axes.set_ylabel("velocity across\nthe line / (m/s)")
     other.set_ylabel("roller about its axis\n/ 1000 rpm (dashed)")
     axes.legend(frameon=False, fontsize=8, loc="upper center")
 

@@ -66,7 +66,7 @@ def _draw_films(axes: Axes, middle: "xr.Dataset") -> None:
         color="0.93",
     )
     axes.set_yscale("log")
-    axes.set_xlabel("wheel angle of the roller / deg")
+    axes.set_xlabel("wheel angle of the roller / °")
     film_min = QUANTITIES["film_min"]
     axes.set_ylabel(film_min.axis(f"{film_min.words()} by formula"))
     axes.grid(True, color="0.9")

@@ -67,7 +67,7 @@ def draw_cycle(result: Result) -> Figure:
         draw(panel)
     for panel in axes:
         panel.grid(True, color="0.9")
-    axes[-1].set_xlabel("phase of the mesh cycle, 0 where the teeth meet, 1 where they part")
+    axes[-1].set_xlabel("mesh phase (0: first contact, 1: last contact)")
     return figure
 
 
@@ -86,7 +86,7 @@ def _draw_radii(axes: Axes, cycle: "xr.Dataset") -> None:
     axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axes.yaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_minor_locator(NullLocator())
-    axes.set_ylabel("relative radius\nof curvature / mm")
+    axes.set_ylabel("radius of relative\ncurvature / mm")
     axes.legend(frameon=False, ncols=2)
 
 

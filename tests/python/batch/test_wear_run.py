@@ -180,7 +180,7 @@ def test_wear_is_drawn(case, contacts, tmp_path):
     figure = draw_wear("unit", run, 1e-6)
     assert len(figure.axes) >= 8
     labels = {axes.get_ylabel() for axes in figure.axes}
-    assert {"wear depth / µm", "friction coefficient", "contact pattern / mm²"} <= labels
+    assert {"wear depth / µm", r"friction coefficient $\mu$", "contact pattern / mm²"} <= labels
 
 
 def test_the_energy_form_and_the_standards_curve_are_options(monkeypatch, capsys, tmp_path):

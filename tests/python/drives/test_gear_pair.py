@@ -590,5 +590,5 @@ def test_a_pair_without_surfaces_has_films_alone(spur):
     bare = replace(spur, surfaces=None, bodies=(STEEL, STEEL))
     result = Result("bare", {}, (), bare.cycle_data(), {})
     (film,) = draw_film_and_temperature(result).axes
-    assert film.get_ylabel() == "film thickness / µm"
+    assert film.get_ylabel() == "film thickness $h$ / µm"
     assert len(draw_line_of_action(result).axes) == 4

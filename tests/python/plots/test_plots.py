@@ -51,6 +51,7 @@ from pyworm.solver.solution import Estimate
 
 SCENE_NAMES = ["gap", "pressure", "film", "entrainment", "profiles", "history"]
 LINE_NAMES = ["profiles", "history"]
+HOTTEST = "maximum temperature\n$T_\\mathrm{max}$ / °C"
 HEAT_NAMES = ["friction", "temperature", "across_film"]
 
 
@@ -434,13 +435,13 @@ def test_the_cycle_shows_friction_and_temperatures_where_solved():
     hot = tuple(make_hot_worm(phase) for phase in (0.25, 0.75))
     figure = draw_cycle(Result("cycle", {}, hot, make_mesh_cycle(), {}))
     said = texts(figure)
-    for label in ("friction\ncoefficient", "power\nloss / W", "maximum\ntemperature / °C", "inlet"):
+    for label in ("friction\ncoefficient", "power loss\n$P$ / W", HOTTEST, "inlet"):
         assert label in said
     plain = draw_cycle(Result("cycle", {}, (make_worm_solution(),), make_mesh_cycle(), {}))
     assert "friction" not in texts(plain) and "temperature" not in texts(plain)
     sheared = tuple(without_heat(solution) for solution in hot)
     said = texts(draw_cycle(Result("cycle", {}, sheared, make_mesh_cycle(), {})))
-    assert "power\nloss / W" in said and "temperature" not in said
+    assert "power loss\n$P$ / W" in said and "temperature" not in said
 
 
 def make_curve(ratios):
@@ -466,7 +467,7 @@ def test_a_traction_curve_has_the_sign_of_its_sliding_and_is_drawn_in_order():
     size = [curve[ratios.index(of)].figures.friction_coefficient.value for of in sorted(ratios)]
     assert list(line.get_ydata()) == pytest.approx(np.sign(sorted(ratios)) * size)
     said = texts(figure)
-    for label in ("slide-roll ratio", "friction coefficient", "maximum\ntemperature / °C"):
+    for label in ("slide-roll ratio", "friction coefficient", HOTTEST):
         assert label in said
     cold = tuple(without_heat(solution) for solution in curve)
     assert len(draw_traction(Result("ball", {}, cold, None, {})).axes) == 1

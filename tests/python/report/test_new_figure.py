@@ -86,7 +86,7 @@ def test_table_and_picture_of_a_sweep_have_it():
     first = summaries[0]["pressure_by_film_Pa_m"] * 1e-12
     assert rows_table(swept).column(column)[0] == f"{first:.4g}"
     panels = {axes.get_ylabel(): axes for axes in sweep_figure(swept).axes}
-    panel = panels["maximum pressure over film thickness / (MPa/µm)"]
+    panel = panels["maximum pressure over film thickness $p/h$ / (MPa/µm)"]
     assert panel.lines[0].get_ydata()[0] == pytest.approx(first)
 
 
