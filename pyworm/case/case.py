@@ -316,7 +316,7 @@ class Case(Shown):
                 given[name] = listed[0] if listed else None
                 continue
             if listed is None:
-                raise CaseError(f"{name} {value}: the gears of {self.name} has no {name}s")
+                raise CaseError(f"{name} {value}: the gear set of {self.name} has no {name}s")
             if name == "section" and value not in (*listed, *sections):
                 raise CaseError(f"section {value}: choose one of {', '.join(sections)}")
             if name != "section" and not 0 <= value <= 1:

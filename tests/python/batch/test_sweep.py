@@ -381,11 +381,11 @@ def test_the_picture_shows_what_varies(axes, pairs, labels):
         panel.get_ylabel() for panel in figure.axes
     }
     assert labels <= shown
-    texts = str([text.get_text() for text in figure.findobj() if hasattr(text, "get_text")])
+    texts = "|".join(text.get_text() for text in figure.findobj() if hasattr(text, "get_text"))
     for words in (
-        "minimum film thickness / µm",
-        "central film thickness / µm",
-        "maximum pressure / MPa",
+        r"minimum film thickness $h_\mathrm{min}$ / µm",
+        r"central film thickness $h_\mathrm{c}$ / µm",
+        r"maximum pressure $p_\mathrm{max}$ / MPa",
     ):
         assert words in texts
     assert "not converged" in texts

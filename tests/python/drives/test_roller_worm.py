@@ -333,7 +333,7 @@ def test_places_outside_the_mesh_are_refused(case, place, sentence):
 
 def test_a_drive_without_sections_takes_none():
     with pytest.raises(
-        CaseError, match="section left: the drive of zi_sharif_2001 has no sections"
+        CaseError, match="section left: the gear set of zi_sharif_2001 has no sections"
     ):
         pyworm.load(CASES / "zi_sharif_2001.toml").scene(section="left")
 
