@@ -169,7 +169,7 @@ def test_an_earlier_result_that_cannot_be_used_is_reported(tmp_path, capsys, mon
     assert main(command) == CONVERGED
     said = capsys.readouterr().err
     assert said.startswith(f"pyworm: {tmp_path / 'result.nc'} is not a pyworm result")
-    assert said.endswith("its scenes are solved again\n") and said.count("\n") == 1
+    assert said.endswith("its contacts are solved again\n") and said.count("\n") == 1
 
 
 def test_a_file_of_another_scene_is_not_used(tmp_path, solved):

@@ -215,7 +215,7 @@ def test_formulas_stand_beside_the_models(of_a_line):
 
 def test_numerical_parameters_have_lines_of_their_own(of_a_line):
     names = [curve.name for curve in of_a_line.curves if curve.kind == "parameter"]
-    assert any("window" in name for name in names) and any("tolerance" in name for name in names)
+    assert any("domain" in name for name in names) and any("tolerance" in name for name in names)
 
 
 def test_a_budget_that_leaves_no_reference_names_a_sufficient_one():

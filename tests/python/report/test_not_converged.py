@@ -31,7 +31,7 @@ from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.stop_reason import CURE, rests_on_edge
 
-REASON = "the residual stayed at 5.0e+02, 1.0e-05 is wanted" + CURE
+REASON = "the residual stayed at 5.0e+02, 1.0e-05 is required" + CURE
 PHASES = (0.1, 0.3, 0.5, 0.7, 0.9)
 
 
@@ -166,7 +166,7 @@ def test_the_film_of_what_did_not_converge_has_no_circle():
         for one in (good, bad)
     ]
     assert len(circles[0]) == 1 and not circles[1]
-    assert "NOT CONVERGED (the residual stayed at 5.0e+02, 1.0e-05 is wanted)" in heading(
+    assert "NOT CONVERGED (the residual stayed at 5.0e+02, 1.0e-05 is required)" in heading(
         "case", bad
     )
 

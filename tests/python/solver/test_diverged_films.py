@@ -259,4 +259,4 @@ def test_a_finer_request_ends_no_worse_than_a_coarser_one(film, monkeypatch):
         assert solution.figures.film_min == usual.figures.film_min
         assert solution.converged
         assert solution.stop_reason.startswith("less accurate than requested, ")
-        assert solution.stop_reason.endswith("asked for 1 %, films depend on surfaces far out")
+        assert solution.stop_reason.endswith("requested 1 %, films depend on surfaces far out")
