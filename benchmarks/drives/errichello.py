@@ -2,7 +2,7 @@
 
 Run from the repository's root:
     python benchmarks/drives/errichello.py           table, reducer against increaser, addenda, assumptions
-    python benchmarks/drives/errichello.py films     simulated films and temperatures (five minutes)
+    python benchmarks/drives/errichello.py films     simulated films and temperatures (more than ten minutes)
     python benchmarks/drives/errichello.py picture   docs/pictures/errichello.png
 """
 
@@ -17,6 +17,7 @@ import pyworm
 from pyworm.drives.gear_pair.drive import GearPairDrive
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_pages import markdown
 from evidence_record import record
 
 CASES = {"original": "errichello_speed_increaser", "optimised": "errichello_optimised_addenda"}
@@ -119,7 +120,7 @@ def compare_films(drives: dict[str, GearPairDrive]) -> None:
             rows.append(
                 (
                     name,
-                    phase,
+                    f"{phase:g}",
                     f"{figures.film_min.value / MICROINCH:.2f}",
                     f"{float(rating.film_min) / MICROINCH:.2f}",
                     f"{friction:.4f}",
@@ -127,7 +128,7 @@ def compare_films(drives: dict[str, GearPairDrive]) -> None:
                     f"{float(fahrenheit(blok)):.1f}",
                 )
             )
-    record("errichello_films", SIMULATED, rows)
+    print(markdown(SIMULATED, rows))
 
 
 def simulated(drive: GearPairDrive, phase: float):
