@@ -406,8 +406,10 @@ def case_again(resolved: dict[str, Any]) -> Case:
     Raises
     ------
     CaseError
-        It is none that this version knows.
+        It is none that this version knows, or the result was not made from a case.
     """
+    if not resolved:
+        raise CaseError("the result has no case file; pyworm explore and pyworm plot show it")
     tables = {key: value for key, value in resolved.items() if key != "name"}
     return Case(resolved.get("name", ""), Path(), _tables(_said(tables), units.SI))
 

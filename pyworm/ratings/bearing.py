@@ -22,7 +22,7 @@ from pyworm.ratings.rating import RatedFigure, Rating, without_value
 # Key, label, attribute of `BearingRating`, scale to the unit shown, unit
 _FIGURES = (
     ("viscosity_m2_s", "Viscosity at the bearing", "viscosity", 1e6, "mm²/s"),
-    ("reference_viscosity_m2_s", "Viscosity wanted, nu1", "reference_viscosity", 1e6, "mm²/s"),
+    ("reference_viscosity_m2_s", "Viscosity required, nu1", "reference_viscosity", 1e6, "mm²/s"),
     ("kappa", "Viscosity ratio kappa", "kappa", 1.0, ""),
     ("contamination", "Contamination e_C", "contamination", 1.0, ""),
     ("modification", "Life modification a_ISO", "modification", 1.0, ""),

@@ -235,7 +235,7 @@ def _bearing_step(duty: OilDuty, chosen: GradeRow) -> Step:
     good = kappa >= 1
     return Step(
         "Bearings",
-        f"The bearing wants {wanted:.1f} mm2/s; with VG {chosen.grade} at "
+        f"The bearing requires {wanted:.1f} mm2/s; with VG {chosen.grade} at "
         f"{_celsius(chosen.sump_temperature)} kappa = {kappa:.2f}, "
         + ("which is enough." if good else "below 1: it loses life to thin oil."),
         "ISO 281:2007",
@@ -272,11 +272,11 @@ def _recommendation(
         thinner = [row for row in cool if row.grade < chosen.grade]
         if not thinner or thinner[-1].specific_film < duty.specific_film:
             words.append(
-                "It is the thinnest grade that gives the wanted film; a thicker one only churns more."
+                "It is the thinnest grade that gives the required film; a thicker one only churns more."
             )
         else:
             words.append(
-                "A thinner grade would give the wanted film, but not what practice asks for."
+                "A thinner grade would give the required film, but not what practice asks for."
             )
     else:
         best = max(cool, key=lambda row: row.specific_film)

@@ -26,6 +26,7 @@ import pyworm
 from pyworm.case.case import case_again
 from pyworm.cli.main import main
 from pyworm.formulas.film import chittenden
+from pyworm.io.input_error import CaseError
 from pyworm.materials.viscosity_density import Barus
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.report.page.assumptions import plan_section
@@ -350,6 +351,11 @@ def test_contacts_without_a_drive_are_reported_too():
     assert not titles & {"Ratings: gears, scuffing, bearings", "Sensitivity"}
     pictures = [b for b in section(report, "Contacts").blocks if isinstance(b, Picture)]
     assert len(pictures) > 3
+
+
+def test_a_result_without_a_case_is_referred_to_what_shows_it():
+    with pytest.raises(CaseError, match="no case file; pyworm explore and pyworm plot show it"):
+        build_report(Result("contact", {}, (make_hot_worm(0.5),), None, {}))
 
 
 # ---------------------------------------------------------------------------------- sensitivity
