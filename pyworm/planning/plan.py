@@ -190,7 +190,7 @@ def plan_of(
         quantities = tuple(row("quantities", quantities))
     if not 1e-5 <= accuracy <= 0.5:
         raise ValueError(
-            f"accuracy = {accuracy:g}: a relative error between 1e-5 and 0.5, such as 1%"
+            f"accuracy = {accuracy:g}: must be a relative error between 1e-5 and 0.5, such as 1%"
         )
     known = _known(scene)
     for quantity in quantities or ():

@@ -119,7 +119,7 @@ def test_a_failing_scene_is_reported_and_costs_no_other(reference, tmp_path):
     store = Store(tmp_path / "scenes", fields=True)
     failed = solve_all([bad, tasks[0]], store)
     assert list(failed) == [bad.key]
-    assert failed[bad.key].startswith("ValueError: accuracy = 2: a relative error between")
+    assert failed[bad.key].startswith("ValueError: accuracy = 2: must be a relative error between")
     assert store.missing([bad, tasks[0]]) == [bad]
 
 

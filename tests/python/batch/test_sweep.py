@@ -185,7 +185,7 @@ BAD = [
     ),
     ("line_m20", "lime_m20", "lime_m20_l10.toml: no such file"),
     ("accuracy =", '"contact.load" = "1 N"\naccuracy =', "contact.load is given twice"),
-    ('"5 %"', '"99 %"', "accuracy = 0.99: a relative error between 1e-5 and 0.5"),
+    ('"5 %"', '"99 %"', "accuracy = 0.99: must be a relative error between 1e-5 and 0.5"),
     ('"contact.load"', '"contact..load"', 'must be a dotted key, such as "motion.velocity_1[0]"'),
     ('"contact.load"', '"contact.load[2]"', "the case has no list with a place [2] there"),
     ('"contact.load"', '"contact.load.x"', "the case has no table with x there"),
