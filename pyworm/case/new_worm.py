@@ -19,19 +19,19 @@ ASKED = {
     "wheel_material": ("material of the wheel", "CuSn12Ni2-C-GZ"),
     "oil": ("oil", "PAG VG 220"),
     "oil_temperature": ("temperature of the oil", "80 C"),
-    "life": ("life that it is designed for, in hours of running", "25000 h"),
-    "application_factor": ("application factor K_A on the torque, 1 of a uniform load", "1.25"),
+    "life": ("rated life in operating hours", "25000 h"),
+    "application_factor": ("application factor K_A, 1 for uniform load", "1.25"),
 }
 """Number of the drawing or of the duty that has to be known -> what it is called, and an example."""
 
 OPTIONAL = {
-    "profile": ("form of the flanks, one of " + ", ".join(PROFILES), "ZI"),
-    "pressure_angle": ("pressure angle in the profile's own section", "20 deg"),
+    "profile": ("flank profile, one of " + ", ".join(PROFILES), "ZI"),
+    "pressure_angle": ("pressure angle in the section that defines the profile", "20 deg"),
     "face_width": ("face width of the wheel", "30 mm"),
     "hand": ("hand of the threads", "right"),
-    "hob_oversize": ("reference diameter of the hob beyond the worm's", "1.6 mm"),
-    "starts_per_hour": ("starts of the gear unit in an hour, which wear the wheel", "2"),
-    "ambient_temperature": ("temperature of the surroundings", "20 C"),
+    "hob_oversize": ("hob reference diameter minus that of the worm", "1.6 mm"),
+    "starts_per_hour": ("starts per hour, which wear the wheel", "2"),
+    "ambient_temperature": ("ambient temperature", "20 C"),
 }
 """Number that may be left out, likewise."""
 

@@ -14,7 +14,7 @@ def add_case(command: argparse.ArgumentParser) -> None:
     command.add_argument("case", type=Path, metavar="CASE.toml")
     command.add_argument(
         "--quantities",
-        help="film, friction, temperature, with commas; else the case's, or all that the oil's data allow",
+        help="film,friction,temperature; default: the case's, or all that the oil data allow",
     )
     add_places(command)
     add_json(command)
@@ -26,40 +26,40 @@ def add_places(command: argparse.ArgumentParser) -> None:
         "--section",
         nargs="+",
         metavar="NAME",
-        help="sections of a roller worm to solve; else the case's",
+        help="sections of a roller worm to solve; default: the case's",
     )
     command.add_argument(
         "--station",
         type=float,
         nargs="+",
         metavar="PLACE",
-        help="places along contact lines, 0 to 1, to solve; else the case's",
+        help="positions along contact lines, 0 to 1, to solve; default: the case's",
     )
     command.add_argument(
         "--phase",
         type=float,
         nargs="+",
         metavar="PHASE",
-        help="mesh phases 0 to 1 to solve; else the case's",
+        help="mesh phases, 0 to 1, to solve; default: the case's",
     )
     command.add_argument(
         "--slide-roll-ratio",
         type=float,
         nargs="+",
         metavar="RATIO",
-        help="places on a traction curve to solve; else the case's",
+        help="slide-roll ratios of a traction curve to solve; default: the case's",
     )
 
 
 def add_accuracy_and_effects(command: argparse.ArgumentParser) -> None:
     """Options of how the contacts of a case are solved."""
     command.add_argument(
-        "--accuracy", help='relative error wanted, such as "1%%"; else the case\'s'
+        "--accuracy", help='requested relative accuracy, such as "1%%"; default: the case\'s'
     )
     command.add_argument(
         "--effects",
-        help="auto, auto,-roughness,-squeeze, all, isothermal, or names of effects with commas between; "
-        "else the case's",
+        help="auto, auto,-roughness,-squeeze, all, isothermal, or comma-separated effects; default: "
+        "the case's",
     )
 
 
@@ -72,7 +72,7 @@ def add_processes(command: argparse.ArgumentParser) -> None:
         type=_process_count,
         default=1,
         metavar="N",
-        help="processes (default: 1)",
+        help="worker processes (default: 1)",
     )
     who.add_argument(
         "--scheduler",
@@ -95,7 +95,7 @@ def add_compared_case(command: argparse.ArgumentParser) -> None:
 def add_anyway(command: argparse.ArgumentParser) -> None:
     """Option that accepts a result of a case that has changed."""
     command.add_argument(
-        "--anyway", action="store_true", help="take the result even if the case has changed since"
+        "--anyway", action="store_true", help="accept the result even if the case has changed since"
     )
 
 

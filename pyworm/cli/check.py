@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 def add_check(commands: argparse._SubParsersAction) -> None:
     """Add the command `check`."""
-    check = commands.add_parser("check", help="check a case and show the plan")
+    check = commands.add_parser("check", help="check a case and show its plan; nothing is solved")
     add_case(check)
     add_accuracy_and_effects(check)
     check.set_defaults(command=_check)

@@ -12,7 +12,7 @@ from pyworm.io.terminal import print_result
 def add_explore(commands: argparse._SubParsersAction) -> None:
     """Add the command `explore`."""
     command = commands.add_parser(
-        "explore", help="write a results file as one HTML page to explore"
+        "explore", help="write a results file as one interactive HTML page"
     )
     command.add_argument("result", type=Path, metavar="RESULT")
     command.add_argument(

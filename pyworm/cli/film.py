@@ -21,16 +21,16 @@ STEEL = "16MnCr5"
 
 def add_film(commands: argparse._SubParsersAction) -> None:
     """Add the command `film`."""
-    film = commands.add_parser("film", help="films by a formula, without a solve")
+    film = commands.add_parser("film", help="film thickness by a regression formula, without a solve")
     film.add_argument("case", nargs="?", type=Path, metavar="CASE.toml")
     add_places(film)
-    film.add_argument("--radii", nargs=2, metavar="R", help='relative radii, "10 mm" "100 mm"')
+    film.add_argument("--radii", nargs=2, metavar="R", help='radii of relative curvature, "10 mm" "100 mm"')
     film.add_argument("--load", help='normal load, "200 N"')
     film.add_argument(
-        "--velocity", nargs="+", metavar="U", help='mean velocity along x (and y), "2 m/s" "0 m/s"'
+        "--velocity", nargs="+", metavar="U", help='entrainment velocity along x (and y), "2 m/s" "0 m/s"'
     )
-    film.add_argument("--oil", help='oil of the list, "PAG VG 460"; with --temperature')
-    film.add_argument("--temperature", help='of the inlet, "60 degC"')
+    film.add_argument("--oil", help='oil of the library, "PAG VG 460"; with --temperature')
+    film.add_argument("--temperature", help='inlet temperature, "60 degC"')
     film.add_argument(
         "--bodies",
         nargs=2,

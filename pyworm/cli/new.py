@@ -17,12 +17,12 @@ from pyworm.io.terminal import print_message, print_result
 def add_new(commands: argparse._SubParsersAction) -> None:
     """Add the command `new`."""
     new = commands.add_parser(
-        "new", help="write a worm drive's case file from its drawing's numbers"
+        "new", help="write the case file of a worm gear set from its drawing"
     )
-    new.add_argument("case", type=Path, metavar="CASE.toml", help="the file to be written")
-    new.add_argument("--title", help="by default the size of the gear unit")
+    new.add_argument("case", type=Path, metavar="CASE.toml", help="file to write")
+    new.add_argument("--title", help="default: size of the gear unit")
     for key, (what, example) in (ASKED | OPTIONAL).items():
-        asked = "requested if not given" if key in ASKED else "taken as usual if not given"
+        asked = "prompted for if missing" if key in ASKED else "default: common practice"
         new.add_argument(
             f"--{key.replace('_', '-')}",
             metavar="VALUE",

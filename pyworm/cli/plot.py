@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 def add_plot(commands: argparse._SubParsersAction) -> None:
     """Add the command `plot`."""
-    plot = commands.add_parser("plot", help="draw the pictures of a results file again")
+    plot = commands.add_parser("plot", help="redraw the pictures of a results file")
     plot.add_argument("result", type=Path, metavar="RESULT")
     plot.add_argument("--out", type=Path, help="directory (default: that of the results file)")
     plot.add_argument(
@@ -35,7 +35,7 @@ def add_plot(commands: argparse._SubParsersAction) -> None:
         "--pictures",
         default="key",
         metavar="NAMES",
-        help="key (default): as run draws them; all; or names with commas, such as pressure,mesh_cycle",
+        help="key (default): as run draws them; all; or comma-separated names, such as pressure,mesh_cycle",
     )
     add_compared_case(plot)
     plot.set_defaults(command=_plot)

@@ -19,7 +19,7 @@ BUDGET = 300.0
 def add_precision(commands: argparse._SubParsersAction) -> None:
     """Add the command `precision`."""
     precision = commands.add_parser(
-        "precision", help="error against time for one contact of a case"
+        "precision", help="error against CPU time for one contact"
     )
     add_case(precision)
     precision.add_argument(
@@ -27,7 +27,7 @@ def add_precision(commands: argparse._SubParsersAction) -> None:
         type=_time_limit,
         default=BUDGET,
         metavar="SECONDS",
-        help="time to spend (default: %(default)g)",
+        help="time limit in seconds (default: %(default)g)",
     )
     precision.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
     precision.set_defaults(command=_precision, accuracy=None, effects=None)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 def add_report(commands: argparse._SubParsersAction) -> None:
     """Add the command `report`."""
     report = commands.add_parser(
-        "report", help="write a results file, or several side by side, as one HTML page"
+        "report", help="write one HTML page of a results file, or of several side by side"
     )
     report.add_argument("results", type=Path, nargs="+", metavar="RESULT")
     report.add_argument(
@@ -29,7 +29,7 @@ def add_report(commands: argparse._SubParsersAction) -> None:
     report.add_argument("--drawing", metavar="NUMBER", help="drawing number on the page to sign")
     report.add_argument("--customer", metavar="NAME", help="customer on the page to sign")
     report.add_argument(
-        "--wear", type=Path, metavar="DIR", help="what pyworm wear left there, on the pages to sign"
+        "--wear", type=Path, metavar="DIR", help="add the wear results in this directory"
     )
     add_compared_case(report)
     report.set_defaults(command=_report)

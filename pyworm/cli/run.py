@@ -35,7 +35,7 @@ LIFE_TABLE = "life.csv"
 
 def add_run(commands: argparse._SubParsersAction) -> None:
     """Add the command `run`."""
-    run = commands.add_parser("run", help="solve a case; table, file and pictures")
+    run = commands.add_parser("run", help="solve a case: tables, results file, pictures")
     add_case(run)
     add_accuracy_and_effects(run)
     run.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
@@ -50,7 +50,7 @@ def add_run(commands: argparse._SubParsersAction) -> None:
         "--pictures",
         choices=("key", "all", "none"),
         default="key",
-        help="key (default): of the mesh cycle or curve, and of the contact with the minimum film thickness",
+        help="key (default): mesh cycle or curve, and the contact with the minimum film thickness",
     )
     run.set_defaults(command=_run)
 

@@ -40,21 +40,21 @@ def add_setup(commands: argparse._SubParsersAction) -> None:
     """Add the command `setup`."""
     setup = commands.add_parser(
         "setup",
-        help="the hob's set-up for a wanted contact pattern, its life, and the wheel's shim",
+        help="hob settings for a contact pattern, hob life, and shim of the wheel",
     )
     setup.add_argument("case", type=Path, metavar="CASE.toml")
     setup.add_argument(
         "--place",
-        help='wanted middle of the pattern along the face, "2 mm", positive to the leaving side',
+        help='centre of the required pattern along the face, "2 mm", positive to the leaving side',
     )
-    setup.add_argument("--size", help='wanted part of the flank that is marked, "30%%"')
+    setup.add_argument("--size", help='required marked share of the flank, "30%%"')
     setup.add_argument(
         "--shim",
         nargs="?",
         const="",
         metavar="PLACE",
-        help="instead of it the shim under the wheel that brings the pattern back to where it is without "
-        'errors of the assembly, or to a place, "2 mm"',
+        help="shim of the wheel that restores the nominal pattern, or sets its centre to a position, "
+        '"2 mm"',
     )
     add_json(setup)
     setup.set_defaults(command=_setup)

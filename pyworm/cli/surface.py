@@ -26,25 +26,25 @@ FILE_KEYS = ("spacing", "height_unit", "nesting_index", "shortest_wave", "outlie
 def add_surface(commands: argparse._SubParsersAction) -> None:
     """Add the command `surface`."""
     surface = commands.add_parser(
-        "surface", help="figures, contact and flow of a measured or generated surface"
+        "surface", help="parameters, contact and flow of a measured or generated surface"
     )
     surface.add_argument(
         "file",
         type=Path,
         metavar="FILE",
-        help="heights of an instrument, .npy, .csv, or a .toml with keys of [bodies.NAME.surface], or a case "
+        help="measured heights (instrument format, .npy, .csv), a .toml with keys of [bodies.NAME.surface], or a case "
         "whose bodies have some",
     )
-    surface.add_argument("--spacing", help='distance of points, "0.5 um", if not in the file')
+    surface.add_argument("--spacing", help='point spacing, "0.5 um", if not in the file')
     surface.add_argument("--height-unit", help="unit of the heights, um, if not in the file")
     surface.add_argument("--nesting-index", help='longest wave of roughness, "0.25 mm"')
-    surface.add_argument("--shortest-wave", help='filter against noise, "2.5 um"')
-    surface.add_argument("--outliers", help="refuse, fill or keep heights far from all others")
+    surface.add_argument("--shortest-wave", help='cut-off wavelength against noise, "2.5 um"')
+    surface.add_argument("--outliers", help="refuse, fill or keep outliers")
     surface.add_argument(
         "--modulus",
-        help="reduced modulus E' for the contact, \"226 GPa\"; else the case's, or steel",
+        help="reduced modulus E' for the contact, \"226 GPa\"; default: the case's, or steel",
     )
-    surface.add_argument("--hardness", help='maximum pressure, "1 GPa"; else the case\'s, or none')
+    surface.add_argument("--hardness", help='maximum pressure, "1 GPa"; default: the case\'s, or none')
     surface.add_argument(
         "--out", type=Path, metavar="DIR", help="solve contact and flow, draw pictures there"
     )

@@ -36,28 +36,28 @@ ACCURACY = "10 %"
 def add_wear(commands: argparse._SubParsersAction) -> None:
     """Add the command `wear`."""
     wear = commands.add_parser(
-        "wear", help="wear of the wheel of a worm gear set over its service life"
+        "wear", help="wear of the worm wheel over its service life"
     )
     add_case(wear)
-    wear.add_argument("--hours", type=float, required=True, metavar="H", help="time to simulate")
+    wear.add_argument("--hours", type=float, required=True, metavar="H", help="operating hours to simulate")
     how = wear.add_mutually_exclusive_group()
     how.add_argument(
         "--coefficient",
         type=float,
         metavar="K",
-        help=f"k of Archard's law in m2/N (default: {WEAR_COEFFICIENT:g} of steel on tin bronze, known to a "
-        "factor of 3; none of plastic wheels)",
+        help=f"k of Archard's law in m2/N (default: {WEAR_COEFFICIENT:g} for steel on tin bronze, known to a "
+        "factor of 3; none for plastic wheels)",
     )
     how.add_argument(
         "--energy",
         type=float,
         metavar="E",
-        help="the energy form: work of friction in J/m3 that wears off a volume, in place of k",
+        help="friction energy per worn volume in J/m3, instead of k",
     )
     how.add_argument(
         "--calibrate",
         action="store_true",
-        help="k by which the run-in flank wears as [worm_rating] has it by the standard",
+        help="fit k to the wear rate of the run-in flank by the standard ([worm_rating])",
     )
     wear.add_argument(
         "--tolerance",
@@ -73,7 +73,7 @@ def add_wear(commands: argparse._SubParsersAction) -> None:
         metavar="R",
         help="k of the worm over that of the wheel (default: by their hardnesses)",
     )
-    wear.add_argument("--out", type=Path, help="directory (default: results/ and its name)")
+    wear.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
     add_processes(wear)
     wear.set_defaults(command=_wear, accuracy=ACCURACY, effects=None)
 

@@ -95,7 +95,7 @@ class Drive(Lubricated, ABC):
             return self.oil_supply.words
         if self.oil.supply is not None:
             return "The layer of oil before the contacts is given, the same at each."
-        return "An inlet full of oil at each contact: how oil comes to the teeth is not given."
+        return "Fully flooded inlet at each contact: the oil supply to the teeth is not given."
 
     def loaded_cycle(self) -> "xr.Dataset":
         """The part of the cycle's data from which loss and loads follow; all of it by default."""

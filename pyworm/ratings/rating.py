@@ -81,7 +81,7 @@ class Safety:
     symbol: str
     """Its name in the standard: "S_H"."""
     label: str
-    """Its name for people: "pitting of the wheel's flanks"."""
+    """Its name for people: "pitting of the wheel flanks"."""
     minimum: float
     """Least value that the standard requires [-]."""
     value: float | None = None

@@ -167,7 +167,7 @@ def _oil_words(
     )
     return (
         f"{known(standard_oil(table, directory)).name}, {table.lubrication} lubrication, {wheel}: "
-        f"{known(under.viscosity) * 1e3:.0f} mPa s on the wheel's flanks of "
+        f"{known(under.viscosity) * 1e3:.0f} mPa s on the wheel flanks at "
         f"{rated.bulk_temperature - ZERO_CELSIUS:.0f} °C."
     )
 
@@ -224,18 +224,18 @@ def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
         *_friction_rows(rated),
         (
             "bulk_temperature_C",
-            "Wheel's bulk temperature",
+            "Wheel bulk temperature",
             lambda: rated.bulk_temperature - ZERO_CELSIUS,
             1.0,
             "°C",
         ),
         *_material_rows(duty),
         ("surface_temperature_max_C", "Largest flank temperature", lambda: None, 1.0, "°C"),
-        ("wear_depth_m", "Wear in its life", worn, 1e6, "µm"),
-        ("wear_limit_m", "Wear allowed", lambda: worn() and gear.wear_limit, 1e6, "µm"),
+        ("wear_depth_m", "Wear over service life", worn, 1e6, "µm"),
+        ("wear_limit_m", "Permissible wear", lambda: worn() and gear.wear_limit, 1e6, "µm"),
         (
             "shaft_deflection_m",
-            "Deflection of the worm's shaft",
+            "Deflection of the worm shaft",
             lambda: duty.deflection,
             1e6,
             "µm",
@@ -280,7 +280,7 @@ def _friction_rows(rated: WormRating) -> list[tuple]:
             1.0,
             "",
         ),
-        ("friction_rest", "Tooth friction at rest", lambda: rated.static_friction, 1.0, ""),
+        ("friction_rest", "Static tooth friction", lambda: rated.static_friction, 1.0, ""),
         (
             "locking_rest",
             "mu/tan gamma at rest (teeth lock above 1)",
@@ -290,7 +290,7 @@ def _friction_rows(rated: WormRating) -> list[tuple]:
         ),
         (
             "loss_W",
-            f"Loss between the teeth, {rated.under.driver} driving",
+            f"Power loss of the teeth, {rated.under.driver} driving",
             lambda: rated.tooth_loss,
             1e-3,
             "kW",
@@ -307,9 +307,9 @@ def _gearbox_rows(rated: WormRating) -> list[tuple]:
     """Rows about the whole gearbox: losses besides the teeth, and efficiencies with them."""
     given = rated.under.other_loss is not None
     by_standard = (
-        ("churning", "Loss of churning"),
-        ("bearings", "Loss of bearings"),
-        ("seals", "Loss of seals"),
+        ("churning", "Churning loss"),
+        ("bearings", "Bearing loss"),
+        ("seals", "Seal loss"),
     )
     parts: list[tuple] = [
         (
@@ -329,7 +329,7 @@ def _gearbox_rows(rated: WormRating) -> list[tuple]:
         *parts,
         (
             "loss_gearbox_W",
-            f"Loss of the gearbox, {rated.under.driver} driving",
+            f"Power loss of the gearbox, {rated.under.driver} driving",
             lambda: rated.loss,
             1e-3,
             "kW",

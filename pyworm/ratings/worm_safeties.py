@@ -25,12 +25,12 @@ REQUIRED = {"S_W": 1.1, "S_H": 1.0, "S_delta": 1.0, "S_F": 1.1, "S_T": 1.1, "S_M
 the standard's."""
 
 _LABELS = {
-    "S_W": "wear of the wheel's flanks",
-    "S_H": "pitting of the wheel's flanks",
-    "S_delta": "deflection of the worm's shaft",
-    "S_F": "shear at the roots of the wheel's teeth",
+    "S_W": "wear of the wheel flanks",
+    "S_H": "pitting of the wheel flanks",
+    "S_delta": "deflection of the worm shaft",
+    "S_F": "shear at the roots of the wheel teeth",
     "S_T": "temperature of the oil",
-    "S_M": "temperature of the wheel's material",
+    "S_M": "temperature of the wheel material",
 }
 
 AS_IF_BRONZE = (

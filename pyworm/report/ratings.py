@@ -37,4 +37,4 @@ def safeties_table(rating: Rating, inputs: bool) -> Table:
         + ((inputs_as_text(safety),) if inputs else ())
         for safety in rating.safeties
     )
-    return Table(head, tuple(rows), f"{rating.title}: safeties", texts=(3, 4))
+    return Table(head, tuple(rows), f"{rating.title}: safety factors", texts=(3, 4))

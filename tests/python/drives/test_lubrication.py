@@ -70,7 +70,7 @@ def test_without_lubrication_a_drive_says_what_it_assumes():
     tables = tomllib.loads((CASES / "zi_drive.toml").read_text())
     drive = case_of(tables, "zi_drive", CASES).drive
     assert drive.oil_supply is None
-    assert "how oil comes to the teeth is not given" in drive.all_assumptions[-1]
+    assert "the oil supply to the teeth is not given" in drive.all_assumptions[-1]
 
 
 def test_rules_of_practice_are_told():

@@ -261,8 +261,8 @@ def test_what_is_not_rated_is_listed_with_its_reason(tmp_path, capsys):
     shorter = [('wheel_material = "CuSn12Ni2"\nlife = "25000 h"\n', "")]
     _, left = worm_of(TRIAL, tmp_path, capsys, shorter)
     missing = "worm_rating.wheel_material is missing, worm_rating.life is missing."
-    assert f"S_H, pitting of the wheel's flanks: {missing}" in left
-    assert f"S_W, wear of the wheel's flanks: {missing}" in left
+    assert f"S_H, pitting of the wheel flanks: {missing}" in left
+    assert f"S_W, wear of the wheel flanks: {missing}" in left
 
 
 def test_a_safety_below_one_fails(tmp_path, capsys):

@@ -220,7 +220,7 @@ def test_the_summary_shows_the_worst_of_every_figure(worm):
         key_results["Efficiency of the teeth, forward, smooth surfaces"][0].split(" %")[0]
     )
     assert efficiency == pytest.approx(100 * output / (output + loss), abs=0.02)
-    pitting = key_results["S_H, pitting of the wheel's flanks"]
+    pitting = key_results["S_H, pitting of the wheel flanks"]
     assert pitting == ("1.284, required 1: sufficient", "Worm gear, standard")
     assert key_results["Modified life L_nmh"][0].endswith(" h")
 
