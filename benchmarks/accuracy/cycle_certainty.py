@@ -174,7 +174,7 @@ def draw(found: dict[str, list[Phase]], whole: tuple[float, float], bars) -> Fig
         panel.set_xscale("log")
         panel.set_ylim(FLOOR, 1.0)
         panel.set_xlim(0.3, 100.0)
-        panel.set(title=title, xlabel="processor time of all phases / s", ylabel="relative error")
+        panel.set(title=title, xlabel="CPU time of all phases / s", ylabel="relative error")
         panel.yaxis.set_major_formatter(FuncFormatter(lambda share, _: f"{share * 100:g} %"))
         panel.xaxis.set_major_formatter(FuncFormatter(lambda time, _: f"{time:g}"))
         panel.grid(True, color="0.9")

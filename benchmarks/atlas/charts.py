@@ -94,23 +94,23 @@ def ratios(of: AtlasGroups, data: dict, target: Path) -> None:
     figure, axes = plt.subplots(2, 3, figsize=(11, 6), sharey=True, layout="constrained")
     shown = (
         ("central", ("Hamrock-Dowson", "Chittenden", "Nijenbanning-Venner-Moes")),
-        ("least", ("Hamrock-Dowson", "Chittenden", "Masjedi-Khonsari")),
+        ("minimum", ("Hamrock-Dowson", "Chittenden", "Masjedi-Khonsari")),
     )
     outside = 0
     for row, (word, names) in zip(axes, shown, strict=True):
-        stored = data[{"central": "film_central", "least": "film_min"}[word]]
+        stored = data[{"central": "film_central", "minimum": "film_min"}[word]]
         for axis, name in zip(row, names, strict=True):
             one = found[name]
             ratio = (one.central if word == "central" else one.minimum) / stored
             outside += np.sum((ratio < SHOWN[0]) | (ratio > SHOWN[1]))
             dots = axis.scatter(of.moes_m, ratio, c=np.degrees(of.angle), s=3, cmap="viridis")
             axis.set(xscale="log", yscale="log", ylim=SHOWN, xlabel="M")
-            axis.set_title(f"{name}: {word} film", fontsize=10)
+            axis.set_title(f"{name}, {word}", fontsize=10)
             axis.set_yticks(RATIOS, [f"{tick:g}" for tick in RATIOS])
             axis.minorticks_off()
             axis.axhline(1, color="k", lw=0.7)
-        row[0].set_ylabel("formula over atlas")
-    figure.colorbar(dots, ax=axes, label="angle of entrainment [deg]")
+        row[0].set_ylabel("film thickness, formula over atlas")
+    figure.colorbar(dots, ax=axes, label="angle of entrainment / °")
     figure.savefig(target, dpi=110)
     print(f"{outside} of {6 * len(data['number'])} points beyond the axes")
 
@@ -141,7 +141,7 @@ def over_load(target: Path) -> None:
                 axis.plot(m, np.where(found.inside, np.nan, told), style, color=colour, alpha=0.2)
             axis.plot([], [], color=colour, label=f"L = {el:g}")
         axis.set(xscale="log", yscale="log", xlabel="M", title=title)
-    axes[0].set_ylabel("H, central (full) and least (dashed)")
+    axes[0].set_ylabel("H: central (full), minimum (dashed)")
     axes[0].legend(fontsize=8)
     figure.savefig(target, dpi=110)
 

@@ -196,7 +196,7 @@ def picture(drives: dict[str, GearPairDrive]) -> None:
             roll, rating.film_min / MICROINCH, color="tab:green", label="Dowson-Higginson"
         )
         column[0].plot(rolls, least, "o", color="tab:green", label="simulated")
-        column[0].axhline(film, color="0.3", linestyle="--", label="least, as printed")
+        column[0].axhline(film, color="0.3", linestyle="--", label="minimum, published")
         column[0].set_title(f"{name} addenda, VG {100 if name == 'original' else 220}")
         column[1].plot(
             roll,
@@ -205,9 +205,9 @@ def picture(drives: dict[str, GearPairDrive]) -> None:
             label="Blok, friction 0.1",
         )
         column[1].plot(
-            rolls, fahrenheit(largest), "o", color="black", label="simulated, its own friction"
+            rolls, fahrenheit(largest), "o", color="black", label="simulated, with simulated friction"
         )
-        column[1].axhline(hot, color="0.3", linestyle="--", label="largest, as printed")
+        column[1].axhline(hot, color="0.3", linestyle="--", label="maximum, published")
         scuffing = fahrenheit(drive.surfaces.scuffing_temperature)
         column[1].axhline(
             scuffing, color="tab:purple", linestyle=":", label="mean scuffing temperature"

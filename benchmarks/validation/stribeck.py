@@ -65,7 +65,7 @@ def draw(result: SweepResult) -> Figure:
     columns = {str(name): column.values[order] for name, column in result.table.items()}
     speed, good = columns[SPEED], columns["converged"] == 1
     figure = new_figure(
-        8, 8.5, joined(result.title, "bars of the model of roughness; thick, numerical")
+        8, 8.5, joined(result.title, "model uncertainty; thick: numerical uncertainty")
     )
     friction, share, film = figure.subplots(3, sharex=True, height_ratios=(3, 2, 2))
     _with_bars(friction, speed, columns, "friction_coefficient", "tab:purple", "friction")
@@ -73,15 +73,15 @@ def draw(result: SweepResult) -> Figure:
     friction.plot(speed, columns["friction_fluid"], "--", color="tab:blue", label="oil")
     friction.set_ylabel("friction coefficient")
     _with_bars(share, speed, columns, "asperity_load_fraction", "tab:red", "asperities")
-    share.set_ylabel("share of the load")
-    for name, label in zip(LAMBDAS, ("central film", "minimum film thickness"), strict=True):
+    share.set_ylabel("asperity load ratio")
+    for name, label in zip(LAMBDAS, ("central film thickness", "minimum film thickness"), strict=True):
         film.plot(speed[good], columns[name][good], "o-", markersize=4, label=label)
-    film.set_ylabel("film over the roughness")
+    film.set_ylabel("specific film thickness")
     for axes, name in ((friction, "friction_coefficient"), (share, "asperity_load_fraction")):
         less = {"color": "white", "markeredgecolor": "black", "markersize": 5, "zorder": 5}
         if not good.all():
             axes.plot(
-                speed[~good], columns[name][~good], "o", label="less accurate than asked", **less
+                speed[~good], columns[name][~good], "o", label="less accurate than requested", **less
             )
     for axes in (friction, share, film):
         axes.set_ylim(bottom=0)

@@ -340,7 +340,7 @@ class WormCase(RatedCase):
         rated = attempt(lambda: self._by_standard(drive))
         found = attempt(lambda: known(rated).bulk_temperature)
         if isinstance(found, Unknown):
-            return replace(drive, warmth=f"Worm and wheel are as warm as the oil: {found.why}.")
+            return replace(drive, warmth=f"Worm and wheel have the oil temperature: {found.why}.")
         excess = found - drive.oil.heat.inlet_temperature
         stand_in = "" if known(rated).under.friction_is_known else AS_IF_BRONZE
         return replace(

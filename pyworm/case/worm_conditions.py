@@ -22,7 +22,7 @@ MEAN_TO_RMS = 0.8
 def standard_oil(table: CompletedRating, directory: Path) -> NamedOil | Unknown:
     """The oil of a rating, if the standards have constants for it; CaseError for an unknown name."""
     if table.oil is None:
-        return Unknown("worm_rating.oil is missing, a name whose base stock the standards know")
+        return Unknown("worm_rating.oil is missing, an oil with a base stock of the standards")
     oil = oil_called(table.oil, directory)
     if oil.stock.name in OIL_KINDS:
         return oil

@@ -146,10 +146,10 @@ def _show(rows: list[dict[str, Any]]) -> None:
     console = Console()
     console.print(Table(("Contact", central.column, thin.column, ratio.column, "Regime"), cells))
     if any(row["kind"] == "line" for row in rows):
-        console.print("Line contacts by Moes' formula, whose errors are not known here.")
+        console.print("Line contacts by the formula of Moes, without uncertainty.")
     if any(row["kind"] == "point" and not row["inside_atlas"] for row in rows):
         console.print(
-            "Films without a bar are outside the box of the atlas; their errors are not known."
+            "Film thicknesses without an uncertainty lie outside the range of the atlas."
         )
     held = sum(bool(row["holds"]) for row in rows)
     if held:

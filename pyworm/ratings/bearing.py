@@ -135,4 +135,4 @@ def _words(kappa: float) -> str:
         )
     if kappa < 4:
         return f"kappa = {apart(kappa, 4, 3)}: the oil is thick enough; life grows further up to kappa = 4."
-    return f"kappa = {apart(kappa, 4, 3)} is above 4: thicker oil gains no more life."
+    return f"kappa = {apart(kappa, 4, 3)} is above 4: a higher viscosity does not extend the life."

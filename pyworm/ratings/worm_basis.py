@@ -12,9 +12,9 @@ STANDARD = "ISO/TS 14521:2020"
 BASIS = (
     f"Worm gear: {STANDARD}, Calculation of load capacity of worm gears, whose methods are those of DIN "
     "3996:2012.",
-    "Not read, but remembered or from one public transcription of DIN 3996 (the worksheet on worm gears of "
-    "MITCalc): all its formulas, curves and strengths; its clauses are numbered from memory. The page of "
-    "constants in the documentation lists each number and how it is known.",
+    "The standard was not read: all formulas, curves and strengths are from memory or from one public "
+    "transcription of DIN 3996 (the worm gear worksheet of MITCalc); clauses are numbered from memory. The "
+    "documentation lists each constant with its provenance.",
 )
 """Standard and edition of the safeties, and what was not read."""
 

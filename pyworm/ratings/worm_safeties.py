@@ -129,7 +129,7 @@ def _wear(gear_set: _Rated) -> Safety:
     if wear.base >= 400e-9:
         doubts.append("J_0T is at or beyond 400e-9, where the curve ends: boundary lubrication.")
     if gear_set.table.lubrication == "bath":
-        doubts.append("Bath lubrication's curve of wear is of one transcription alone.")
+        doubts.append("The wear curve for bath lubrication is known from one transcription only.")
     doubts += [
         f"The teeth slide at {load.rated.sliding_speed:.3g} m/s, and their friction is known from "
         f"{SLIDING_RANGE[0]:g} to {SLIDING_RANGE[1]:g} m/s: the wheel is warmed by that of the nearest speed."

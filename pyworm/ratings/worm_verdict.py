@@ -22,8 +22,8 @@ CANNOT_DRIVE = "cannot drive"
 """In place of an efficiency with the wheel driving where that is not possible."""
 
 NO_BRAKE = (
-    "Losses are no brake: friction falls with speed, running-in and vibration, and what has to hold needs "
-    "one."
+    "Friction is no brake: it falls with speed, running-in and vibration. A load that must be held needs a "
+    "brake."
 )
 
 

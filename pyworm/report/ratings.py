@@ -26,7 +26,7 @@ def safeties_table(rating: Rating, inputs: bool) -> Table:
     inputs : bool
         Whether there is room for what each was made of.
     """
-    head = ("Safety", "Value", "Required", "Verdict", *(["Made of"] if inputs else []))
+    head = ("Safety factor", "Value", "Required", "Verdict", *(["Inputs"] if inputs else []))
     rows = (
         (
             f"{named(safety.symbol)}, {safety.label}",

@@ -69,7 +69,7 @@ def _of_contacts(case: Case) -> list[str]:
     if case.drive is not None:
         return list(case.drive.all_assumptions)
     known = case.tables.oil.supply is not None
-    return [ONE_CONTACT, *(() if known else ("An inlet full of oil: oil.supply is not given.",))]
+    return [ONE_CONTACT, *(() if known else ("Fully flooded inlet: oil.supply is not given.",))]
 
 
 def assumptions_of(found: Findings) -> Items:

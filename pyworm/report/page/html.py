@@ -157,8 +157,8 @@ def _cover(cover: Cover, warnings: str) -> str:
 {geometry}
 {basis}
 <div class="wide"><table>
-<thead><tr><th>Safety</th><th>Value</th><th>Required</th><th>Verdict</th><th>By</th>
-<th>Made of</th></tr></thead>
+<thead><tr><th>Safety factor</th><th>Value</th><th>Required</th><th>Verdict</th><th>By</th>
+<th>Inputs</th></tr></thead>
 <tbody>
 {rows}
 </tbody></table></div>

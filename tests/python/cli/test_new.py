@@ -152,7 +152,7 @@ def test_what_is_taken_as_usual_stands_there_as_a_comment_and_means_what_it_says
         ({"oil": "PAG 460"}, 'oil.name = "PAG 460"'),
         ({"life": "25000"}, 'worm_rating.life = "25000": must be a duration with its unit'),
         ({"application_factor": "-1"}, "worm_rating.application_factor"),
-        ({"life": None}, "--life is missing (life that it is designed for"),
+        ({"life": None}, "--life is missing (rated life in operating hours"),
         ({"wheel_material": "bronze"}, 'bodies.wheel.material = "bronze": must be one of 16MnCr5'),
         ({"module": None}, '--module is missing (axial module, such as "4 mm")'),
     ],

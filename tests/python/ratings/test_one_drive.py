@@ -184,7 +184,7 @@ def test_temperatures_that_are_given_stay():
 def test_without_a_loss_by_the_standard_bodies_are_as_warm_as_the_oil_and_it_is_said():
     ester = case(('"PAG VG 220"', '"ester VG 320"'))
     assert [of.bulk_temperature for of in ester.drive.bodies] == pytest.approx([343.15] * 2)
-    assert any("as warm as the oil: worm_rating.oil" in of for of in ester.drive.assumptions)
+    assert any("have the oil temperature: worm_rating.oil" in of for of in ester.drive.assumptions)
 
 
 def test_a_wheel_of_unknown_friction_is_warmed_by_that_of_tin_bronze_and_it_is_said():
