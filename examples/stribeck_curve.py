@@ -23,6 +23,6 @@ def contact(speed):
 table = pyworm.sweep(contact, speed=speeds, accuracy=accuracy).table
 print(table[["speed", "friction_coefficient", "specific_film"]].to_dataframe())
 plt.semilogx(speeds, table["friction_coefficient"], "o-")
-plt.xlabel("entrainment [m/s]")
+plt.xlabel("entrainment velocity / (m/s)")
 plt.ylabel("friction coefficient")
 plt.savefig("stribeck_curve.png", dpi=120)

@@ -173,7 +173,7 @@ def leave_one_out(figures: Figures, judgement: Judgement, whole: Plan, quantitie
         less = pyworm.plan(scene, whole.accuracy, f"all,-{judgement.name}", quantities)
         numbers, part = figures.pair(whole, less)
     except (ValueError, KernelError) as error:
-        print(f"    {judgement.name}: cannot be left out, {error}", flush=True)
+        print(f"    {judgement.name}: cannot be neglected, {error}", flush=True)
         return []
     true = difference(scene, numbers, part, quantities)
     return [
@@ -217,13 +217,13 @@ def draw(ones: list[dict], path: Path) -> None:
     axes.text(2e-6, 3e-6, "true = estimated", rotation=45, color="0.4", fontsize=9)
     for accuracy in sorted({one["accuracy"] for one in ones}):
         axes.axhline(accuracy, color="tab:red", linestyle="--", linewidth=1)
-        axes.text(1.1e-6, accuracy * 1.1, f"asked: {accuracy:.0%}", color="tab:red", fontsize=9)
+        axes.text(1.1e-6, accuracy * 1.1, f"accuracy: {accuracy:.0%}", color="tab:red", fontsize=9)
     axes.set(
-        xlabel="estimated influence of leaving it out",
+        xlabel="estimated influence of the neglected effect",
         ylabel="true influence (1e-6 or less at the bottom)",
         xlim=(floor / 1.5, 1.0),
         ylim=(floor / 1.5, 1.0),
-        title="Effects left out by plans",
+        title="Effects neglected by plans",
     )
     axes.legend(frameon=False, fontsize=9)
     axes.grid(True, color="0.92")

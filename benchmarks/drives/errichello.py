@@ -205,7 +205,11 @@ def picture(drives: dict[str, GearPairDrive]) -> None:
             label="Blok, friction 0.1",
         )
         column[1].plot(
-            rolls, fahrenheit(largest), "o", color="black", label="simulated, with simulated friction"
+            rolls,
+            fahrenheit(largest),
+            "o",
+            color="black",
+            label="simulated, with simulated friction",
         )
         column[1].axhline(hot, color="0.3", linestyle="--", label="maximum, published")
         scuffing = fahrenheit(drive.surfaces.scuffing_temperature)

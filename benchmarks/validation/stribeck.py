@@ -74,14 +74,20 @@ def draw(result: SweepResult) -> Figure:
     friction.set_ylabel("friction coefficient")
     _with_bars(share, speed, columns, "asperity_load_fraction", "tab:red", "asperities")
     share.set_ylabel("asperity load ratio")
-    for name, label in zip(LAMBDAS, ("central film thickness", "minimum film thickness"), strict=True):
+    for name, label in zip(
+        LAMBDAS, ("central film thickness", "minimum film thickness"), strict=True
+    ):
         film.plot(speed[good], columns[name][good], "o-", markersize=4, label=label)
     film.set_ylabel("specific film thickness")
     for axes, name in ((friction, "friction_coefficient"), (share, "asperity_load_fraction")):
         less = {"color": "white", "markeredgecolor": "black", "markersize": 5, "zorder": 5}
         if not good.all():
             axes.plot(
-                speed[~good], columns[name][~good], "o", label="less accurate than requested", **less
+                speed[~good],
+                columns[name][~good],
+                "o",
+                label="less accurate than requested",
+                **less,
             )
     for axes in (friction, share, film):
         axes.set_ylim(bottom=0)

@@ -21,13 +21,20 @@ STEEL = "16MnCr5"
 
 def add_film(commands: argparse._SubParsersAction) -> None:
     """Add the command `film`."""
-    film = commands.add_parser("film", help="film thickness by a regression formula, without a solve")
+    film = commands.add_parser(
+        "film", help="film thickness by a regression formula, without a solve"
+    )
     film.add_argument("case", nargs="?", type=Path, metavar="CASE.toml")
     add_places(film)
-    film.add_argument("--radii", nargs=2, metavar="R", help='radii of relative curvature, "10 mm" "100 mm"')
+    film.add_argument(
+        "--radii", nargs=2, metavar="R", help='radii of relative curvature, "10 mm" "100 mm"'
+    )
     film.add_argument("--load", help='normal load, "200 N"')
     film.add_argument(
-        "--velocity", nargs="+", metavar="U", help='entrainment velocity along x (and y), "2 m/s" "0 m/s"'
+        "--velocity",
+        nargs="+",
+        metavar="U",
+        help='entrainment velocity along x (and y), "2 m/s" "0 m/s"',
     )
     film.add_argument("--oil", help='oil of the library, "PAG VG 460"; with --temperature')
     film.add_argument("--temperature", help='inlet temperature, "60 degC"')
@@ -148,9 +155,7 @@ def _show(rows: list[dict[str, Any]]) -> None:
     if any(row["kind"] == "line" for row in rows):
         console.print("Line contacts by the formula of Moes, without uncertainty.")
     if any(row["kind"] == "point" and not row["inside_atlas"] for row in rows):
-        console.print(
-            "Film thicknesses without an uncertainty lie outside the range of the atlas."
-        )
+        console.print("Film thicknesses without an uncertainty lie outside the range of the atlas.")
     held = sum(bool(row["holds"]) for row in rows)
     if held:
         whose = "" if held == len(rows) else f", in {held} of {len(rows)} contacts"

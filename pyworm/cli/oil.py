@@ -23,10 +23,14 @@ CHARTED_GRADES = (100, 220, 460)
 
 def add_oil(commands: argparse._SubParsersAction) -> None:
     """Add the command `oil` with its subcommands."""
-    oil = commands.add_parser("oil", help="oils of the library: list, show, chart; choose one for a case")
+    oil = commands.add_parser(
+        "oil", help="oils of the library: list, show, chart; choose one for a case"
+    )
     which = oil.add_subparsers(required=True, metavar="WHAT")
 
-    choose = which.add_parser("choose", help="choose the oil grade for the gears of a case, step by step")
+    choose = which.add_parser(
+        "choose", help="choose the oil grade for the gears of a case, step by step"
+    )
     choose.add_argument("case", type=Path, metavar="CASE.toml")
     add_json(choose)
     choose.set_defaults(command=_choose)
@@ -40,9 +44,14 @@ def add_oil(commands: argparse._SubParsersAction) -> None:
 
     chart = which.add_parser("chart", help="draw viscosity and alpha of oils over temperature")
     chart.add_argument(
-        "names", nargs="*", metavar="NAME", help="as for show; default: a selection from every base stock"
+        "names",
+        nargs="*",
+        metavar="NAME",
+        help="as for show; default: a selection from every base stock",
     )
-    chart.add_argument("--out", type=Path, default=Path(), metavar="DIR", help="directory (default: current)")
+    chart.add_argument(
+        "--out", type=Path, default=Path(), metavar="DIR", help="directory (default: current)"
+    )
     chart.set_defaults(command=_chart)
 
     every = which.add_parser("list", help="list oils of the library")

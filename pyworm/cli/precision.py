@@ -18,9 +18,7 @@ BUDGET = 300.0
 
 def add_precision(commands: argparse._SubParsersAction) -> None:
     """Add the command `precision`."""
-    precision = commands.add_parser(
-        "precision", help="error against CPU time for one contact"
-    )
+    precision = commands.add_parser("precision", help="error against CPU time for one contact")
     add_case(precision)
     precision.add_argument(
         "--budget",

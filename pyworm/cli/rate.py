@@ -24,12 +24,13 @@ if TYPE_CHECKING:
 
 def add_rate(commands: argparse._SubParsersAction) -> None:
     """Add the command `rate`."""
-    rate = commands.add_parser(
-        "rate", help="ratings by standards and closed forms"
-    )
+    rate = commands.add_parser("rate", help="ratings by standards and closed forms")
     rate.add_argument("case", type=Path, metavar="CASE.toml")
     rate.add_argument(
-        "--result", type=Path, metavar="RESULT", help="simulated result of the same gears, for comparison"
+        "--result",
+        type=Path,
+        metavar="RESULT",
+        help="simulated result of the same gears, for comparison",
     )
     add_anyway(rate)
     add_json(rate)

@@ -32,8 +32,8 @@ def add_surface(commands: argparse._SubParsersAction) -> None:
         "file",
         type=Path,
         metavar="FILE",
-        help="measured heights (instrument format, .npy, .csv), a .toml with keys of [bodies.NAME.surface], or a case "
-        "whose bodies have some",
+        help="measured heights (instrument format, .npy, .csv), .toml with keys of "
+        "[bodies.NAME.surface], or case with such keys",
     )
     surface.add_argument("--spacing", help='point spacing, "0.5 um", if not in the file')
     surface.add_argument("--height-unit", help="unit of the heights, um, if not in the file")
@@ -44,7 +44,9 @@ def add_surface(commands: argparse._SubParsersAction) -> None:
         "--modulus",
         help="reduced modulus E' for the contact, \"226 GPa\"; default: the case's, or steel",
     )
-    surface.add_argument("--hardness", help='maximum pressure, "1 GPa"; default: the case\'s, or none')
+    surface.add_argument(
+        "--hardness", help='maximum pressure, "1 GPa"; default: the case\'s, or none'
+    )
     surface.add_argument(
         "--out", type=Path, metavar="DIR", help="solve contact and flow, draw pictures there"
     )

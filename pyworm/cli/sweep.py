@@ -25,7 +25,9 @@ def add_sweep(commands: argparse._SubParsersAction) -> None:
         "sweep", help="solve a case over ranges of its values: table, results file, picture"
     )
     sweep.add_argument("sweep", type=Path, metavar="SWEEP.toml")
-    sweep.add_argument("--out", type=Path, help="directory (default: results/ and the name of the sweep)")
+    sweep.add_argument(
+        "--out", type=Path, help="directory (default: results/ and the name of the sweep)"
+    )
     sweep.add_argument("--fields", action="store_true", help="store the fields of every contact")
     sweep.add_argument(
         "--share",

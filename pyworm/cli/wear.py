@@ -35,11 +35,11 @@ ACCURACY = "10 %"
 
 def add_wear(commands: argparse._SubParsersAction) -> None:
     """Add the command `wear`."""
-    wear = commands.add_parser(
-        "wear", help="wear of the worm wheel over its service life"
-    )
+    wear = commands.add_parser("wear", help="wear of the worm wheel over its service life")
     add_case(wear)
-    wear.add_argument("--hours", type=float, required=True, metavar="H", help="operating hours to simulate")
+    wear.add_argument(
+        "--hours", type=float, required=True, metavar="H", help="operating hours to simulate"
+    )
     how = wear.add_mutually_exclusive_group()
     how.add_argument(
         "--coefficient",

@@ -34,7 +34,7 @@ def test_a_line_contact_says_whose_formula_it_is(capsys):
     (scene,) = json.loads(printed(capsys, CASES / "line_m20_l10.toml", "--json"))["scenes"]
     assert scene["formula"] == "Moes (line)"
     assert scene["film_central_error"] is None
-    assert "Moes' formula" in printed(capsys, CASES / "line_m20_l10.toml")
+    assert "the formula of Moes" in printed(capsys, CASES / "line_m20_l10.toml")
 
 
 def test_a_contact_of_options(capsys):
