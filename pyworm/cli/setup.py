@@ -89,6 +89,14 @@ def _setup(options: argparse.Namespace) -> int:
     return CONVERGED if setup.reached else NOT_CONVERGED
 
 
+def _shift_in_words(shift: float) -> str:
+    """The shift of the wheel [m], to the micrometre that a shim has."""
+    amount = f"{abs(shift) * 1e3:.3f}"
+    if float(amount) == 0:
+        return "The wheel needs no shift."
+    return f"Shift the wheel {amount} mm to the {'leaving' if shift > 0 else 'entering'} side."
+
+
 def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
     """The shim under the wheel, told to a fitter."""
     if options.place or options.size:
@@ -103,8 +111,7 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
         content = {f"{key}_m": value for key, value in vars(shim).items() if key != "reached"}
         print_json({"case": case.name, "reached": shim.reached, "shim": content})
     else:
-        side = "leaving" if shim.shift > 0 else "entering"
-        print_result(f"Shift the wheel {abs(shim.shift) * 1e3:.3f} mm to the {side} side.")
+        print_result(_shift_in_words(shim.shift))
         for flank, before, after in (
             ("driven flank", shim.before, shim.after),
             ("other flank", shim.other_before, shim.other_after),
@@ -118,7 +125,7 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
                 f"Middle of the marked part of the {flank}: from {before * 1e3:+.2f} mm to "
                 f"{after * 1e3:+.2f} mm along the face, + towards the leaving side."
             )
-        print_result(f"Wanted on the driven flank: {shim.wanted * 1e3:+.2f} mm.")
+        print_result(f"Required on the driven flank: {shim.wanted * 1e3:+.2f} mm.")
     if not shim.reached:
         print_message(
             "warning: no shim brings the pattern there; the nearest that was found is shown"

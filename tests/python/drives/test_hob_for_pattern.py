@@ -76,7 +76,7 @@ def test_the_command_tells_a_fitter_the_nearest_shim(tmp_path, capsys, monkeypat
     assert re.search(r"Shift the wheel 0\.500 mm to the entering side\.", told.out)
     place = re.search(r"other flank: from \S+ mm to (\S+) mm along the face", told.out)
     assert float(place[1]) == pytest.approx(30, abs=1)
-    assert "Wanted on the driven flank: +40.00 mm" in told.out
+    assert "Required on the driven flank: +40.00 mm" in told.out
     assert "no shim brings the pattern there" in told.err
 
 
@@ -96,3 +96,8 @@ def test_the_command_tells_a_fitter_the_nearest_shim(tmp_path, capsys, monkeypat
 )
 def test_what_cannot_be_set_up_is_refused(tmp_path, capsys, name, options, sentence):
     assert sentence in refusal(["setup", str(CASES / f"{name}.toml"), *options], tmp_path, capsys)
+
+
+def test_a_worm_gear_without_errors_needs_no_shim(capsys):
+    assert main(["setup", str(CASES / "worm_drawing.toml"), "--shim"]) == 0
+    assert "The wheel needs no shift." in capsys.readouterr().out
