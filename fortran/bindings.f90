@@ -709,7 +709,7 @@ contains
   !> `ages` are age, weight and share of each reading, `ways` the way of the surface since then.
   subroutine integrate_remembered_flux(flux, present, mx, my, times, first, spacing, ages, intervals, ways, count, turning, &
       at_origin, x, nx, y, ny, u, v, integral)
-    use pyworm_remembered_flux, only: flux_reading, moving_axes, remembered_flux
+    use pyworm_remembered_flux, only: flux_reading, moving_axes, remembered_flux, surface_motion
     integer(c_int), intent(in) :: mx, my, times, count, nx, ny
     real(c_double), intent(in) :: flux(mx, my, times), present(mx, my, times), first(2, times), spacing(2, times)
     real(c_double), intent(in) :: ages(3, count), ways(2, count), turning, at_origin(2), x(nx), y(ny), u(nx, ny), v(nx, ny)
@@ -722,7 +722,7 @@ contains
 
     readings = [(flux_reading(ages(1, k), ages(2, k), intervals(k), ages(3, k), ways(:, k)), k=1, count)]
     axes = [(moving_axes(first(:, k), spacing(:, k)), k=1, times)]
-    call remembered_flux(flux, present, axes, readings, turning, at_origin, x, y, u, v, integral)
+    call remembered_flux(flux, present, axes, readings, surface_motion(turning, at_origin), x, y, u, v, integral)
   end subroutine integrate_remembered_flux
 
   !> Lets Python's signals interrupt kernel calls, from now on.

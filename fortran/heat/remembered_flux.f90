@@ -5,7 +5,7 @@ module pyworm_remembered_flux
   implicit none(type, external)
   private
 
-  public :: flux_reading, moving_axes, remembered_flux
+  public :: flux_reading, moving_axes, remembered_flux, surface_motion
 
   !> Axes of the grid at one time: first node and spacing along each direction [m].
   type :: moving_axes
@@ -26,20 +26,27 @@ module pyworm_remembered_flux
     real(wp) :: way(2)
   end type flux_reading
 
+  !> Motion of the surface at the contact point.
+  type :: surface_motion
+    !> Angular velocity of the axes [rad/s], and velocity there [m/s].
+    real(wp) :: turning, at_origin(2)
+  end type surface_motion
+
 contains
 
   !> Integral over the age s of [q(X(s), t - s) - q(x - u s, t)]/sqrt(s) at each node of a grid [W sqrt(s)/m2].
   !>
-  !> X(s) is the place of the surface a time s ago, in axes that have turned with angular velocity `turning` [rad/s] since:
-  !> of the way of the contact point, and of what the velocity there, `at_origin`, differs from that of the node. Between
+  !> X(s) is the place of the surface a time s ago, in axes that have turned since:
+  !> of the way of the contact point, and of what the velocity there, `at_origin`, differs from that of the node (`motion`). Between
   !> two times the flux is linear. `flux` has that of each time along its last dimension, the present first, at the nodes of
   !> a grid with `axes` [W/m2], `present` the present one, on its grid; both as their heat has spread along the surface
   !> since that time. `x`, `y` are places of the nodes, `u`, `v` the surface's velocity there.
-  pure subroutine remembered_flux(flux, present, axes, readings, turning, at_origin, x, y, u, v, integral)
+  pure subroutine remembered_flux(flux, present, axes, readings, motion, x, y, u, v, integral)
     real(wp), intent(in) :: flux(:, :, :), present(:, :, :)
     type(moving_axes), intent(in) :: axes(:)
     type(flux_reading), intent(in) :: readings(:)
-    real(wp), intent(in) :: turning, at_origin(2), x(:), y(:), u(:, :), v(:, :)
+    type(surface_motion), intent(in) :: motion
+    real(wp), intent(in) :: x(:), y(:), u(:, :), v(:, :)
     real(wp), intent(out) :: integral(:, :)
     real(wp) :: c, s, place(2), steady(2), then(2), more
     integer :: i, j, k
@@ -47,12 +54,12 @@ contains
     integral = 0
     do k = 1, size(readings)
       associate (read => readings(k))
-        c = cos(turning*read%age)
-        s = sin(turning*read%age)
+        c = cos(motion%turning*read%age)
+        s = sin(motion%turning*read%age)
         do j = 1, size(integral, 2)
           do i = 1, size(integral, 1)
             steady = [x(i) - u(i, j)*read%age, y(j) - v(i, j)*read%age]
-            place = steady + at_origin*read%age - read%way
+            place = steady + motion%at_origin*read%age - read%way
             then = [c*place(1) - s*place(2), s*place(1) + c*place(2)]
             associate (before => read%interval + 1, after => read%interval)
               more = read%share*(at(flux(:, :, before), axes(before), then) - at(present(:, :, before), axes(1), steady))

@@ -3,7 +3,7 @@ program test_remembered_flux
   use, intrinsic :: ieee_arithmetic, only: ieee_get_halting_mode, ieee_invalid, ieee_quiet_nan, ieee_set_halting_mode, ieee_value
   use pyworm_kinds, only: wp
   use pyworm_linear_interpolation, only: linear_at
-  use pyworm_remembered_flux, only: flux_reading, moving_axes, remembered_flux
+  use pyworm_remembered_flux, only: flux_reading, moving_axes, remembered_flux, surface_motion
   use tap, only: check, close_to, done
   implicit none(type, external)
 
@@ -86,8 +86,8 @@ contains
 
     along = u
     across = v
-    call remembered_flux(of%flux, of%present, of%axes, [reading], turning, at_origin, [0.0_wp, 0.25_wp], [0.1_wp], along, &
-      across, found)
+    call remembered_flux(of%flux, of%present, of%axes, [reading], surface_motion(turning, at_origin), &
+      [0.0_wp, 0.25_wp], [0.1_wp], along, across, found)
     integral = found(:, 1)
   end function one_of
 

@@ -328,7 +328,7 @@ REFUSED = [
     ([in_table("wheel", 'face_width = "30 mm"')], "drive.wheel.face_width: no such key", "give drive.face"),
     ([in_table("wheel", 'tip_diameter = "168 mm"')], "drive.wheel.tip_diameter: no such key", "throat_dia"),
     ([in_table("hob", 'edge_radius = "1 mm"')], "drive.hob.edge_radius: no such key", "wheel.fillet_radius"),
-    ([in_table("hob", 'tip_diameter = "51 mm"')], "drive.hob.tip_diameter means nothing", "wheel.root_dia"),
+    ([in_table("hob", 'tip_diameter = "51 mm"')], "drive.hob.tip_diameter has no effect", "wheel.root_dia"),
     ([('kind = "worm"', 'kind = "wurm"')], 'drive.kind = "wurm"', '"worm"'),
 ]  # fmt: skip
 

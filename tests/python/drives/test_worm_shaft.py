@@ -126,5 +126,5 @@ def test_the_standard_rates_the_deflection(drive):
     bent = next(of for of in built if of.symbol == "S_delta")
     assert bent.value == pytest.approx(0.8) and bent.verdict == "not sufficient"
     assert failures(duty, built, loads) == (
-        "S_delta = 0.8 against deflection of the worm's shaft is below 1.",
+        "S_delta = 0.8 against deflection of the worm shaft is below 1.",
     )

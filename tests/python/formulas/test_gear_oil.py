@@ -253,7 +253,7 @@ def test_gupta_ends_where_his_numerator_does():
         (lambda: worm_table(0.3, 157, 60, synthetic=True), "sump temperature = 60 K"),
         (lambda: oil_flow(1000, "plenty"), 'flow = "plenty": must be one of "copious"'),
         (lambda: oil_jets(1e-4, 30, 870, 2), "feed pressure = 30 Pa"),
-        (lambda: specific_film(0.2, 0.5e-6), "minimum film = 0.2 m"),
+        (lambda: specific_film(0.2, 0.5e-6), "minimum film thickness = 0.2 m"),
         (lambda: composite_roughness(0.4, 0.4), "roughness = 0.4 m"),
         (lambda: distress_probability(0.5, 400), "pitch line velocity = 400 m/s"),
         (lambda: thermal_loading(100, 0.04, 5, 140), "conductivity of the oil = 140"),

@@ -158,11 +158,11 @@ WRONG = {
     ),
     "another gap with the radii of the old one": (
         lambda: replace(ball(), gap=pyworm.Paraboloid(0.5, 0.5)),
-        "leave them out, and where dataclasses.replace changes the gap, give radii=None beside it",
+        "leave them out, and where dataclasses.replace changes the gap, give radii=None with it",
     ),
     "another gap with the radius of the old one": (
         lambda: replace(roller(), gap=pyworm.Parabola(0.5)),
-        "dataclasses.replace changes the gap, give radius=None beside it",
+        "dataclasses.replace changes the gap, give radius=None with it",
     ),
     "a film of an oil over temperature": (
         lambda: pyworm.film((0.01, 0.01), 50.0, 226e9, (1.0, 0.0), pyworm.named_oil("PAO VG 220")),

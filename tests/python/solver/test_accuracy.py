@@ -231,5 +231,5 @@ def test_each_ending_has_a_message_of_its_own():
     assert all(ending.converged for ending in accurate)
     assert sum(ending.converged for ending in Ending) == 6
     assert Ending.RESIDUAL.stop(residual=0.01, tolerance=1e-6) == Stop(
-        Ending.RESIDUAL, "the residual stayed at 1.0e-02, 1.0e-06 is wanted"
+        Ending.RESIDUAL, "the residual stayed at 1.0e-02, 1.0e-06 is required"
     )

@@ -78,7 +78,7 @@ def test_a_further_solve_begins_on_the_grid_before():
     assert last.count < passed * (STEPS_A_TRANSIT["point"] << 2)
 
 
-@pytest.mark.parametrize(("most", "made"), [(1e12, True), (1.0, False)])
+@pytest.mark.parametrize(("most", "built"), [(1e12, True), (1.0, False)])
 def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, built):
     monkeypatch.setattr(transient_module, "MOST_WORK", most)
     scene, plan, time_grid = moving(POINT, 0.02)

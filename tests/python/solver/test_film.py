@@ -138,7 +138,7 @@ def test_a_film_that_depends_on_surfaces_far_out_is_marked():
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.05))
     assert not solution.accurate
     assert solution.figures.film_central.error > 0.05
-    assert "films depend on surfaces far out" in solution.stop_reason
+    assert "domain truncation error of the film" in solution.stop_reason
 
 
 def test_rigid_isoviscous_sphere():

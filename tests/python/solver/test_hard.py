@@ -179,7 +179,7 @@ def test_a_film_hottest_in_a_spike_ends_with_all_else_accurate(tmp_path):
     assert solution.converged
     assert solution.ending is Ending.ACCURATE_BUT_FOR_SPIKE
     assert solution.stop_reason.startswith(
-        "the results have the requested accuracy but for the film's "
+        "the results have the requested accuracy but for the maximum film temperature, "
     )
     assert figures.temperature_max_film.error == np.inf
     assert "nodes wide" in figures.temperature_max_film.reason

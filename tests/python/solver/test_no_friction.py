@@ -1,4 +1,4 @@
-"""Contacts whose friction is left out, though the oil's data would allow it, state why."""
+"""Contacts whose friction is not given, though the oil's data would allow it, state why."""
 
 import json
 from dataclasses import replace
@@ -13,7 +13,7 @@ from pyworm.planning.no_friction import no_friction
 from pyworm.result.headline import opening
 
 SENTENCE = (
-    "Friction is not given: the oil's flow law and heat are left out (shear-thinning, limiting-stress, "
+    "Friction is not given: the oil's flow law and heat are neglected (shear-thinning, limiting-stress, "
     "surface-heating and film-heating)"
 )
 

@@ -34,7 +34,7 @@ def left(worst, unsolved=0):
         (left(1e-3, unsolved=7), "the shear stress was not found in 7 places"),
         (left(np.inf), "no film was found whose stresses"),
         (left(np.nan), "no film was found whose stresses"),
-        (left(1e-3), "the residual stayed at 1.0e-03, 1.0e-06 is wanted"),
+        (left(1e-3), "the residual stayed at 1.0e-03, 1.0e-06 is required"),
     ],
 )
 def test_what_is_not_met_is_named(level, words):
