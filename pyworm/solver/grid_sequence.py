@@ -94,7 +94,7 @@ class GridSequence:
         stopwatch: Stopwatch,
     ):
         self._scene, self._progress = scene, progress
-        self._asked = self._plan = plan
+        self._requested = self._plan = plan
         self._rates = rates
         self._stopwatch = stopwatch
         self._readings: list[Reading] = []
@@ -275,7 +275,7 @@ class GridSequence:
         elif film_is_sound(level, self._iteration, plan):
             if stop.ending.accurate and self._transient is not None and self._transient.flaw:
                 stop = Ending.RATE_OF_CHANGE.stop(reason=self._transient.flaw)
-            stop = with_wider_bars(stop, figures, self._iteration.reading.figures, self._asked)
+            stop = with_wider_bars(stop, figures, self._iteration.reading.figures, self._requested)
         converged = stop.ending.converged
         if not converged and rests_on_edge(outcome.fields):
             stop = replace(stop, reason=stop.reason + CURE)
@@ -305,15 +305,15 @@ class GridSequence:
             inlet_temperature=scene.oil.thermal.inlet_temperature if plan.model.heated else None,
             composite_roughness=scene.composite_roughness,
             **datasets,
-            accuracy=self._asked.accuracy,
+            accuracy=self._requested.accuracy,
             accuracy_of=self._accurate_in(figures),
         )
 
     def _accurate_in(self, figures: Mapping[str, Estimate]) -> tuple[str, ...]:
         """Figures that the accuracy applies to: those asked for that grids may bring to it."""
         read = self._iteration.reading.figures
-        bound = bound_by_conduction(self._level, figures, read, self._asked)
-        return self._asked.target.without(*bound).figures
+        bound = bound_by_conduction(self._level, figures, read, self._requested)
+        return self._requested.target.without(*bound).figures
 
     def _compare_windows(self) -> Stop | None:
         """Estimate the window errors from a wider window; returns how it ends if that fails, or None.

@@ -17,8 +17,7 @@ the second solve on. Films are thick there, and windows wide: that halves the ti
 
 FIRST_TRANSITS = 1.0
 """Transits after the beginning of a life under load whose time steps are half as long: there the film of the
-first contact is carried through. Half a transit after it, at phase 0.1 of a slow worm gear set (`tests/hard
-drive:0 --seed 61002`), that halves the error of the minimum film thickness."""
+first contact is carried through, and the error of the minimum film thickness falls slowly with the step."""
 
 
 @dataclass(frozen=True)

@@ -232,12 +232,12 @@ def test_temperatures_of_no_use_do_not_widen_the_bars_of_films():
     scene = ball()
     plan = pyworm.plan(scene, 0.05, "all")
     level = SOLVERS[type(scene)](scene, plan).begin(plan.grids)[0]
-    known = transient_module.Transient(None, level, {}, "a flaw", left=0.07, left_of_heat=0.9)
+    known = transient_module.Transient(None, level, {}, "a flaw", film_error=0.07, heat_error=0.9)
     assert known.usable
     attainable = known.attainable(plan)
     assert attainable.accuracy == pytest.approx(0.1)
     assert not set(HEAT_FIGURES) & set(attainable.target.figures)
-    all_of_use = replace(known, left_of_heat=0.14).attainable(plan)
+    all_of_use = replace(known, heat_error=0.14).attainable(plan)
     assert all_of_use.accuracy == pytest.approx(0.2)
     assert set(HEAT_FIGURES) <= set(all_of_use.target.figures)
 
