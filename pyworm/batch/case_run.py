@@ -46,36 +46,15 @@ def run(
     cycle_of: CycleOf = methodcaller("cycle_data"),
     all_digits: bool = False,
 ) -> Result:
-    """Solve a case and write its result.
+    """Solve a case and write its result as `RESULT_NAME` into a directory; scenes solved before are reused.
 
-    Parameters
-    ----------
-    case, tasks : Case, sequence of Task
-        The case and scenes of it.
-    directory : Path
-        Where the result is written as `RESULT_NAME`; what it, or a run that was stopped, left there is used.
-    executor : Executor, optional
-        Whose processes solve; by default this one does.
-    progress, say : callable, optional
-        Told what is being done and which share of all is done, 0 to 1; told once if scenes were solved
-        before, and if an earlier result cannot be used.
-    cycle_of : callable, optional
-        What is written of the mesh cycle of a drive, all that is known of it by default.
-    all_digits : bool, optional
-        Whether fields keep all their digits; by default they are rounded to the accuracy they have.
+    `executor` has the processes that solve, by default this one. `print_message` reports scenes solved before
+    and an earlier result that cannot be used; `cycle_of` makes what is written of the mesh cycle of a drive.
+    Fields are rounded to the accuracy they have unless `all_digits` are kept. The solutions have the order of
+    the tasks; scenes without one are missing and named, with the reason, under `failed` in the provenance.
 
-    Returns
-    -------
-    Result
-        Solutions in the order of the tasks. Scenes without one are missing and named, with the reason, under
-        `failed` in its provenance.
-
-    Raises
-    ------
-    NothingSolvedError
-        No scene has a solution.
-    OSError
-        The result cannot be written; what was solved is kept where that is possible.
+    NothingSolvedError if no scene has a solution; OSError if the result cannot be written: what was solved is
+    then kept where that is possible.
     """
     store = Store(directory.absolute() / SCENES, fields=True, all_digits=all_digits)
     earlier = _solved_before(directory / RESULT_NAME, store, print_message)
@@ -105,13 +84,7 @@ _Kept = dict[str, tuple[Solution, dict[str, Any]]]
 def _result(
     case: Case, tasks: Sequence[Task], kept: _Kept, reasons: dict[str, str], cycle_of: CycleOf
 ) -> Result:
-    """The result of a case: what of its tasks is solved, and by key why the others are not.
-
-    Raises
-    ------
-    NothingSolvedError
-        Nothing is.
-    """
+    """The result of what is solved of a case, reasons of the rest in it; NothingSolvedError if nothing is."""
     solved = [task for task in tasks if task.key in kept]
     failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
     if not solved:

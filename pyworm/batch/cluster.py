@@ -31,21 +31,10 @@ RESUME_HINT = "contacts already solved are kept, the same command continues from
 
 @contextmanager
 def cluster(address: str, print_message: Callable[[str], None]) -> Iterator[Executor]:
-    """The workers of a scheduler as an executor.
+    """The workers of a scheduler, by its address such as "tcp://10.0.0.1:8786", as an executor.
 
-    Parameters
-    ----------
-    address : str
-        Of the scheduler, such as "tcp://10.0.0.1:8786".
-    print_message : callable
-        Told if no worker is left, or none has come yet.
-
-    Raises
-    ------
-    CaseError
-        No dask.distributed is installed, or no scheduler answers.
-    ConnectionError
-        The scheduler was lost on the way.
+    A message says if no worker is left or none has come yet. CaseError without dask.distributed or if no
+    scheduler answers; ConnectionError if the scheduler was lost on the way.
     """
     allow("dask")
     try:

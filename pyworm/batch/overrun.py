@@ -57,17 +57,7 @@ def processor_seconds() -> float:
 
 
 def overrun(case: Case, tasks: Sequence[Task], result: Result, taken: float) -> Overrun | None:
-    """Why a run took so long; None of one that did not.
-
-    Parameters
-    ----------
-    case, tasks : Case, sequence of Task
-        The case and its tasks before the run.
-    result : Result
-        What it found.
-    taken : float
-        Its processor time [s].
-    """
+    """Why a run took so long, by its processor time [s]; None of one that did not."""
     if taken <= MIN_SECONDS:
         return None
     expected = expected_run(case, tasks)

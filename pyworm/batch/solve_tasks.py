@@ -23,23 +23,10 @@ def solve_all(
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> dict[str, str]:
-    """Solve tasks and store each solution as soon as it is found.
+    """Solve tasks, each once (`Store.missing`), and store each solution as soon as it is found.
 
-    Parameters
-    ----------
-    tasks : sequence of Task
-        What to solve, each once (`Store.missing`).
-    store : Store
-        Where solutions are kept; every process of the executor must reach its directory.
-    executor : Executor, optional
-        Whose processes solve, such as `WorkerPool`; by default this one does.
-    progress : callable, optional
-        Told what is being done and which share of all is done, 0 to 1.
-
-    Returns
-    -------
-    dict
-        Key of each task that has no solution, and the reason.
+    Every process of the executor must reach the store's directory; without an executor this process solves.
+    Returns the reason of each task without a solution, by its key.
     """
     tell = progress or (lambda message, share: None)
     solve_lives(tasks, store.directory, executor, tell)

@@ -48,23 +48,9 @@ def load_sweep(
 ) -> Sweep:
     """Read a sweep file and check every scene of it in full, those solved before by their keys alone.
 
-    Parameters
-    ----------
-    path : str or Path
-        A TOML file as in `cases/sweeps/`.
-    share : tuple of int
-        (i, n) for the i-th of n shares of its cases.
-    executor : Executor, optional
-        Whose processes check; by default this one does.
-    progress : callable, optional
-        Told what is being done and which share of all is done, 0 to 1.
-    store : Store, optional
-        Where scenes solved before are.
-
-    Raises
-    ------
-    CaseError
-        Whatever is wrong first, in one sentence that names the sweep and, of a scene, the values.
+    `share` (i, n) takes the i-th of n shares of its cases; the processes of `executor` check, by default this
+    one. CaseError with whatever is wrong first: one sentence that names the sweep and, of a scene, the
+    values.
     """
     path = Path(path)
     data = read_toml(path)

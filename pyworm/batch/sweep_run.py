@@ -35,23 +35,10 @@ def run_sweep(
     progress: Progress | None = None,
     print_message: Callable[[str], None] = lambda message: None,
 ) -> SweepResult:
-    """Solve a sweep.
+    """Solve a sweep; its table has a row for each scene, those without a solution included.
 
-    Parameters
-    ----------
-    sweep : Sweep
-        What to solve.
-    directory : Path
-        Under it solved scenes are kept, and looked for.
-    fields : bool
-        Whether they are kept in full, or their scalars only.
-    executor, progress, say
-        As of `pyworm.batch.case_run.run`.
-
-    Returns
-    -------
-    SweepResult
-        A row a scene, those without a solution included.
+    Solved scenes are kept in the directory, in full with `fields` or else as scalars, and found again there;
+    the other arguments are those of `pyworm.batch.case_run.run`.
     """
     reasons, found = solve_share(sweep.tasks, directory, fields, executor, progress, print_message)
     store = _store(directory, fields)
@@ -82,11 +69,8 @@ def solve_share(
 ) -> tuple[dict[str, str], dict[str, dict]]:
     """Solve some scenes of a sweep and store them; arguments as of `run_sweep`.
 
-    Returns
-    -------
-    tuple of dict and dict
-        Key and reason of each scene without solution; key and summary of each that was solved before, or
-        needs no solve.
+    Returns the reason of each scene without a solution, and the summary of each that was solved before or
+    needs no solve, by key.
     """
     store = _store(directory, fields)
     found = store.solved(tasks)

@@ -83,18 +83,7 @@ class Task:
         return Task, given, {"plan": self.plan} if "plan" in vars(self) else None
 
     def solved(self, progress: Progress | None = None, rates: Rates | None = None) -> Result:
-        """Solve the scene.
-
-        Parameters
-        ----------
-        progress, rates
-            As of `pyworm.solve`.
-
-        Raises
-        ------
-        KernelError
-            The kernel gave it up.
-        """
+        """Solve the scene, arguments as of `pyworm.solve`; KernelError if the kernel gives it up."""
         solution = solve(self.scene, self.plan, progress, rates)
         if self.case.drive is not None:
             beside = self.case.drive.scene_data(self.scene)

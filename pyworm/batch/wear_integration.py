@@ -59,29 +59,13 @@ def integrate_wear(
     deepest: float = np.inf,
     relative: float = 0.0,
 ) -> Worn:
-    """Integrate the wear of a flank to a time.
+    """Integrate the wear of a flank to a time [h].
 
-    Parameters
-    ----------
-    start : Worn
-        Where to begin; with what `keep` was given an integration goes on as if it had not been stopped.
-    until : float
-        [h].
-    rates : callable
-        Rate of wear of a worn flank.
-    tolerance : float
-        Largest error of the depth in a step [m], where nothing is worn off yet.
-    keep : callable, optional
-        Given each step's end and its error [m] before the next begins.
-    deepest : float, optional
-        The integration ends before a step that would go deeper [m].
-    relative : float, optional
-        By how much that error may be larger, over the largest depth [-].
-
-    Raises
-    ------
-    UnsolvedError
-        What `rates` raises for the shortest step, or rates that are not finite; longer steps are shortened.
+    `keep` is called with the end of each step and its error [m] before the next begins; from such an end an
+    integration continues as if it had not been stopped. The error of a step may be `tolerance` [m] plus
+    `relative` times the largest depth. The integration ends before a step that would go deeper than `deepest`
+    [m]. UnsolvedError for what `rates` raises in the shortest step, and for rates that are not finite; longer
+    steps are shortened.
     """
     _finite(start.rate)
     worn = start
@@ -110,13 +94,7 @@ def integrate_wear(
 
 
 def _finite(rate: Array) -> Array:
-    """A rate of wear that is known everywhere.
-
-    Raises
-    ------
-    UnsolvedError
-        It is not; any comparison with its error would be false, and accept the step.
-    """
+    """A rate of wear known everywhere; UnsolvedError otherwise, as no comparison with its error is true."""
     if not np.isfinite(rate).all():
         unknown_cells = rate.size - int(np.isfinite(rate).sum())
         raise UnsolvedError(

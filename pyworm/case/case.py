@@ -399,14 +399,9 @@ def _tabled(data: dict[str, Any], name: str, directory: Path) -> Case:
 
 
 def case_again(resolved: dict[str, Any]) -> Case:
-    """The case of a result, from the stored `Case.resolved`.
+    """The case of a result, from the stored `Case.resolved`; files that it names are no longer found.
 
-    Files that it names are no longer found.
-
-    Raises
-    ------
-    CaseError
-        It is none that this version knows, or the result was not made from a case.
+    CaseError if this version does not know it, or the result was not made from a case.
     """
     if not resolved:
         raise CaseError("the result has no case file; pyworm explore and pyworm plot show it")

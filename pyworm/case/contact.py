@@ -93,13 +93,7 @@ class MotionTable(Table):
         return self
 
     def motions(self, slide_roll_ratio: float | None = None) -> tuple[RigidMotion, RigidMotion]:
-        """Velocity fields of body 1 and body 2.
-
-        Parameters
-        ----------
-        slide_roll_ratio : float, optional
-            Velocity of body 1 less that of body 2, over their mean [-]; where the mean velocity is given.
-        """
+        """Velocity fields of both bodies; of a mean velocity at a slide-roll ratio, (u_1 - u_2)/u_m [-]."""
         if slide_roll_ratio is None:
             first = present(self.velocity_1, "motion.velocity_1")
             second = present(self.velocity_2, "motion.velocity_2")
@@ -149,23 +143,9 @@ ContactCase = PointCase | GapCase | LineCase
 def contact_scene(
     tables: ContactCase, name: str, directory: Path, slide_roll_ratio: float | None = None
 ) -> Scene | LineScene:
-    """The contact of a case file.
+    """The contact of a case file, its files relative to `directory`; CaseError if one of them holds no gap.
 
-    Parameters
-    ----------
-    tables : ContactCase
-        The file, in SI.
-    name : str
-        What to call the contact, if it is the only one.
-    directory : Path
-        What the files that it names are relative to.
-    slide_roll_ratio : float, optional
-        Which contact of a traction curve; for a file that gives the mean velocity of a point contact.
-
-    Raises
-    ------
-    CaseError
-        A file that it names holds no gap.
+    The slide-roll ratio selects a contact of a traction curve.
     """
     scene = (
         _line(tables, name)

@@ -21,10 +21,7 @@ MOST_PLACES = 10_000
 def with_deviations(data: dict[str, Any], directory: Path) -> dict[str, Any]:
     """The content of a case file with that of the files that `deviations` of worm and wheel name.
 
-    Raises
-    ------
-    CaseError
-        A file cannot be read, or holds no deviations over a grid.
+    CaseError if a file cannot be read, or holds no deviations over a grid.
     """
     drive = data.get("drive")
     if not isinstance(drive, dict):
@@ -49,19 +46,9 @@ def _held(part: str, places: str, file: Any, directory: Path) -> dict[str, Any]:
 
 
 def read_deviations(path: Path, places: str) -> dict[str, Any]:
-    """Places, radii and the deviations over them [m], as a case's `DeviationTable` has them.
+    """Places, radii and the deviations over them [m] of a file whose first column is `places`, of `PLACES`.
 
-    Parameters
-    ----------
-    path : Path
-        The file.
-    places : str
-        Its first column, of `PLACES`.
-
-    Raises
-    ------
-    ValueError
-        No such file, other columns, no numbers, or places that are no whole grid.
+    ValueError: no such file, other columns, no numbers, or places that are no whole grid.
     """
     if not path.is_file():
         raise ValueError("no such file")

@@ -63,13 +63,7 @@ class DriveCase(CaseTable):
 
     @abstractmethod
     def make_drive(self) -> Drive:
-        """The machine that the file describes.
-
-        Raises
-        ------
-        ValueError
-            The parts do not make a drive; the sentence begins with a key of `[drive]`.
-        """
+        """The gear set of the file; ValueError with a key of `[drive]` if its parts do not make one."""
 
     def duty(self, drive: Drive) -> Duty | None:
         """Input of the drive's rating by standards; as `Drive.duty`."""

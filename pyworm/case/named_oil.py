@@ -72,14 +72,9 @@ class _ByName(Table):
 def spelled_out(table: dict[str, Any]) -> dict[str, Any]:
     """`[oil]` of a name and a temperature, completed with all its tables.
 
-    A table that gives its law stands as it is. Keys of others go in place of the named oil's.
-
-    Raises
-    ------
-    ValidationError
-        No such oil, or none at this temperature.
-    ValueError
-        It gives the temperature of the oil twice.
+    A table that gives its law stands as it is. Keys of others go in place of the named oil's. ValidationError
+    if there is no such oil, or none at this temperature; ValueError if the temperature of the oil is given
+    twice.
     """
     asked = _ByName.model_validate(table)
     heat = table.get("heat")

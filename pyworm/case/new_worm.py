@@ -63,13 +63,7 @@ _SOUGHT = 41
 
 
 def loaded_phases(load: Callable[[float], float]) -> tuple[float, ...]:
-    """Phases to be solved of a mesh cycle: `PHASES` of the part in which tooth pairs carry load.
-
-    Parameters
-    ----------
-    load : callable
-        Load of the tooth pair at a phase (`Drive.normal_load`).
-    """
+    """Phases to solve, `PHASES` of the part of a mesh cycle under load, by the load at a phase."""
     phases = np.linspace(0, 1, _SOUGHT)
     loads = np.array([load(phase) for phase in phases])
     carrying = phases[loads > MIN_LOAD_SHARE * loads.max()]
@@ -83,18 +77,9 @@ def new_worm_text(
     assumed: Sequence[str] = (),
     phases: Sequence[float] = PHASES,
 ) -> str:
-    """The case file of a worm drive.
+    """The case file of a worm drive from the numbers of `ASKED` and `OPTIONAL`, as they stand on a drawing.
 
-    Parameters
-    ----------
-    answers : mapping
-        The numbers of `ASKED` and any of `OPTIONAL`, as they are written on a drawing.
-    title : str
-        Title of the case.
-    assumed : sequence of str
-        Usual values of the drive for what is not given (`WormDrive.assumed`), to stand as comments.
-    phases : sequence of float
-        Phases to be solved.
+    Usual values of what is not given (`WormDrive.assumed`) stand in it as comments.
     """
     rows = {"": _drive_rows(answers), "worm": [], "wheel": [], "hob": []}
     if "hob_oversize" in answers:

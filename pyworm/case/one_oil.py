@@ -12,19 +12,10 @@ ONE_GRADE = 1.5
 
 
 def check_one_oil(oil: OilTable | None, others: Mapping[str, str]) -> None:
-    """Refuse a second oil.
+    """Refuse a second oil: another one than that of `[oil]` in a table that names one.
 
-    Parameters
-    ----------
-    oil : OilTable or None
-        `[oil]`, if the file has it.
-    others : mapping
-        Key of another table -> the oil it names, a file's name if it ends in .toml.
-
-    Raises
-    ------
-    ValueError
-        Two tables name different oils, or one names an oil that is not as thick as `[oil]`.
+    `others` has the oil by the key that names it, a file's name if it ends in .toml. ValueError if two tables
+    name different oils, or one names an oil that is not as thick as `[oil]`.
     """
     known = {key: _canonical(name) for key, name in others.items()}
     named = {key: name for key, name in known.items() if name is not None}

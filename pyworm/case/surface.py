@@ -111,13 +111,7 @@ class SurfaceTable(Table):
         return present(self._directory, "directory") / present(self.file, "file")
 
     def waves(self) -> SeparatedWaves:
-        """Roughness and longer waves of the surface.
-
-        Raises
-        ------
-        ValueError
-            The file cannot be read or holds no such surface; the sentence begins with the key.
-        """
+        """Roughness and longer waves of the surface; ValueError with the key if there is no such surface."""
         try:
             if self.file is None:
                 return _of_generated(self)

@@ -20,18 +20,11 @@ TableT = TypeVar("TableT")
 
 
 def plain(table: TableT, kind: type[TableT]) -> TableT:
-    """The values of a table as the dataclass that it is read for.
+    """The values of a table as the dataclass that it is read for; tables inside it become dataclasses, too.
 
     Such a table is derived from both, `class CrownTable(Table, Crown)`: it has the dataclass's fields with
     their types of `pyworm.io.units` and their defaults, and states itself only what differs in a file. No
     table is derived from it in turn: pydantic would forget these types.
-
-    Parameters
-    ----------
-    table : Table
-        The table, whose tables inside become dataclasses likewise.
-    of : type
-        The dataclass.
     """
     parts = (part.name for part in fields(kind) if part.init)  # type: ignore[arg-type]  # a dataclass
     return kind(**{name: _plain(getattr(table, name)) for name in parts})

@@ -13,13 +13,7 @@ from pyworm.io.quantity import Kind, doubt
 def unusual(file: BaseModel, data: dict[str, Any]) -> tuple[str, ...]:
     """A sentence for each unusual value that is written in a file, keys with the same one together.
 
-    Parameters
-    ----------
-    file : BaseModel
-        The file as it was read.
-    data : dict
-        The table as written; values that it does not give, such as the numbers of a named oil, are not
-        judged.
+    Values that the table as written does not give, such as the numbers of a named oil, are not judged.
     """
     keys: dict[tuple[str, str], list[str]] = {}
     for key, text, kind in _written(file, data):

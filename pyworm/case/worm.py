@@ -196,14 +196,8 @@ class WormCase(RatedCase):
     ) -> dict[str, dict[str, Any]]:
         """What a case with a worn wheel has in place of this one's (`Case.with_found`).
 
-        Parameters
-        ----------
-        face, radius : ndarray
-            Places along the wheel's face and away from its axis [m].
-        depth : ndarray
-            Worn off its driven flanks there, (radius, face), beside the deviations that they have [m].
-        roughness : tuple of float
-            Of worm and wheel then, Rq [m].
+        `depth` [m] was worn off the driven flanks, (radius, face), beyond the deviations that they have, at
+        places along the face and radii [m]; `roughness` is that of worm and wheel then, Rq [m].
         """
         wheel, given = self.drive.wheel, self.drive.wheel.deviations
         design = self.drive.design()
@@ -284,13 +278,7 @@ class WormCase(RatedCase):
         return () if self.drive.module is None else HOB_LIFE
 
     def reground_drive(self, drive: WormDrive, part: float) -> tuple[float, WormDrive]:
-        """Oversize [m] of a hob of which a part is left, and the drive with the wheel that it cuts.
-
-        Raises
-        ------
-        ValueError
-            It cuts none that meshes.
-        """
+        """Oversize [m] of a hob of which a part is left, and the drive; ValueError without mesh."""
         oversize, design = self.drive.reground(part)
         return oversize, replace(drive, worm=design.worm, wheel=design.wheel, hob=design.hob)
 

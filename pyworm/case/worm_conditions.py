@@ -71,23 +71,11 @@ def conditions(
     speed: float,
     hours: float | Unknown,
 ) -> WormConditions:
-    """Conditions of one load of a worm gear.
+    """Conditions of one load of a worm gear that lasts some hours.
 
-    The oil between the teeth is as warm as the wheel's flanks, whose temperature follows from friction alone.
-    Those of the drive's own operating point are its own.
-
-    Parameters
-    ----------
-    table : CompletedRating
-        The rating, completed.
-    duty : WormDuty
-        The worm gear.
-    oil : NamedOil or Unknown
-        Its oil.
-    torque, speed : float
-        Torque of the wheel without its application factor [N m], and speed of the worm [rad/s].
-    hours : float or Unknown
-        How long the load lasts [h].
+    The torque is the wheel's without its application factor [N m], the speed the worm's [rad/s]. The oil
+    between the teeth is as warm as the wheel's flanks, whose temperature follows from friction alone. Those
+    of the drive's own operating point are its own.
     """
     at_duty_point = (torque, speed) == (duty.torque, duty.worm_speed)
     rough = duty.roughness[0]

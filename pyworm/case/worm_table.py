@@ -214,13 +214,7 @@ class WormDriveTable(Table):
         return self
 
     def design(self) -> Design:
-        """Worm, wheel and hob of the drawing.
-
-        Raises
-        ------
-        ValueError
-            No worm gear can be made so; the sentence begins with the key at fault.
-        """
+        """Worm, wheel and hob of the drawing; ValueError with the key at fault if none can be made so."""
         if self.module is None:
             return self._with_deviations(
                 base_cylinder_design(self.profile, self._numbers(), self.hand)
@@ -228,14 +222,9 @@ class WormDriveTable(Table):
         return self._design(*self._drawing())
 
     def reground(self, part: float) -> tuple[float, Design]:
-        """The oversize [m] of a hob of which a part is left, and the design, the hob set up as usual.
+        """Oversize [m] of a hob of which a part is left, and the design, the hob set up as usual.
 
-        For a drive with a module.
-
-        Raises
-        ------
-        ValueError
-            As of `design`.
+        For a drive with a module; ValueError as of `design`.
         """
         drawing, assumed = self._drawing()
         smaller = replace(

@@ -51,18 +51,7 @@ class _Parser(argparse.ArgumentParser):
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line.
-
-    Parameters
-    ----------
-    arguments : sequence of str, optional
-        In place of those of the process.
-
-    Returns
-    -------
-    int
-        The exit code.
-    """
+    """Run the command line, by default with the arguments of the process; returns the exit code."""
     prepare()
     try:
         options = _parser().parse_args(arguments)

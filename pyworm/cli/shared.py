@@ -43,10 +43,7 @@ def drawn_pictures(
 ) -> tuple[list[str], bool]:
     """Draw pictures into a directory; a failure gives a message and nothing else is lost.
 
-    Returns
-    -------
-    tuple of list of str and bool
-        Names of those drawn, and whether these are all.
+    Returns the names of those drawn, and whether these are all.
     """
     from pyworm.plots.attempts import PicturesError
 
@@ -86,13 +83,7 @@ def warn_of_refusals(tasks: Sequence["Task"]) -> None:
 
 
 def opened_result(path: Path) -> "Result":
-    """A result file.
-
-    Raises
-    ------
-    CaseError
-        It is none, or is not there.
-    """
+    """A result file; CaseError if it is none, or is not there."""
     from pyworm.result.result import open_result
 
     try:

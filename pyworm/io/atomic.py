@@ -25,13 +25,7 @@ class NotWrittenError(OSError):
 
 
 def check_writable(directory: Path) -> None:
-    """Refuse a directory without permission to write, before anything is solved.
-
-    Raises
-    ------
-    CaseError
-        It is a file, or it or its nearest existing parent cannot be written to.
-    """
+    """Refuse a directory without permission to write, or a file, before anything is solved; CaseError."""
     existing = next(path for path in (directory, *directory.absolute().parents) if path.exists())
     if not existing.is_dir():
         raise CaseError(f"{existing}: is a file, results need a directory")
@@ -50,15 +44,7 @@ _PARTIAL = re.compile(r"\..+\.[0-9a-f]{8}\.part")
 def whole_file(path: Path) -> Iterator[Path]:
     """Write a file under a temporary name and rename it: complete or absent, even if power fails.
 
-    Yields
-    ------
-    Path
-        What to write, an empty file in the same directory, which is made if need be.
-
-    Raises
-    ------
-    NotWrittenError
-        It cannot be written.
+    Yields the empty file to write, in the same directory, which is made if need be. NotWrittenError.
     """
     with _named(path):
         partial, handle = _held(path.parent, path.name, _new_file)
@@ -73,27 +59,11 @@ def whole_file(path: Path) -> Iterator[Path]:
 
 @contextmanager
 def atomic_directory(directory: Path, instead_of: Sequence[str] = ()) -> Iterator[Path]:
-    """Write files into a temporary directory and move them once all are complete.
+    """Write files into a temporary directory, which is yielded, and move them once all are complete.
 
-    Files of the same name from an earlier run are replaced, what killed processes left half written goes;
-    others are left alone.
-
-    Parameters
-    ----------
-    directory : Path
-        Where the files are to appear; made if need be.
-    instead_of : sequence of str
-        Patterns of files from an earlier run that go when these appear.
-
-    Yields
-    ------
-    Path
-        An empty directory to write into: in the other one, whose own parent may be closed to writing.
-
-    Raises
-    ------
-    NotWrittenError
-        The files cannot be written.
+    Files of the same name from an earlier run, and those of the patterns `instead_of`, are replaced; what
+    killed processes left half written goes; others are left alone. The empty directory lies in the other one,
+    whose own parent may be closed to writing. NotWrittenError if the files cannot be written.
     """
     directory = directory.absolute()
     existed = directory.exists()
@@ -156,13 +126,7 @@ def _remove_unless_held(path: Path) -> None:
 
 
 def _held(directory: Path, name: str, make: Callable[[Path], int]) -> tuple[Path, int]:
-    """A new file or directory, and the handle that locks it until it is closed.
-
-    Raises
-    ------
-    OSError
-        The directory takes no files; as FileNotFoundError where it exists all the same, such as /proc.
-    """
+    """A new file or directory, and the handle that locks it until closed; OSError if there can be none."""
     refusal = FileNotFoundError(ENOENT, "other processes keep removing what is written there")
     for _ in range(MAX_ATTEMPTS):
         partial = directory / f".{name}.{token_hex(4)}.part"

@@ -22,14 +22,9 @@ def fault_of(value: object) -> str | None:
 
 
 def read_json(text: str | bytes) -> Any:
-    """The content of a JSON text whose whole numbers are within the bounds.
+    """The content of a JSON text; ValueError if it is none, or a whole number in it is out of bounds.
 
     NaN and infinity are read, as Python writes them: a solution that did not converge may hold them.
-
-    Raises
-    ------
-    ValueError
-        The text is no JSON, or a whole number in it is too large.
     """
     return json.loads(text, parse_int=_integer)
 

@@ -36,10 +36,8 @@ class Console(rich.console.Console):
 def progress_bar() -> Iterator[Callable[[str, float], None] | None]:
     """Show a progress bar on standard error if that is a terminal, or in a notebook; nothing otherwise.
 
-    Yields
-    ------
-    callable or None
-        Called with what is being done and the fraction of all that is done, 0 to 1.
+    Yields what is called with the work at hand and the fraction of all that is done, 0 to 1; None without a
+    bar.
     """
     console = Console(stderr=True)
     if not (sys.stderr.isatty() or console.is_jupyter):

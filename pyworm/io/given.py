@@ -29,19 +29,9 @@ MAX_VALUE_LENGTH = 40
 def take(owner: Any, *, sizes: bool = True, law: type | None = None) -> None:
     """Replace the quantities of a frozen dataclass by numbers in SI; None stays where it is the default.
 
-    Parameters
-    ----------
-    owner : dataclass
-        Its quantities have types of `pyworm.io.units`, of several numbers `tuple[type, ...]`.
-    sizes : bool, optional
-        Whether numbers of a size that there is not are refused.
-    law : type, optional
-        Class of a law that may stand in place of a number, and has been checked itself.
-
-    Raises
-    ------
-    ValueError
-        No number and no text with a unit, or of a size that there is not.
+    Quantities have types of `pyworm.io.units`, of several numbers `tuple[type, ...]`; a `law` may stand in
+    place of a number. ValueError if there is no number and no text with a unit, or, unless not `sizes`, for
+    one of an impossible size.
     """
     its_class: type = type(owner)
     optional = {part.name for part in fields(owner) if part.default is None}
@@ -119,26 +109,10 @@ def in_si(name: str, value: Given, annotated: Any) -> Any: ...
 
 
 def in_si(name: str, value: Given, annotated: Any) -> Any:
-    """Numbers in SI from numbers, which stay as they are, or texts with units.
+    """A number in SI, or an array of several, from numbers, which stay as they are, or texts with units.
 
-    Parameters
-    ----------
-    name : str
-        What they are called.
-    value : float, str, array or sequence of them
-        A number or a text, or several.
-    annotated : type
-        Their type of `pyworm.io.units`.
-
-    Returns
-    -------
-    float or numpy.ndarray
-        An array of several.
-
-    Raises
-    ------
-    ValueError
-        A text that means no such quantity, or neither number nor text.
+    `annotated` is their type of `pyworm.io.units`. ValueError of a text that means no such quantity, and of
+    what is neither number nor text.
     """
     dtype = getattr(value, "dtype", None)
     if type(value) is float or (dtype is not None and dtype.kind not in "OUS"):

@@ -44,22 +44,7 @@ class CaseError(ValueError):
 
 
 def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any]) -> str:
-    """The message about the first error in a case file.
-
-    Parameters
-    ----------
-    error : ValidationError
-        What pydantic found.
-    model : type
-        The model that the file was read into.
-    data : dict
-        The file as written.
-
-    Returns
-    -------
-    str
-        Dotted key, value as written, and what would be right.
-    """
+    """The message about the first error in a case file: dotted key, value as written, what would be right."""
     # A misspelt key or a wrong name leaves another key missing, too: the former is the one to report.
     problem = min(error.errors(), key=lambda found: _LAST.get(found["type"], 1))
     keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")

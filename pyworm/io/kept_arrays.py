@@ -22,21 +22,10 @@ def keep(path: Path, **arrays: Any) -> None:
 
 
 def kept(path: Path, make: Callable[[dict[str, np.ndarray]], Content]) -> Content:
-    """What is made of the arrays in a file.
+    """What is made of the arrays, by their names, in a file that `keep` has written.
 
-    Parameters
-    ----------
-    path : Path
-        A file that `keep` has written.
-    make : callable
-        Makes of arrays, by their names, what is wanted; whatever it stumbles over is a damage of the file.
-
-    Raises
-    ------
-    FileNotFoundError
-        There is no such file.
-    DamagedError
-        It cannot be read, or lacks something.
+    FileNotFoundError if there is none; DamagedError if it cannot be read, or `make` stumbles over its
+    content.
     """
     try:
         with path.open("rb") as file, np.load(file) as arrays:

@@ -48,13 +48,7 @@ def converted(value: float, unit: str, other: str) -> float:
 
 
 def parse_any(text: str) -> tuple[float, str]:
-    """Read a quantity of any dimension: its value in SI base units and these units ("kg/m/s**2").
-
-    Raises
-    ------
-    ValueError
-        Not a number and a unit.
-    """
+    """Value in SI base units, and these units ("kg/m/s**2"), of a text; ValueError if it is not such."""
     measured = measure(text) if isinstance(text, str) else None
     if measured is None or not math.isfinite(measured[0]):
         raise ValueError(f'must be a number with its unit, such as "540 MPa"{number_hint(text)}')
@@ -63,24 +57,9 @@ def parse_any(text: str) -> tuple[float, str]:
 
 
 def parse_in(text: str, unit: str | None = None) -> tuple[float, str]:
-    """Read a quantity of any dimension as a number in a unit, by default the one that it is written with.
+    """Number of a text in a unit, by default the one that it is written with, and that unit.
 
-    Parameters
-    ----------
-    text : str
-        Number and unit; a number alone is a plain number.
-    unit : str, optional
-        As a case file writes it.
-
-    Returns
-    -------
-    tuple of float and str
-        The number, and the unit it is in.
-
-    Raises
-    ------
-    ValueError
-        Not a number and a unit, or of another dimension.
+    ValueError if it is not a number and a unit, or of another dimension.
     """
     parts = number_and_unit(text) if isinstance(text, str) else None
     if parts is None or measure(text) is None:

@@ -106,13 +106,7 @@ def described(
     coords: Mapping[str, tuple[tuple[str, ...], Any]],
     attrs: Mapping[str, Any] | None = None,
 ) -> PlainDataset:
-    """A dataset of variables, given by dimensions and values, with the units and long names of `QUANTITIES`.
-
-    Raises
-    ------
-    KeyError
-        If a variable has no entry.
-    """
+    """A dataset of variables, by dimensions and values, with units and long names; KeyError without such."""
     held = {}
     for name, (dims, values) in {**variables, **coords}.items():
         held[name] = PlainVariable(dims, np.asarray(values), attributes(name))

@@ -6,20 +6,7 @@ T = TypeVar("T")
 
 
 def present(value: T | None, name: str) -> T:
-    """A value that is there.
-
-    Parameters
-    ----------
-    value : any
-        The value.
-    name : str
-        What it is called in case files or in Python, such as "oil.heat".
-
-    Raises
-    ------
-    ValueError
-        It is missing.
-    """
+    """A value that is there; ValueError with its name, such as "oil.heat", if it is missing."""
     if value is None:
         raise ValueError(f"{name} is missing: needed here, and not given")
     return value

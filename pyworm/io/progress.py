@@ -12,15 +12,7 @@ LOG_LINES = 10
 
 
 def log_lines(print_message: Callable[[str], None], name: str) -> Progress:
-    """A progress that says a line at the start of each kind of work and at each tenth of it.
-
-    Parameters
-    ----------
-    print_message : callable
-        Told the lines.
-    name : str
-        What it is the progress of, before each line.
-    """
+    """A progress that prints a line, with a name, at the start of each kind of work and each tenth of it."""
     reached = -1
 
     def tell(message: str, fraction: float) -> None:

@@ -487,12 +487,9 @@ QUANTITIES = {
 def listed(place: str) -> tuple[Quantity, ...]:
     """Quantities that a place shows, in their order.
 
-    Parameters
-    ----------
-    place : str
-        "contact" and "figures": rows of a contact before and after it is solved; "film" and "heat": tables of
-        all contacts; "key": the decisive figures; "sweep" and "picture": table and picture of a sweep;
-        "explore": the page to explore.
+    Places are "contact" and "figures", rows of a contact before and after it is solved; "film" and "heat",
+    tables of all contacts; "key", the decisive figures; "sweep" and "picture", table and picture of a sweep;
+    "explore", the page to explore.
     """
     return tuple(quantity for quantity in QUANTITIES.values() if place in quantity.places.split())
 
@@ -517,13 +514,7 @@ def attributes(name: str) -> dict[str, str]:
 
 
 def describe(dataset: "xr.Dataset") -> "xr.Dataset":
-    """A copy of a dataset whose variables carry the units and long names of `QUANTITIES`.
-
-    Raises
-    ------
-    KeyError
-        If a variable has no entry.
-    """
+    """A copy of a dataset with units and long names of `QUANTITIES`; KeyError of a variable without."""
     described = dataset.copy()
     for name in described.variables:
         described[name].attrs.update(attributes(str(name)))

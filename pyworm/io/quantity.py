@@ -71,25 +71,10 @@ SHARE_KIND = Kind("a share", "", "1 %", possible=("1e-12 %", "1000 %"))
 
 
 def parse(text: object, kind: Kind) -> float:
-    """Read a quantity such as "14 kN".
+    """The value in `kind.unit` of a text such as "14 kN".
 
-    Parameters
-    ----------
-    text : str
-        Number and unit.
-    kind : Kind
-        What it must measure.
-
-    Returns
-    -------
-    float
-        The value in `kind.unit`.
-
-    Raises
-    ------
-    ValueError
-        Not a text, not a number and a unit, of another dimension, not finite, of the wrong sign, or of a size
-        that there is not.
+    ValueError of what is not a text, not a number and a unit, of another dimension, not finite, of the wrong
+    sign, or of an impossible size.
     """
     with_unit = f"{kind.noun} with its unit" if kind.unit else kind.noun
     value = _in_kind(text, kind)
@@ -109,15 +94,7 @@ def parse(text: object, kind: Kind) -> float:
 
 
 def doubt(text: str, kind: Kind) -> str | None:
-    """The warning about a possible but unusual value; None for a usual one.
-
-    Parameters
-    ----------
-    text : str
-        The quantity, as of `parse`, which takes it.
-    kind : Kind
-        What it measures.
-    """
+    """The warning about a possible but unusual value, a text that `parse` takes; None for a usual one."""
     value = _in_kind(text, kind)
     if not value or kind.usual is None or _lies(value, kind, kind.usual):
         return None

@@ -45,17 +45,7 @@ def encoding_of(stream: IO[str]) -> str:
 
 
 def plain(text: str, stream: IO[str], lines: bool = True) -> str:
-    """A text as a stream can show it.
-
-    Parameters
-    ----------
-    text : str
-        Anything.
-    stream : file
-        Where it will be written.
-    lines : bool
-        Whether ends of lines are left as they are.
-    """
+    """A text as a stream can show it, ends of lines left as they are unless not `lines`."""
     encoding = encoding_of(stream)
     return "".join(
         _plain(character, encoding) if character != "\n" or not lines else character

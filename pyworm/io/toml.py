@@ -21,12 +21,9 @@ _KEYS_END = re.compile(r"[=,{}\[\]\n]")
 
 
 def read_toml(path: Path) -> dict[str, Any]:
-    """The content of a TOML file, with or without a byte-order mark, its numbers within `bounded_number`.
+    """The content of a TOML file, with or without a byte-order mark.
 
-    Raises
-    ------
-    CaseError
-        The file cannot be read, is no TOML, or holds a number that is not finite or too large.
+    CaseError: the file cannot be read, is no TOML, or holds a number that is not finite or too large.
     """
     content = _parsed(path)
     try:

@@ -76,13 +76,7 @@ def plain(text: str) -> str:
 
 
 def factors(text: str) -> tuple[tuple[str, int], ...]:
-    """The names in a unit, each with its power.
-
-    Raises
-    ------
-    ValueError
-        What follows no such grammar.
-    """
+    """The names in a unit, each with its power; ValueError of what follows no such grammar."""
     if len(text) > MAX_UNIT_LENGTH:
         raise ValueError(f"a unit of {len(text)} characters")
     text = plain(text)

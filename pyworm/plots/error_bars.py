@@ -19,22 +19,10 @@ def draw_estimates(
     estimates: Sequence[Estimate],
     **style: Any,
 ) -> None:
-    """Draw figures with both error bars, the model's wide and pale.
+    """Draw figures over a sweep with both error bars, the model's wide and pale.
 
-    Parameters
-    ----------
-    axes : Axes
-        Any.
-    places : sequence of float
-        Where in the sweep each figure is.
-    values : numpy.ndarray
-        Figures in the unit of the axes.
-    sizes : numpy.ndarray
-        What errors are relative to, in that unit: of temperatures the rise.
-    estimates : sequence of Estimate
-        Figures with their errors.
-    **style
-        Line, marker and label (`Axes.errorbar`).
+    `values` are in the unit of the axes, `sizes` what errors are relative to, in that unit: of temperatures
+    the rise. `style` is that of `Axes.errorbar`.
     """
     sizes = np.abs(sizes)
     numerical = sizes * [estimate.error for estimate in estimates]

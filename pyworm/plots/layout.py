@@ -225,18 +225,10 @@ def new_figure(width: float, height: float, heading: str) -> Figure:
 def placed_panels(
     size: tuple[float, float], heading: str, room: tuple[float, float, float, float], **kind: Any
 ) -> tuple[Figure, Any]:
-    """A figure and its panels by hand, as to find their places takes as long as drawing them.
+    """A figure [inch] and its panels by hand, as to find their places takes as long as drawing them.
 
-    Parameters
-    ----------
-    size : (float, float)
-        Width and height of the figure [inch].
-    heading : str
-        Its heading.
-    room : (float, float, float, float)
-        Left of the panels, right of them, below and between them and the heading [inch].
-    kind
-        What `Figure.subplots` takes, its spaces in fractions of a panel.
+    `room` is left of the panels, right of them, below, and between them and the heading [inch]; `kind` is
+    what `Figure.subplots` takes, its spaces in fractions of a panel.
     """
     (width, height), (left, right, below, above) = size, room
     heading = fill(heading, int(LETTERS_PER_INCH * width))

@@ -38,10 +38,7 @@ MARGIN_FRACTION = 0.15
 def animate(result: Result, life: ContactLife, path: Path) -> Path:
     """Write an animation of a life; its kind follows from the file's suffix (`WRITERS`).
 
-    Raises
-    ------
-    ValueError
-        It has no fields, or no program writes this kind of file here.
+    ValueError if the life has no fields, or no program writes this kind of file here.
     """
     if not life.frames:
         raise ValueError("this result has no fields over time; only transient solutions have")

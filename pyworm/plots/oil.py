@@ -62,13 +62,7 @@ def draw_viscosity(oils: Sequence[NamedOil], marked: float | None = None) -> Fig
 
 
 def draw_pressure_viscosity(oils: Sequence[NamedOil], marked: float | None = None) -> Figure:
-    """Pressure-viscosity coefficient of oils by Gold's law and, where it has constants, by AGMA's.
-
-    Parameters
-    ----------
-    oils, marked
-        As of `draw_viscosity`.
-    """
+    """Pressure-viscosity coefficient by Gold's law, and AGMA's if known; as of `draw_viscosity`."""
     figure = new_figure(11, 5.4, "Pressure-viscosity coefficient of oils")
     gold, agma = figure.subplots(1, 2, sharey=True)
     for oil, colour in zip(oils, _colours(oils), strict=True):

@@ -34,16 +34,11 @@ def dry_outline(fields: AnyDataset) -> list[np.ndarray]:
 
 
 def signed_square(pressure: np.ndarray) -> np.ndarray:
-    """Square of the pressure, continued to negative values outside the contact.
+    """Square of a dry pressure over a regular grid, continued to negative values outside the contact.
 
-    The square of a dry pressure falls to zero linearly, so it is continued linearly by one point
-    past the boundary; contours are then free of the steps of the grid. Where the pressure does not
-    fall (at the edge of a tooth) the boundary is put half-way to the next point.
-
-    Parameters
-    ----------
-    pressure : array
-        Dry pressure over a regular grid, zero outside the contact [any unit].
+    The square of a dry pressure falls to zero linearly, so it is continued linearly by one point past the
+    boundary; contours are then free of the steps of the grid. Where the pressure does not fall (at the edge
+    of a tooth) the boundary is put half-way to the next point.
     """
     square = np.square(pressure)
     padded = np.pad(square, 2)
@@ -142,17 +137,7 @@ STANDSTILL = 1e-3
 
 
 def draw_arrows(axes: Axes, fields: AnyDataset, u: np.ndarray, v: np.ndarray) -> None:
-    """Arrows of one length in the direction of a vector field, none where it is nearly zero.
-
-    Parameters
-    ----------
-    axes : Axes
-        A panel made by `panels`.
-    fields : xarray.Dataset
-        Fields that have its nodes, and where both surfaces exist: no arrow elsewhere.
-    u, v : numpy.ndarray
-        Components along x and y at the nodes, (y, x).
-    """
+    """Arrows of one length along a vector field over (y, x), where both surfaces exist and it moves."""
     width, height = panel_size(axes)
     step = np.sqrt(width * height / ARROWS)
     sides = ((axes.get_xlim(), width), (axes.get_ylim(), height))
@@ -197,19 +182,7 @@ def draw_contact_point(axes: Axes) -> None:
 def draw_largest_temperatures(
     axes: Axes, places: Sequence[float], solutions: Sequence[Solution], bodies: tuple[str, str]
 ) -> None:
-    """Largest temperatures of a sweep with their error bars, and the inlet's.
-
-    Parameters
-    ----------
-    axes : Axes
-        Any.
-    places : sequence of float
-        Where in the sweep each solution is.
-    solutions : sequence of Solution
-        Solutions with heat.
-    bodies : tuple of str
-        What the bodies are called.
-    """
+    """Largest temperatures of heated solutions over a sweep, with their error bars, and the inlet's."""
     for name, label, colour in (
         ("temperature_max_body_1", bodies[0], "tab:blue"),
         ("temperature_max_body_2", bodies[1], "tab:orange"),

@@ -101,21 +101,10 @@ def draw_regimes(result: Result) -> Figure:
 
 
 def draw_chart(axes: Axes, middle: Regime, moes_m: np.ndarray, moes_l: np.ndarray) -> list:
-    """The four regimes around given places, by the numbers of `pyworm.formulas.regimes`.
+    """The four regimes around places in Moes' M and L [-], by the numbers of `pyworm.formulas.regimes`.
 
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    middle : Regime
-        The contact whose shape, entrainment and oil the chart is of.
-    moes_m, moes_l : array
-        The places, Moes' M and L [-].
-
-    Returns
-    -------
-    list
-        Entries of a legend: published borders, where the chart has them, and the band of doubt.
+    The chart is that of the shape, entrainment and oil of the contact `middle`. Returns entries of a legend:
+    published borders, where the chart has them, and the band of doubt.
     """
     ends = [
         (min(low, np.nanmin(values) / MARGIN_FACTOR), max(high, np.nanmax(values) * MARGIN_FACTOR))

@@ -82,18 +82,7 @@ def draw_curves(
 ) -> Figure:
     """Contact and flow factors over the gap, beside closed forms for a surface of the same figures.
 
-    Parameters
-    ----------
-    name : str
-        Name of the surface.
-    table : CellTable
-        Its contact and flow.
-    texture : Texture
-        Its figures.
-    modulus : float
-        E' [Pa].
-    hardness : float or None
-        Largest pressure [Pa]; None of a surface that does not yield.
+    `modulus` is E' [Pa], `hardness` the largest pressure [Pa], None of a surface that does not yield.
     """
     yields = "elastic" if hardness is None else f"hardness {hardness * MEGA:.4g} MPa"
     figure = new_figure(

@@ -15,17 +15,7 @@ if TYPE_CHECKING:
 
 
 def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
-    """Depth, friction and pattern over the hours, and maps of the depth at the middle and the end.
-
-    Parameters
-    ----------
-    name : str
-        Of the case.
-    run : WearRun
-        A run that has ended.
-    limit : float
-        Depth that the standard allows [m].
-    """
+    """Depth with its limit [m], friction and pattern over the hours, and maps of the depth."""
     figure = new_figure(11.0, 6.4, f"{name} · wear of the wheel, k = {run.coefficient:.3g} m²/N")
     panels = figure.subplots(2, 3)
     steps = run.steps

@@ -89,19 +89,9 @@ def _wanted(number: int) -> float:
 
 
 def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
-    """Solve a model on grids of halving spacing, one after another on demand.
+    """Solve a model on grids of halving spacing, one after another on demand; `wide` doubles the window.
 
-    Parameters
-    ----------
-    fidelity : Fidelity
-        The model.
-    wide : bool
-        Whether the window has twice the reach.
-
-    Raises
-    ------
-    KernelError
-        If the kernel gives a grid up, or there is no memory for it.
+    KernelError if the kernel gives a grid up, or there is no memory for it.
     """
     plan = fidelity.plan
     watch = _Stopwatch()
@@ -132,17 +122,7 @@ def grid_sequence(fidelity: Fidelity, wide: bool = False) -> Iterator[Point]:
 
 
 def tightened(fidelity: Fidelity, halvings: int, tolerances: tuple[float, ...]) -> Iterator[Point]:
-    """Solve one grid to successively smaller residuals.
-
-    Parameters
-    ----------
-    fidelity : Fidelity
-        The model.
-    halvings : int
-        Number of halvings from the first grid.
-    tolerances : tuple of float
-        Residuals, falling.
-    """
+    """Solve the grid after some halvings of the first one to falling residuals."""
     plan = fidelity.plan
     watch = _Stopwatch()
     solver = SOLVERS[type(fidelity.scene)](fidelity.scene, plan)

@@ -35,26 +35,9 @@ def fidelities(
     quantities: Sequence[str] | None = None,
     accuracy: float = ACCURACY,
 ) -> tuple[tuple[Fidelity, ...], dict[str, str]]:
-    """The models of a contact, the most complete one last, and the reasons for missing ones.
+    """The models of a contact, the most complete one last, and the reasons for missing ones by name.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    quantities : sequence of str, optional
-        Quantities asked for, as of `pyworm.plan`.
-    accuracy : float
-        Accuracy of their plans [-].
-
-    Returns
-    -------
-    tuple of Fidelity, dict
-        Models; name -> reason of those that do not exist.
-
-    Raises
-    ------
-    ValueError
-        As of `pyworm.plan`.
+    Quantities and accuracy [-] are those of `pyworm.plan`, and so are the errors.
     """
     point = isinstance(scene, Scene)
     body = "point" if point else "line"

@@ -78,31 +78,12 @@ def study(
 ) -> Study:
     """Measure error against time for a contact, as steady.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    quantities : tuple of str, optional
-        Quantities asked for, as of `pyworm.plan`.
-    budget : float
-        Limit of the elapsed time [s], exceeded only where a grid takes longer than expected.
-    progress : callable, optional
-        Called with what is being done and the fraction of the budget that is spent.
-    complete_only : bool
-        Whether only the most complete model and its wider window are wanted, as for a reference.
-    clock : callable
-        Returns the time that the budget limits [s]; by default elapsed time, which a busy machine stretches.
+    The budget limits the time of the clock [s], by default elapsed time, and is exceeded only where a grid
+    takes longer than expected. With `complete_only` the most complete model and its wider window alone are
+    solved, as for a reference.
 
-    Raises
-    ------
-    BudgetError
-        The budget ends before the most complete model has three grids.
-    NoReferenceError
-        Fewer than two of its grids settle.
-    ValueError
-        As of `pyworm.plan`.
-    KernelError
-        The most complete model fails.
+    BudgetError if the budget ends before the most complete model has three grids, NoReferenceError if fewer
+    than two of them converge, KernelError if that model fails, ValueError as of `pyworm.plan`.
     """
     scene = replace(scene, past=None)
     making = _Study(scene, quantities, budget, progress or (lambda message, fraction: None), clock)

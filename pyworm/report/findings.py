@@ -51,20 +51,7 @@ class Findings:
 
 
 def findings(result: Result, case: Case | None = None) -> Findings:
-    """The findings of a result.
-
-    Parameters
-    ----------
-    result : Result
-        The result.
-    case : Case, optional
-        A case in place of the solved one.
-
-    Raises
-    ------
-    CaseError
-        The result's case is none that this version knows.
-    """
+    """The findings of a result, by its case or another one; CaseError if this version does not know it."""
     case = case or case_again(result.case)
     possible, lacking = _rated(case, result)
     return Findings(

@@ -27,13 +27,7 @@ def browser() -> str | None:
 
 
 def print_pdf(page: Path, pdf: Path) -> None:
-    """Print a page.
-
-    Raises
-    ------
-    CaseError
-        No such browser, or it failed.
-    """
+    """Print a page; CaseError if there is no such browser, or it failed."""
     found = browser()
     if found is None:
         raise CaseError(

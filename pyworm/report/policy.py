@@ -8,13 +8,8 @@ def policy(style: str, script: str | None = None) -> str:
     """The tag that allows a page its own style, script and pictures alone; it stands before them.
 
     Words of a result or a case (titles, sources, warnings) can then neither run as a script nor fetch
-    anything, even if one were not escaped. Script and style are known by their digests (Content Security
-    Policy Level 3, section 2.3.1), so that none needs an address or a server.
-
-    Parameters
-    ----------
-    style, script : str
-        All that stands between the tags, to the letter; None of a page without script.
+    anything, even if one were not escaped. Script and style, all that stands between their tags, are known by
+    their digests (Content Security Policy Level 3, section 2.3.1), so that none needs an address or a server.
     """
     allowed = {
         "default-src": "'none'",

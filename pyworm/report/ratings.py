@@ -17,15 +17,7 @@ def rating_table(rating: Rating) -> Table:
 
 
 def safeties_table(rating: Rating, inputs: bool) -> Table:
-    """The safeties of a rating with what they require.
-
-    Parameters
-    ----------
-    rating : Rating
-        The rating.
-    inputs : bool
-        Whether there is room for what each was made of.
-    """
+    """The safeties of a rating with what they require and, where there is room, their inputs."""
     head = ("Safety factor", "Value", "Required", "Verdict", *(["Inputs"] if inputs else []))
     rows = (
         (

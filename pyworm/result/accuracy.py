@@ -7,14 +7,6 @@ from pyworm.io.quantity_text import percent
 
 
 def accuracy_words(accuracy: float, names: Sequence[str]) -> str:
-    """An accuracy with the figures it refers to; empty where these are not known.
-
-    Parameters
-    ----------
-    accuracy : float
-        Relative error asked for [-].
-    names : sequence of str
-        Names of the figures, `Solution.accuracy_of`.
-    """
+    """A relative accuracy with the figures (`Solution.accuracy_of`) it refers to; empty without any."""
     words = dict.fromkeys(QUANTITIES[name].words(("", "")).removesuffix(" ()") for name in names)
     return f"{percent(accuracy)} of {', '.join(words)}" if words else ""

@@ -55,13 +55,10 @@ _MINIMUM_FIELDS = ("film", "entry")
 def flank_map(result: Result) -> "xr.Dataset | None":
     """Extremes over the mesh cycle on the wheel's flank; None without enough phases.
 
-    Returns
-    -------
-    xarray.Dataset
-        Over (radius, face), NaN where no contact passed: pressure, and where simulated temperature_body_2,
-        temperature_middle, asperity_pressure and asperity_rubbing, their largest values; film and entry,
-        their least. `entry` is the speed at which oil entered over the mean entrainment [-],
-        `asperity_rubbing` the asperities' pressure times the sliding [W/m2], by which wear goes.
+    Over (radius, face), NaN where no contact passed: pressure, and where simulated temperature_body_2,
+    temperature_middle, asperity_pressure and asperity_rubbing, their largest values; film and entry, their
+    least. `entry` is the speed at which oil entered over the mean entrainment [-], `asperity_rubbing` the
+    asperities' pressure times the sliding [W/m2], by which wear goes.
     """
     solved = sorted(
         (

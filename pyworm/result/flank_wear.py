@@ -54,12 +54,7 @@ class FlankGrid:
     def spread(self, amount: Array, face: Array, radius: Array) -> Array:
         """Amounts of points over the four cells around each, over the cells' area; (radius, face).
 
-        Parameters
-        ----------
-        amount : ndarray
-            Value times area for each point.
-        face, radius : ndarray
-            Places of the points [m]; those beyond the grid are left out.
+        An amount is a value times an area; points [m] beyond the grid are left out.
         """
         field = np.zeros(self.shape)
         column, across = _between(face, self.face)
@@ -106,19 +101,9 @@ def _placed(solution: Solution, x: Array, y: Array, side: Side) -> dict[str, Arr
 
 
 def flank_grid(result: Result, side: Side = "wheel") -> FlankGrid:
-    """Cells that hold all contacts of a result, with a margin.
+    """Cells that hold all contacts of a worm drive with simulated roughness, with a margin.
 
-    Parameters
-    ----------
-    result : Result
-        Solved phases of a worm drive with simulated roughness.
-    side : str, optional
-        "wheel", or "worm" for a thread of it.
-
-    Raises
-    ------
-    ValueError
-        Too few phases converged.
+    They lie on the wheel, or on a thread of the worm. ValueError if too few phases converged.
     """
     solved = _solved(result)
     layers = [_placed(solution, *common_grid(solved), side) for solution in solved]
@@ -160,22 +145,11 @@ def _solved(result: Result) -> list[Solution]:
 def asperity_pass(
     result: Result, grid: FlankGrid, phases_per_second: float, side: Side = "wheel"
 ) -> Pass:
-    """A pass through the mesh, from the first touch of a tooth pair to its last.
+    """A pass through the mesh, from first touch of a tooth pair to its last, at a rate of the phase [1/s].
 
     Before the first solved phase and after the last one the contact of that phase goes on, its work in the
-    ratio of the tooth pair's load; without a curve of that load the pass ends with them.
-
-    Parameters
-    ----------
-    result : Result
-        Solved phases of a worm drive with simulated roughness.
-    grid : FlankGrid
-        Cells of the flank.
-    phases_per_second : float
-        Rate of the phase [1/s].
-    side : str, optional
-        Whose flank, as of `flank_grid`. A tooth has a pass in each turn of the wheel, a thread in each turn
-        of the worm.
+    ratio of the tooth pair's load; without a curve of that load the pass ends with them. A tooth has a pass
+    in each turn of the wheel, a thread in each turn of the worm.
     """
     solved = _solved(result)
     x, y = common_grid(solved)

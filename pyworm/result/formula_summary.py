@@ -23,20 +23,8 @@ def formula_summary(
     """The films of a scene by formula as one object, units in the keys, as of `Solution.summary`.
 
     Errors are relative; infinite outside the box of the atlas, and of line contacts, whose formula has none.
-
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    plan : Plan
-        Its effects and the accuracy from which their influence is told.
-    films : FormulaFilms, optional
-        Its films, if they are known.
-
-    Raises
-    ------
-    ValueError
-        No entrainment at the contact point.
+    The plan gives the accuracy from which neglected effects are reported. ValueError without entrainment at
+    the contact point.
     """
     if isinstance(scene, LineScene):
         found = _line_films(scene)

@@ -51,16 +51,9 @@ def opening(
 ) -> list[str]:
     """Sentences shown before any result of solved contacts.
 
-    Parameters
-    ----------
-    solutions : sequence of Solution
-        The contacts.
-    rough_teeth : str
-        Sentence on their friction by a standard, shown where roughness carries load.
-    beyond_limits : sequence of str, optional
-        Bodies that are hotter than their material bears (`Case.beyond_limits`).
-    summarised : bool
-        Whether a table shows what `headline` says.
+    `rough_teeth` is about their friction by a standard, for where roughness carries load; `beyond_limits`
+    about bodies that are hotter than their material bears. The headline is left out if a table has it,
+    `summarised`.
     """
     at_worst = of_all(solutions)
     lines = [

@@ -238,23 +238,11 @@ def flank_place(
     y: Array | float,
     names: tuple[str, str] = ("tooth_face", "tooth_radius"),
 ) -> tuple:
-    """Place on a flank over points of a solution's tangent plane.
+    """Place on a flank over points of a solution's tangent plane [m], by default on the wheel's.
 
-    Parameters
-    ----------
-    solution : Solution
-        Of a worm drive.
-    x, y : float or ndarray
-        Points [m].
-    names : tuple of str, optional
-        Fields with the places; unless given those of the wheel.
-
-    Returns
-    -------
-    tuple
-        Along the wheel's face from its middle, and distance from its axis, or what the fields hold [m]; of
-        the shape of x and y. Flanks go straight on beyond the tooth: a contact that moves to its edge
-        is followed over points that were beyond it.
+    Along the wheel's face from its middle, and distance from its axis, or what the fields of other names hold
+    [m]; of the shape of x and y. Flanks go straight on beyond the tooth: a contact that moves to its edge is
+    followed over points that were beyond it.
     """
     fields = solution.fields
     points = {"tooth_x": ("point", np.ravel(x)), "tooth_y": ("point", np.ravel(y))}

@@ -256,13 +256,7 @@ def case_in(path: Path) -> dict | None:
 
 @contextmanager
 def readable(path: Path) -> Iterator[None]:
-    """Turn errors of reading a results file into one message.
-
-    Raises
-    ------
-    CaseError
-        For any such error.
-    """
+    """Turn errors of reading a results file into one message, a CaseError."""
     try:
         yield
     except CaseError:

@@ -23,12 +23,7 @@ def differences(case: Case, result: "Result") -> tuple[str, ...]:
     """Differences between a case and the one that a result was solved with, each with both values.
 
     Titles, comparisons, accuracy, lists of places, ratings and values that the solution determines do not
-    count. Of a gap's file only the name counts.
-
-    Raises
-    ------
-    CaseError
-        The result's case is unknown to this version.
+    count. Of a gap's file only the name counts. CaseError if this version does not know the result's case.
     """
     before, now = case_again(result.case).tables, case.tables
     found = {f"{table}.{key}" for table, keys in case.left_open.items() for key in keys}
@@ -43,15 +38,7 @@ def differences(case: Case, result: "Result") -> tuple[str, ...]:
 
 
 def value_shown(tables: CaseTable, key: str) -> str:
-    """A value of a case in workshop units.
-
-    Parameters
-    ----------
-    tables : CaseTable
-        The case's tables.
-    key : str
-        Its dotted key; "not given" is shown of one that the case leaves out.
-    """
+    """A value of a case, by its dotted key, in workshop units; "not given" if the case leaves it out."""
     *parents, last = key.split(".")
     value, table = tables.at(key), tables.at(".".join(parents)) if parents else tables
     if value is None:
@@ -74,13 +61,7 @@ def as_solved(case: Case, result: "Result") -> Case:
 
 
 def case_for(path: Path, result: "Result", anyway: bool) -> tuple[Case, str | None]:
-    """The case file of a result, as solved, and the differences where `--anyway` accepts them.
-
-    Raises
-    ------
-    CaseError
-        There is no case file, or the result belongs to another case.
-    """
+    """The case file of a result, as solved, and differences that `--anyway` accepts; else CaseError."""
     case = load(path)
     differ = differences(case, result)
     if not differ:

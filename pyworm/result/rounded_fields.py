@@ -38,14 +38,10 @@ def is_rounded(solution: Solution) -> bool:
 
 
 def rounded(solution: Solution) -> Solution:
-    """The solution with fields that have the accuracy of its figures.
+    """The solution with fields, and frames of its life, that have the accuracy of its figures.
 
-    One that did not converge keeps all digits, since none of its error bars is known.
-
-    Parameters
-    ----------
-    solution : Solution
-        Whose fields, and frames of its life, are rounded; those of double precision, which are places, stay.
+    One that did not converge keeps all digits, since none of its error bars is known; so do fields of double
+    precision, which are places.
     """
     if not solution.converged:
         return solution
@@ -101,12 +97,7 @@ def _digits(change: float) -> int:
 def to_digits(values: np.ndarray, digits: int) -> np.ndarray:
     """Numbers in single precision rounded to nearest, ties to even, in some binary digits.
 
-    Parameters
-    ----------
-    values : numpy.ndarray
-        Finite or not, of any shape.
-    digits : int
-        Binary digits after the leading one, from 1 to 23, which changes nothing.
+    These are 1 to 23 after the leading one; 23 changes nothing.
     """
     dropped = _SINGLE_DIGITS - digits
     if dropped == 0:

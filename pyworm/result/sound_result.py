@@ -41,14 +41,9 @@ AXES = {"point": ("x", "y"), "line": ("x",)}
 
 
 def from_json(kind: Any, value: Any, name: str = "") -> Any:
-    """A value read from JSON as its declared type.
+    """A value read from JSON as its declared type; ValueError, which names it, of a value of another type.
 
     Dataclasses are made from tables and tuples from lists; datasets stay as they are.
-
-    Raises
-    ------
-    ValueError
-        The value is of another type; the message names it.
     """
     origin, options = get_origin(kind), get_args(kind)
     if origin in (Union, UnionType):

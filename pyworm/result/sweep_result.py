@@ -201,17 +201,9 @@ def _check(result: SweepResult) -> None:
 def sweep_table(
     values: Sequence[Mapping[str, Value]], rows: Sequence[Mapping[str, Any]], keys: Sequence[str]
 ) -> "xr.Dataset":
-    """Make the table of all scenes.
+    """Make the table of all scenes: varied values as written, by key, summary, and key of the scene's file.
 
-    Parameters
-    ----------
-    values : sequence of mapping
-        For each scene the varied values as written, by key.
-    rows : sequence of mapping
-        For each scene its summary, or at least its place, `converged`, `accurate` and
-        `stop_reason`.
-    keys : sequence of str
-        For each scene the key by which its file is named.
+    A summary has at least the scene's place, `converged`, `accurate` and `stop_reason`.
     """
     table = xr.Dataset()
     for key in values[0]:

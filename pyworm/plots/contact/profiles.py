@@ -41,18 +41,8 @@ def draw_profile(
 ) -> list:
     """Pressure and film on one line through the contact; returns what its legend names.
 
-    Parameters
-    ----------
-    axes : Axes
-        Where to draw.
-    line : xarray.Dataset
-        Fields on the line; the dry pressure is drawn if it is among them.
-    along : str
-        Coordinate along the line.
-    hertz_pressure : callable
-        Hertz pressure [Pa] at places along the line [m].
-    top : float
-        Upper end of the film's scale [um].
+    `hertz_pressure` gives the Hertz pressure [Pa] at places along the line [m], `top` ends the film's scale
+    [µm]; the dry pressure is drawn if it is among the fields.
     """
     place = line[along].values
     fine = np.linspace(place[0], place[-1], 2001)

@@ -108,16 +108,10 @@ def _draw_tooth(axes: Axes, cycle: "xr.Dataset") -> None:
 
 
 def name_sides(axes: Axes, leaving_right: bool, root: float) -> None:
-    """Words at tip, root and both ends of a flank that fills a panel.
+    """Words at tip, root and both ends of a flank that fills a panel, whose left is the start of the face.
 
-    Parameters
-    ----------
-    axes : Axes
-        The panel, places along the face from left to right.
-    leaving_right : bool
-        Whether the worm's threads leave at the right end.
-    root : float
-        Height of the word for the root, a fraction of the panel.
+    The worm's threads leave at the right end if `leaving_right`; the word for the root stands at the height
+    `root`, a fraction of the panel.
     """
     right, left = ("leaving side", "entering side")[:: 1 if leaving_right else -1]
     in_axes = axes.transAxes

@@ -96,14 +96,7 @@ def loss_table(
 ) -> Table:
     """Loss, friction, torques and efficiency of all teeth over a mesh cycle.
 
-    Parameters
-    ----------
-    cycle : DriveCycle
-        A cycle with a loss.
-    standard : StandardLoss or NoStandard
-        Rating of its teeth by a standard, shown beside the simulation where roughness carries load.
-    heating : Heating or None
-        The loss that warms it; None where temperatures are given.
+    The rating of the teeth by a standard stands beside the simulation where roughness carries load.
     """
     loss, neglected_effects = present(cycle.loss, "loss"), cycle.neglected_effects
     power, friction, efficiency, wheel, worm = (

@@ -38,19 +38,7 @@ def figures_table(
     published: Mapping[str, PublishedValue],
     bodies: tuple[str, str] = BODIES,
 ) -> Table:
-    """Figures of one solved contact, with the published values.
-
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The scene.
-    summary : mapping
-        `Solution.summary()` of its solution.
-    published : mapping
-        What the case's source prints for this scene; empty if nothing.
-    bodies : tuple of str
-        What the bodies are called.
-    """
+    """Figures of one solved contact by its `Solution.summary()`, with those that the source prints of it."""
     figures = plain_attributes({**scene_summary(scene), **summary})
     neglected_effects = NeglectedEffects.read(summary)
     mixed = "film_min_model_error" in summary
@@ -92,13 +80,7 @@ def _errors(quantity: Quantity, figures: Mapping[str, Any]) -> tuple[float | Non
 
 
 def solution_table(summary: Mapping[str, Any]) -> Table:
-    """Regime of one solved contact, its last grid, whether it converged, and which accuracy was requested.
-
-    Parameters
-    ----------
-    summary : mapping
-        `Solution.summary()` of its solution.
-    """
+    """Regime of one solved contact, its last grid, whether it converged, and which accuracy was requested."""
     rows = [
         *_regime_rows(summary),
         ("Grid", _grid(summary["grid"])),
@@ -122,13 +104,6 @@ def scenes_table(
 
     Nothing simulated is shown for a contact that did not converge. The column of convergence is left away
     where all converged with the requested accuracy.
-
-    Parameters
-    ----------
-    scenes : sequence of Scene
-        The scenes.
-    summaries : sequence of mapping
-        `Solution.summary()` of each one's solution.
     """
     places, labels = _places(scenes)
     solved = [values for values in summaries if values["converged"]]

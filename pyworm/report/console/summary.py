@@ -32,14 +32,7 @@ def summary_table(
 ) -> Table:
     """What decides over a result, at the worst of its converged contacts.
 
-    Parameters
-    ----------
-    solutions : sequence of Solution
-        Every solved contact.
-    cycle : DriveCycle or None
-        The whole mesh cycle, where there is one.
-    loss : MeshLoss or None
-        Loss of a drive whose cycle has none.
+    `loss` is that of a drive whose cycle has none.
     """
     sound = [solution for solution in solutions if solution.converged]
     neglected = of_all(solutions)

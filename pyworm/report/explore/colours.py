@@ -20,19 +20,7 @@ FLANK = "film", "pressure", "temperature_body_2", "temperature_middle", "asperit
 def shown(
     names: Sequence[str], known: set[str], bodies: tuple[str, str], extremes: bool = False
 ) -> dict[str, dict[str, Any]]:
-    """How quantities are shown, for the script of the page, of those that are known.
-
-    Parameters
-    ----------
-    names : sequence of str
-        Names in their order.
-    known : set of str
-        Names of what there is.
-    bodies : tuple of str
-        What the bodies are called.
-    extremes : bool, optional
-        Whether they are extremes over a mesh cycle.
-    """
+    """How those quantities that are known are shown, by the script of the page; maybe as `extremes`."""
     chosen = [QUANTITIES[name] for name in names if name in known]
     return {
         quantity.name: {

@@ -19,13 +19,7 @@ TOUCHED_PRESSURE_RATIO = 0.02
 
 
 def flank(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | None:
-    """The map of the flank, its outline and the path of contact; None without enough phases.
-
-    Parameters
-    ----------
-    result, grids
-        As of `scenes`.
-    """
+    """The map of the flank, its outline and the path of contact; None without enough phases."""
     cycle = result.mesh_cycle
     if cycle is None or "rim_face" not in cycle:
         return None

@@ -11,15 +11,10 @@ LEVELS = 65534
 
 
 def packed(values: np.ndarray, logarithmic: bool = False) -> dict[str, Any]:
-    """Values as the page unpacks them (`unpacked` in base.js).
+    """Values row by row, NaN where there are none, as the page unpacks them (`unpacked` in base.js).
 
-    Parameters
-    ----------
-    values : numpy.ndarray
-        Of any shape, row by row; NaN where there are none.
-    logarithmic : bool
-        Whether steps are even in the logarithm of the values. Others than positive ones are left out: a
-        film that was not found may be negative where the dry bodies overlap.
+    Steps may be even in the logarithm of the values. Others than positive ones are left out then: a film that
+    was not found may be negative where the dry bodies overlap.
     """
     if logarithmic:
         values = np.where(values > 0, values, np.nan)

@@ -21,13 +21,7 @@ SCRIPTS = ("base.js", "map.js", "profiles.js", "flank.js", "space.js", "page.js"
 
 
 def content(result: Result) -> dict[str, Any]:
-    """What the script shows.
-
-    Parameters
-    ----------
-    result : Result
-        With one solution at least.
-    """
+    """What the script shows of a result with one solution at least."""
     grids = [reduced(solution) for solution in result.solutions]
     found, on_flank = scenes(result, grids), flank(result, grids)
     fields = shown(FIELDS, {name for scene in found for name in scene["fields"]}, result.body_names)

@@ -31,15 +31,7 @@ VECTORS = {
 
 
 def scenes(result: Result, grids: "Sequence[xr.Dataset]") -> list[dict[str, Any]]:
-    """Every contact: its name, figures, grid and fields.
-
-    Parameters
-    ----------
-    result : Result
-        The contacts.
-    grids : sequence of xarray.Dataset
-        Their `reduced` fields.
-    """
+    """Every contact by its `reduced` fields: its name, figures, grid and fields."""
     pairs = zip(result.solutions, grids, strict=True)
     return [_scene(solution, grid, result.body_names) for solution, grid in pairs]
 

@@ -21,13 +21,7 @@ FINER = 3
 
 
 def space(result: Result, grids: "Sequence[xr.Dataset]") -> dict[str, Any] | None:
-    """The drive of a result in space; None where it has none, or one whose surfaces are not known.
-
-    Parameters
-    ----------
-    result, grids
-        As of `scenes`.
-    """
+    """The drive of a result in space; None where it has none, or one whose surfaces are not known."""
     places = [ContactIndex.of(solution) for solution in result.solutions]
     if not result.case or any(place.phase is None for place in places):
         return None
