@@ -51,10 +51,8 @@ def mathml(latex: str, display: str = "inline") -> str:
 
     The converter passes unknown commands and missing operands on; both are refused here.
 
-    Raises
-    ------
-    BadEquationError
-        If the equation is incomplete or has an unknown command.
+    Raises:
+        BadEquationError: If the equation is incomplete or has an unknown command.
     """
     braces = re.findall(r"(?<!\\)[{}]", latex)
     try:
@@ -123,10 +121,8 @@ def on_config(config: MutableMapping[str, Any]) -> MutableMapping[str, Any]:
 def on_post_page(output: str, **_: object) -> str:
     """Refuse a page on which an equation was not recognised.
 
-    Raises
-    ------
-    BadEquationError
-        If the page has two dollar signs in a row.
+    Raises:
+        BadEquationError: If the page has two dollar signs in a row.
     """
     if "$$" in output:
         raise BadEquationError(f"not an equation: {output[output.index('$$') :][:60]}")

@@ -46,10 +46,8 @@ def path_of(name: str) -> Path:
 def read(name: str) -> DataFile:
     """Data by name.
 
-    Raises
-    ------
-    ValueError
-        If a row has not as many texts as there are columns.
+    Raises:
+        ValueError: If a row has not as many texts as there are columns.
     """
     lines = path_of(name).read_text().splitlines(keepends=True)
     comments = [line for line in lines if line.startswith("# ")]

@@ -24,19 +24,13 @@ def record(
 ) -> None:
     """Write what this command found, print it, and write the tables of the pages anew.
 
-    Parameters
-    ----------
-    name : str
-        Name of the data.
-    columns : sequence of str
-        Titles of the columns, with units.
-    rows : iterable of sequence
-        One value for each column.
-    key : sequence of str, optional
-        Columns that identify a row: rows of an earlier run with other values there are kept. Without them
-        nothing is kept.
-    first : str, optional
-        Command that has to run first.
+    Args:
+        name: Name of the data.
+        columns: Titles of the columns, with units.
+        rows: One value for each column.
+        key: Columns that identify a row: rows of an earlier run with other values there are kept. Without
+            them nothing is kept.
+        first: Command that has to run first.
     """
     rows = [tuple(map(str, row)) for row in rows]
     places = [columns.index(title) for title in key]

@@ -24,10 +24,8 @@ BLANK = re.compile(r"\b(?:KIND|COUNT|SEED|NUMBER)\b")
 def commands(names: list[str]) -> list[str]:
     """The commands that write some data, or without names all short ones.
 
-    Raises
-    ------
-    SystemExit
-        If there are no such data, or if a command has to be completed by hand.
+    Raises:
+        SystemExit: If there are no such data, or if a command has to be completed by hand.
     """
     listed = read(LIST)
     rows = [dict(zip(listed.columns, row, strict=True)) for row in listed.rows]

@@ -31,12 +31,9 @@ CASES = {
 def films(scene: Scene, box: tuple[float, float, float]) -> np.ndarray:
     """Central and minimum film in Moes' units on three grids of halving spacing.
 
-    Parameters
-    ----------
-    scene : Scene
-        A circular contact entrained along x.
-    box : tuple of float
-        West, east and north side of the window, in half-widths of the contact.
+    Args:
+        scene: A circular contact entrained along x.
+        box: West, east and north side of the window, in half-widths of the contact.
     """
     size = scales(scene)
     a, unit = size.hertz.semi_axis_x, size.groups.moes_film

@@ -161,12 +161,9 @@ def inlet_rate(film: float, half_width: float, widening: float, speed: float) ->
 
     and the reduced pressure q rises to 1 / alpha at the edge (Grubin): linear in the rate h_t.
 
-    Parameters
-    ----------
-    film, half_width : float
-        Film at the edge and Hertz's half-width [m].
-    widening, speed : float
-        Rate of change of the half-width, and mean speed of the surfaces [m/s].
+    Args:
+        film, half_width: Film at the edge and Hertz's half-width [m].
+        widening, speed: Rate of change of the half-width, and mean speed of the surfaces [m/s].
     """
     end = np.arccosh(4.0)
     angle = end * (1 + NODES) / 2

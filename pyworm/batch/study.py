@@ -44,37 +44,27 @@ def sweep(
 ) -> SweepResult:
     """Solve a scene over ranges of its values, `sweep(make, load=(10, 20), speed=(0.5, 1.0))`.
 
-    Parameters
-    ----------
-    make : callable or path
-        Makes a scene of the varied values, given by name; or a sweep file, as `pyworm sweep` solves it.
-    out : path, optional
-        Directory where solved scenes are kept, and found again by another call; by default none are.
-    accuracy, effects, quantities
-        As of `pyworm.plan`; of a sweep file its own. Where `quantities` are films alone, those that the
-        formula of the atlas gives to the accuracy are not solved, unless `fields` are kept.
-    fields : bool, optional
-        Whether solutions are kept in full, or their scalars only.
-    processes : int, optional
-        Processes that solve; more than one need a script with `if __name__ == "__main__":`.
-    scheduler : str, optional
-        Address of a dask.distributed scheduler whose workers solve instead.
-    progress, title : bool or callable, str, optional
-        Whether a bar shows the progress, or what is called instead; heading of the table's picture.
-    largest_grid : int, optional
-        Nodes beyond which no grid is refined, which ends dear scenes unconverged; not of a sweep file.
-    **vary
-        Values of each argument of `make`; all are crossed, the last one changing fastest.
+    Args:
+        make (callable or path): Makes a scene of the varied values, given by name; or a sweep file, as
+            `pyworm sweep` solves it.
+        out: Directory where solved scenes are kept, and found again by another call; by default none are.
+        accuracy, effects, quantities: As of `pyworm.plan`; of a sweep file its own. Where `quantities` are
+            films alone, those that the formula of the atlas gives to the accuracy are not solved, unless
+            `fields` are kept.
+        fields: Whether solutions are kept in full, or their scalars only.
+        processes: Processes that solve; more than one need a script with `if __name__ == "__main__":`.
+        scheduler: Address of a dask.distributed scheduler whose workers solve instead.
+        progress, title: Whether a bar shows the progress, or what is called
+            instead; heading of the table's picture.
+        largest_grid: Nodes beyond which no grid is refined, which ends dear scenes unconverged; not of a
+            sweep file.
+        **vary: Values of each argument of `make`; all are crossed, the last one changing fastest.
 
-    Returns
-    -------
-    SweepResult
+    Returns:
         `table`, an xarray.Dataset, has a row a scene, also of those without a solution.
 
-    Raises
-    ------
-    ValueError
-        Nothing to vary, a scene that is none, cannot be planned, or cannot go to other processes.
+    Raises:
+        ValueError: Nothing to vary, a scene that is none, cannot be planned, or cannot go to other processes.
     """
     with ExitStack() as stack:
         where = stack.enter_context(TemporaryDirectory()) if out is None else out
@@ -101,24 +91,16 @@ def traction_curve(
 ) -> Result:
     """Friction of a scene over the slide-roll ratio, sliding over entrainment, at its entrainment.
 
-    Parameters
-    ----------
-    scene : Scene
-        A point contact whose surfaces translate (`RigidMotion`).
-    slide_roll_ratios : sequence of float
-        The curve's places.
-    accuracy, effects, out, processes, progress
-        As of `sweep`.
+    Args:
+        scene: A point contact whose surfaces translate (`RigidMotion`).
+        slide_roll_ratios: The curve's places.
+        accuracy, effects, out, processes, progress: As of `sweep`.
 
-    Returns
-    -------
-    Result
+    Returns:
         A solution a place, in their order; `pyworm.plots.draw_traction` draws it.
 
-    Raises
-    ------
-    ValueError
-        Surfaces that do not translate, or a scene that cannot be planned.
+    Raises:
+        ValueError: Surfaces that do not translate, or a scene that cannot be planned.
     """
     tasks: list[Any] = [
         SceneTask(

@@ -131,21 +131,14 @@ def worm_duty(case: Case) -> WormDuty:
 class WearRun:
     """Time integration of a case's wear; it continues where an earlier one in the same directory was stopped.
 
-    Parameters
-    ----------
-    case : Case
-        A worm drive whose bodies have a roughness. Friction and lifts that it leaves open are those of the
-        flank one step before.
-    tasks : sequence of Task
-        Its contacts.
-    plan : WearPlan
-        How to wear them.
-    directory : Path
-        Where everything is kept.
-    print_message : callable
-        Told what is being done.
-    how : dict
-        Executor and progress, as `run_balanced` takes them.
+    Args:
+        case: A worm drive whose bodies have a roughness. Friction and lifts that it leaves open are those of
+            the flank one step before.
+        tasks: Its contacts.
+        plan: How to wear them.
+        directory: Where everything is kept.
+        print_message: Told what is being done.
+        how: Executor and progress, as `run_balanced` takes them.
     """
 
     def __init__(

@@ -205,10 +205,8 @@ class Case(Shown):
     def drive(self) -> Drive | None:
         """The machine that makes the contacts; None for a contact written directly.
 
-        Raises
-        ------
-        CaseError
-            The parts do not make a gear set.
+        Raises:
+            CaseError: The parts do not make a gear set.
         """
         if not isinstance(self.tables, DriveCase):
             return None
@@ -258,24 +256,18 @@ class Case(Shown):
     ) -> Scene | LineScene:
         """One contact at one instant.
 
-        Parameters
-        ----------
-        phase : float, optional
-            Place in the mesh cycle, 0 to 1; by default the first of the case's phases. Only for drives.
-        slide_roll_ratio : float, optional
-            Place on the traction curve; by default the first of the case's slide-roll ratios. Only for cases
-            that give a mean velocity.
-        section : str, optional
-            Section of the worm; by default the first of the case's. Only for drives that have some.
-        station : float, optional
-            Place along the contact line, 0 to 1; by default the first of the case's, if it lists some. Only
-            for drives with contact lines.
+        Args:
+            phase: Place in the mesh cycle, 0 to 1; by default the first of the case's phases. Only for
+                drives.
+            slide_roll_ratio: Place on the traction curve; by default the first of the case's slide-roll
+                ratios. Only for cases that give a mean velocity.
+            section: Section of the worm; by default the first of the case's. Only for drives that have some.
+            station: Place along the contact line, 0 to 1; by default the first of the case's, if it lists
+                some. Only for drives with contact lines.
 
-        Raises
-        ------
-        CaseError
-            No contact at this place, or none that can be; a place given where there is no mesh cycle, or a
-            slide-roll ratio where no mean velocity is given.
+        Raises:
+            CaseError: No contact at this place, or none that can be; a place given where there is no mesh
+                cycle, or a slide-roll ratio where no mean velocity is given.
         """
         if slide_roll_ratio is not None and not self.slide_roll_ratios:
             raise CaseError(
@@ -327,10 +319,9 @@ class Case(Shown):
     def places(self, **wanted: Sequence[Any] | None) -> tuple[ContactIndex, ...]:
         """Places of the contacts to solve: by default those that the case lists.
 
-        Parameters
-        ----------
-        **wanted : sequence, optional
-            Others, by the names of `ContactIndex`; of several phases those without load are omitted.
+        Args:
+            **wanted: Others, by the names of `ContactIndex`; of several phases those without load are
+                omitted.
         """
         if phases := wanted.get("phase"):
             wanted["phase"] = _without(self.idle_phases(phases), phases)
@@ -352,15 +343,11 @@ def _without(idle: Sequence[float], phases: Sequence[float]) -> tuple[float, ...
 def load(path: str | Path) -> Case:
     """Read a case file and check it completely.
 
-    Parameters
-    ----------
-    path : str or Path
-        A TOML file; `cases/` has one for each kind.
+    Args:
+        path (str or Path): A TOML file; `cases/` has one for each kind.
 
-    Raises
-    ------
-    CaseError
-        The first error found, as one line.
+    Raises:
+        CaseError: The first error found, as one line.
     """
     path = Path(path)
     data = read_toml(path)

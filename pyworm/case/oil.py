@@ -364,17 +364,12 @@ def _of_liquid(table: dict[str, Any]) -> dict[str, Any]:
 def named_liquid(name: str, temperature: WithUnit) -> Oil:
     """A liquid of the literature whose laws were fitted to measurements (`pyworm/materials/liquids.toml`).
 
-    Parameters
-    ----------
-    name : str
-        "squalane" or "PAO-B".
-    temperature : float or str
-        At which it enters a contact [K].
+    Args:
+        name: "squalane" or "PAO-B".
+        temperature (float or str): At which it enters a contact [K].
 
-    Raises
-    ------
-    ValueError
-        No such liquid, or no temperature.
+    Raises:
+        ValueError: No such liquid, or no temperature.
     """
     name = text("name", name)
     kelvin = number("temperature", temperature, kind_of(units.Temperature))

@@ -56,10 +56,8 @@ class Drive(Lubricated, ABC):
         A drive with several contacts at a phase takes the other names of `ContactIndex` that `[operation]`
         lists (`pyworm.case.case.MESH_PLACES`) too, and names its `sections`.
 
-        Raises
-        ------
-        ValueError
-            If there is no contact, or none under load.
+        Raises:
+            ValueError: If there is no contact, or none under load.
         """
 
     @abstractmethod
@@ -130,20 +128,17 @@ class Drive(Lubricated, ABC):
     def hob_setup(self, wanted: dict[str, float]) -> HobSetup | None:
         """The hob's set-up and the one for a wanted contact pattern; None where no hob cuts a wheel.
 
-        Parameters
-        ----------
-        wanted : dict
-            `face`, the middle of the marked part [m], `size`, the part of the flank [-], both or none.
+        Args:
+            wanted: `face`, the middle of the marked part [m], `size`, the part of the flank [-], both or
+                none.
         """
         return None
 
     def wheel_shim(self, wanted: float | None) -> Shim | None:
         """The shift of the wheel for a place of the contact pattern; None where that is not known.
 
-        Parameters
-        ----------
-        wanted : float or None
-            Middle of the marked part along the face [m]; None for that without errors of assembly.
+        Args:
+            wanted: Middle of the marked part along the face [m]; None for that without errors of assembly.
         """
         return None
 
@@ -162,10 +157,8 @@ class Drive(Lubricated, ABC):
     def duty(self) -> Duty | None:
         """Input of its rating by standards, of the type `rated_as`; None where no standard covers it.
 
-        Raises
-        ------
-        ValueError
-            If the methods do not apply to it, or data are missing.
+        Raises:
+            ValueError: If the methods do not apply to it, or data are missing.
         """
         return None
 

@@ -102,10 +102,8 @@ class OilSupply:
 def oil_supply(by: Bath | Jets, teeth: LubricatedTeeth, oil: Oil) -> OilSupply:
     """The layer of oil that a bath or jets bring to the mesh.
 
-    Raises
-    ------
-    ValueError
-        A bath deeper than the body that dips.
+    Raises:
+        ValueError: A bath deeper than the body that dips.
     """
     return _by_bath(by, teeth, oil) if isinstance(by, Bath) else _by_jets(by, teeth, oil)
 
@@ -126,10 +124,8 @@ class Lubricated:
     def oil_supply(self) -> OilSupply | None:
         """The oil that its lubrication brings; None where that is not known.
 
-        Raises
-        ------
-        ValueError
-            No such lubrication is possible; the sentence begins with a key of `[lubrication]`.
+        Raises:
+            ValueError: No such lubrication is possible; the sentence begins with a key of `[lubrication]`.
         """
         if self.lubrication is None:
             return None

@@ -75,12 +75,9 @@ class Loss:
 def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
     """Compute the loss of all teeth, equation 1.
 
-    Parameters
-    ----------
-    cycle : xarray.Dataset
-        A drive's mesh cycle under load.
-    contacts : sequence of ContactLoss
-        Some of its contacts, in the order of their phases.
+    Args:
+        cycle: A drive's mesh cycle under load.
+        contacts: Some of its contacts, in the order of their phases.
     """
     phases = cycle["load_phase"].values
     load, sliding = cycle["tooth_load"].values, cycle["sliding_speed"].values

@@ -39,16 +39,11 @@ def bending(
     (Bernoulli and Euler; J. E. Shigley and C. R. Mischke, Mechanical Engineering Design, 1989, table A-9,
     cases 6 and 8). Supports that yield move the shaft as a rigid one besides.
 
-    Parameters
-    ----------
-    force, moment : float
-        F [N] and M [N m].
-    before, beyond : float
-        a and b, positive [m].
-    rigidity : float
-        E I [N m2].
-    stiffness : float
-        Of each support [N/m]; infinite if rigid.
+    Args:
+        force, moment: F [N] and M [N m].
+        before, beyond: a and b, positive [m].
+        rigidity: E I [N m2].
+        stiffness: Of each support [N/m]; infinite if rigid.
     """
     span = before + beyond
     crossed = before * beyond * (beyond - before)

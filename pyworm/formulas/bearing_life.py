@@ -88,17 +88,13 @@ def reference_viscosity(speed: float, mean_diameter: float) -> float:
 
     Source: ISO 281:2007, equations 27 and 28. At 1000 rpm the two forms differ by 2.3 %, as printed.
 
-    Parameters
-    ----------
-    speed : float
-        Speed of rotation [rad/s]; 1 to 1e5 rpm.
-    mean_diameter : float
-        Half of bore plus outside diameter, or the pitch diameter of the elements [m]; 5 mm to 5 m.
+    Args:
+        speed: Speed of rotation [rad/s]; 1 to 1e5 rpm.
+        mean_diameter: Half of bore plus outside diameter, or the pitch diameter of the elements [m]; 5 mm to
+            5 m.
 
-    Raises
-    ------
-    ValueError
-        A speed or diameter outside these ranges.
+    Raises:
+        ValueError: A speed or diameter outside these ranges.
     """
     rpm = speed * 30 / pi
     within("speed of rotation", rpm, 1, 1e5, "rpm")
@@ -132,22 +128,16 @@ def contamination_factor(
     Source: ISO 281:2007, Annex A; constants as found in two codes, the form from memory, checked by its
     limits (grows with kappa and D, 1 in a large clean bearing).
 
-    Parameters
-    ----------
-    lubrication : str
-        "inline filter" (circulating oil filtered before the bearing), "oil bath" (or filtered off-line),
-        "grease".
-    cleanliness : str
-        ISO 4406 code such as "-/17/14"; of grease "high", "normal", "slight", "severe" or "very severe".
-    kappa : float
-        Viscosity ratio [-]; 0.1 and more, taken as 4 at most.
-    mean_diameter : float
-        [m].
+    Args:
+        lubrication: "inline filter" (circulating oil filtered before the bearing), "oil bath" (or filtered
+            off-line), "grease".
+        cleanliness: ISO 4406 code such as "-/17/14"; of grease "high", "normal", "slight", "severe" or "very
+            severe".
+        kappa: Viscosity ratio [-]; 0.1 and more, taken as 4 at most.
+        mean_diameter: [m].
 
-    Raises
-    ------
-    ValueError
-        Another word or code, or a ratio or diameter outside the standard.
+    Raises:
+        ValueError: Another word or code, or a ratio or diameter outside the standard.
     """
     one_of("lubrication", lubrication, _CLEANLINESS)
     classes = _CLEANLINESS[lubrication]
@@ -170,14 +160,10 @@ def fatigue_load_limit(static_rating: float, elements: Elements, mean_diameter: 
     Source: ISO 281:2007, B.3.3; ball bearings above 100 mm times (100 mm/D)^0.5. Range: roller bearings
     to 100 mm only, since their exponent above could not be checked.
 
-    Parameters
-    ----------
-    static_rating : float
-        Basic static load rating C0 [N].
-    elements : str
-        "ball" or "roller".
-    mean_diameter : float
-        [m].
+    Args:
+        static_rating: Basic static load rating C0 [N].
+        elements: "ball" or "roller".
+        mean_diameter: [m].
     """
     positive("static load rating", static_rating, "N")
     one_of("elements", elements, _LIFE_EXPONENT)
@@ -214,26 +200,17 @@ def life_modification(
     follows from continuity at 0.4; a code independent of the others has the same constants. The fractions
     of thrust bearings are from memory.
 
-    Parameters
-    ----------
-    kappa : float
-        Viscosity ratio [-]; 0.1 and more.
-    load_ratio : float
-        e_C C_u/P [-].
-    elements : str
-        "ball" or "roller".
-    direction : str
-        "radial" or "thrust".
-    additives : bool
-        Whether additives of proven effect allow kappa = 1 instead of a smaller one, a_ISO then being 3
-        at most; never less than without.
-    contamination : float
-        e_C [-], on which that clause depends (0.2 and more).
+    Args:
+        kappa: Viscosity ratio [-]; 0.1 and more.
+        load_ratio: e_C C_u/P [-].
+        elements: "ball" or "roller".
+        direction: "radial" or "thrust".
+        additives: Whether additives of proven effect allow kappa = 1 instead of a smaller one, a_ISO then
+            being 3 at most; never less than without.
+        contamination: e_C [-], on which that clause depends (0.2 and more).
 
-    Raises
-    ------
-    ValueError
-        kappa below 0.1, a negative load ratio, or another word.
+    Raises:
+        ValueError: kappa below 0.1, a negative load ratio, or another word.
     """
     one_of("elements", elements, _LIFE_EXPONENT)
     one_of("direction", direction, ("radial", "thrust"))
@@ -268,10 +245,8 @@ def reliability_factor(reliability: float) -> float:
     failures), which it gives to its two digits: 1, 0.64, 0.55, 0.47, 0.37, 0.25 for 90, 95, 96, 97, 98
     and 99 %. Range: 90 to 99.95 %.
 
-    Parameters
-    ----------
-    reliability : float
-        Fraction R of bearings that live longer [-].
+    Args:
+        reliability: Fraction R of bearings that live longer [-].
     """
     within("reliability", reliability, 0.9, 0.9995, "")
     reliability_factor: float = 0.95 * (log(1 / reliability) / log(1 / 0.9)) ** (2 / 3) + 0.05
@@ -283,12 +258,9 @@ def basic_life(dynamic_rating: float, load: float, elements: Elements) -> float:
 
     Source: ISO 281:2007. Range: P up to C/2, above which the standard does not hold.
 
-    Parameters
-    ----------
-    dynamic_rating, load : float
-        C and the equivalent dynamic load P [N].
-    elements : str
-        "ball" or "roller".
+    Args:
+        dynamic_rating, load: C and the equivalent dynamic load P [N].
+        elements: "ball" or "roller".
     """
     positive("dynamic load rating", dynamic_rating, "N")
     positive("equivalent load", load, "N")

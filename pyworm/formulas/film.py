@@ -128,20 +128,14 @@ def point_groups(
 ) -> PointGroups:
     """Groups of a point contact.
 
-    Parameters
-    ----------
-    radius_along, radius_across : float
-        Relative radii of curvature along and across the entrainment [m]; see `radii_at_angle`.
-    load : float
-        Normal load [N].
-    reduced_modulus : float
-        E' [Pa].
-    speed : float
-        Mean surface speed um = |u1 + u2| / 2 [m/s].
-    viscosity : float
-        Viscosity of the inlet oil at ambient pressure [Pa s].
-    alpha : float
-        Pressure-viscosity coefficient [1/Pa]; 0 for an isoviscous oil.
+    Args:
+        radius_along, radius_across: Relative radii of curvature along and across the entrainment [m]; see
+            `radii_at_angle`.
+        load: Normal load [N].
+        reduced_modulus: E' [Pa].
+        speed: Mean surface speed um = |u1 + u2| / 2 [m/s].
+        viscosity: Viscosity of the inlet oil at ambient pressure [Pa s].
+        alpha: Pressure-viscosity coefficient [1/Pa]; 0 for an isoviscous oil.
     """
     return PointGroups(
         radius=radius_along,

@@ -189,12 +189,9 @@ def limits(groups: AtlasGroups, constants: AtlasConstants) -> Limits:
     enters, between the films of both axes by how far round that is (`AtlasGroups.inlet`): a circular contact
     has the same film at any angle.
 
-    Parameters
-    ----------
-    groups : AtlasGroups
-        The contacts, arrays of one shape.
-    constants : AtlasConstants
-        Of the fit.
+    Args:
+        groups: The contacts, arrays of one shape.
+        constants: Of the fit.
     """
     r, load, re, cos2 = groups.slender, groups.load, groups.along, groups.cos2
     side, normal = groups.inlet
@@ -381,14 +378,10 @@ def network(kept: Array, constants: Mapping[str, Array]) -> Array:
 def films(groups: AtlasGroups) -> AtlasFilms:
     """Films of isothermal point contacts of smooth surfaces with enough oil.
 
-    Parameters
-    ----------
-    groups : AtlasGroups
-        The contacts; sizes as wanted, since what is computed together fits a processor's cache.
+    Args:
+        groups: The contacts; sizes as wanted, since what is computed together fits a processor's cache.
 
-    Returns
-    -------
-    AtlasFilms
+    Returns:
         Films with left-out errors.
     """
     given = np.broadcast_arrays(*(getattr(groups, field.name) for field in fields(groups)))
@@ -455,12 +448,9 @@ def _inside(groups: AtlasGroups, read: Array, box: Mapping[str, tuple[float, flo
 def regime_measures(groups: AtlasGroups, minimum: Values) -> tuple[Values, Values]:
     """Deflection over film and thickening of the oil in the inlet, `pyworm.formulas.regimes`.
 
-    Parameters
-    ----------
-    groups : AtlasGroups
-        The contacts, of any ratio of radii and angle of entrainment.
-    minimum : float or array
-        Their minimum film in Moes' unit, R (2U)^(1/2) [-].
+    Args:
+        groups: The contacts, of any ratio of radii and angle of entrainment.
+        minimum: Their minimum film in Moes' unit, R (2U)^(1/2) [-].
     """
     long = longer_semi_axis(groups.ratio) * np.exp(groups.load / 3)
     short = long / np.exp(np.polyval(_ellipses()[0], groups.slender))
@@ -484,12 +474,9 @@ def reciprocal_alpha(viscosity: Callable[[Array], Array], alpha: float) -> float
     1/(alpha int_0^inf eta0/eta dp): what Weibull, Blok and Bair take for the pressure-viscosity coefficient
     of films (S. Bair, High Pressure Rheology for Quantitative Elastohydrodynamics (2007)); 1 of Barus' law.
 
-    Parameters
-    ----------
-    viscosity : callable
-        Viscosity at pressures [Pa].
-    alpha : float
-        Coefficient at zero pressure [1/Pa]; 0 gives 1.
+    Args:
+        viscosity: Viscosity at pressures [Pa].
+        alpha: Coefficient at zero pressure [1/Pa]; 0 gives 1.
     """
     if alpha == 0:
         return 1.0

@@ -89,14 +89,10 @@ class FilmReduction:
 def reduction(groups: AtlasGroups, central: Values, heat: HeatGroups) -> FilmReduction:
     """Factors of the central and least film by heat and shear thinning.
 
-    Parameters
-    ----------
-    groups : AtlasGroups
-        The contacts without heat.
-    central : float or array
-        Their central films in Moes' unit, `film_atlas.films` [-].
-    heat : HeatGroups
-        Their heat and flow.
+    Args:
+        groups: The contacts without heat.
+        central: Their central films in Moes' unit, `film_atlas.films` [-].
+        heat: Their heat and flow.
     """
     constants = _constants()
     read = features(groups, central, heat)

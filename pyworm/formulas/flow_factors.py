@@ -49,12 +49,9 @@ MIN_FITTED_GAP = 0.5
 def pressure_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
     """Pressure flow factor [-], at least zero.
 
-    Parameters
-    ----------
-    gap : array_like
-        Gap between mean planes over the composite roughness [-].
-    aspect : float
-        Peklenik number: correlation length along the flow over that across it [-].
+    Args:
+        gap: Gap between mean planes over the composite roughness [-].
+        aspect: Peklenik number: correlation length along the flow over that across it [-].
     """
     gap = np.asarray(gap, dtype=float)
     near, far = np.maximum(gap, MIN_FITTED_GAP), np.maximum(gap, FITTED)

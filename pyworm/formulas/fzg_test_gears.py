@@ -28,10 +28,8 @@ def fzg_test_gears(torque: float) -> tuple[Flanks, float]:
     16 and 24 teeth of 4.5 mm, 91.5 mm apart, tips of 82.5 and 118.4 mm, 14 mm wide, profiles not
     modified: where two pairs share the load, one takes a third to two thirds. Source: ISO 14635-1, FVA 54/7.
 
-    Parameters
-    ----------
-    torque : float
-        Of the pinion [N m].
+    Args:
+        torque: Of the pinion [N m].
     """
     positive("torque", torque, "N m")
     teeth, module, apart, width = (16, 24), 4.5e-3, 91.5e-3, 14e-3
@@ -72,14 +70,10 @@ def film_at_load_stage(
 ) -> float:
     """lambda_GFT [-]: least specific film of the test gears at the load stage that an oil fails at.
 
-    Parameters
-    ----------
-    stage : int
-        Failure load stage of the micropitting test FVA 54/7, 5 to 10.
-    oil : GearOil
-        The oil.
-    oil_temperature : float
-        At which it was tested [K].
+    Args:
+        stage: Failure load stage of the micropitting test FVA 54/7, 5 to 10.
+        oil: The oil.
+        oil_temperature: At which it was tested [K].
     """
     if stage not in TEST_TORQUE:
         raise ValueError(f"load stage {stage} of the micropitting test: must be one of 5 to 10")

@@ -22,16 +22,11 @@ def smoothed(
 
     Near the ends of what is not periodic the weights are those within it (ISO 16610-28).
 
-    Parameters
-    ----------
-    heights : numpy.ndarray
-        Heights.
-    steps : sequence of float
-        Nesting index over the distance of points along each axis, for each axis.
-    axes : tuple of int
-        Axes along which to filter.
-    periodic : bool
-        Whether heights repeat themselves.
+    Args:
+        heights: Heights.
+        steps: Nesting index over the distance of points along each axis, for each axis.
+        axes: Axes along which to filter.
+        periodic: Whether heights repeat themselves.
     """
     for axis, index in zip(axes, steps, strict=True):
         reach = int(np.ceil(HALF_WIDTH_RATIO * index))

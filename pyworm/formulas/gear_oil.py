@@ -57,10 +57,8 @@ def pitch_line_viscosity(pitch_line_velocity: float) -> float:
 def nearest_grade(viscosity_40: float) -> int:
     """The ISO viscosity grade nearest by ratio to a kinematic viscosity at 40 degC [m2/s].
 
-    Raises
-    ------
-    ValueError
-        A viscosity more than half a step beyond VG 32 or VG 1000.
+    Raises:
+        ValueError: A viscosity more than half a step beyond VG 32 or VG 1000.
     """
     within("kinematic viscosity at 40 degC", viscosity_40, 26e-6, 1.2e-3, "m2/s")
     return min(ISO_GRADES, key=lambda grade: abs(log(viscosity_40 * 1e6 / grade)))
@@ -99,12 +97,9 @@ def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAd
     VG 150 for a small drive. Range: pitch line velocities to 25 m/s (5000 ft/min), ambient 15 to 125
     degF.
 
-    Parameters
-    ----------
-    centre_distance : float
-        [m].
-    ambient_temperature : float
-        [K].
+    Args:
+        centre_distance: [m].
+        ambient_temperature: [K].
     """
     within("centre distance", centre_distance, 0.02, 3, "m")
     warm = _is_warm(ambient_temperature)
@@ -127,14 +122,10 @@ def agma_worm(centre_distance: float, worm_speed: float, ambient_temperature: fl
     Source: AGMA 250.04, from memory; not checked beyond the VG 460 that the worm drive of Sharif et al.
     (2001) runs with. Range: ambient 15 to 125 degF.
 
-    Parameters
-    ----------
-    centre_distance : float
-        [m].
-    worm_speed : float
-        [rad/s].
-    ambient_temperature : float
-        [K].
+    Args:
+        centre_distance: [m].
+        worm_speed: [rad/s].
+        ambient_temperature: [K].
     """
     within("centre distance", centre_distance, 0.02, 2, "m")
     within("worm speed", worm_speed * RPM, 0.1, 1e4, "rpm")
@@ -203,16 +194,11 @@ def worm_table(
     The rows leave gaps in size, speed and temperature; a sump below a row's range is read as its
     coolest. Above 100 degC the table's mineral grades are meant as PAO or ester.
 
-    Parameters
-    ----------
-    centre_distance : float
-        [m].
-    worm_speed : float
-        [rad/s].
-    sump_temperature : float
-        [K].
-    synthetic : bool
-        Whether the oil is PAG, else mineral.
+    Args:
+        centre_distance: [m].
+        worm_speed: [rad/s].
+        sump_temperature: [K].
+        synthetic: Whether the oil is PAG, else mineral.
     """
     within("centre distance", centre_distance, 0.02, 2, "m")
     within("worm speed", worm_speed * RPM, 0.1, 1e4, "rpm")
@@ -251,12 +237,9 @@ def oil_flow(power: float, flow: str) -> float:
 
     Source: Errichello, equation 4 and table 1. Verified by his examples: 200 hp copious is 1 gpm, lean 0.25.
 
-    Parameters
-    ----------
-    power : float
-        Transmitted power [W].
-    flow : str
-        "copious", "adequate", "lean" or "starved".
+    Args:
+        power: Transmitted power [W].
+        flow: "copious", "adequate", "lean" or "starved".
     """
     positive("transmitted power", power, "W")
     within("transmitted power", power, 1, 1e9, "W")
@@ -288,18 +271,12 @@ def oil_jets(
     Source: the limits are Errichello's; the flow through a hole is Bernoulli's, so that thick oil in
     long holes needs larger ones.
 
-    Parameters
-    ----------
-    flow : float
-        Oil flow of the mesh [m3/s].
-    pressure : float
-        Feed pressure above that of the housing [Pa].
-    density : float
-        Of the oil [kg/m3].
-    number : int
-        Jets.
-    discharge : float
-        Discharge coefficient [-], 0.6 to 1.
+    Args:
+        flow: Oil flow of the mesh [m3/s].
+        pressure: Feed pressure above that of the housing [Pa].
+        density: Of the oil [kg/m3].
+        number: Jets.
+        discharge: Discharge coefficient [-], 0.6 to 1.
     """
     positive("oil flow", flow, "m3/s")
     within("feed pressure", pressure, 1e4, 1e7, "Pa")

@@ -65,17 +65,11 @@ def hertz(radius_x: float, radius_y: float, load: float, reduced_modulus: float)
         R_long / R_short = (a/b)^2 B / D,   a^3 = 6 F R_long D / (pi E'),
         p_max = 3 F / (2 pi a b),           approach = 2 p_max b K / E'.
 
-    Parameters
-    ----------
-    radius_x, radius_y : float
-        Relative radii of curvature along x and y [m], positive and finite.
-    load : float
-        Normal load F [N], positive.
-    reduced_modulus : float
-        E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+    Args:
+        radius_x, radius_y: Relative radii of curvature along x and y [m], positive and finite.
+        load: Normal load F [N], positive.
+        reduced_modulus: E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
 
-    Notes
-    -----
     Source: K. L. Johnson, Contact Mechanics (1985), equations 4.24 to 4.26, whose E* is E'/2 and
     whose A and B are 1/2R. Valid while the contact is small against both radii.
     """
@@ -96,17 +90,11 @@ def hertz(radius_x: float, radius_y: float, load: float, reduced_modulus: float)
 def hertz_line(radius: float, load_per_length: float, reduced_modulus: float) -> HertzLine:
     """Line contact of an undeformed gap x^2 / 2 R.
 
-    Parameters
-    ----------
-    radius : float
-        Relative radius of curvature across the line [m].
-    load_per_length : float
-        Normal load for each length of line [N/m].
-    reduced_modulus : float
-        E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+    Args:
+        radius: Relative radius of curvature across the line [m].
+        load_per_length: Normal load for each length of line [N/m].
+        reduced_modulus: E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
 
-    Notes
-    -----
     Source: K. L. Johnson, Contact Mechanics (1985), equations 4.43 and 4.45.
     """
     _require_positive(radius=radius, load_per_length=load_per_length)
@@ -118,10 +106,8 @@ def hertz_line(radius: float, load_per_length: float, reduced_modulus: float) ->
 def ellipticity(radius_ratio: npt.ArrayLike) -> Values:
     """Semi-axis along over semi-axis across, of the radius along over the radius across.
 
-    Parameters
-    ----------
-    radius_ratio : float or array
-        Ratio of the relative radii of curvature [-], positive.
+    Args:
+        radius_ratio: Ratio of the relative radii of curvature [-], positive.
     """
     found: Values = np.vectorize(_ellipticity, otypes=[float])(radius_ratio)[()]
     return found

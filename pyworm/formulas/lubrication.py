@@ -33,16 +33,12 @@ def lubrication(
 
     A lambda below 1 does not tell how much asperities carry, from 10 % to all; a simulated share does.
 
-    Parameters
-    ----------
-    central, least : float or None
-        Central and least film over composite roughness [-]; None where films or roughness are not known.
-    share : float or None
-        Share of the load that asperities carry [-]; None where it is not simulated.
+    Args:
+        central, least: Central and least film over composite roughness [-]; None where films or roughness are
+            not known.
+        share: Share of the load that asperities carry [-]; None where it is not simulated.
 
-    Returns
-    -------
-    str
+    Returns:
         "boundary" below a central lambda of 1, with a share from 0.9 on, "mixed" below 3 or where the least
         lambda is below 1, else "full"; "unknown" without both numbers, or with negative ones, which no film
         has.

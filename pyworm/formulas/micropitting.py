@@ -92,20 +92,13 @@ def mean_friction(
     with w in N/mm, v in m/s, rho in mm, eta in Pa s, Ra in um. Source: ISO/TR 15144-1, equations 86, 87;
     within 20 % of Schlenk's 0.048 ... eta^-0.05 Ra^0.25 X_L where rho is some 10 mm.
 
-    Parameters
-    ----------
-    unit_load : float
-        With all load factors [N/m].
-    sum_speed : float
-        Sum of both surfaces' speeds at the pitch point [m/s].
-    radius : float
-        Relative radius of curvature there [m].
-    viscosity : float
-        Of the oil as it is fed [Pa s].
-    roughness : float
-        Ra, mean of both flanks [m].
-    friction_factor : float
-        X_L [-].
+    Args:
+        unit_load: With all load factors [N/m].
+        sum_speed: Sum of both surfaces' speeds at the pitch point [m/s].
+        radius: Relative radius of curvature there [m].
+        viscosity: Of the oil as it is fed [Pa s].
+        roughness: Ra, mean of both flanks [m].
+        friction_factor: X_L [-].
     """
     within("load per length", unit_load, 1, 1e8, "N/m")
     positive("sum of speeds", sum_speed, "m/s")
@@ -130,14 +123,10 @@ def micropitting_films(
     2 pi (p/E')^2 is w/(E' rho). S is alpha eta at the local contact temperature over that at the bulk's; the
     flash temperature is Blok's (`scuffing.flash_temperature`) with the mean friction.
 
-    Parameters
-    ----------
-    flanks : Flanks
-        The contacts.
-    oil : GearOil
-        Its oil.
-    oil_temperature, bulk_temperature : float
-        Of the oil as it is fed, and of the flanks [K].
+    Args:
+        flanks: The contacts.
+        oil: Its oil.
+        oil_temperature, bulk_temperature: Of the oil as it is fed, and of the flanks [K].
     """
     within("bulk temperature", bulk_temperature, 200, 700, "K")
     pitch = int(np.argmin(np.abs(flanks.speed_1 - flanks.speed_2)))
@@ -180,14 +169,10 @@ def bulk_rise(
     7400 (P mu H_v/(a b))^0.72 X_S/(1.2 X_Ca), P in kW, a and b in mm, X_S = 1.2 and X_Ca = 1. Source:
     ISO/TR 15144-1, equation 84.
 
-    Parameters
-    ----------
-    power : float
-        [W].
-    friction, loss_factor : float
-        mu_m and H_v [-].
-    centre_distance, face_width : float
-        [m].
+    Args:
+        power: [W].
+        friction, loss_factor: mu_m and H_v [-].
+        centre_distance, face_width: [m].
     """
     within("centre distance", centre_distance, 1e-3, 10, "m")
     within("face width", face_width, 1e-4, 10, "m")
@@ -200,13 +185,10 @@ def bulk_rise(
 def permissible_specific_film(tested: float, material_factor: float = 1.0) -> float:
     """lambda_GFP [-], 1.4 W_W lambda_GFT.
 
-    Parameters
-    ----------
-    tested : float
-        lambda_GFT, `fzg_test_gears.film_at_load_stage` [-].
-    material_factor : float
-        W_W [-]: 1 of case carburised steel (0.95 with more than 25 % of retained austenite), 1.5 nitrided,
-        0.65 induction or flame hardened, 0.5 through hardened.
+    Args:
+        tested: lambda_GFT, `fzg_test_gears.film_at_load_stage` [-].
+        material_factor: W_W [-]: 1 of case carburised steel (0.95 with more than 25 % of retained austenite),
+            1.5 nitrided, 0.65 induction or flame hardened, 0.5 through hardened.
     """
     positive("specific film thickness of the test", tested, "")
     within("material factor", material_factor, 0.1, 3, "")

@@ -20,14 +20,10 @@ def dragged_layer(viscosity: float, density: float, speed: float) -> float:
     h = 0.944 Ca^(1/6) sqrt(eta U / (rho g)), Ca = eta U / sigma, of slow surfaces (Landau and Levich 1942);
     fast ones, beyond Ca of about 1, carry at most sqrt(eta U / (rho g)) (Deryagin 1943).
 
-    Parameters
-    ----------
-    viscosity : float
-        [Pa s].
-    density : float
-        [kg/m3].
-    speed : float
-        Of the surface [m/s].
+    Args:
+        viscosity: [Pa s].
+        density: [kg/m3].
+        speed: Of the surface [m/s].
     """
     positive("viscosity", viscosity, "Pa s")
     within("density", density, 100, 5000, "kg/m3")
@@ -47,20 +43,13 @@ def drained_layer(
     (Jeffreys 1930). Here under any acceleration, with both joined: 1/h^2 = 1/h_0^2 + rho a t / (eta y), at
     most sqrt(2) too thin, where they meet.
 
-    Parameters
-    ----------
-    first : float
-        Thickness at the beginning [m].
-    viscosity : float
-        [Pa s].
-    density : float
-        [kg/m3].
-    acceleration : float
-        Along the flank [m/s2].
-    height : float
-        Distance y from the end where the oil begins to flow [m].
-    time : float
-        For which it drains [s].
+    Args:
+        first: Thickness at the beginning [m].
+        viscosity: [Pa s].
+        density: [kg/m3].
+        acceleration: Along the flank [m/s2].
+        height: Distance y from the end where the oil begins to flow [m].
+        time: For which it drains [s].
     """
     positive("first", first, "m")
     positive("viscosity", viscosity, "Pa s")
@@ -74,14 +63,10 @@ def sprayed_layer(flow: float, flank: float, rate: float) -> float:
 
     h = q / (4 A f): each passing pair of teeth has two flanks on either body.
 
-    Parameters
-    ----------
-    flow : float
-        Oil flow of the mesh [m3/s].
-    flank : float
-        Area A of a flank [m2].
-    rate : float
-        Pairs of teeth that pass the mesh, f [1/s].
+    Args:
+        flow: Oil flow of the mesh [m3/s].
+        flank: Area A of a flank [m2].
+        rate: Pairs of teeth that pass the mesh, f [1/s].
     """
     positive("flow", flow, "m3/s")
     positive("flank", flank, "m2")

@@ -36,12 +36,9 @@ def walther_viscosity(m: float, n: float, temperature: Values) -> Values:
     Source: C. Walther (1931), as standardised in ASTM D341. Range: 200 to 500 K, viscosities above
     2 mm2/s; below, the standard corrects the shift of 0.7, which here is 0.02 mm2/s at 1.5 mm2/s.
 
-    Parameters
-    ----------
-    m, n : float
-        Constants of the oil [-].
-    temperature : float or array
-        Temperature [K].
+    Args:
+        m, n: Constants of the oil [-].
+        temperature: Temperature [K].
     """
     within("temperature", temperature, COLDEST, HOTTEST, "K")
     shifted = 10 ** (10 ** (m - n * np.log10(temperature)))
@@ -59,10 +56,9 @@ def walther_constants(
 ) -> tuple[float, float]:
     """m and n of the law through two measured points; viscosities in m2/s, temperatures in K.
 
-    Raises
-    ------
-    ValueError
-        Values that are no viscosities in m2/s, or a viscosity that does not fall with temperature.
+    Raises:
+        ValueError: Values that are no viscosities in m2/s, or a viscosity that does not fall with
+            temperature.
     """
     within("kinematic viscosity", [viscosity_1, viscosity_2], 4e-7, THICKEST, "m2/s")
     within("temperature", [temperature_1, temperature_2], COLDEST, HOTTEST, "K")
@@ -160,14 +156,10 @@ def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
 def density(density_15: float, coefficient: float, temperature: Values) -> Values:
     """Density [kg/m3], rho15 [1 - c (T - 15 degC)].
 
-    Parameters
-    ----------
-    density_15 : float
-        Density at 15 degC [kg/m3].
-    coefficient : float
-        c [1/K], of the density at 15 degC.
-    temperature : float or array
-        Temperature [K].
+    Args:
+        density_15: Density at 15 degC [kg/m3].
+        coefficient: c [1/K], of the density at 15 degC.
+        temperature: Temperature [K].
     """
     within("density at 15 degC", density_15, 600, 2000, "kg/m3")
     within("temperature coefficient of density", coefficient, 0, 2e-3, "1/K")
@@ -218,12 +210,9 @@ def agma_alpha(viscosity: Values, k: float, s: float) -> Values:
     Source: AGMA 925-A03, section 6.2; from memory, checked against the two values of Errichello's case
     history (mineral oil, 6.6 and 10 cP: 1.02e-4 and 1.09e-4 in2/lb), which it meets within 10 %.
 
-    Parameters
-    ----------
-    viscosity : float or array
-        Dynamic viscosity [Pa s].
-    k, s : float
-        Constants of the base oil.
+    Args:
+        viscosity: Dynamic viscosity [Pa s].
+        k, s: Constants of the base oil.
     """
     within("dynamic viscosity", viscosity, 1e-4, 1e3, "Pa s")
     within("k of AGMA's law", k, 1e-3, 0.1, "mm2/N")
@@ -257,12 +246,10 @@ def eyring_stress(alpha: Values, limit: float) -> Values:
     With the viscosity growing as exp(alpha p), Eyring's law makes the stress grow with pressure by
     tau_E alpha per pressure; Arana et al. take the limiting traction coefficient Lambda for half of it.
 
-    Parameters
-    ----------
-    alpha : float or array
-        Pressure-viscosity coefficient [1/Pa].
-    limit : float
-        Lambda, limiting stress over pressure [-]: naphthenic 0.047, paraffinic 0.040, PAO 0.035, ester 0.030.
+    Args:
+        alpha: Pressure-viscosity coefficient [1/Pa].
+        limit: Lambda, limiting stress over pressure [-]: naphthenic 0.047, paraffinic 0.040, PAO 0.035, ester
+            0.030.
     """
     within("pressure-viscosity coefficient", alpha, 1e-9, 1e-7, "1/Pa")
     within("limiting traction coefficient", limit, 0.01, 0.2, "")

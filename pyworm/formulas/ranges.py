@@ -28,10 +28,8 @@ def apart(value: float, bound: float, digits: int = 6) -> str:
 def numbers(name: str, value: object) -> Array:
     """A value, or several, as an array of numbers.
 
-    Raises
-    ------
-    ValueError
-        Neither a number nor several.
+    Raises:
+        ValueError: Neither a number nor several.
     """
     try:
         return np.asarray(value, dtype=float)
@@ -50,21 +48,14 @@ def scalar(name: str, value: object) -> float:
 def within(name: str, value: Values | Sequence[float], low: float, high: float, unit: str) -> None:
     """Refuse a value outside a closed range, by more than the rounding of its conversion of units.
 
-    Parameters
-    ----------
-    name : str
-        What the value is called.
-    value : float or array
-        The value, in `unit`.
-    low, high : float
-        The range, both ends allowed.
-    unit : str
-        Unit to name; empty for a bare number.
+    Args:
+        name: What the value is called.
+        value: The value, in `unit`.
+        low, high: The range, both ends allowed.
+        unit: Unit to name; empty for a bare number.
 
-    Raises
-    ------
-    ValueError
-        A value below, above or not a number.
+    Raises:
+        ValueError: A value below, above or not a number.
     """
     values = numbers(name, value)
     above = values >= low - ROUNDING * abs(low)
@@ -81,10 +72,8 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
 def positive(name: str, value: Values | Sequence[float], unit: str) -> None:
     """Refuse a value that is not finite and greater than zero; arguments as of `within`.
 
-    Raises
-    ------
-    ValueError
-        A value that is zero, negative, infinite or not a number.
+    Raises:
+        ValueError: A value that is zero, negative, infinite or not a number.
     """
     values = numbers(name, value)
     wrong = ~(np.isfinite(values) & (values > 0))
@@ -98,10 +87,8 @@ def positive(name: str, value: Values | Sequence[float], unit: str) -> None:
 def one_of(name: str, value: str, choices: Iterable[Choice]) -> Choice:
     """The choice that a word is.
 
-    Raises
-    ------
-    ValueError
-        A word that is not among the choices.
+    Raises:
+        ValueError: A word that is not among the choices.
     """
     for choice in choices:
         if choice == value:

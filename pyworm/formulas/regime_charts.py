@@ -60,12 +60,9 @@ def point_films(viscosity: Values, elasticity: Values, ratio: float) -> dict[str
     (`benchmarks/atlas/rigid.py`), but as the largest film it would call heavily loaded contacts rigid. Range:
     k from 1 to 8.
 
-    Parameters
-    ----------
-    viscosity, elasticity : float or array
-        g_V and g_E [-].
-    ratio : float
-        D, relative radius along the entrainment over that across [-].
+    Args:
+        viscosity, elasticity: g_V and g_E [-].
+        ratio: D, relative radius along the entrainment over that across [-].
     """
     r, k = 1 / ratio, ellipticity(1 / ratio)
     return {
@@ -101,10 +98,8 @@ def line_films(viscosity: Values, elasticity: Values) -> dict[str, Values]:
     Source: K. L. Johnson, J. Mech. Eng. Sci. 12 (1970) 9-16; C. J. Hooke, J. Mech. Eng. Sci. 19 (1977)
     149-156; H. Moes, Lubrication and Beyond, University of Twente (2000).
 
-    Parameters
-    ----------
-    viscosity, elasticity : float or array
-        g_V and g_E [-].
+    Args:
+        viscosity, elasticity: g_V and g_E [-].
     """
     return {
         ISOVISCOUS_RIGID: 4.9,

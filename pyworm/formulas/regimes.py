@@ -123,14 +123,10 @@ def regime_number(deflection: Values, thickening: Values) -> Indices:
 def flattening(half_width: Values, radius: Values, film_min: Values) -> Values:
     """Deflection over film: b^2 / 2R, by which Hertz's contact is flattened along the entrainment [-].
 
-    Parameters
-    ----------
-    half_width : float or array
-        Half-width of Hertz's contact along the entrainment [m].
-    radius : float or array
-        Relative radius of curvature along it [m].
-    film_min : float or array
-        Minimum film [m].
+    Args:
+        half_width: Half-width of Hertz's contact along the entrainment [m].
+        radius: Relative radius of curvature along it [m].
+        film_min: Minimum film [m].
     """
     return half_width**2 / (2 * radius * film_min)
 
@@ -138,12 +134,10 @@ def flattening(half_width: Values, radius: Values, film_min: Values) -> Values:
 def thickening(film_ratio: Values, deflection: Values) -> Values:
     """alpha times the pressure of an isoviscous oil where the film forms [-].
 
-    Parameters
-    ----------
-    film_ratio : float or array
-        Film by the limits of an oil that thickens under pressure, over that of one that does not [-].
-    deflection : float or array
-        Deflection over film [-], by which the exponent passes from 3/2 of rigid bodies to 4/3.
+    Args:
+        film_ratio: Film by the limits of an oil that thickens under pressure, over that of one that does not
+            [-].
+        deflection: Deflection over film [-], by which the exponent passes from 3/2 of rigid bodies to 4/3.
     """
     return film_ratio ** (4 / 3 + 1 / 6 / (1 + deflection))
 
@@ -153,12 +147,9 @@ def line_measures(groups: LineGroups, alpha_ratio: Values = 1.0) -> tuple[Values
 
     The limits are Moes' (`line_asymptotes`), of which the rigid ones are exact.
 
-    Parameters
-    ----------
-    groups : LineGroups
-        The contacts.
-    alpha_ratio : float or array
-        Reciprocal asymptotic isoviscous pressure coefficient over alpha [-]; 1 of Barus' law.
+    Args:
+        groups: The contacts.
+        alpha_ratio: Reciprocal asymptotic isoviscous pressure coefficient over alpha [-]; 1 of Barus' law.
     """
     central = np.asarray(moes_line(groups).central) / groups.moes_film
     # in Moes' units b^2/R^2 is 8 M/pi

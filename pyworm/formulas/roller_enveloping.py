@@ -43,20 +43,13 @@ def printed_films(
 ) -> PrintedFilms:
     """The four films as printed.
 
-    Parameters
-    ----------
-    radius : float or array
-        R_v, one over the induced curvature [m].
-    load_per_length : float or array
-        w [N/m].
-    reduced_modulus : float
-        E' [Pa].
-    speed : float or array
-        u_jx, mean surface velocity across the contact line [m/s].
-    viscosity : float
-        eta0 [Pa s].
-    alpha : float
-        Pressure-viscosity coefficient [1/Pa].
+    Args:
+        radius: R_v, one over the induced curvature [m].
+        load_per_length: w [N/m].
+        reduced_modulus: E' [Pa].
+        speed: u_jx, mean surface velocity across the contact line [m/s].
+        viscosity: eta0 [Pa s].
+        alpha: Pressure-viscosity coefficient [1/Pa].
     """
     r, w, e, eu, a = radius, load_per_length, reduced_modulus, viscosity * speed, alpha
     return PrintedFilms(
@@ -98,14 +91,10 @@ def printed_normal_force(
 ) -> float:
     """The source's normal force [N], 2 T1 / (d1 cos(alpha_n) cos(lambda)).
 
-    Parameters
-    ----------
-    worm_torque : float
-        T1 [N m].
-    diameter : float
-        d1, of the worm at its throat [m].
-    pressure_angle, lead_angle : float
-        alpha_n and lambda [rad].
+    Args:
+        worm_torque: T1 [N m].
+        diameter: d1, of the worm at its throat [m].
+        pressure_angle, lead_angle: alpha_n and lambda [rad].
     """
     return 2 * worm_torque / (diameter * cos(pressure_angle) * cos(lead_angle))
 

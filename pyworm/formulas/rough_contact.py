@@ -36,12 +36,9 @@ MAX_GAP_RATIO = 35.0
 def overlap_moment(order: float, gap: npt.ArrayLike) -> Array:
     """Moment F_n(H) = int_H^inf (t - H)^n exp(-t^2/2) dt / sqrt(2 pi) of the heights above a gap.
 
-    Parameters
-    ----------
-    order : float
-        n, above -1; 5/2 gives the pressure and 2 the real area of Greenwood and Tripp's contact.
-    gap : array_like
-        Gap between mean planes over the composite roughness [-].
+    Args:
+        order: n, above -1; 5/2 gives the pressure and 2 the real area of Greenwood and Tripp's contact.
+        gap: Gap between mean planes over the composite roughness [-].
     """
     gap = np.asarray(gap, dtype=float)
     near = np.minimum(gap, MAX_GAP_RATIO)
@@ -54,10 +51,8 @@ def overlap_moment(order: float, gap: npt.ArrayLike) -> Array:
 def open_gap(gap: npt.ArrayLike) -> Array:
     """Mean thickness of the gap over the roughness [-], where surfaces of normal heights overlap nowhere.
 
-    Parameters
-    ----------
-    gap : array_like
-        Gap between mean planes over the composite roughness [-].
+    Args:
+        gap: Gap between mean planes over the composite roughness [-].
     """
     gap = np.asarray(gap, dtype=float)
     thickness = gap * scipy.special.ndtr(gap) + np.exp(-(gap**2) / 2) / sqrt(2 * pi)
@@ -70,16 +65,12 @@ def greenwood_tripp(
 ) -> tuple[Array, Array]:
     """Pressure [Pa] and real area over the nominal one of two rough surfaces with spherical asperities.
 
-    Parameters
-    ----------
-    gap : array_like
-        Gap between mean planes over the composite roughness [-].
-    density : float
-        Asperities for each area times their radius times the composite roughness, usually 0.03 to 0.05 [-].
-    sharpness : float
-        Composite roughness over the radius of the asperities [-].
-    modulus : float
-        E* = E'/2 [Pa].
+    Args:
+        gap: Gap between mean planes over the composite roughness [-].
+        density: Asperities for each area times their radius times the composite roughness, usually 0.03 to
+            0.05 [-].
+        sharpness: Composite roughness over the radius of the asperities [-].
+        modulus: E* = E'/2 [Pa].
     """
     pressure = GREENWOOD_TRIPP * density**2 * sqrt(sharpness) * modulus * overlap_moment(2.5, gap)
     return pressure, (pi * density) ** 2 * overlap_moment(2.0, gap)
@@ -88,14 +79,10 @@ def greenwood_tripp(
 def self_affine(gap: npt.ArrayLike, slope: float, modulus: float) -> tuple[Array, Array]:
     """Pressure [Pa] and real area over the nominal one of elastic surfaces that are rough on all scales.
 
-    Parameters
-    ----------
-    gap : array_like
-        Gap between mean planes over the composite roughness [-].
-    slope : float
-        Composite root mean square slope h'rms [-].
-    modulus : float
-        E* = E'/2 [Pa].
+    Args:
+        gap: Gap between mean planes over the composite roughness [-].
+        slope: Composite root mean square slope h'rms [-].
+        modulus: E* = E'/2 [Pa].
     """
     scale = modulus * slope
     pressure = (

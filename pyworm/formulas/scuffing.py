@@ -60,18 +60,12 @@ def flash_temperature(
     sqrt v2 lacks a root of a speed, and 0.62 before w/sqrt b belongs before w^(3/4) (E'/R)^(1/4)
     instead. Range: fast bodies, b v/(2 diffusivity) above about 5.
 
-    Parameters
-    ----------
-    friction : float or array
-        Coefficient of friction [-].
-    load_per_length : float or array
-        w [N/m].
-    speed_1, speed_2 : float or array
-        Speeds of the surfaces across the contact line [m/s], both above zero.
-    effusivity_1, effusivity_2 : float
-        B of the bodies, `effusivity`.
-    half_width : float or array
-        Half-width b of the Hertz contact [m].
+    Args:
+        friction: Coefficient of friction [-].
+        load_per_length: w [N/m].
+        speed_1, speed_2: Speeds of the surfaces across the contact line [m/s], both above zero.
+        effusivity_1, effusivity_2: B of the bodies, `effusivity`.
+        half_width: Half-width b of the Hertz contact [m].
     """
     within("friction coefficient", friction, 0, 1, "")
     within("load per length", load_per_length, 0, 1e8, "N/m")
@@ -98,12 +92,9 @@ def scuffing_temperature(viscosity_40: Values, anti_scuff: bool) -> Values:
     AGMA 925-A03; Errichello prints it as 146 degF + 59 ln nu40 and 245 degF + 59 ln nu40, which is the
     same within 3 degF. Range: mineral oils of 32 to 1000 mm2/s.
 
-    Parameters
-    ----------
-    viscosity_40 : float or array
-        Kinematic viscosity at 40 degC [m2/s].
-    anti_scuff : bool
-        Whether the oil has anti-scuff (EP) additives.
+    Args:
+        viscosity_40: Kinematic viscosity at 40 degC [m2/s].
+        anti_scuff: Whether the oil has anti-scuff (EP) additives.
     """
     within("kinematic viscosity at 40 degC", viscosity_40, 25e-6, 1.2e-3, "m2/s")
     base, slope = _SCUFFING[anti_scuff]
@@ -121,17 +112,12 @@ def scuffing_temperature_of_stage(
     equation numbers (Iso13989FlashTemperature.cs, mekanika.org), whose scuffing temperatures are told to be
     within 0.2 % of two reports of a commercial one. Range: steel on steel.
 
-    Parameters
-    ----------
-    stage : int
-        Failure load stage S, 1 to 14; not of other tests such as A/16.6/90.
-    viscosity : float
-        eta of the oil as it is fed [Pa s].
-    friction_factor : float
-        f of the oil's kind, `micropitting.FRICTION_FACTORS` [-].
-    structure_factor : float
-        X_W [-]: 1 of case carburised steel with 10 to 20 % of austenite and of through hardened steel, 1.15
-        with less, 0.85 with more, 1.25 phosphated, 1.5 nitrided or copper plated.
+    Args:
+        stage: Failure load stage S, 1 to 14; not of other tests such as A/16.6/90.
+        viscosity: eta of the oil as it is fed [Pa s].
+        friction_factor: f of the oil's kind, `micropitting.FRICTION_FACTORS` [-].
+        structure_factor: X_W [-]: 1 of case carburised steel with 10 to 20 % of austenite and of through
+            hardened steel, 1.15 with less, 0.85 with more, 1.25 phosphated, 1.5 nitrided or copper plated.
     """
     within("load stage of the scuffing test", stage, 1, 14, "")
     within("viscosity", viscosity, 1e-4, 100, "Pa s")
@@ -147,12 +133,9 @@ def scuffing_temperature_of_stage(
 def scuffing_safety(contact: Values, oil: float, scuffing: float) -> Values:
     """S_B [-], (theta_S - theta_oil)/(theta_B - theta_oil) (ISO/TS 6336-20); all in kelvin.
 
-    Parameters
-    ----------
-    contact : float or array
-        Contact temperature, above that of the oil.
-    oil, scuffing : float
-        Temperature of the oil before the mesh, and its scuffing temperature.
+    Args:
+        contact: Contact temperature, above that of the oil.
+        oil, scuffing: Temperature of the oil before the mesh, and its scuffing temperature.
     """
     within("oil temperature", oil, 200, 600, "K")
     within("scuffing temperature", scuffing, 300, 1000, "K")
@@ -168,10 +151,8 @@ def scuffing_probability(contact: Values, scuffing: Values) -> Values:
     verified by Errichello's two cases (439 degF against 418 degF: 63 %; 302 against 563: below 5 %).
     With the mean in degrees Celsius, as AGMA 925 has it, the first is 64 %.
 
-    Parameters
-    ----------
-    contact, scuffing : float or array
-        Largest contact temperature and mean scuffing temperature [K].
+    Args:
+        contact, scuffing: Largest contact temperature and mean scuffing temperature [K].
     """
     within("contact temperature", contact, 200, 3000, "K")
     within("scuffing temperature", scuffing, 300, 1000, "K")
@@ -226,10 +207,8 @@ def rate_scuffing(
 ) -> ScuffingRating:
     """Rate one contact, or arrays of them along a line of action; arguments as of the functions above.
 
-    Raises
-    ------
-    ValueError
-        What lies outside the formulas, in one sentence.
+    Raises:
+        ValueError: What lies outside the formulas, in one sentence.
     """
     flash = np.atleast_1d(
         flash_temperature(

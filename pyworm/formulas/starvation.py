@@ -11,12 +11,9 @@ import math
 def film_over_flooded(supply_ratio: float, exponent: float) -> float:
     """Film over that of a flooded contact [-].
 
-    Parameters
-    ----------
-    supply_ratio : float
-        Oil supplied over that of the flooded film [-].
-    exponent : float
-        Exponent g; infinite for a line contact.
+    Args:
+        supply_ratio: Oil supplied over that of the flooded film [-].
+        exponent: Exponent g; infinite for a line contact.
     """
     if math.isinf(exponent) or math.isinf(supply_ratio):
         return min(1.0, supply_ratio)

@@ -15,16 +15,11 @@ def thermal_loading(
 ) -> Values:
     """Thermal loading L [-], eta0 beta um^2/k.
 
-    Parameters
-    ----------
-    viscosity : float or array
-        Dynamic viscosity at the inlet [Pa s].
-    slope : float or array
-        beta = -d ln eta/dT there [1/K].
-    speed : float or array
-        Mean speed of both surfaces um [m/s].
-    conductivity : float
-        Of the oil [W/(m K)].
+    Args:
+        viscosity: Dynamic viscosity at the inlet [Pa s].
+        slope: beta = -d ln eta/dT there [1/K].
+        speed: Mean speed of both surfaces um [m/s].
+        conductivity: Of the oil [W/(m K)].
     """
     within("dynamic viscosity", viscosity, 1e-4, 1e3, "Pa s")
     within("fall of viscosity with temperature", slope, 0, 0.5, "1/K")
@@ -40,12 +35,9 @@ def wilson_sheu(loading: Values, slide_roll_ratio: Values) -> Values:
     for the loading with u1 + u2 instead of um (0.241/4^0.64 = 0.0992). Range: line contacts, surfaces
     moving the same way (SRR up to 2); negligible below L = 0.1.
 
-    Parameters
-    ----------
-    loading : float or array
-        L [-], `thermal_loading`.
-    slide_roll_ratio : float or array
-        Sliding over mean speed [-], 0 to 2.
+    Args:
+        loading: L [-], `thermal_loading`.
+        slide_roll_ratio: Sliding over mean speed [-], 0 to 2.
     """
     _check(loading, slide_roll_ratio)
     sliding = 1 + 14.8 * (np.abs(slide_roll_ratio) / 2) ** 0.83
@@ -69,12 +61,9 @@ def gupta(loading: Values, slide_roll_ratio: Values, pressure_ratio: Values) -> 
     Sheu's factor, which it meets within 7 % in pure rolling up to L = 10; in sliding it is far milder
     (0.49 against 0.21 at L = 1 and S = 2). Range: until its numerator reaches zero.
 
-    Parameters
-    ----------
-    loading, slide_roll_ratio : float or array
-        As of `wilson_sheu`.
-    pressure_ratio : float or array
-        Largest Hertz pressure over E' [-].
+    Args:
+        loading, slide_roll_ratio: As of `wilson_sheu`.
+        pressure_ratio: Largest Hertz pressure over E' [-].
     """
     _check(loading, slide_roll_ratio)
     within("p_H/E'", pressure_ratio, 0, 0.05, "")
@@ -90,12 +79,9 @@ def hsu_lee(loading: Values, slide_roll_ratio: Values, material: Values, load: V
     Source: C. H. Hsu and R. T. Lee, J. Tribol. 116 (1994) 540-548; from memory, checked by its limit 1
     without heating only. Range: line contacts.
 
-    Parameters
-    ----------
-    loading, slide_roll_ratio : float or array
-        As of `wilson_sheu`.
-    material, load : float or array
-        G = alpha E' and W = w/(E' R) [-].
+    Args:
+        loading, slide_roll_ratio: As of `wilson_sheu`.
+        material, load: G = alpha E' and W = w/(E' R) [-].
     """
     _check(loading, slide_roll_ratio)
     within("G", material, 0, 2e4, "")

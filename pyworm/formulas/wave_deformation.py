@@ -15,12 +15,9 @@ def left_of_waves(length: float, groups: Groups) -> float:
     a point (Venner and Lubrecht 2000), not seen in print. Short waves keep their shape, long ones are
     flattened.
 
-    Parameters
-    ----------
-    length : float
-        Wave length over the half-width of Hertz's contact [-].
-    groups : LineGroups or PointGroups
-        Moes' groups.
+    Args:
+        length: Wave length over the half-width of Hertz's contact [-].
+        groups: Moes' groups.
     """
     if not groups.moes_l > 0:
         return 0.0

@@ -51,12 +51,9 @@ def distress_probability(specific_film: Values, pitch_line_velocity: float) -> V
     0.097 give 97 % ("above 95 %") and 96 % (94 %). Range: gears with the minimum film of Dowson and
     Higginson and the composite rms roughness. At lambda = 0 the fit has 98.7 %, not all.
 
-    Parameters
-    ----------
-    specific_film : float or array
-        lambda [-].
-    pitch_line_velocity : float
-        [m/s]; 0 to 300.
+    Args:
+        specific_film: lambda [-].
+        pitch_line_velocity: [m/s]; 0 to 300.
     """
     within("lambda", specific_film, 0, np.inf, "")
     positive("pitch line velocity", pitch_line_velocity, "m/s")
@@ -97,10 +94,8 @@ class WearRating:
 def rate_wear(film_min: Values, roughness: float, pitch_line_velocity: float) -> WearRating:
     """Rate the minimum films [m] of the contacts of a mesh, given as an array, or of one.
 
-    Raises
-    ------
-    ValueError
-        What lies outside the fit, in one sentence.
+    Raises:
+        ValueError: What lies outside the fit, in one sentence.
     """
     ratios = np.atleast_1d(specific_film(film_min, roughness))
     worst = int(np.argmin(ratios))

@@ -32,14 +32,10 @@ RUN_IN = 0.6
 def archard_depth(coefficient: float, pressure: Values, path: Values) -> Values:
     """Depth worn off [m], k p s (J. F. Archard, J. Appl. Phys. 24 (1953) 981).
 
-    Parameters
-    ----------
-    coefficient : float
-        k, wear coefficient over hardness [m2/N].
-    pressure : float or array
-        Of asperities, over the nominal area [Pa].
-    path : float or array
-        That the other surface slid over the place [m].
+    Args:
+        coefficient: k, wear coefficient over hardness [m2/N].
+        pressure: Of asperities, over the nominal area [Pa].
+        path: That the other surface slid over the place [m].
     """
     positive("wear coefficient", coefficient, "m2/N")
     within("wear coefficient", coefficient, 1e-24, 1e-9, "m2/N")
@@ -54,12 +50,9 @@ def harder_ratio(hardness: float, softer: float, exponent: float = HARDNESS_EXPO
     E. Rabinowicz, Friction and Wear of Materials: n = 2 through tests that scatter widely; a hardness in
     Archard's law alone, with one constant for both, is n = 1 and bounds it from above.
 
-    Parameters
-    ----------
-    hardness, softer : float
-        Indentation hardness of the harder and of the softer surface [Pa].
-    exponent : float
-        n [-].
+    Args:
+        hardness, softer: Indentation hardness of the harder and of the softer surface [Pa].
+        exponent: n [-].
     """
     positive("hardness", softer, "Pa")
     within("hardness of the harder surface", hardness, softer, 1e11, "Pa")
@@ -73,12 +66,9 @@ def energy_coefficient(energy: float, friction: float) -> float:
 
     Depth is mu p s/e_R then: both forms are one as long as the friction of asperities is one number.
 
-    Parameters
-    ----------
-    energy : float
-        e_R, work of friction that wears off a volume [J/m3].
-    friction : float
-        mu of asperities that touch [-].
+    Args:
+        energy: e_R, work of friction that wears off a volume [J/m3].
+        friction: mu of asperities that touch [-].
     """
     positive("wear energy", energy, "J/m3")
     within("friction of asperities", friction, 1e-3, 1, "")
@@ -91,14 +81,10 @@ def truncated_roughness(roughness: float, removed: float, run_in: float = RUN_IN
     Heights z spread normally become min(z, t); t is where a mean depth is removed. It ends at `run_in` times
     what it was: the other surface and debris leave grooves of their own.
 
-    Parameters
-    ----------
-    roughness : float
-        Of the surface as it was cut, Rq [m].
-    removed : float
-        Mean depth worn off [m].
-    run_in : float
-        Least roughness over that as cut [-].
+    Args:
+        roughness: Of the surface as it was cut, Rq [m].
+        removed: Mean depth worn off [m].
+        run_in: Least roughness over that as cut [-].
     """
     within("roughness", roughness, 1e-10, 1e-4, "m")
     within("worn depth", removed, 0, 1, "m")

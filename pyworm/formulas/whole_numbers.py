@@ -8,10 +8,8 @@ from pyworm.formulas.arrays import Array, Indices
 def whole(values: Array) -> Indices:
     """Integers of computed numbers, without their fractions.
 
-    Raises
-    ------
-    ValueError
-        A number is not finite; cast to an integer it would be an index like any other.
+    Raises:
+        ValueError: A number is not finite; cast to an integer it would be an index like any other.
     """
     values = np.asarray(values)
     if not np.isfinite(values).all():

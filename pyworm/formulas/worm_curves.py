@@ -74,16 +74,11 @@ def base_friction(
     Checked by its neighbours and AGMA 6034's curve (docs/reference/constants.md).
     Range: vg from 0.05 to 25 m/s.
 
-    Parameters
-    ----------
-    oil : str
-        "mineral", "PAO" or "PAG".
-    sliding_speed : float
-        vg [m/s].
-    lubrication : str
-        "injection" or "bath"; makes no difference to cast iron.
-    family : str
-        Group of the wheel's material; both bronzes have the same curves.
+    Args:
+        oil: "mineral", "PAO" or "PAG".
+        sliding_speed: vg [m/s].
+        lubrication: "injection" or "bath"; makes no difference to cast iron.
+        family: Group of the wheel's material; both bronzes have the same curves.
     """
     one_of("oil", oil, OIL_KINDS)
     one_of("lubrication", lubrication, LUBRICATIONS)
@@ -113,16 +108,11 @@ def base_wear(
     Checked: falls with the film. The transcription bounds it for mineral oil (and PAO on aluminium bronze)
     only.
 
-    Parameters
-    ----------
-    oil : str
-        "mineral", "PAO" or "PAG".
-    parameter : float
-        K_W, film in micrometres times W_S and W_H (`pyworm.formulas.worm_wear`).
-    lubrication : str
-        "injection" or "bath"; makes a difference to tin bronze only.
-    family : str
-        Group of the wheel's material.
+    Args:
+        oil: "mineral", "PAO" or "PAG".
+        parameter: K_W, film in micrometres times W_S and W_H (`pyworm.formulas.worm_wear`).
+        lubrication: "injection" or "bath"; makes a difference to tin bronze only.
+        family: Group of the wheel's material.
     """
     positive("K_W", parameter, "")
     factor, exponent, largest = _wear_curve(oil, lubrication, family)

@@ -33,14 +33,10 @@ def shaft_deflection(gear: WormGear, torque: float, friction: float) -> float:
     those of a public transcription of DIN 3996 (the worksheet on worm gears of MITCalc), whose constant of
     0.006592 stands for 64/(3 pi)/1000 = 0.00679 of a beam: 3 % apart.
 
-    Parameters
-    ----------
-    gear : WormGear
-        Geometry.
-    torque : float
-        T2 [N m].
-    friction : float
-        mu_zm [-].
+    Args:
+        gear: Geometry.
+        torque: T2 [N m].
+        friction: mu_zm [-].
     """
     lead = gear.lead_angle
     across = hypot(tan(lead + atan(friction)), tan(gear.pressure_angle) / cos(lead))

@@ -39,10 +39,8 @@ class WormGearSizes:
 class WormGear(WormGearSizes):
     """Geometry of a worm gear as the standards see it.
 
-    Raises
-    ------
-    ValueError
-        Lengths in other units, or parts that do not make up the centre distance within 2 %.
+    Raises:
+        ValueError: Lengths in other units, or parts that do not make up the centre distance within 2 %.
     """
 
     pressure_angle: float = pi / 9

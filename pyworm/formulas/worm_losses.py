@@ -56,16 +56,11 @@ def other_losses(
 
     a, d_m1, d_m2 in mm, n1 in rpm, P2 in W.
 
-    Parameters
-    ----------
-    gear : WormGear
-        Geometry.
-    worm_speed : float
-        [rad/s].
-    torque : float
-        T2 [N m].
-    bearings : str
-        How the worm is held, one of `BEARINGS`.
+    Args:
+        gear: Geometry.
+        worm_speed: [rad/s].
+        torque: T2 [N m].
+        bearings: How the worm is held, one of `BEARINGS`.
     """
     one_of("bearings", bearings, BEARINGS)
     positive("wheel torque", torque, "N m")
@@ -86,14 +81,10 @@ def oil_factor(oil: OilKind, ratio: float, worm_speed: float) -> float:
     Doubtful: the transcription subtracts. Mineral oil rubs more than polyglycol and so warms the sump more;
     its fraction is added here, which is also the safe side. Its value, not its sign, is at most 0.15.
 
-    Parameters
-    ----------
-    oil : str
-        "mineral", "PAO" or "PAG".
-    ratio : float
-        u [-].
-    worm_speed : float
-        [rad/s].
+    Args:
+        oil: "mineral", "PAO" or "PAG".
+        ratio: u [-].
+        worm_speed: [rad/s].
     """
     one_of("oil", oil, OIL_KINDS)
     if oil == "PAG":
@@ -117,22 +108,14 @@ def sump_temperature(
     A fan never warms the oil: where its regression is above that without fan, as at 60 rpm, the latter holds.
     Range: a from 50 to 500 mm, 60 to 3000 rpm, 10 to 1000 mm2/s at 40 degC.
 
-    Parameters
-    ----------
-    gear : WormGear
-        Geometry.
-    worm_speed : float
-        [rad/s].
-    torque : float
-        T2 [N m].
-    oil : str
-        "mineral", "PAO" or "PAG".
-    viscosity_40 : float
-        Kinematic viscosity at 40 degC [m2/s].
-    ambient_temperature : float
-        [K].
-    fan : bool
-        Whether a fan sits on the worm's shaft.
+    Args:
+        gear: Geometry.
+        worm_speed: [rad/s].
+        torque: T2 [N m].
+        oil: "mineral", "PAO" or "PAG".
+        viscosity_40: Kinematic viscosity at 40 degC [m2/s].
+        ambient_temperature: [K].
+        fan: Whether a fan sits on the worm's shaft.
     """
     within("centre distance", gear.centre_distance, 0.05, 0.5, "m")
     within("worm speed", worm_speed * RPM, 60, 3000, "rpm")

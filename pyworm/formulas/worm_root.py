@@ -25,12 +25,9 @@ def root_thickness(gear: WormGear, worn: float = 0.0) -> float:
 
     with d_m2 - d_f2 twice `DEDENDUM` modules.
 
-    Parameters
-    ----------
-    gear : WormGear
-        Geometry.
-    worn : float
-        Depth worn off the flanks delta_W [m].
+    Args:
+        gear: Geometry.
+        worn: Depth worn off the flanks delta_W [m].
     """
     within("worn depth", worn, 0, 1, "m")
     cosine, depth = cos(gear.lead_angle), 2 * DEDENDUM * gear.module
@@ -53,16 +50,11 @@ def root_shear(gear: WormGear, torque: float, worn: float = 0.0, rim: float = FU
 
     F_tm2 = 2 T2/d_m2, Y_F = 2.9 m_x/s_f2, Y_gamma = 1/cos gamma, Y_eps = 0.5. Checked by dimension.
 
-    Parameters
-    ----------
-    gear : WormGear
-        Geometry.
-    torque : float
-        T2 [N m].
-    worn : float
-        Depth worn off the flanks [m].
-    rim : float
-        Thickness of the rim over the module [-].
+    Args:
+        gear: Geometry.
+        torque: T2 [N m].
+        worn: Depth worn off the flanks [m].
+        rim: Thickness of the rim over the module [-].
     """
     positive("wheel torque", torque, "N m")
     form = 2.9 * gear.module / root_thickness(gear, worn)

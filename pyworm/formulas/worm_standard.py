@@ -52,22 +52,14 @@ def minimum_film(
     units; a form in circulation with the exponents 1, 0.43, -0.057 and +0.13 of c_alpha, n1, a and T2 is
     no length. Range: bronze and cast iron wheels, 25 mm to 2 m.
 
-    Parameters
-    ----------
-    film_parameter : float
-        h* [-], `WormGear.film_parameter`.
-    pressure_viscosity : float
-        c_alpha [1/Pa], `PRESSURE_VISCOSITY`.
-    viscosity : float
-        Dynamic viscosity at the wheel's bulk temperature [Pa s].
-    worm_speed : float
-        [rad/s].
-    centre_distance : float
-        [m].
-    reduced_modulus : float
-        E_red [Pa], 2/E_red = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
-    torque : float
-        T2 on the wheel [N m].
+    Args:
+        film_parameter: h* [-], `WormGear.film_parameter`.
+        pressure_viscosity: c_alpha [1/Pa], `PRESSURE_VISCOSITY`.
+        viscosity: Dynamic viscosity at the wheel's bulk temperature [Pa s].
+        worm_speed: [rad/s].
+        centre_distance: [m].
+        reduced_modulus: E_red [Pa], 2/E_red = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+        torque: T2 on the wheel [N m].
     """
     within("h*", film_parameter, 0.005, 0.5, "")
     within("pressure-viscosity coefficient", pressure_viscosity, 1e-9, 1e-7, "1/Pa")
@@ -104,16 +96,11 @@ def mean_pressure(
     Checked by dimension: a pressure, growing with the square root of the load and of the modulus as of any
     line contact, so that it is that of soft wheels, too, as long as their teeth do not bend.
 
-    Parameters
-    ----------
-    pressure_parameter : float
-        p_m* [-], `WormGear.pressure_parameter`.
-    torque : float
-        T2 [N m].
-    reduced_modulus : float
-        E_red [Pa].
-    centre_distance : float
-        [m].
+    Args:
+        pressure_parameter: p_m* [-], `WormGear.pressure_parameter`.
+        torque: T2 [N m].
+        reduced_modulus: E_red [Pa].
+        centre_distance: [m].
     """
     within("p_m*", pressure_parameter, 0.1, 10, "")
     positive("wheel torque", torque, "N m")
@@ -143,22 +130,14 @@ def tooth_friction(
     the reference gear. The bounds of Y_S and Y_G are those of the transcription. Range: vg from 0.05 to 25
     m/s.
 
-    Parameters
-    ----------
-    oil : str
-        "mineral", "PAO" or "PAG".
-    sliding_speed : float
-        vg [m/s].
-    centre_distance : float
-        [m].
-    film_parameter : float
-        h* [-].
-    roughness : float
-        Mean roughness Ra of the worm's flanks [m].
-    material_factor : float
-        Y_W of the wheel's material [-]; 1 for the bronze of the tests.
-    lubrication, family : str
-        As of `base_friction`.
+    Args:
+        oil: "mineral", "PAO" or "PAG".
+        sliding_speed: vg [m/s].
+        centre_distance: [m].
+        film_parameter: h* [-].
+        roughness: Mean roughness Ra of the worm's flanks [m].
+        material_factor: Y_W of the wheel's material [-]; 1 for the bronze of the tests.
+        lubrication, family: As of `base_friction`.
     """
     base = base_friction(oil, sliding_speed, lubrication, family)
     within("h*", film_parameter, 0.005, 0.5, "")
@@ -192,16 +171,11 @@ def static_friction(
     The factors are those of `tooth_friction`. Source as of `STATIC_FRICTION`. Checked: above the friction of
     running teeth at every speed.
 
-    Parameters
-    ----------
-    centre_distance : float
-        [m].
-    roughness : float
-        Mean roughness Ra of the worm's flanks [m].
-    material_factor : float
-        Y_W of the wheel's material [-].
-    family : str
-        Group of the wheel's material.
+    Args:
+        centre_distance: [m].
+        roughness: Mean roughness Ra of the worm's flanks [m].
+        material_factor: Y_W of the wheel's material [-].
+        family: Group of the wheel's material.
     """
     size = sqrt(_size_factor(centre_distance))
     return STATIC_FRICTION[family] * size * _rubbing(roughness, material_factor)
@@ -250,22 +224,14 @@ def pitting_safety(
     Z_u = (u/20.5)^(1/6) below 20.5, else 1; Z_oil of PAG 1, PAO 0.94, mineral 0.89. Checked: 1 is each factor
     of the reference test (25000 h, 1 m/s, 100 mm, PAG, u = 20.5).
 
-    Parameters
-    ----------
-    mean_pressure : float
-        sigma_Hm [Pa], `mean_pressure`.
-    strength : float
-        sigma_HlimT of the wheel's material [Pa], such as in `PITTING_STRENGTH`.
-    life : float
-        Wanted life [h].
-    sliding_speed : float
-        vg [m/s].
-    centre_distance : float
-        [m].
-    oil : str
-        "mineral", "PAO" or "PAG".
-    ratio : float
-        u [-].
+    Args:
+        mean_pressure: sigma_Hm [Pa], `mean_pressure`.
+        strength: sigma_HlimT of the wheel's material [Pa], such as in `PITTING_STRENGTH`.
+        life: Wanted life [h].
+        sliding_speed: vg [m/s].
+        centre_distance: [m].
+        oil: "mineral", "PAO" or "PAG".
+        ratio: u [-].
     """
     positive("mean contact stress", mean_pressure, "Pa")
     within("pitting strength", strength, 5e7, 2e9, "Pa")
@@ -296,18 +262,13 @@ def bulk_temperature(
     alpha_L = c_k (1940 + 15 n1) W/(m2 K), n1 in rpm and at least 150. Checked by dimension and by its limit
     without loss.
 
-    Parameters
-    ----------
-    sump_temperature : float
-        [K].
-    tooth_loss : float
-        Power lost between the teeth P_Vz [W].
-    worm_speed : float
-        [rad/s].
-    cooled_area : float
-        A_R, face width times reference diameter of the wheel [m2].
-    immersion_factor : float
-        c_k [-], 1 where the wheel dips into the oil and less where it does not, from the standard.
+    Args:
+        sump_temperature: [K].
+        tooth_loss: Power lost between the teeth P_Vz [W].
+        worm_speed: [rad/s].
+        cooled_area: A_R, face width times reference diameter of the wheel [m2].
+        immersion_factor: c_k [-], 1 where the wheel dips into the oil and less where it does not, from the
+            standard.
     """
     within("sump temperature", sump_temperature, 230, 470, "K")
     within("tooth loss", tooth_loss, 0, 1e7, "W")
@@ -331,18 +292,12 @@ def injected_bulk_temperature(
     public transcription of DIN 3996 (the worksheet on worm gears of MITCalc). Checked by its limit without
     loss.
 
-    Parameters
-    ----------
-    oil_temperature : float
-        Of the injected oil theta_E [K].
-    tooth_loss : float
-        P_Vz [W].
-    worm_speed : float
-        [rad/s].
-    gear : WormGear
-        Geometry.
-    kinematic_viscosity : float
-        Of the injected oil [m2/s].
+    Args:
+        oil_temperature: Of the injected oil theta_E [K].
+        tooth_loss: P_Vz [W].
+        worm_speed: [rad/s].
+        gear: Geometry.
+        kinematic_viscosity: Of the injected oil [m2/s].
     """
     within("oil temperature", oil_temperature, 230, 470, "K")
     within("tooth loss", tooth_loss, 0, 1e7, "W")

@@ -16,14 +16,10 @@ def structure_factor(oil: OilKind, viscosity: float, family: Family = "tin bronz
 
     The exponent counts eta in Pa s, so that W_S is no pure number: a factor of a regression.
 
-    Parameters
-    ----------
-    oil : str
-        "mineral", "PAO" or "PAG".
-    viscosity : float
-        Dynamic viscosity at the wheel's bulk temperature [Pa s].
-    family : str
-        Group of the wheel's material.
+    Args:
+        oil: "mineral", "PAO" or "PAG".
+        viscosity: Dynamic viscosity at the wheel's bulk temperature [Pa s].
+        family: Group of the wheel's material.
     """
     within("dynamic viscosity", viscosity, 1e-4, 10, "Pa s")
     if oil == "mineral" or (oil == "PAO" and family == "cast iron"):
@@ -35,12 +31,9 @@ def structure_factor(oil: OilKind, viscosity: float, family: Family = "tin bronz
 def pressure_factor(mean_pressure: float, family: Family = "tin bronze") -> float:
     """W_H of the pressure [-]: 1 to 450 MPa, (450 MPa/sigma_Hm)^4.5 above; of cast iron (300/sigma_Hm)^1.4.
 
-    Parameters
-    ----------
-    mean_pressure : float
-        sigma_Hm [Pa].
-    family : str
-        Group of the wheel's material.
+    Args:
+        mean_pressure: sigma_Hm [Pa].
+        family: Group of the wheel's material.
     """
     within("mean contact stress", mean_pressure, 1e6, 1e10, "Pa")
     if family == "cast iron":
@@ -66,16 +59,11 @@ def wear_intensity(
 ) -> float:
     """Base wear J_0T [-] at K_W = h_min,m W_S W_H with the film in micrometres.
 
-    Parameters
-    ----------
-    oil : str
-        "mineral", "PAO" or "PAG".
-    film : float
-        h_min,m [m].
-    structure, pressure : float
-        `structure_factor` and `pressure_factor` [-].
-    lubrication, family : str
-        As of `pyworm.formulas.worm_curves.base_wear`.
+    Args:
+        oil: "mineral", "PAO" or "PAG".
+        film: h_min,m [m].
+        structure, pressure: `structure_factor` and `pressure_factor` [-].
+        lubrication, family: As of `pyworm.formulas.worm_curves.base_wear`.
     """
     within("mean minimum film thickness", film, 1e-9, 1e-4, "m")
     positive("W_S", structure, "")
@@ -94,18 +82,12 @@ def sliding_path(
 
     Checked by dimension.
 
-    Parameters
-    ----------
-    sliding_parameter : float
-        s* [-].
-    mean_pressure : float
-        sigma_Hm [Pa].
-    centre_distance : float
-        [m].
-    reduced_modulus : float
-        [Pa].
-    cycles : float
-        Turns of the wheel N_L [-].
+    Args:
+        sliding_parameter: s* [-].
+        mean_pressure: sigma_Hm [Pa].
+        centre_distance: [m].
+        reduced_modulus: [Pa].
+        cycles: Turns of the wheel N_L [-].
     """
     positive("s*", sliding_parameter, "")
     within("mean contact stress", mean_pressure, 1e6, 1e10, "Pa")
@@ -125,12 +107,9 @@ def wear_depth(
 ) -> float:
     """Depth [m] worn off the wheel's flanks, J_W times `sliding_path`, whose arguments it takes.
 
-    Parameters
-    ----------
-    intensity : float
-        J_W [-], `wear_intensity` times W_NS and W_ML.
-    sliding_parameter, mean_pressure, centre_distance, reduced_modulus, cycles : float
-        As of `sliding_path`.
+    Args:
+        intensity: J_W [-], `wear_intensity` times W_NS and W_ML.
+        sliding_parameter, mean_pressure, centre_distance, reduced_modulus, cycles: As of `sliding_path`.
     """
     within("wear intensity", intensity, 1e-30, 1e-3, "")
     return intensity * sliding_path(

@@ -48,23 +48,15 @@ def dry_contact(
 ) -> DryContact:
     """Solve the dry contact of a gap [m], shape (nx, ny), from coarser grids by conjugate gradients.
 
-    Parameters
-    ----------
-    gap, covered : array_like
-        Undeformed gap [m] and where both bodies exist.
-    dx, dy : float
-        Grid spacing [m].
-    reduced_modulus, load : float
-        E' [Pa] and normal load [N].
-    guess : array_like
-        Initial pressure; only its sign matters.
-    tolerance : float
-        Residual gap in the contact, over the approach.
+    Args:
+        gap, covered: Undeformed gap [m] and where both bodies exist.
+        dx, dy: Grid spacing [m].
+        reduced_modulus, load: E' [Pa] and normal load [N].
+        guess: Initial pressure; only its sign matters.
+        tolerance: Residual gap in the contact, over the approach.
 
-    Raises
-    ------
-    KernelError
-        If the kernel refuses the contact.
+    Raises:
+        KernelError: If the kernel refuses the contact.
     """
     pressure = fortran_array(guess).copy(order="F")
     approach, iterations, status = core.bindings.dry_contact_solve(

@@ -72,8 +72,6 @@ class Shear:
 class ShearFields(Shear):
     """Shear of a film with its flow factors and slip.
 
-    Notes
-    -----
     The other attributes are those of `Shear`.
     """
 
@@ -128,17 +126,12 @@ LEAST_RISE = 10.0
 class Film:
     """A film on one grid in its present state, owned by the kernel.
 
-    Parameters
-    ----------
-    handles : tuple
-        The kernel's handle of the film and its status.
-    shape : tuple of int
-        Nodes along each direction.
+    Args:
+        handles: The kernel's handle of the film and its status.
+        shape: Nodes along each direction.
 
-    Raises
-    ------
-    KernelError
-        If the kernel could not make the film.
+    Raises:
+        KernelError: If the kernel could not make the film.
     """
 
     def __init__(self, handles: tuple[int, int], shape: tuple[int, ...]):
@@ -214,17 +207,12 @@ class Film:
     def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
         """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.
 
-        Parameters
-        ----------
-        implicit : float
-            Coefficient of rho h at present [1/s].
-        explicit : array_like
-            Part by rho h at earlier times, at the nodes [m/s].
+        Args:
+            implicit: Coefficient of rho h at present [1/s].
+            explicit: Part by rho h at earlier times, at the nodes [m/s].
 
-        Raises
-        ------
-        KernelError
-            If a value is not finite or the shape is not that of the grid.
+        Raises:
+            KernelError: If a value is not finite or the shape is not that of the grid.
         """
         check_status(core.bindings.film_transient(self._handle, implicit, self._on_nodes(explicit)))
 
@@ -235,10 +223,8 @@ class Film:
     def remember(self, rise: npt.ArrayLike) -> None:
         """Set what the surfaces are warmer by than steady conduction has them [K]; restart before a step.
 
-        Raises
-        ------
-        KernelError
-            If a value is not finite.
+        Raises:
+            KernelError: If a value is not finite.
         """
         field = fortran_array(rise)
         of_nodes = field[:, np.newaxis] if len(self._shape) == 1 else field
@@ -249,10 +235,8 @@ class Film:
 
         Its levels may be others than the film's.
 
-        Raises
-        ------
-        KernelError
-            If a value is not finite or memory does not suffice.
+        Raises:
+            KernelError: If a value is not finite or memory does not suffice.
         """
         field = at_levels(storage.warming, self.levels)
         warming = fortran_array(field).reshape((*self._nodes, self.levels), order="F")
@@ -264,11 +248,9 @@ class Film:
 
         The linear system is solved to `forcing` times the right-hand side.
 
-        Raises
-        ------
-        KernelError
-            If the step fails; pressure and film are unchanged. If the temperature diverged, the residual is
-            large.
+        Raises:
+            KernelError: If the step fails; pressure and film are unchanged. If the temperature diverged, the
+                residual is large.
         """
         rigid_film, residual, load_error, krylov, damping, change, rise, status = (
             core.bindings.film_step(
@@ -329,21 +311,16 @@ class Film:
     ) -> None:
         """Set the flow law of the oil, at the inlet's temperature; the film must be restarted, or heated.
 
-        Parameters
-        ----------
-        law : FlowLaw
-            The oil's law.
-        levels : int
-            Levels across the film, walls included.
-        sliding : tuple of array_like
-            Velocity of body 1 relative to body 2 at the nodes along each direction of the grid [m/s].
-        slip_step : float, optional
-            Stress in which the slip of a wall beyond the limiting stress grows e-fold, over that stress [-].
+        Args:
+            law: The oil's law.
+            levels: Levels across the film, walls included.
+            sliding: Velocity of body 1 relative to body 2 at the nodes along each direction of the grid
+                [m/s].
+            slip_step: Stress in which the slip of a wall beyond the limiting stress grows e-fold, over that
+                stress [-].
 
-        Raises
-        ------
-        KernelError
-            If memory does not suffice or a velocity is not finite.
+        Raises:
+            KernelError: If memory does not suffice or a velocity is not finite.
         """
         sliding_x, sliding_y = (*sliding, np.zeros(self._shape))[:2]
         check_status(
@@ -363,17 +340,12 @@ class Film:
     def roughen(self, curves: GapCurves, boundary_friction: float) -> None:
         """Make the surfaces of a sheared film rough; it must be restarted, or heated, before its next step.
 
-        Parameters
-        ----------
-        curves : GapCurves
-            Averages over the gap between the surfaces' mean planes.
-        boundary_friction : float
-            Friction coefficient of asperities in contact [-].
+        Args:
+            curves: Averages over the gap between the surfaces' mean planes.
+            boundary_friction: Friction coefficient of asperities in contact [-].
 
-        Raises
-        ------
-        KernelError
-            If memory does not suffice or a curve is not finite.
+        Raises:
+            KernelError: If memory does not suffice or a curve is not finite.
         """
         values, slopes = (fortran_array(table) for table in (curves.values, curves.slopes))
         check_status(
@@ -393,15 +365,11 @@ class Film:
     def feed(self, supply: npt.ArrayLike) -> None:
         """Limit the oil that enters to a layer; the film must be restarted before its next step.
 
-        Parameters
-        ----------
-        supply : array_like
-            Thickness of the layer at the nodes [m]; it counts where oil enters.
+        Args:
+            supply: Thickness of the layer at the nodes [m]; it counts where oil enters.
 
-        Raises
-        ------
-        KernelError
-            If memory does not suffice or a thickness is negative or not finite.
+        Raises:
+            KernelError: If memory does not suffice or a thickness is negative or not finite.
         """
         check_status(core.bindings.film_feed(self._handle, self._on_nodes(supply)))
         self.fed = True
@@ -432,10 +400,8 @@ class Film:
     def shear_fields(self, factors: bool = False) -> ShearFields:
         """Shear of a film with a flow law; flow factors are computed only on request, else zero.
 
-        Raises
-        ------
-        KernelError
-            If memory does not suffice.
+        Raises:
+            KernelError: If memory does not suffice.
         """
         *fields, status = core.bindings.film_shear_fields(self._handle, factors, *self._nodes)
         check_status(status)
@@ -454,17 +420,12 @@ class Film:
     def profile(self, node: tuple[int, ...], velocity: Sequence[Array]) -> tuple[Array, ...]:
         """Velocity [m/s] at the levels above an inner node along each direction of the grid.
 
-        Parameters
-        ----------
-        node : tuple of int
-            Number of the node along each direction, counted from 0.
-        velocity : sequence of float
-            Velocity of body 1's surface there along each direction [m/s].
+        Args:
+            node: Number of the node along each direction, counted from 0.
+            velocity: Velocity of body 1's surface there along each direction [m/s].
 
-        Raises
-        ------
-        KernelError
-            If memory does not suffice.
+        Raises:
+            KernelError: If memory does not suffice.
         """
         i, j = (*node, 0)[:2]
         u1, v1 = (*velocity, 0.0)[:2]

@@ -16,23 +16,14 @@ from pyworm.materials.oil import Oil
 class LineFilm(Film):
     """A line contact on one grid in its present state, owned by the kernel.
 
-    Parameters
-    ----------
-    gap, covered : array_like
-        Undeformed gap [m] and where both surfaces exist, shape (n,).
-    entrainment : array_like
-        Nodal entrainment velocity [m/s].
-    dx : float
-        Grid spacing [m].
-    reduced_modulus, load : float
-        E' [Pa] and load for each length [N/m].
-    oil : Oil
-        Oil at its inlet temperature.
-    floor : float
-        Film [m] below which the mobility is constant, far below any film of interest.
+    Args:
+        gap, covered: Undeformed gap [m] and where both surfaces exist, shape (n,).
+        entrainment: Nodal entrainment velocity [m/s].
+        dx: Grid spacing [m].
+        reduced_modulus, load: E' [Pa] and load for each length [N/m].
+        oil: Oil at its inlet temperature.
+        floor: Film [m] below which the mobility is constant, far below any film of interest.
 
-    Notes
-    -----
     The datum of deflection is at a distance of the grid's length from a line load
     (`fortran/elastic/half_plane.f90`); it is the same on every grid over one interval.
     """
@@ -70,21 +61,14 @@ class LineFilm(Film):
     ) -> None:
         """Add heat to a sheared film and its bodies; the film must be restarted before its next step.
 
-        Parameters
-        ----------
-        oil : Oil
-            Oil with thermal properties.
-        bodies : tuple of Body
-            Both bodies, with thermal constants.
-        velocities : tuple of float
-            Velocity of each body's surface [m/s], neither of them zero.
-        rise : array_like, optional
-            Initial temperature above the inlet's [K], shape (n, levels).
+        Args:
+            oil: Oil with thermal properties.
+            bodies: Both bodies, with thermal constants.
+            velocities: Velocity of each body's surface [m/s], neither of them zero.
+            rise: Initial temperature above the inlet's [K], shape (n, levels).
 
-        Raises
-        ------
-        KernelError
-            If memory does not suffice or a body is at rest.
+        Raises:
+            KernelError: If memory does not suffice or a body is at rest.
         """
         check_status(
             core.bindings.line_film_heat(

@@ -17,20 +17,13 @@ from pyworm.materials.oil import Oil
 class PointFilm(Film):
     """A point contact on one grid in its present state, owned by the kernel.
 
-    Parameters
-    ----------
-    gap, covered : array_like
-        Undeformed gap [m] and where both surfaces exist, shape (nx, ny).
-    entrainment : tuple of array_like
-        Nodal entrainment velocity (u, v) [m/s].
-    dx, dy : float
-        Grid spacing [m].
-    reduced_modulus, load : float
-        E' [Pa] and normal load [N].
-    oil : Oil
-        Oil at its inlet temperature.
-    floor : float
-        Film [m] below which the mobility is constant, far below any film of interest.
+    Args:
+        gap, covered: Undeformed gap [m] and where both surfaces exist, shape (nx, ny).
+        entrainment: Nodal entrainment velocity (u, v) [m/s].
+        dx, dy: Grid spacing [m].
+        reduced_modulus, load: E' [Pa] and normal load [N].
+        oil: Oil at its inlet temperature.
+        floor: Film [m] below which the mobility is constant, far below any film of interest.
     """
 
     def __init__(
@@ -97,23 +90,15 @@ class PointFilm(Film):
     ) -> None:
         """Add heat to a sheared film and its bodies; the film must be restarted before its next step.
 
-        Parameters
-        ----------
-        oil : Oil
-            Oil with thermal properties.
-        bodies : tuple of Body
-            Both bodies, with thermal constants.
-        motions : tuple
-            Velocity (u, v) of each body's surface at the nodes [m/s].
-        semi_axes : tuple of float
-            Semi-axes of the contact along x and y [m].
-        rise : array_like, optional
-            Initial temperature above the inlet's [K], shape (nx, ny, levels).
+        Args:
+            oil: Oil with thermal properties.
+            bodies: Both bodies, with thermal constants.
+            motions: Velocity (u, v) of each body's surface at the nodes [m/s].
+            semi_axes: Semi-axes of the contact along x and y [m].
+            rise: Initial temperature above the inlet's [K], shape (nx, ny, levels).
 
-        Raises
-        ------
-        KernelError
-            If memory does not suffice.
+        Raises:
+            KernelError: If memory does not suffice.
         """
         self.conduction_errors, status = core.bindings.point_film_heat(
             self._handle,

@@ -52,24 +52,15 @@ def remembered_flux(
 ) -> Array:
     """Integral of the flux met a time s ago, less the present one a way u s before, over sqrt(s) ds.
 
-    Parameters
-    ----------
-    history : FluxHistory
-        The fluxes; between their nodes and their times they are linear, zero beyond their grids.
-    readings : sequence of FluxReading
-        The ages.
-    turning : float
-        Angular velocity of the axes [rad/s].
-    at_origin : sequence of float
-        Velocity of the surface at the contact point along each direction [m/s].
-    places : sequence of ndarray
-        Places of the nodes along each direction [m].
-    velocity : sequence of ndarray
-        Velocity u of the surface at the nodes along each direction [m/s].
+    Args:
+        history: The fluxes; between their nodes and their times they are linear, zero beyond their grids.
+        readings: The ages.
+        turning: Angular velocity of the axes [rad/s].
+        at_origin: Velocity of the surface at the contact point along each direction [m/s].
+        places: Places of the nodes along each direction [m].
+        velocity: Velocity u of the surface at the nodes along each direction [m/s].
 
-    Returns
-    -------
-    ndarray
+    Returns:
         The integral at the nodes [W sqrt(s)/m2].
     """
     line = len(places) == 1

@@ -23,30 +23,19 @@ def press(
 ) -> tuple[Array, Array]:
     """Contact of a surface with a rigid flat, elastic up to a hardness.
 
-    Parameters
-    ----------
-    height : array_like
-        Heights [m], shape (nx, ny), repeated in both directions.
-    spacing : tuple of float
-        Distance of nodes along x and y [m].
-    reduced_modulus : float
-        E' [Pa].
-    separation : float
-        Flat from height zero [m].
-    hardness : float
-        Largest pressure [Pa].
-    tolerance : float
-        Gap left in the contact [m], root mean square.
+    Args:
+        height: Heights [m], shape (nx, ny), repeated in both directions.
+        spacing: Distance of nodes along x and y [m].
+        reduced_modulus: E' [Pa].
+        separation: Flat from height zero [m].
+        hardness: Largest pressure [Pa].
+        tolerance: Gap left in the contact [m], root mean square.
 
-    Returns
-    -------
-    tuple of numpy.ndarray
+    Returns:
         Pressure [Pa], and the gap [m], negative where material has yielded.
 
-    Raises
-    ------
-    KernelError
-        An argument makes no sense, or the iteration did not converge.
+    Raises:
+        KernelError: An argument makes no sense, or the iteration did not converge.
     """
     pressure = np.zeros(np.shape(height), order="F")
     gap, _, status = core.bindings.cell_press(
@@ -66,23 +55,16 @@ def press(
 def conduct(gap: npt.ArrayLike, spacing: tuple[float, float]) -> tuple[Array, Array]:
     """Flow through a gap that repeats itself.
 
-    Parameters
-    ----------
-    gap : array_like
-        Gap [m], above zero, shape (nx, ny).
-    spacing : tuple of float
-        Distance of nodes along x and y [m].
+    Args:
+        gap: Gap [m], above zero, shape (nx, ny).
+        spacing: Distance of nodes along x and y [m].
 
-    Returns
-    -------
-    tuple of numpy.ndarray
-        Tensors xx, yy, xy: the cube of the gap that conducts as much [m3], and the thickness that a wall
-        carries along with its own roughness [m].
+    Returns:
+        tuple of numpy.ndarray: Tensors xx, yy, xy: the cube of the gap that conducts as much [m3], and the
+            thickness that a wall carries along with its own roughness [m].
 
-    Raises
-    ------
-    KernelError
-        An argument makes no sense, or the iteration did not converge.
+    Raises:
+        KernelError: An argument makes no sense, or the iteration did not converge.
     """
     conducted, carried, _, status = core.bindings.cell_conduct(
         fortran_array(gap), *spacing, FLOW_TOLERANCE, MOST_ITERATIONS

@@ -60,10 +60,8 @@ class SolidConstants:
 class Body(ShownFields, SolidConstants):
     """One of the two solids.
 
-    Raises
-    ------
-    ValueError
-        A constant that no solid has.
+    Raises:
+        ValueError: A constant that no solid has.
     """
 
     roughness_slope: float = RUN_IN_SLOPE
@@ -164,10 +162,8 @@ def reduced_modulus(body_1: Body, body_2: Body) -> float:
 def composite_roughness(body_1: Body, body_2: Body) -> float | None:
     """Root mean square of both surfaces' heights together [m]; None if one is not known.
 
-    Raises
-    ------
-    ValueError
-        No roughness of surfaces in contact (`wear_distress.composite_roughness`).
+    Raises:
+        ValueError: No roughness of surfaces in contact (`wear_distress.composite_roughness`).
     """
     if body_1.roughness is None or body_2.roughness is None:
         return None
@@ -179,19 +175,15 @@ def named_body(
 ) -> Body:
     """A solid of the list of materials (`pyworm/materials/solids.toml`).
 
-    Parameters
-    ----------
-    material : str
-        Such as "16MnCr5" or "CuSn12Ni2-C-GZ".
-    roughness : float or str, optional
-        Root mean square height of its surface [m]; smooth where it is not given.
-    bulk_temperature : float or str, optional
-        Temperature far below the surface [K]; needed where heat is simulated.
+    Args:
+        material: Such as "16MnCr5" or "CuSn12Ni2-C-GZ".
+        roughness (float or str, optional): Root mean square height of its surface [m]; smooth where it is not
+            given.
+        bulk_temperature (float or str, optional): Temperature far below the surface [K]; needed where heat is
+            simulated.
 
-    Raises
-    ------
-    ValueError
-        No such material, or a value that there is not.
+    Raises:
+        ValueError: No such material, or a value that there is not.
     """
     try:
         name = solids.named_material(text("material", material))

@@ -144,14 +144,12 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
     def of(cls, function: Callable[[float], float], stress: WithUnit, **limit: Any) -> "FlowLaw":
         """The law by which a function gives the stress [Pa] at a Newtonian one, viscosity times rate [Pa].
 
-        Parameters
-        ----------
-        function : callable
-            Newtonian stress -> stress, both at ambient pressure [Pa]; increasing, never above its argument.
-        stress : float
-            Stress at which the oil begins to thin [Pa], by which both scale with pressure and temperature.
-        **limit
-            `limit`, `limit_pressure`, `stress_pressure` and `stress_temperature`.
+        Args:
+            function: Newtonian stress -> stress, both at ambient pressure [Pa]; increasing, never above its
+                argument.
+            stress: Stress at which the oil begins to thin [Pa], by which both scale with pressure and
+                temperature.
+            **limit: `limit`, `limit_pressure`, `stress_pressure` and `stress_temperature`.
         """
         stress = number("stress", stress, kind_of(units.Stress))
         places = np.geomspace(1e-4, 1e8, 400)
@@ -186,12 +184,9 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
     def stress_at(self, newtonian: WithUnit, pressure: WithUnit) -> float:
         """Shear stress [Pa] at a shear rate and a pressure [Pa], at the inlet's temperature.
 
-        Parameters
-        ----------
-        newtonian : float
-            Viscosity times shear rate [Pa].
-        pressure : float
-            Pressure [Pa].
+        Args:
+            newtonian: Viscosity times shear rate [Pa].
+            pressure: Pressure [Pa].
         """
         newtonian = in_si("newtonian", newtonian, units.StressOrZero)
         pressure = in_si("pressure", pressure, units.PressureCoordinate)

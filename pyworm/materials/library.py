@@ -93,10 +93,8 @@ class NamedOil(Shown):
     def agma_alpha(self, temperature: Given) -> Any:
         """Pressure-viscosity coefficient [1/Pa] at a temperature [K], by AGMA's law.
 
-        Raises
-        ------
-        ValueError
-            AGMA has no constants for the base stock.
+        Raises:
+            ValueError: AGMA has no constants for the base stock.
         """
         temperature = in_si("temperature", temperature, units.Temperature)
         if self.stock.agma_k is None or self.stock.agma_s is None:
@@ -152,10 +150,8 @@ class NamedOil(Shown):
         temperature at the inlet are the oil's own; away from the inlet temperature Roelands' law and
         Walther's part slowly.
 
-        Raises
-        ------
-        ValueError
-            A temperature at which the laws of the oil do not hold.
+        Raises:
+            ValueError: A temperature at which the laws of the oil do not hold.
         """
         temperature = number("temperature", temperature, kind_of(units.Temperature))
         viscosity = Roelands.from_alpha(
@@ -191,15 +187,11 @@ def named_oil(name: str) -> NamedOil:
     A grade that the table lacks has the viscosity index of the table's nearest grade of the same base stock,
     nearest by ratio.
 
-    Parameters
-    ----------
-    name : str
-        Base stock and grade, such as "PAG VG 460".
+    Args:
+        name: Base stock and grade, such as "PAG VG 460".
 
-    Raises
-    ------
-    ValueError
-        No such base stock or grade.
+    Raises:
+        ValueError: No such base stock or grade.
     """
     name = text("oil", name)
     match = _NAME.fullmatch(name.strip())
@@ -229,10 +221,8 @@ def oil_from_viscosities(
 ) -> NamedOil:
     """An oil from its kinematic viscosities [m2/s] at 40 and 100 degC; the rest is its base stock's.
 
-    Raises
-    ------
-    ValueError
-        Not viscosities of one oil, or no such base stock.
+    Raises:
+        ValueError: Not viscosities of one oil, or no such base stock.
     """
     m, n = oil_properties.walther_constants(viscosity_40, DEGREES_40, viscosity_100, DEGREES_100)
     return NamedOil(name, base_stock(base), m, n, source)
@@ -241,10 +231,8 @@ def oil_from_viscosities(
 def oil_from_index(name: str, base: str, viscosity_40: float, index: float) -> NamedOil:
     """An oil from its kinematic viscosity [m2/s] at 40 degC and its viscosity index.
 
-    Raises
-    ------
-    ValueError
-        No such oil, or no such base stock.
+    Raises:
+        ValueError: No such oil, or no such base stock.
     """
     viscosity_100 = oil_properties.viscosity_100_of_index(viscosity_40, index)
     return oil_from_viscosities(

@@ -35,10 +35,8 @@ SAME_WARMTH = 0.01
 def require_kinds(name: str, law: object, *kinds: type) -> None:
     """Refuse a law that is not exactly one of these classes.
 
-    Raises
-    ------
-    ValueError
-        It is of another class, or of one derived from them.
+    Raises:
+        ValueError: It is of another class, or of one derived from them.
     """
     if type(law) not in kinds:
         known = " or ".join(kind.__name__ for kind in kinds if kind is not type(None))
@@ -51,10 +49,8 @@ def require_kinds(name: str, law: object, *kinds: type) -> None:
 def require_oil(oil: object) -> None:
     """Refuse what is no `Oil`, an oil over temperature among it.
 
-    Raises
-    ------
-    ValueError
-        It is of another class.
+    Raises:
+        ValueError: It is of another class.
     """
     if isinstance(oil, Oil):
         require_kinds("oil", oil, Oil)

@@ -28,15 +28,11 @@ def read_oil(path: str | Path) -> NamedOil:
         viscosity_100 = "27 mm^2/s"
         density_15 = "861 kg/m^3"
 
-    Parameters
-    ----------
-    path : str or Path
-        The file.
+    Args:
+        path (str or Path): The file.
 
-    Raises
-    ------
-    CaseError
-        The first error found, as one line.
+    Raises:
+        CaseError: The first error found, as one line.
     """
     data = read_toml(Path(path))
     try:
@@ -77,10 +73,8 @@ class _OilTable(StockTable):
 def oil_called(name: str, directory: Path) -> NamedOil:
     """The oil of a name ("PAG VG 460"), or of a file, relative to a directory, whose name ends in .toml.
 
-    Raises
-    ------
-    CaseError
-        No such oil, or no oil in the file.
+    Raises:
+        CaseError: No such oil, or no oil in the file.
     """
     if name.endswith(".toml"):
         return read_oil(directory / name)

@@ -18,10 +18,8 @@ from pyworm.io.shown import ShownFields
 class OilLayer(ShownFields):
     """Thickness of the inlet film of a contact, over the place across its track.
 
-    Raises
-    ------
-    ValueError
-        Places that do not increase, or thicknesses that are negative or not as many.
+    Raises:
+        ValueError: Places that do not increase, or thicknesses that are negative or not as many.
     """
 
     across: tuple[units.Offset, ...]

@@ -242,19 +242,13 @@ def tabulated(
 ) -> GapCurves:
     """Averages at the rows of `gap_rows` as a table for the kernel.
 
-    Parameters
-    ----------
-    row : numpy.ndarray
-        The rows.
-    height : float
-        Composite root mean square height [m].
-    pressure, area : numpy.ndarray
-        Pressure of the asperities [Pa] and real area of contact over the nominal one.
-    surplus : numpy.ndarray
-        Mean thickness of the gap less the gap between mean planes [m].
-    flow, shear : numpy.ndarray
-        Flow factors of the mean thickness's cube [-] and shear flow factors times the roughness [m]: tensors
-        xx, yy, xy, shape (3, rows).
+    Args:
+        row: The rows.
+        height: Composite root mean square height [m].
+        pressure, area: Pressure of the asperities [Pa] and real area of contact over the nominal one.
+        surplus: Mean thickness of the gap less the gap between mean planes [m].
+        flow, shear: Flow factors of the mean thickness's cube [-] and shear flow factors times the roughness
+            [m]: tensors xx, yy, xy, shape (3, rows).
     """
     values = np.vstack(
         [
@@ -271,12 +265,9 @@ def tabulated(
 def rough_pair(bodies: tuple[Body, Body], directions: Sequence[float]) -> RoughPair:
     """The surfaces of two bodies whose roughness is known.
 
-    Parameters
-    ----------
-    bodies : tuple of Body
-        Body 1 and body 2.
-    directions : sequence of float
-        Direction of each surface's motion, from which its lay counts, from the x axis [rad].
+    Args:
+        bodies: Body 1 and body 2.
+        directions: Direction of each surface's motion, from which its lay counts, from the x axis [rad].
     """
     first, second = (
         RoughSurface(

@@ -95,22 +95,15 @@ def variations(
     given gap. A friction coefficient that was fitted by one law is another by another one (`REFITTED`).
     Assumptions that change nothing, as shear flow factors between equal surfaces, are omitted.
 
-    Parameters
-    ----------
-    pair : RoughSurfaces
-        The surfaces as assumed.
-    boundary_friction : float
-        Friction coefficient of asperities in contact as assumed [-].
-    part : float
-        Part of the uncertainty by which each assumption is changed [-].
-    thickness : numpy.ndarray
-        Mean thickness of the gap [m] at evenly spaced places of the contact.
-    waves : float
-        Root mean square height [m] of waves in the film that the gap does not have; they count as more
-        roughness.
-    fitted_spread : float or None
-        Relative uncertainty of the friction coefficient where it was fitted to measured friction [-]; None
-        where it is given (`BOUNDARY_FRICTION_SPREAD`).
+    Args:
+        pair: The surfaces as assumed.
+        boundary_friction: Friction coefficient of asperities in contact as assumed [-].
+        part: Part of the uncertainty by which each assumption is changed [-].
+        thickness: Mean thickness of the gap [m] at evenly spaced places of the contact.
+        waves: Root mean square height [m] of waves in the film that the gap does not have; they count as more
+            roughness.
+        fitted_spread: Relative uncertainty of the friction coefficient where it was fitted to measured
+            friction [-]; None where it is given (`BOUNDARY_FRICTION_SPREAD`).
     """
     curves = pair.curves()
     higher = hypot(1.0, waves / pair.height) - 1

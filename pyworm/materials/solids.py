@@ -63,10 +63,8 @@ def finishes() -> tuple[str, ...]:
 def named_material(text: str) -> str:
     """The name in the table of a material, by any of its names.
 
-    Raises
-    ------
-    ValueError
-        There is none such.
+    Raises:
+        ValueError: There is none such.
     """
     known = {
         _plain(alias): name for name in materials() for alias in (name, *_tables()[name]["aliases"])
@@ -99,10 +97,8 @@ def _plain(name: str) -> str:
 def constants(name: str) -> dict[str, Any]:
     """Constants of a material of the table as a case file writes them, its modulus that at room temperature.
 
-    Parameters
-    ----------
-    name : str
-        As of `named_material`.
+    Args:
+        name: As of `named_material`.
     """
     table = {
         key: value for key, value in _tables()[name].items() if key not in ("aliases", "source")

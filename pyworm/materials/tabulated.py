@@ -129,21 +129,14 @@ class Tabulated(ABC):
     ) -> Self:
         """The table of a function.
 
-        Parameters
-        ----------
-        function : callable
-            Pressure [Pa], temperature [K] -> the property, of arrays as of numbers.
-        reference : float
-            Temperature at which the oil enters [K].
-        largest_pressure : float, optional
-            Pressure to which it is tabulated [Pa]: beyond the largest of the contact.
-        temperatures : sequence of float, optional
-            Least and largest temperature [K].
+        Args:
+            function: Pressure [Pa], temperature [K] -> the property, of arrays as of numbers.
+            reference: Temperature at which the oil enters [K].
+            largest_pressure: Pressure to which it is tabulated [Pa]: beyond the largest of the contact.
+            temperatures: Least and largest temperature [K].
 
-        Raises
-        ------
-        ValueError
-            A value that is not finite and above zero.
+        Raises:
+            ValueError: A value that is not finite and above zero.
         """
         reference = in_si("reference", reference, units.Temperature)
         largest_pressure = in_si("largest_pressure", largest_pressure, units.Pressure)

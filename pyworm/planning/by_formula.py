@@ -18,12 +18,9 @@ def films_by_formula(scene: Scene | LineScene, plan: Plan) -> FormulaFilms | Non
     They suffice if films alone are asked for, effects are for the accuracy to decide, and the larger bar of
     both films and the influences of all effects that the formula leaves out are together within it.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact; the formula knows no line contacts and no surfaces that are held apart.
-    plan : Plan
-        Its plan.
+    Args:
+        scene: The contact; the formula knows no line contacts and no surfaces that are held apart.
+        plan: Its plan.
     """
     if plan.asked is not None or plan.quantities != (FILM,) or isinstance(scene, LineScene):
         return None

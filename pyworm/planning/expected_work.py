@@ -152,16 +152,12 @@ def first_change(
 ) -> float:
     """Expected relative change of the films from the first grid of the figures to the next.
 
-    Parameters
-    ----------
-    spacing, half_widths, radii : sequence of float
-        Grid spacing, half-widths of Hertz's contact and radii of the gap, along each direction [m].
-    film : float
-        Central film [m].
-    moes_l : float
-        Moes' lubricant parameter.
-    slenderness : float
-        Length of the contact along the entrainment over its width [-].
+    Args:
+        spacing, half_widths, radii: Grid spacing, half-widths of Hertz's contact and radii of the gap, along
+            each direction [m].
+        film: Central film [m].
+        moes_l: Moes' lubricant parameter.
+        slenderness: Length of the contact along the entrainment over its width [-].
     """
     lubricant = max(moes_l, 1.0) / 10
     lobes = max(slenderness, 1.0) ** LOBES_POWER
@@ -212,24 +208,15 @@ def expected_work(
 ) -> Work:
     """Expected work of a solve, grid by grid.
 
-    Parameters
-    ----------
-    kind : str
-        "point" or "line".
-    nests : sequence of sequence of float
-        Nodes of the grids of each window, the first window's being refined.
-    change : float
-        Relative change of the films from the first grid of the figures to the next.
-    accuracy : float
-        Relative error wanted [-].
-    largest : float
-        Nodes beyond which grids are not refined.
-    full : bool
-        Whether more than an isothermal Newtonian oil is simulated.
-    stiffness : float
-        Factor of the work of a step over the usual (`stiffness`).
-    auxiliary : bool
-        Whether heat alone carries the film, which needs auxiliary entrainment.
+    Args:
+        kind: "point" or "line".
+        nests: Nodes of the grids of each window, the first window's being refined.
+        change: Relative change of the films from the first grid of the figures to the next.
+        accuracy: Relative error wanted [-].
+        largest: Nodes beyond which grids are not refined.
+        full: Whether more than an isothermal Newtonian oil is simulated.
+        stiffness: Factor of the work of a step over the usual (`stiffness`).
+        auxiliary: Whether heat alone carries the film, which needs auxiliary entrainment.
     """
     steps = AUXILIARY_STEPS if auxiliary else STEPS[kind]
     cold = 1.0 if full else stiffness

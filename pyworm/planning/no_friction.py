@@ -12,10 +12,8 @@ exponentially with pressure, is many times what any oil bears."""
 def no_friction(effects: Sequence[Judgement]) -> str:
     """Why friction is not found though the oil's data would allow it; empty where they do not.
 
-    Parameters
-    ----------
-    effects : sequence of Judgement
-        Every effect of a contact without friction.
+    Args:
+        effects: Every effect of a contact without friction.
     """
     known = {
         effect.name: effect

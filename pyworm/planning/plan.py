@@ -126,29 +126,21 @@ def plan(
 ) -> Plan:
     """Plan the solve of a scene: effects, model, grids and tolerance.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    accuracy : float
-        Relative error wanted [-], between 1e-5 and 0.5.
-    effects : str
-        "auto": what the accuracy requires, with effects named after a comma and without those after a minus;
-        otherwise a choice as of `planning.effects.selection.chosen`: "all", "isothermal", or names of
-        effects with commas.
-    quantities : sequence of str, optional
-        Requested quantities: "film", "friction", "temperature"; by default all that the oil's data allow.
+    Args:
+        scene: The contact.
+        accuracy: Relative error wanted [-], between 1e-5 and 0.5.
+        effects: "auto": what the accuracy requires, with effects named after a comma and without those after
+            a minus; otherwise a choice as of `planning.effects.selection.chosen`: "all", "isothermal", or
+            names of effects with commas.
+        quantities: Requested quantities: "film", "friction", "temperature"; by default all that the oil's
+            data allow.
 
-    Returns
-    -------
-    Plan
+    Returns:
         Unusual values of the scene, such as slips of units are, give an `UnusualWarning` each.
 
-    Raises
-    ------
-    ValueError
-        For an unknown name, an accuracy out of range, an effect for which data of the scene are missing, or
-        a scene without load or size, or that not even a model's bodies or films could make.
+    Raises:
+        ValueError: For an unknown name, an accuracy out of range, an effect for which data of the scene are
+            missing, or a scene without load or size, or that not even a model's bodies or films could make.
     """
     if not isinstance(scene, Scene | LineScene):
         raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene or a LineScene")

@@ -115,12 +115,9 @@ class Prediction:
     def stress(self, flow: FlowLaw | None = None, rise: float = 0.0) -> float:
         """Shear stress by the sliding at the mean pressure [Pa].
 
-        Parameters
-        ----------
-        flow : FlowLaw, optional
-            Flow law in place of the oil's.
-        rise : float
-            Temperature of the oil above the inlet's [K].
+        Args:
+            flow: Flow law in place of the oil's.
+            rise: Temperature of the oil above the inlet's [K].
         """
         law = flow or self.oil.flow or NEWTONIAN
         newtonian = self.oil.eta(self.pressure_mean, rise) * self.sliding / self.film_central
@@ -250,10 +247,8 @@ class Prediction:
 def predicted(scene: Scene | LineScene) -> Prediction:
     """Predict a contact by closed forms.
 
-    Raises
-    ------
-    ValueError
-        For a scene that `pyworm.scene.scales` refuses.
+    Raises:
+        ValueError: For a scene that `pyworm.scene.scales` refuses.
     """
     return _line(scene) if isinstance(scene, LineScene) else _point(scene)
 

@@ -81,28 +81,19 @@ def draw(
 ) -> list[Path]:
     """Draw the pictures of a result as PNG.
 
-    Parameters
-    ----------
-    result : Result or path
-        The result or the file that holds it.
-    directory : path
-        Where the pictures go; made if missing.
-    executor : Executor, optional
-        Whose processes draw those of the scenes; by default this one does.
-    key_only : bool, optional
-        Whether to draw of all contacts only that with the thinnest film, and of it only `KEY_PICTURES`.
-    names : collection of str, optional
-        Only these, of `picture_names`, those of contacts for each; by default all.
+    Args:
+        result (Result or path): The result or the file that holds it.
+        directory: Where the pictures go; made if missing.
+        executor: Whose processes draw those of the scenes; by default this one does.
+        key_only: Whether to draw of all contacts only that with the thinnest film, and of it only
+            `KEY_PICTURES`.
+        names: Only these, of `picture_names`, those of contacts for each; by default all.
 
-    Returns
-    -------
-    list of Path
+    Returns:
         The files, scene by scene, those of the whole result last.
 
-    Raises
-    ------
-    PicturesError
-        Some could not be drawn; all others are.
+    Raises:
+        PicturesError: Some could not be drawn; all others are.
     """
     if not isinstance(result, Result):
         result = open_result(result)

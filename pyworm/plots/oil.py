@@ -35,12 +35,9 @@ POINTS = 200
 def draw_viscosity(oils: Sequence[NamedOil], marked: float | None = None) -> Figure:
     """Viscosity of oils on Walther's axes, where they are straight, and dynamic viscosity on plain ones.
 
-    Parameters
-    ----------
-    oils : sequence of NamedOil
-        The oils.
-    marked : float, optional
-        A temperature [K] to mark.
+    Args:
+        oils: The oils.
+        marked: A temperature [K] to mark.
     """
     figure = new_figure(11, 5.6, "Viscosity of oils at ambient pressure")
     walther, plain = figure.subplots(1, 2)

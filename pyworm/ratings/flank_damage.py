@@ -164,20 +164,13 @@ def scuffing(
 ) -> Safety:
     """S_B of a contact by ISO/TS 6336-20: closed form, or simulated where it has error bars.
 
-    Parameters
-    ----------
-    contact : float or None
-        Its temperature [K]; None where it is not known.
-    oil_temperature : float or None
-        Of the oil before the mesh [K].
-    limit : Limit
-        Scuffing temperature.
-    required : float
-        Least safety.
-    place : str, optional
-        Where it is.
-    bars : tuple, optional
-        Error bars of the rise over the oil, numerical and of the model.
+    Args:
+        contact: Its temperature [K]; None where it is not known.
+        oil_temperature: Of the oil before the mesh [K].
+        limit: Scuffing temperature.
+        required: Least safety.
+        place: Where it is.
+        bars: Error bars of the rise over the oil, numerical and of the model.
     """
     named = _named("S_B", "scuffing", bars, required, "temperature")
     if limit.value is None or limit.why:
@@ -215,16 +208,11 @@ def micropitting(
 ) -> Safety:
     """S_lambda of a contact by ISO/TS 6336-22: closed form, or simulated where it has error bars.
 
-    Parameters
-    ----------
-    film : float or None
-        Its least film [m]; None where it is not known.
-    roughness : float or None
-        Ra, mean of both flanks [m].
-    limit : Limit
-        Permissible specific film.
-    required, place, bars
-        As of `scuffing`, the bars those of the film.
+    Args:
+        film: Its least film [m]; None where it is not known.
+        roughness: Ra, mean of both flanks [m].
+        limit: Permissible specific film.
+        required, place, bars: As of `scuffing`, the bars those of the film.
     """
     named = _named("S_lambda", "micropitting", bars, required, "film")
     if limit.value is None or limit.why:
@@ -284,16 +272,11 @@ def simulated_safeties(
 ) -> tuple[Safety, ...]:
     """S_B of the hottest and S_lambda of the thinnest simulated contact.
 
-    Parameters
-    ----------
-    places : tuple of Spot
-        The simulated contacts.
-    limits : tuple of Limit
-        Scuffing temperature and permissible specific film.
-    table : DamageLimits
-        Least safeties.
-    oil_temperature, roughness : float or None
-        Of the oil before the mesh [K], and Ra, mean of both flanks [m].
+    Args:
+        places: The simulated contacts.
+        limits: Scuffing temperature and permissible specific film.
+        table: Least safeties.
+        oil_temperature, roughness: Of the oil before the mesh [K], and Ra, mean of both flanks [m].
     """
     hot = max(places, key=lambda spot: spot.temperature or 0.0)
     thin, rough = min(places, key=lambda spot: spot.film), max(spot.asperities for spot in places)

@@ -49,22 +49,14 @@ def flank_table(
 ) -> Rating:
     """Contact temperatures and specific films of all solved contacts against what the oil bears.
 
-    Parameters
-    ----------
-    spots : tuple of Spot
-        The solved contacts.
-    limits : tuple of Limit
-        Scuffing temperature [K] and permissible specific film [-].
-    oil_temperature, roughness : float or None
-        Of the oil before the mesh [K], and Ra, mean of both flanks [m].
-    neglected_effects : NeglectedEffects
-        What the simulated figures do not hold.
-    closed : ClosedForms, optional
-        Those of a gear pair.
-    words : tuple of str, optional
-        What else must be said.
-    title, source : str, optional
-        Of the table, and of its formulas.
+    Args:
+        spots: The solved contacts.
+        limits: Scuffing temperature [K] and permissible specific film [-].
+        oil_temperature, roughness: Of the oil before the mesh [K], and Ra, mean of both flanks [m].
+        neglected_effects: What the simulated figures do not hold.
+        closed: Those of a gear pair.
+        words: What else must be said.
+        title, source: Of the table, and of its formulas.
     """
     rows = _rows(limits, oil_temperature, roughness, closed)
     figures = []

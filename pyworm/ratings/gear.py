@@ -41,25 +41,16 @@ def rate_gear_pair(
 
     With a result also those of each solved contact.
 
-    Parameters
-    ----------
-    drive : Drive
-        The gears; for the simulation.
-    duty : GearPairDuty
-        The same as the formulas see them.
-    table : GearRatingTable
-        How they are oiled, and what their oil bears.
-    base : str or None
-        Base stock of the oil; None where it is not known.
-    published : dict
-        What the case's source prints, shown beside under the same names.
-    result : Result, optional
-        Solved contacts of the same gears, shown beside.
+    Args:
+        drive: The gears; for the simulation.
+        duty: The same as the formulas see them.
+        table: How they are oiled, and what their oil bears.
+        base: Base stock of the oil; None where it is not known.
+        published: What the case's source prints, shown beside under the same names.
+        result: Solved contacts of the same gears, shown beside.
 
-    Raises
-    ------
-    ValueError
-        What lies outside the formulas.
+    Raises:
+        ValueError: What lies outside the formulas.
     """
     damage = GearDamage(duty, table, base)
     teeth = _teeth(drive, duty, damage, published, result)

@@ -102,10 +102,8 @@ class GearDamage:
     def safeties(self, result: Result | None) -> tuple[Safety, ...]:
         """S_B and S_lambda at the worst place, by the standards and, with a result, simulated.
 
-        Parameters
-        ----------
-        result : Result or None
-            Solved contacts that converged.
+        Args:
+            result: Solved contacts that converged.
         """
         line, films = self.duty.line_of_action, self._films
         hottest, hot = _worst(line.contact_temperature, line.phase, np.argmax)
@@ -136,10 +134,8 @@ class GearDamage:
     def at_each(self, result: Result) -> Rating:
         """Closed forms and simulation at every solved contact.
 
-        Parameters
-        ----------
-        result : Result
-            Solved contacts that converged.
+        Args:
+            result: Solved contacts that converged.
         """
         line, duty, films = self.duty.line_of_action, self.duty, self._films
         flash = line.flash_temperature

@@ -25,12 +25,9 @@ class HeatingLoss:
 def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> HeatingLoss:
     """The larger of the simulated and the standard's loss where roughness carries load, else the simulated.
 
-    Parameters
-    ----------
-    cycle : DriveCycle
-        A cycle with a loss.
-    standard : StandardLoss or NoStandard
-        What a standard has for its teeth.
+    Args:
+        cycle: A cycle with a loss.
+        standard: What a standard has for its teeth.
     """
     smooth = present(cycle.loss, "loss").power
     surfaces = " with smooth surfaces" if cycle.neglected_effects.as_if_smooth else ""
@@ -91,14 +88,10 @@ def heating_of(
 ) -> Heating | None:
     """The losses of a solved case; None where temperatures are given, or without a loss.
 
-    Parameters
-    ----------
-    case : Case
-        The case with what was found in it.
-    cycle : DriveCycle or None
-        Its solved cycle.
-    standard : StandardLoss or NoStandard
-        What a standard has for its teeth.
+    Args:
+        case: The case with what was found in it.
+        cycle: Its solved cycle.
+        standard: What a standard has for its teeth.
     """
     if getattr(case.tables, "cooling", None) is None or cycle is None or cycle.loss is None:
         return None

@@ -53,16 +53,11 @@ def line_film(
 ) -> FilmLaw:
     """Dowson and Higginson's film of one contact of a gear pair.
 
-    Parameters
-    ----------
-    radius : float
-        Relative radius of curvature [m].
-    load_per_length : float
-        [N/m].
-    reduced_modulus : float
-        E' [Pa].
-    speed : float
-        Mean speed of both surfaces [m/s].
+    Args:
+        radius: Relative radius of curvature [m].
+        load_per_length: [N/m].
+        reduced_modulus: E' [Pa].
+        speed: Mean speed of both surfaces [m/s].
     """
 
     def film(viscosity: float, alpha: float) -> float:

@@ -173,10 +173,8 @@ def neglected_effects(request: RatingRequest, result: Result | None = None) -> N
 def load_rating_request(path: str | Path) -> RatingRequest:
     """Read a case file for its ratings.
 
-    Raises
-    ------
-    CaseError
-        Whatever is wrong first, in one sentence.
+    Raises:
+        CaseError: Whatever is wrong first, in one sentence.
     """
     path = Path(path)
     data = read_toml(path)
@@ -204,17 +202,12 @@ def rating_request(case: Case) -> RatingRequest:
 def ratings(request: RatingRequest, result: Result | None = None) -> tuple[Rating, ...]:
     """Every rating that a case asks for and that is possible; the others are in `not_rated`.
 
-    Parameters
-    ----------
-    request : RatingRequest
-        The case.
-    result : Result, optional
-        Solved contacts of its drive, shown beside; what did not converge is left out (`unconverged`).
+    Args:
+        request: The case.
+        result: Solved contacts of its drive, shown beside; what did not converge is left out (`unconverged`).
 
-    Raises
-    ------
-    CaseError
-        A file or a name in the case that there is not.
+    Raises:
+        CaseError: A file or a name in the case that there is not.
     """
     return tuple(
         rating

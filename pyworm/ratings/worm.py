@@ -66,18 +66,12 @@ def rate_worm_table(
 ) -> Rating:
     """The worm gear of a case, with a column of the simulation if a result of the same drive is given.
 
-    Parameters
-    ----------
-    table : CompletedRating
-        Rating tables of the case.
-    duty : WormDuty
-        Its worm gear.
-    directory : Path
-        Where the case lies.
-    drive : Drive, optional
-        The drive; needed for the simulation.
-    result : Result, optional
-        Its solved mesh phases.
+    Args:
+        table: Rating tables of the case.
+        duty: Its worm gear.
+        directory: Where the case lies.
+        drive: The drive; needed for the simulation.
+        result: Its solved mesh phases.
     """
     loads = rated_loads(table, duty, directory)
     rated = safeties(table, duty, loads, directory)

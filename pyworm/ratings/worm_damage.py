@@ -24,14 +24,10 @@ NO_RATING = (
 def worm_flanks(duty: WormDuty, oil: Oil, result: Result) -> Rating:
     """Simulated contact temperatures and specific films of a worm gear at every solved contact.
 
-    Parameters
-    ----------
-    duty : WormDuty
-        The worm gear.
-    oil : Oil
-        Its oil, as it enters the contacts.
-    result : Result
-        Solved contacts that converged.
+    Args:
+        duty: The worm gear.
+        oil: Its oil, as it enters the contacts.
+        result: Solved contacts that converged.
     """
     heights = [height for height in duty.roughness if height is not None]
     return flank_table(

@@ -62,16 +62,11 @@ def safeties(
 
     A wheel whose material has a temperature limit has S_M besides.
 
-    Parameters
-    ----------
-    table : CompletedRating
-        The case's `[worm_rating]`, completed.
-    duty : WormDuty
-        The worm gear.
-    loads : tuple of RatedLoad
-        Every load of its life.
-    directory : Path
-        Where the case lies.
+    Args:
+        table: The case's `[worm_rating]`, completed.
+        duty: The worm gear.
+        loads: Every load of its life.
+        directory: Where the case lies.
     """
     gear_set = _Rated(table, duty, loads, directory)
     rated = []

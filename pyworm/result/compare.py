@@ -51,15 +51,11 @@ class Comparison(Shown):
 def compare(first: Solution, second: Solution) -> Comparison:
     """Compare the results of two solutions.
 
-    Parameters
-    ----------
-    first, second : Solution
-        Two solutions, of point contacts or of line contacts.
+    Args:
+        first, second: Two solutions, of point contacts or of line contacts.
 
-    Raises
-    ------
-    ValueError
-        Not two solutions, or of different kinds of contact: losses of lines are for each length.
+    Raises:
+        ValueError: Not two solutions, or of different kinds of contact: losses of lines are for each length.
     """
     for solution in (first, second):
         if not isinstance(solution, Solution):

@@ -22,12 +22,9 @@ def require_solution(solution: object) -> None:
 def write_csv(solution: Solution, path: str | os.PathLike) -> Path:
     """Write the fields of a solution as a table, a row for each node, units in brackets.
 
-    Parameters
-    ----------
-    solution : Solution
-        Whose fields are written, x changing fastest.
-    path : path
-        The file.
+    Args:
+        solution: Whose fields are written, x changing fastest.
+        path: The file.
     """
     require_solution(solution)
     path, fields = Path(path), solution.fields
@@ -46,17 +43,12 @@ def write_csv(solution: Solution, path: str | os.PathLike) -> Path:
 def write_vtk(solution: Solution, path: str | os.PathLike) -> Path:
     """Write the fields of a solution as VTK image data (`.vti`), as ParaView and PyVista read them.
 
-    Parameters
-    ----------
-    solution : Solution
-        Whose fields are written, each as data of the nodes, in SI.
-    path : path
-        The file; its name must end in .vti.
+    Args:
+        solution: Whose fields are written, each as data of the nodes, in SI.
+        path: The file; its name must end in .vti.
 
-    Raises
-    ------
-    ValueError
-        Another ending.
+    Raises:
+        ValueError: Another ending.
     """
     require_solution(solution)
     path, fields = Path(path), solution.fields

@@ -176,17 +176,12 @@ class Result(Shown):
 def open_result(path: str | os.PathLike) -> Result:
     """Read a file written by `Result.save`, such as `pyworm run` writes.
 
-    Parameters
-    ----------
-    path : path
-        The file.
+    Args:
+        path: The file.
 
-    Raises
-    ------
-    FileNotFoundError
-        If there is no such file.
-    ValueError
-        If the file is not a pyworm result or is of another format version.
+    Raises:
+        FileNotFoundError: If there is no such file.
+        ValueError: If the file is not a pyworm result or is of another format version.
     """
     path = Path(path)
     if not path.is_file():

@@ -125,15 +125,11 @@ class SweepResult(Shown):
 def open_sweep(path: str | os.PathLike) -> SweepResult | None:
     """Read a file written by `SweepResult.save`; None if it is no table of a sweep.
 
-    Parameters
-    ----------
-    path : path
-        The file.
+    Args:
+        path: The file.
 
-    Raises
-    ------
-    ValueError
-        The format version is another one, or the content is no valid table.
+    Raises:
+        ValueError: The format version is another one, or the content is no valid table.
     """
     path = Path(path)
     table = _loaded(path) if path.is_file() else None

@@ -36,10 +36,8 @@ FROM_GAP: Any = None
 class Contact(Shown, ABC):
     """One lubricated contact at one instant.
 
-    Raises
-    ------
-    ValueError
-        The oil or a body is of a class unknown to the kernel.
+    Raises:
+        ValueError: The oil or a body is of a class unknown to the kernel.
     """
 
     name: str
@@ -214,10 +212,8 @@ def as_arrays(*coordinates: Given) -> tuple[Array, ...]:
 def radii_of(gap: Any, given: tuple[Any, ...] | None) -> tuple[float, ...]:
     """Radii of a contact, those of its gap if they are not given; window, far field and grids depend on them.
 
-    Raises
-    ------
-    ValueError
-        A radius differs from that of the gap, is none, or is missing where the gap has none.
+    Raises:
+        ValueError: A radius differs from that of the gap, is none, or is missing where the gap has none.
     """
     of_gap = getattr(gap, "radii", None)
     if given is not None:

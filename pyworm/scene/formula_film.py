@@ -101,10 +101,8 @@ class FormulaFilms(Shown):
     def single_regime(self) -> Regime:
         """The regime of lubrication of a single contact.
 
-        Raises
-        ------
-        ValueError
-            For several contacts, whose names `regime` has.
+        Raises:
+            ValueError: For several contacts, whose names `regime` has.
         """
         if np.size(self.central) != 1:
             raise ValueError(f"{np.size(self.central)} contacts have no single regime")
@@ -146,30 +144,19 @@ def film(
     Isothermal, smooth, with enough oil, whatever the oil's flow law: heat, shear thinning, roughness and a
     short supply are neglected. A contact outside the box of the atlas has infinite errors.
 
-    Parameters
-    ----------
-    radii : tuple of float or array
-        Relative radii of curvature along x and y [m].
-    load : float or array
-        Normal load [N].
-    reduced_modulus : float or array
-        E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
-    velocity : tuple of float or array
-        Mean velocity of both surfaces along x and y at the contact point [m/s].
-    oil : Oil
-        The oil at its inlet temperature.
-    spin : float or array, optional
-        Mean angular velocity of both surfaces about the common normal, positive from x to y [rad/s].
+    Args:
+        radii: Relative radii of curvature along x and y [m].
+        load: Normal load [N].
+        reduced_modulus: E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
+        velocity: Mean velocity of both surfaces along x and y at the contact point [m/s].
+        oil: The oil at its inlet temperature.
+        spin: Mean angular velocity of both surfaces about the common normal, positive from x to y [rad/s].
 
-    Returns
-    -------
-    FormulaFilms
+    Returns:
         Films with left-out errors.
 
-    Raises
-    ------
-    ValueError
-        Radii, loads or moduli that are not positive, or no entrainment.
+    Raises:
+        ValueError: Radii, loads or moduli that are not positive, or no entrainment.
     """
     groups, unit = _groups(radii, load, reduced_modulus, velocity, oil, spin)
     found = films(groups)
@@ -257,14 +244,10 @@ def unentrained_regime(groups: PointGroups, minimum: float, oil: Oil) -> Regime:
 
     The limits are those of entrainment along an axis of the contact.
 
-    Parameters
-    ----------
-    groups : PointGroups
-        The contact.
-    minimum : float
-        Its minimum film [m].
-    oil : Oil
-        The oil.
+    Args:
+        groups: The contact.
+        minimum: Its minimum film [m].
+        oil: The oil.
     """
     ratio = min(max(groups.ratio, 1 / groups.ratio), MOST_SLENDER)
     contact = hertz(1.0, 1 / groups.ratio, groups.load, 1.0)
@@ -298,18 +281,13 @@ HEAT_AND_FLOW = (
 def film_of(scene: Scene, reduced: bool = False) -> FormulaFilms:
     """The films of a scene by `film`: its radii, load and velocities at the contact point, its oil.
 
-    Parameters
-    ----------
-    scene : Scene
-        The contact.
-    reduced : bool, optional
-        Whether by heat and shear thinning too, where oil and bodies have the data and the contact is in the
-        box of the thermal contacts; `holds` shows whether they are.
+    Args:
+        scene: The contact.
+        reduced: Whether by heat and shear thinning too, where oil and bodies have the data and the contact is
+            in the box of the thermal contacts; `holds` shows whether they are.
 
-    Raises
-    ------
-    ValueError
-        No entrainment at the contact point, such as under pure spin.
+    Raises:
+        ValueError: No entrainment at the contact point, such as under pure spin.
     """
     require_point(scene)
     axes = hertz(*scene.radii, scene.load, scene.reduced_modulus)

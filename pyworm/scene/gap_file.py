@@ -19,17 +19,13 @@ MOST_SAMPLES = 50_000_000
 def read_gap(path: str | Path) -> SampledGap:
     """Read a gap from an npz or a NetCDF file.
 
-    Parameters
-    ----------
-    path : str or Path
-        `.npz` with `gap` (y, x), `dx`, `dy` and, unless the contact point is in the middle, the
-        coordinates `x0`, `y0` of the first sample, all in metres; or `.nc` with a variable `gap` and
-        coordinates `x`, `y`.
+    Args:
+        path (str or Path): `.npz` with `gap` (y, x), `dx`, `dy` and, unless the contact point is in the
+            middle, the coordinates `x0`, `y0` of the first sample, all in metres; or `.nc` with a variable
+            `gap` and coordinates `x`, `y`.
 
-    Raises
-    ------
-    ValueError
-        No such file, of another kind, a key missing, or not a gap.
+    Raises:
+        ValueError: No such file, of another kind, a key missing, or not a gap.
     """
     path = Path(path)
     if not path.is_file():
@@ -92,10 +88,8 @@ def _read_array(archive: ZipFile, key: str, most: int) -> Array:
 
     Its header and the archive's directory have to agree on its size before memory is allocated.
 
-    Raises
-    ------
-    ValueError
-        It is too large, cut short, or holds no numbers.
+    Raises:
+        ValueError: It is too large, cut short, or holds no numbers.
     """
     name = f"{key}.npy"
     with archive.open(name) as file:

@@ -55,13 +55,9 @@ class Parabola(ShownFields):
 class LineScene(Contact):
     """One lubricated line contact at one instant.
 
-    Raises
-    ------
-    ValueError
-        A radius other than that of the gap, or an oil or a body of a class unknown to the kernel.
+    Raises:
+        ValueError: A radius other than that of the gap, or an oil or a body of a class unknown to the kernel.
 
-    Notes
-    -----
     The other attributes are those of `pyworm.scene.contact.Contact`, the load for each length [N/m].
     """
 

@@ -30,12 +30,9 @@ def bulk_temperature(body: Body) -> float:
 def arriving(oil: Oil, bodies: Sequence[Body]) -> Oil:
     """The oil as it arrives between two bodies: at the mean of their bulk temperatures.
 
-    Parameters
-    ----------
-    oil : Oil
-        The oil, with heat.
-    bodies : sequence of Body
-        Both bodies, with their bulk temperatures.
+    Args:
+        oil: The oil, with heat.
+        bodies: Both bodies, with their bulk temperatures.
     """
     supply, known = oil.thermal.inlet_temperature, oil.thermal.supply_temperature
     warmer = sum(bulk_temperature(body) for body in bodies) / 2 - supply
@@ -51,18 +48,12 @@ def nearer_to_supply(oil: Oil, body: Body, speed: float, film: float, distance: 
 
     Negative of oil supplied colder than the body.
 
-    Parameters
-    ----------
-    oil : Oil
-        The oil as it arrives.
-    body : Body
-        The body.
-    speed : float
-        Speed of its surface [m/s], not zero.
-    film : float
-        Central film, of which the layer is half [m].
-    distance : float
-        Way from where they met [m].
+    Args:
+        oil: The oil as it arrives.
+        body: The body.
+        speed: Speed of its surface [m/s], not zero.
+        film: Central film, of which the layer is half [m].
+        distance: Way from where they met [m].
     """
     heat = oil.thermal
     if heat.supply_temperature is None:

@@ -78,17 +78,12 @@ class Doubt:
 def require_possible(scene: Scene | LineScene, key: str) -> None:
     """Refuse an impossible contact.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    key : str
-        The key of the case file that loads it.
+    Args:
+        scene: The contact.
+        key: The key of the case file that loads it.
 
-    Raises
-    ------
-    CaseError
-        Its Hertz pressure or its film is beyond all bodies.
+    Raises:
+        CaseError: Its Hertz pressure or its film is beyond all bodies.
     """
     _refuse((doubt for doubt in _judged(scene) if not doubt.possible), key)
 
@@ -119,10 +114,8 @@ def doubts(scenes: Iterable[Scene | LineScene], key: str) -> tuple[str, ...]:
 def overheated(summaries: Iterable[Mapping[str, Any]]) -> tuple[str, ...]:
     """The warning about a film temperature beyond what oils withstand.
 
-    Parameters
-    ----------
-    summaries : iterable of mapping
-        `Solution.summary()` of solved contacts.
+    Args:
+        summaries: `Solution.summary()` of solved contacts.
     """
     hot = [summary for summary in summaries if "temperature_max_C" in summary]
     hottest = max(hot, key=lambda summary: summary["temperature_max_C"]["film"], default=None)

@@ -95,13 +95,9 @@ class RigidMotion(ShownFields):
 class Scene(Contact):
     """One lubricated point contact at one instant.
 
-    Raises
-    ------
-    ValueError
-        Radii other than those of the gap, or an oil or a body of a class unknown to the kernel.
+    Raises:
+        ValueError: Radii other than those of the gap, or an oil or a body of a class unknown to the kernel.
 
-    Notes
-    -----
     The other attributes are those of `pyworm.scene.contact.Contact`.
     """
 

@@ -34,10 +34,9 @@ class SampledGap:
     The gap is a cubic spline between the samples, the surface of least second differences where a body is
     missing (NaN), and outside the array its least-squares quadratic, shifted to be continuous at the edge.
 
-    Raises
-    ------
-    ValueError
-        If the array has another shape, is too small or empty, does not increase or lacks the contact point.
+    Raises:
+        ValueError: If the array has another shape, is too small or empty, does not increase or lacks the
+            contact point.
     """
 
     x: Array
@@ -125,10 +124,8 @@ class SampledGap:
     def radii(self) -> tuple[float, float]:
         """Relative radii of curvature along x and y near the contact point [m].
 
-        Raises
-        ------
-        ValueError
-            The gap opens in neither direction.
+        Raises:
+            ValueError: The gap opens in neither direction.
         """
         curvatures = self._curvatures
         return 1 / curvatures[0], 1 / curvatures[1]

@@ -9,17 +9,12 @@ from pyworm.scene.point import RigidMotion, Scene, require_point
 def with_slide_roll_ratio(scene: Scene, ratio: float) -> Scene:
     """The scene with sliding over entrainment [-] of another value, along the entrainment.
 
-    Parameters
-    ----------
-    scene : Scene
-        A point contact.
-    ratio : float
-        Velocity of body 1 less that of body 2, over their mean.
+    Args:
+        scene: A point contact.
+        ratio: Velocity of body 1 less that of body 2, over their mean.
 
-    Raises
-    ------
-    ValueError
-        Surfaces that do more than translate and spin, or no entrainment.
+    Raises:
+        ValueError: Surfaces that do more than translate and spin, or no entrainment.
     """
     require_point(scene)
     ratio = scalar("ratio", ratio)

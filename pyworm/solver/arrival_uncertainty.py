@@ -55,12 +55,9 @@ def arrival_uncertainty(
 
     Infinite where the film does not follow. The level is left at the film it had.
 
-    Parameters
-    ----------
-    level : Level
-        A converged heated film.
-    warm : callable
-        Heats it between other bodies from a guess.
+    Args:
+        level: A converged heated film.
+        warm: Heats it between other bodies from a guess.
     """
     converged, figures = level.state(), level.read().figures
     warm(other_bodies(level), converged)

@@ -87,14 +87,10 @@ LevelT = TypeVar("LevelT", bound=Level)
 class ContactSolver(ABC, Generic[ContactT, LevelT]):
     """Films of one contact on grids of halving spacing.
 
-    Parameters
-    ----------
-    scene : Contact
-        The contact.
-    plan : Plan
-        The effects that are simulated, and the numerical parameters.
-    transient_term : TransientTerm, optional
-        d(rho h)/dt; without it the film is steady.
+    Args:
+        scene: The contact.
+        plan: The effects that are simulated, and the numerical parameters.
+        transient_term: d(rho h)/dt; without it the film is steady.
     """
 
     kind: ClassVar[Kind]

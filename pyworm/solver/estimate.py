@@ -203,14 +203,10 @@ def _estimate(
 def in_words(figure: Estimate, quantity: Quantity, rise: float | None = None) -> str:
     """A figure as its quantity is shown, with its unit and error bars, of temperatures in K.
 
-    Parameters
-    ----------
-    figure : Estimate
-        The figure.
-    quantity : Quantity
-        What it is.
-    rise : float, optional
-        Rise of a temperature that its errors are relative to [K], by default above its datum.
+    Args:
+        figure: The figure.
+        quantity: What it is.
+        rise: Rise of a temperature that its errors are relative to [K], by default above its datum.
     """
     value, model = quantity.text(figure.value), figure.model
     if quantity.unit != "K":

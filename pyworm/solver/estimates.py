@@ -34,25 +34,18 @@ def estimates(
 ) -> dict[str, Estimate]:
     """Estimate figures with error bars, which are infinite where the equations are not met.
 
-    Parameters
-    ----------
-    solver : ContactSolver
-        Solver of this kind of contact.
-    level : Level
-        The film on the last grid.
-    readings : sequence of Reading
-        Figures on grids of halving spacing, this one last.
-    window : mapping
-        What an endless window adds to each figure; empty where no wider window was solved: the window error
-        is infinite then, and none of the bars' if the plan has no wider window.
-    iteration : Iteration
-        Figures and algebraic errors on the last grid.
-    plan : Plan
-        Accuracy and tolerance asked for.
-    approximations : mapping
-        Relative error of each figure by the levels across the film and by the integration in time.
-    uncertainties : mapping
-        Relative uncertainty of each figure by the assumptions of its model; empty where there are none.
+    Args:
+        solver: Solver of this kind of contact.
+        level: The film on the last grid.
+        readings: Figures on grids of halving spacing, this one last.
+        window: What an endless window adds to each figure; empty where no wider window was solved: the window
+            error is infinite then, and none of the bars' if the plan has no wider window.
+        iteration: Figures and algebraic errors on the last grid.
+        plan: Accuracy and tolerance asked for.
+        approximations: Relative error of each figure by the levels across the film and by the integration in
+            time.
+        uncertainties: Relative uncertainty of each figure by the assumptions of its model; empty where there
+            are none.
     """
     limits = grid_limits(readings or [iteration.reading], solver.convergence)
     grid = {name: limit.error for name, limit in limits.items()}

@@ -32,14 +32,10 @@ def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[fl
 
     The surface counts in cells whose corners are all usable and one of them within, beside it nodes within.
 
-    Parameters
-    ----------
-    field : numpy.ndarray
-        Values, shape (nx, ny), or (n,) along a line.
-    within : numpy.ndarray
-        Nodes about which the minimum is searched; infinite without any.
-    usable : numpy.ndarray
-        Nodes whose values belong to the field; the surface is extrapolated from them to others.
+    Args:
+        field: Values, shape (nx, ny), or (n,) along a line.
+        within: Nodes about which the minimum is searched; infinite without any.
+        usable: Nodes whose values belong to the field; the surface is extrapolated from them to others.
     """
     if field.ndim == 1:
         return _line_minimum(field, within, usable)

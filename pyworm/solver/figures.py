@@ -19,16 +19,11 @@ def film_minimum(
 ) -> tuple[float, tuple[float, ...]]:
     """Smallest film [m] and its place [m] along each direction of the grid, between nodes.
 
-    Parameters
-    ----------
-    grid : Grid or LineGrid
-        Where the film is.
-    film : numpy.ndarray
-        Film [m] at its nodes.
-    pressurised : numpy.ndarray
-        Nodes about which the film counts.
-    covered : numpy.ndarray
-        Where both surfaces exist.
+    Args:
+        grid: Where the film is.
+        film: Film [m] at its nodes.
+        pressurised: Nodes about which the film counts.
+        covered: Where both surfaces exist.
     """
     value, node = minimum(film, pressurised, covered)
     return value, grid.place(node)
@@ -49,14 +44,10 @@ def maximum(field: Array, covered: Array | bool = True) -> float:
 def peak(field: Array, covered: Array | bool, largest: float) -> Peak:
     """Resolution of the largest value of a field by the nodes.
 
-    Parameters
-    ----------
-    field : numpy.ndarray
-        Values at nodes along one direction or two.
-    covered : numpy.ndarray or bool
-        Where both surfaces exist.
-    largest : float
-        The largest value between nodes.
+    Args:
+        field: Values at nodes along one direction or two.
+        covered: Where both surfaces exist.
+        largest: The largest value between nodes.
     """
     counted = np.broadcast_to(covered, field.shape)
     known = np.where(counted, field, np.nan)
@@ -101,16 +92,11 @@ def maximum_across(field: Array, positions: Array, within: Array, highest: Array
 
     Across the film the field is the polynomial through the levels, as in the kernel.
 
-    Parameters
-    ----------
-    field : numpy.ndarray
-        Values, shape (nx, ny, levels), or (n, levels) of a line contact.
-    positions : numpy.ndarray
-        Positions of the levels, from -1/2 to 1/2.
-    within : numpy.ndarray
-        Nodes that count.
-    highest : numpy.ndarray
-        Largest value of each column, at its levels.
+    Args:
+        field: Values, shape (nx, ny, levels), or (n, levels) of a line contact.
+        positions: Positions of the levels, from -1/2 to 1/2.
+        within: Nodes that count.
+        highest: Largest value of each column, at its levels.
     """
     nodal = np.where(within, highest, -np.inf)
     node = np.unravel_index(np.argmax(nodal), nodal.shape)
@@ -142,14 +128,10 @@ contact."""
 def minimum_kind(place: Sequence[float], angle: float, half_extents: tuple[float, float]) -> str:
     """Kind of a point contact's minimum by its place: "side lobe", "exit" or "middle".
 
-    Parameters
-    ----------
-    place : tuple of float
-        The place (x, y) [m].
-    angle : float
-        Direction of the entrainment at the contact point, from x to y [rad].
-    half_extents : tuple of float
-        Half the extent of the dry contact along x and y [m].
+    Args:
+        place: The place (x, y) [m].
+        angle: Direction of the entrainment at the contact point, from x to y [rad].
+        half_extents: Half the extent of the dry contact along x and y [m].
     """
     (x, y), (a, b) = place, half_extents
     cosine, sine = np.cos(angle), np.sin(angle)
@@ -249,17 +231,12 @@ def outline_imbalance(
 ) -> float:
     """Net over gross flow through the outline of the pressurised film; NaN where nothing flows.
 
-    Parameters
-    ----------
-    grid : Grid
-        Where the film is.
-    flow : tuple of numpy.ndarray
-        Wedge flow per width [m2/s] at the nodes along x and y: what crosses the outline, where pressure
-        and its slope vanish.
-    imbalance : numpy.ndarray
-        Net outflow per area [m/s] of each node's cell.
-    pressurised : numpy.ndarray
-        Nodes where pressure is above ambient.
+    Args:
+        grid: Where the film is.
+        flow: Wedge flow per width [m2/s] at the nodes along x and y: what crosses the outline, where pressure
+            and its slope vanish.
+        imbalance: Net outflow per area [m/s] of each node's cell.
+        pressurised: Nodes where pressure is above ambient.
     """
     net = abs(imbalance[pressurised].sum()) * grid.dx * grid.dy
     gross = 0.0

@@ -45,12 +45,9 @@ def mixed_order_limit(values: Sequence[float], falls: tuple[float, float]) -> fl
     With errors A s + B s^2 of the spacing s, the last change d and the ratio f of the one before to it, the
     limit is d (5 - f)/3 beyond the last value: d at first order (f = 2), d/3 at second (f = 4).
 
-    Parameters
-    ----------
-    values : sequence of float
-        The figure on two grids or more, the finest last.
-    falls : tuple of float
-        Least and largest credible ratio; on two grids, which show none, their mean is taken.
+    Args:
+        values: The figure on two grids or more, the finest last.
+        falls: Least and largest credible ratio; on two grids, which show none, their mean is taken.
     """
     change = values[-1] - values[-2]
     fall = sum(falls) / 2
@@ -62,15 +59,10 @@ def mixed_order_limit(values: Sequence[float], falls: tuple[float, float]) -> fl
 def grid_limits(readings: Sequence[Reading], convergence: Convergence) -> dict[str, GridLimit]:
     """Each figure in the limit of grids of halving spacing, by Richardson's extrapolation.
 
-    Parameters
-    ----------
-    readings : sequence of Reading
-        Figures on the grids, the finest last.
-    convergence : Convergence
-        Orders of convergence, and which figures are extrapolated.
+    Args:
+        readings: Figures on the grids, the finest last.
+        convergence: Orders of convergence, and which figures are extrapolated.
 
-    Notes
-    -----
     The limit is the last value plus a third of the last change (second order; Roache, Annu. Rev. Fluid Mech.
     29, 1997, 123-160), more where errors may fall by less than 4 (`Convergence.falls`). On two grids its
     error is a share of its change, or of the films' (`Convergence.left`), and by how much the limit depends

@@ -67,21 +67,13 @@ MOST_WIDENINGS = 6
 class GridSequence:
     """State of the grid sequence of a contact: its films on grids of halving spacing.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    plan : Plan
-        Its plan.
-    rates : Rates or None
-        Rates of change of rho h at present; None of a steady film.
-    progress : callable
-        Called with a message and the fraction of the work that is done.
-    stopwatch : Stopwatch
-        Time since the solve began.
+    Args:
+        scene: The contact.
+        plan: Its plan.
+        rates: Rates of change of rho h at present; None of a steady film.
+        progress: Called with a message and the fraction of the work that is done.
+        stopwatch: Time since the solve began.
 
-    Notes
-    -----
     Its methods raise `KernelError` as `pyworm.solve` does.
     """
 

@@ -71,15 +71,11 @@ def enough_levels(
     The error is the last change, or half of the one before if that is larger: figures approach their limit
     irregularly (a film 35 K above its walls is off by +0.16, -0.11, +0.06, +0.08 % with 7 to 13 levels).
 
-    Parameters
-    ----------
-    start : EnoughLevels
-        The film to begin with; its errors are not known yet.
-    transient : Transient or None
-        Its transient term.
-    again : bool
-        Whether levels were added on a coarser grid: a film that has enough of them is kept then, with what
-        was read on the grids before.
+    Args:
+        start: The film to begin with; its errors are not known yet.
+        transient: Its transient term.
+        again: Whether levels were added on a coarser grid: a film that has enough of them is kept then, with
+            what was read on the grids before.
     """
     found, last = None, start
     before = dict.fromkeys(start.iteration.reading.figures, 0.0)

@@ -192,18 +192,13 @@ def judged(
 ) -> NeglectedEffects:
     """Judge the effects left out of a contact and its lubrication.
 
-    Parameters
-    ----------
-    effects : sequence of Judgement
-        Its effects.
-    accuracy : float
-        Accuracy asked for [-].
-    films : sequence of float
-        Central and least film [m]; empty where they may not be trusted.
-    roughness : float or None
-        Composite roughness [m].
-    asperity_load : tuple of float or None
-        Share of the load that asperities carry and its relative uncertainty, where they are solved [-].
+    Args:
+        effects: Its effects.
+        accuracy: Accuracy asked for [-].
+        films: Central and least film [m]; empty where they may not be trusted.
+        roughness: Composite roughness [m].
+        asperity_load: Share of the load that asperities carry and its relative uncertainty, where they are
+            solved [-].
     """
     central, least = None, None
     if roughness and films:

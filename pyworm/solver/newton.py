@@ -100,16 +100,11 @@ def converge(
 ) -> Iteration:
     """Make Newton steps until the film's figures are settled, or no step reduces the residual.
 
-    Parameters
-    ----------
-    level : Level
-        The film.
-    tolerance : float
-        Residual and load error wanted.
-    target : AccuracyTarget
-        The figures.
-    algebra_wanted : float
-        Their relative algebraic error wanted; at least two steps are needed to estimate it.
+    Args:
+        level: The film.
+        tolerance: Residual and load error wanted.
+        target: The figures.
+        algebra_wanted: Their relative algebraic error wanted; at least two steps are needed to estimate it.
     """
     steps: list[NewtonStep] = []
     reading = level.read()

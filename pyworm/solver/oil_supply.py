@@ -45,12 +45,9 @@ class SupplyFigures:
 def supply_figures(level: Level, flooded: tuple[float, float, float]) -> SupplyFigures:
     """Figures of a solved level.
 
-    Parameters
-    ----------
-    level : Level
-        The film, fed with a layer of oil.
-    flooded : tuple of float
-        Central film of the flooded contact [m], its relative error, and the relative density there.
+    Args:
+        level: The film, fed with a layer of oil.
+        flooded: Central film of the flooded contact [m], its relative error, and the relative density there.
     """
     scene = level.scene
     film, error, density = flooded

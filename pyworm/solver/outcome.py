@@ -39,18 +39,12 @@ def fields(
 ) -> PlainDataset:
     """All fields over the grid of a level, in single precision: its 24 bits are far finer than any error bar.
 
-    Parameters
-    ----------
-    scene : Contact
-        The contact.
-    model : Model
-        The effects that are simulated.
-    level : Level
-        The film.
-    dry_pressure : numpy.ndarray or None
-        Pressure of the dry contact [Pa]; None where it is Hertz's in closed form.
-    attributes : mapping
-        Radii, load and modulus, by names with their units.
+    Args:
+        scene: The contact.
+        model: The effects that are simulated.
+        level: The film.
+        dry_pressure: Pressure of the dry contact [Pa]; None where it is Hertz's in closed form.
+        attributes: Radii, load and modulus, by names with their units.
     """
     places = level.grid.mesh()
     variables = {

@@ -23,30 +23,19 @@ def passes(
 ) -> Iterator[Solution]:
     """Solve passes of a contact over one track, as of rollers or balls in a row, one after another.
 
-    Parameters
-    ----------
-    scene : Scene
-        The contact; its oil has the `supply` of the first pass.
-    count : int
-        Number of passes.
-    accuracy, effects : float or str, str
-        As of `pyworm.plan`.
-    replenished : float
-        Part of the oil that is missing against the first supply which flows back from the sides between two
-        passes, 0 to 1 [-].
+    Args:
+        scene: The contact; its oil has the `supply` of the first pass.
+        count: Number of passes.
+        accuracy, effects (float or str, str): As of `pyworm.plan`.
+        replenished: Part of the oil that is missing against the first supply which flows back from the sides
+            between two passes, 0 to 1 [-].
 
-    Yields
-    ------
-    Solution
+    Yields:
         Of each pass. They end before one that is not starved, or whose film did not converge.
 
-    Raises
-    ------
-    ValueError
-        No supply, or a part that is none.
+    Raises:
+        ValueError: No supply, or a part that is none.
 
-    Notes
-    -----
     The law of replenishment is the simplest: a fixed part, everywhere across the track. What a contact leaves
     is the oil behind it (Chevalier, Lubrecht, Cann, Colin and Dalmaz 1998).
     """

@@ -63,16 +63,11 @@ def neglected_waves(
 
     A wave flattened by A takes a pressure of pi E' A/(2 length) (Johnson 1985, 13.2).
 
-    Parameters
-    ----------
-    waves : MovingWaves or None
-        The waves.
-    groups : LineGroups or PointGroups
-        Moes' groups of the contact.
-    half_width : float
-        Half-width of Hertz's contact along the entrainment [m].
-    modulus : float
-        Reduced modulus E' [Pa].
+    Args:
+        waves: The waves.
+        groups: Moes' groups of the contact.
+        half_width: Half-width of Hertz's contact along the entrainment [m].
+        modulus: Reduced modulus E' [Pa].
     """
     if waves is None:
         return NeglectedWaves()
@@ -92,18 +87,12 @@ def roughness_uncertainty(
 
     Infinite where the film does not follow. The level is left at the film it had, one step further if heated.
 
-    Parameters
-    ----------
-    level : Level
-        A converged film between rough surfaces.
-    pair : RoughSurfaces
-        The surfaces.
-    boundary_friction : float
-        Friction coefficient of asperities in contact [-].
-    waves : NeglectedWaves
-        Long waves of the surfaces that are not in the gap.
-    fitted_spread : float or None
-        Relative uncertainty of a friction coefficient that was fitted [-] (`variations`).
+    Args:
+        level: A converged film between rough surfaces.
+        pair: The surfaces.
+        boundary_friction: Friction coefficient of asperities in contact [-].
+        waves: Long waves of the surfaces that are not in the gap.
+        fitted_spread: Relative uncertainty of a friction coefficient that was fitted [-] (`variations`).
     """
     figures, thickness = level.read().figures, level.film.thickness()
     varied = variations(

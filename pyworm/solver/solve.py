@@ -31,31 +31,21 @@ def solve(
 ) -> Solution:
     """Solve a scene for its film.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    plan : Plan
-        Its plan, by `pyworm.plan`, which is required.
-    progress : callable, optional
-        Called with what is being done and the fraction of the work that is done, 0 to 1.
-    rates : Rates, optional
-        Rates of change of its film where it changes as oil passes; by default they are found first.
+    Args:
+        scene: The contact.
+        plan: Its plan, by `pyworm.plan`, which is required.
+        progress: Called with what is being done and the fraction of the work that is done, 0 to 1.
+        rates: Rates of change of its film where it changes as oil passes; by default they are found first.
 
-    Returns
-    -------
-    Solution
+    Returns:
         Marked not converged, with the reason, where the figures are not to be trusted; that of a coarser
         request where it leaves less error. Unless effects were given those are added that the solved figures
         require, and a steady film stands for one in motion that is not found.
 
-    Raises
-    ------
-    ValueError
-        No contact, no plan, or that of another contact.
-    KernelError
-        If values of the scene are not finite or memory does not suffice for the first grids
-        (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
+    Raises:
+        ValueError: No contact, no plan, or that of another contact.
+        KernelError: If values of the scene are not finite or memory does not suffice for the first grids
+            (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
     """
     plan = _required(scene, plan)
     report = _rising(progress)

@@ -45,16 +45,11 @@ def with_wider_bars(
 ) -> Stop:
     """How the solve of a sound film ended, qualified where its figures have error bars that are too wide.
 
-    Parameters
-    ----------
-    stop : Stop
-        How the sequence of grids ended.
-    estimates : mapping
-        The figures with their error bars.
-    figures : mapping
-        Their values on the last grid.
-    plan : Plan
-        Accuracy and figures asked for.
+    Args:
+        stop: How the sequence of grids ended.
+        estimates: The figures with their error bars.
+        figures: Their values on the last grid.
+        plan: Accuracy and figures asked for.
     """
     errors = {name: estimate.error for name, estimate in estimates.items()}
     worst, cold = (
@@ -85,18 +80,12 @@ def stop_reason(
 ) -> Stop | None:
     """How the sequence ends on a level, or None if a finer grid follows.
 
-    Parameters
-    ----------
-    level : Level
-        The film on the last grid.
-    iteration : Iteration
-        Figures on it.
-    estimates : mapping
-        The figures with their error bars.
-    unconverged, max_unconverged : int
-        Number of grids so far that missed the tolerance, and how many may.
-    plan : Plan
-        Accuracy, tolerance and largest grid.
+    Args:
+        level: The film on the last grid.
+        iteration: Figures on it.
+        estimates: The figures with their error bars.
+        unconverged, max_unconverged: Number of grids so far that missed the tolerance, and how many may.
+        plan: Accuracy, tolerance and largest grid.
     """
     figures = iteration.reading.figures
     error = plan.target.worst(
@@ -199,10 +188,8 @@ def rests_on_edge(fields: PlainDataset) -> bool:
     At a sharp edge the elastic pressure grows without bound as the grid is refined (Johnson, Contact
     Mechanics, 1985, section 2.4), and no film converges there; a relieved edge has no such pressure.
 
-    Parameters
-    ----------
-    fields : PlainDataset
-        Fields of a solution; "dry_pressure" [Pa], or "pressure" where there is none, and "covered".
+    Args:
+        fields: Fields of a solution; "dry_pressure" [Pa], or "pressure" where there is none, and "covered".
     """
     if "covered" not in fields:
         return False
@@ -227,16 +214,11 @@ def refusal(
 ) -> Stop | None:
     """How the sequence ends without the next grid; None if it, or those after it, may reach the accuracy.
 
-    Parameters
-    ----------
-    plan : Plan
-        Accuracy and figures asked for.
-    readings : sequence of Reading
-        Figures on grids of halving spacing so far.
-    orders : mapping
-        Highest credible order of convergence of each figure with the spacing.
-    finer : Grid or LineGrid
-        The next grid.
+    Args:
+        plan: Accuracy and figures asked for.
+        readings: Figures on grids of halving spacing so far.
+        orders: Highest credible order of convergence of each figure with the spacing.
+        finer: The next grid.
     """
     if plan.refusal is not None:
         return Ending.REFUSED_BY_PLAN.stop(reason=plan.refusal)
@@ -258,14 +240,10 @@ def spike_stays(reading: Reading, grid: Grid | LineGrid, largest: int) -> bool:
 
     A spike that a grid resolves is no more than twice as wide, in nodes, on the next one.
 
-    Parameters
-    ----------
-    reading : Reading
-        Figures on a grid.
-    grid : Grid or LineGrid
-        That grid.
-    largest : int
-        Nodes of the largest grid allowed.
+    Args:
+        reading: Figures on a grid.
+        grid: That grid.
+        largest: Nodes of the largest grid allowed.
     """
     if hot_spike(reading) is None:
         return False

@@ -23,14 +23,11 @@ def in_this_window(
 ) -> dict[str, WindowLimit]:
     """What an endless window adds to each figure in a window, from one of twice the reach.
 
-    Parameters
-    ----------
-    this, wider : Reading
-        Figures in both windows, on grids of one spacing.
-    convergence : Convergence
-        How figures change with the reach, and which are extrapolated.
-    algebra : mapping
-        Relative algebraic error of each figure in both windows together, which may hide a change as large.
+    Args:
+        this, wider: Figures in both windows, on grids of one spacing.
+        convergence: How figures change with the reach, and which are extrapolated.
+        algebra: Relative algebraic error of each figure in both windows together, which may hide a change as
+            large.
     """
     return _limits(changes(this, wider), convergence, algebra, seen=0.0)
 
@@ -64,12 +61,9 @@ def with_falls(convergence: Convergence, falls: Mapping[str, float]) -> Converge
     one of twice the reach their temperatures may change by 0.9 of what they changed by before, where 0.6
     would be left of a rise by the oil's own heat.
 
-    Parameters
-    ----------
-    convergence : Convergence
-        How figures change with the reach; its largest change stands where changes fall faster.
-    falls : mapping
-        Ratio of the changes of some figures over three windows [-].
+    Args:
+        convergence: How figures change with the reach; its largest change stands where changes fall faster.
+        falls: Ratio of the changes of some figures over three windows [-].
     """
     window = dict(convergence.window)
     for name, fall in falls.items():
@@ -87,14 +81,10 @@ def by_warmth(
     differ on coarse grids, on which the oil's front is off by more in the wider window: that error is the
     grid's, and falls with it.
 
-    Parameters
-    ----------
-    limits : mapping
-        What an endless window adds to each figure.
-    wider : Reading
-        Figures in the wider window.
-    beta : float
-        Relative fall of the viscosity with temperature [1/K].
+    Args:
+        limits: What an endless window adds to each figure.
+        wider: Figures in the wider window.
+        beta: Relative fall of the viscosity with temperature [1/K].
     """
     warmer = max(
         (abs(limits[name].rest) + limits[name].error) * abs(value)

@@ -68,21 +68,14 @@ class CellTable:
 def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None) -> CellTable:
     """Contact and flow of a periodic cell, from the user's cache or solved.
 
-    Parameters
-    ----------
-    cell : Topography
-        A periodic surface, whatever its direction.
-    reduced_modulus : float
-        E' [Pa].
-    hardness : float or None
-        Largest pressure [Pa]; None of surfaces that do not yield.
+    Args:
+        cell: A periodic surface, whatever its direction.
+        reduced_modulus: E' [Pa].
+        hardness: Largest pressure [Pa]; None of surfaces that do not yield.
 
-    Raises
-    ------
-    CaseError
-        A contact or a flow did not converge where the gap is wide.
-    KernelError
-        There is no memory, or the heights are not finite.
+    Raises:
+        CaseError: A contact or a flow did not converge where the gap is wide.
+        KernelError: There is no memory, or the heights are not finite.
     """
     path = cache_directory() / "surfaces" / f"{_key(cell, reduced_modulus, hardness)}.npz"
     try:

@@ -24,16 +24,11 @@ def gaussian(
 ) -> Topography:
     """Surface of normal heights with a Gaussian autocorrelation exp(-ln 10 (x/length)^2).
 
-    Parameters
-    ----------
-    roughness : float
-        Root mean square height [m].
-    correlation_length : float
-        Distance across the lay at which the autocorrelation has fallen to 0.1 [m].
-    aspect : float
-        Correlation length along the lay, the x axis, over that across it [-].
-    seed : int
-        Of the random numbers.
+    Args:
+        roughness: Root mean square height [m].
+        correlation_length: Distance across the lay at which the autocorrelation has fallen to 0.1 [m].
+        aspect: Correlation length along the lay, the x axis, over that across it [-].
+        seed: Of the random numbers.
     """
     side = GAUSSIAN_LENGTHS * correlation_length
     # the spectral density of exp(-ln 10 x^2/l^2)
@@ -56,23 +51,15 @@ def self_affine(
 ) -> Topography:
     """Surface that is rough on all scales between two: spectral density q^(-2 - 2 Hurst).
 
-    Parameters
-    ----------
-    roughness : float
-        Root mean square height [m].
-    hurst : float
-        Hurst exponent, above 0 to 1 [-].
-    longest_wave, shortest_wave : float
-        Ends of the spectrum [m], across the lay.
-    aspect : float
-        Length of waves along the lay, the x axis, over those across it [-].
-    seed : int
-        Of the random numbers.
+    Args:
+        roughness: Root mean square height [m].
+        hurst: Hurst exponent, above 0 to 1 [-].
+        longest_wave, shortest_wave: Ends of the spectrum [m], across the lay.
+        aspect: Length of waves along the lay, the x axis, over those across it [-].
+        seed: Of the random numbers.
 
-    Raises
-    ------
-    ValueError
-        Waves that are the wrong way round, or more scales than a cell can hold.
+    Raises:
+        ValueError: Waves that are the wrong way round, or more scales than a cell can hold.
     """
     ratio = longest_wave / shortest_wave
     if not 1 < ratio <= MOST_RATIO:

@@ -29,21 +29,14 @@ def read_instrument(
 ) -> tuple[Array, tuple[float, float]]:
     """Heights [m] of an instrument's file, NaN where points are missing, and their spacing [m].
 
-    Parameters
-    ----------
-    path : Path
-        The file.
-    metres : float or None
-        Metres of a unit of its numbers, where it does not give that itself.
-    spacing : float or None
-        Distance of points [m], where it does not give that itself, or a senseless one.
-    most : int
-        Points that are read at most.
+    Args:
+        path: The file.
+        metres: Metres of a unit of its numbers, where it does not give that itself.
+        spacing: Distance of points [m], where it does not give that itself, or a senseless one.
+        most: Points that are read at most.
 
-    Raises
-    ------
-    ValueError
-        It cannot be read, holds no heights of an area, or lacks unit or spacing.
+    Raises:
+        ValueError: It cannot be read, holds no heights of an area, or lacks unit or spacing.
     """
     with path.open("rb") as file:
         if is_compressed(file.read(8)):

@@ -49,19 +49,13 @@ def plausible_side(points: tuple[int, ...], steps: tuple[float, ...]) -> bool:
 def require_plausible_sides(points: tuple[int, ...], steps: tuple[float, ...], given: bool) -> None:
     """Refuse an area of sides that no measurement has.
 
-    Parameters
-    ----------
-    points : tuple of int
-        Points along x and y.
-    steps : tuple of float
-        Their distances [m].
-    given : bool
-        Whether these are the user's, else the file's.
+    Args:
+        points: Points along x and y.
+        steps: Their distances [m].
+        given: Whether these are the user's, else the file's.
 
-    Raises
-    ------
-    ValueError
-        A side is too long or too short.
+    Raises:
+        ValueError: A side is too long or too short.
     """
     if plausible_side(points, steps):
         return
@@ -79,15 +73,11 @@ def require_plausible_sides(points: tuple[int, ...], steps: tuple[float, ...], g
 def require_plausible(surface: Topography) -> None:
     """Refuse heights and slopes that no surface has.
 
-    Parameters
-    ----------
-    surface : Topography
-        All waves of the surface, without form.
+    Args:
+        surface: All waves of the surface, without form.
 
-    Raises
-    ------
-    ValueError
-        They are too low or too steep.
+    Raises:
+        ValueError: They are too low or too steep.
     """
     if surface.rms < MIN_RMS_HEIGHT:
         raise ValueError(

@@ -14,22 +14,15 @@ SAME_PLACE = 0.25
 def on_grid(points: Array, most: int) -> tuple[Array, tuple[float, float]]:
     """Heights over a grid, NaN where it has no point, and the distances of its points.
 
-    Parameters
-    ----------
-    points : numpy.ndarray
-        Columns x, y and z, shape (points, 3), in any order.
-    most : int
-        Points of the largest grid.
+    Args:
+        points: Columns x, y and z, shape (points, 3), in any order.
+        most: Points of the largest grid.
 
-    Returns
-    -------
-    tuple
+    Returns:
         Heights, shape (nx, ny), and distances along x and y, all in the units of the columns.
 
-    Raises
-    ------
-    ValueError
-        The points lie on no regular grid, twice at one place, or on one that is too large.
+    Raises:
+        ValueError: The points lie on no regular grid, twice at one place, or on one that is too large.
     """
     points = points[np.isfinite(points[:, :2]).all(axis=1)]
     (row, dx), (column, dy) = (_places(points[:, k], name) for k, name in enumerate("xy"))

@@ -69,25 +69,16 @@ def separate_waves(
     Form is a polynomial of second order. Filters are Gaussian (ISO 16610-61). Form, filters and figures
     count measured points alone.
 
-    Parameters
-    ----------
-    heights : numpy.ndarray
-        Heights [m], shape (nx, ny), NaN where missing.
-    spacing : tuple of float
-        Distance of points along x and y [m].
-    periodic : bool
-        Whether they repeat themselves, and have no form.
-    nesting_index : float, optional
-        Longest wave of roughness [m]; without, all that is no form is roughness.
-    shortest_wave : float, optional
-        Nesting index of the filter against noise [m].
-    outliers : str
-        Whether to "refuse", "fill" or "keep" heights that are far from all others.
+    Args:
+        heights: Heights [m], shape (nx, ny), NaN where missing.
+        spacing: Distance of points along x and y [m].
+        periodic: Whether they repeat themselves, and have no form.
+        nesting_index: Longest wave of roughness [m]; without, all that is no form is roughness.
+        shortest_wave: Nesting index of the filter against noise [m].
+        outliers: Whether to "refuse", "fill" or "keep" heights that are far from all others.
 
-    Raises
-    ------
-    ValueError
-        Too many points are missing, there are outliers, or an index that the area does not hold.
+    Raises:
+        ValueError: Too many points are missing, there are outliers, or an index that the area does not hold.
     """
     level, missing = _levelled(heights, periodic, outliers)
     if not np.nanstd(level) > 0:

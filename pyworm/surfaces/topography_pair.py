@@ -166,12 +166,9 @@ def _turned(tensor: Array, angle: float) -> Array:
 def topography_pair(bodies: tuple[Body, Body], directions: tuple[float, float]) -> TopographyPair:
     """The surfaces of two bodies of which at least one has a topography.
 
-    Parameters
-    ----------
-    bodies : tuple of Body
-        Body 1 and body 2, the roughness of both known.
-    directions : tuple of float
-        Direction of each surface's motion from the x axis of the contact [rad].
+    Args:
+        bodies: Body 1 and body 2, the roughness of both known.
+        directions: Direction of each surface's motion from the x axis of the contact [rad].
     """
     first, second = (
         None

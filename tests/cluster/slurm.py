@@ -64,16 +64,11 @@ def _free_ports() -> tuple[int, int]:
 def running_slurm(folder: Path, cores: int) -> Iterator[dict[str, str]]:
     """Start munge, the controller and the node.
 
-    Parameters
-    ----------
-    folder : Path
-        Directory for all their files; its path must be short enough for a socket's.
-    cores : int
-        Processors that the node offers, which need not be there.
+    Args:
+        folder: Directory for all their files; its path must be short enough for a socket's.
+        cores: Processors that the node offers, which need not be there.
 
-    Yields
-    ------
-    dict
+    Yields:
         The environment in which sbatch and its likes find it.
     """
     for name in ("state", "spool"):

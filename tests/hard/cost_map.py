@@ -51,14 +51,10 @@ def draw_map(
 ) -> None:
     """Draw random scenes by kind: dots coloured by cost, crosses where a scene did not converge.
 
-    Parameters
-    ----------
-    verdicts : mapping
-        Kind -> what its scenes came to.
-    traits : mapping
-        Name of a scene -> its traits.
-    path : Path
-        The picture.
+    Args:
+        verdicts: Kind -> what its scenes came to.
+        traits: Name of a scene -> its traits.
+        path: The picture.
     """
     kinds = [kind for kind in PANELS if verdicts.get(kind)]
     figure = Figure(figsize=(13.0, 4.2 * len(kinds)), layout="constrained")

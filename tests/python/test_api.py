@@ -92,7 +92,7 @@ def test_no_docstring_lists_attributes():
         f"{file.relative_to(PACKAGE)}: {node.name}"
         for file in sorted(PACKAGE.rglob("*.py"))
         for node in ast.walk(ast.parse(file.read_text()))
-        if isinstance(node, ast.ClassDef) and "\nAttributes\n---" in (ast.get_docstring(node) or "")
+        if isinstance(node, ast.ClassDef) and "\nAttributes:\n" in (ast.get_docstring(node) or "")
     ]
     assert not listing
 

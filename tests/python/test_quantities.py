@@ -66,7 +66,7 @@ def places():
 def documented(text, name):
     """What a docstring says of a parameter."""
     entry = re.search(
-        rf"^(?:\w+, )*\*?\*?{name}(?:, \w+)*(?: :.*)?\n((?:    .*\n?|\n)+)", text, re.M
+        rf"^    (?:\w+, )*\*?\*?{name}(?:, \w+)*(?: \(.*\))?:(.*(?:\n     .*)*)", text, re.M
     )
     return entry[1] if entry else ""
 

@@ -23,14 +23,10 @@ _BOXES = """(selector => [...document.querySelectorAll(selector)].map(of => {
 def take(file: Path, pictures: dict[str, Path], home: Path) -> dict[str, dict[str, Any]]:
     """Pictures of parts of a page as printed on A4; the box of each, and whether anything spills out of it.
 
-    Parameters
-    ----------
-    file : Path
-        The page.
-    pictures : dict
-        Selector of a part -> where its picture goes.
-    home : Path
-        Where the browser keeps its files.
+    Args:
+        file: The page.
+        pictures: Selector of a part -> where its picture goes.
+        home: Where the browser keeps its files.
     """
 
     async def visit(page: Page) -> dict[str, dict[str, Any]]:

@@ -40,16 +40,11 @@ def line_of_action_data(
 ) -> "xr.Dataset":
     """The contacts along a line of action as one dataset over phase.
 
-    Parameters
-    ----------
-    contacts : ToothContacts
-        The contacts, arrays over phase.
-    rating : GearRating
-        Closed forms there; unknown ones are left out.
-    marks : mapping
-        Name of a point of the line of action -> its phase.
-    driver : str
-        "pinion" or "gear".
+    Args:
+        contacts: The contacts, arrays over phase.
+        rating: Closed forms there; unknown ones are left out.
+        marks: Name of a point of the line of action -> its phase.
+        driver: "pinion" or "gear".
     """
     columns = {name: getattr(contacts, name) for name in _CONTACTS}
     columns |= {f"closed_form_{name}": getattr(rating, name) for name in _RATING}
@@ -72,14 +67,10 @@ def line_of_action_data(
 def with_friction(data: "xr.Dataset", friction: float, load_factor: np.ndarray) -> "xr.Dataset":
     """Add the coefficient of friction of the closed forms to the line of action.
 
-    Parameters
-    ----------
-    data : xarray.Dataset
-        As `line_of_action_data` makes it.
-    friction : float
-        Coefficient of friction [-].
-    load_factor : ndarray
-        Normal load with that friction over the one without [-].
+    Args:
+        data: As `line_of_action_data` makes it.
+        friction: Coefficient of friction [-].
+        load_factor: Normal load with that friction over the one without [-].
     """
     data = data.assign(friction_load_factor=("phase", load_factor))
     return describe(data.assign_attrs(friction_coefficient=friction))

@@ -75,16 +75,11 @@ def rate(
 ) -> GearRating:
     """Evaluate the closed forms at contacts.
 
-    Parameters
-    ----------
-    contacts : ToothContacts
-        Curvature, velocities and load.
-    bodies : tuple of Body
-        Pinion and gear.
-    oil : Oil
-        The oil as it enters the contacts.
-    surfaces : Surfaces or None
-        Friction.
+    Args:
+        contacts: Curvature, velocities and load.
+        bodies: Pinion and gear.
+        oil: The oil as it enters the contacts.
+        surfaces: Friction.
     """
     modulus = reduced_modulus(*bodies)
     half_width = np.sqrt(8 * contacts.unit_load * contacts.radius / (np.pi * modulus))

@@ -42,10 +42,8 @@ differ in place by so little that the difference of their integrals is rounding.
 class LoadSharing:
     """One rule for one pair of gears.
 
-    Raises
-    ------
-    ValueError
-        If there is no such rule, or it does not apply to these gears.
+    Raises:
+        ValueError: If there is no such rule, or it does not apply to these gears.
     """
 
     pair: InvolutePair

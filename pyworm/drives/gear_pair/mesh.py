@@ -162,10 +162,8 @@ class GearPairMesh(Lubricated):
     def contacts(self, phase: float | Array) -> ToothContacts:
         """The tooth contacts at phases of the mesh cycle, 0 to 1.
 
-        Raises
-        ------
-        ValueError
-            If a phase is out of contact.
+        Raises:
+            ValueError: If a phase is out of contact.
         """
         phase = np.asarray(phase, float)
         if not np.all((phase >= 0) & (phase <= 1)):

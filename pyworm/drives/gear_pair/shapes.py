@@ -42,12 +42,9 @@ DRAWN_PARTS = (
 def in_space(teeth: InvolutePair, lengths: Sequence[float]) -> Space:
     """Some teeth of both gears.
 
-    Parameters
-    ----------
-    teeth : InvolutePair
-        The gears.
-    lengths : sequence of float
-        Radii of curvature of the pinion in the middle of the face for the turns [m].
+    Args:
+        teeth: The gears.
+        lengths: Radii of curvature of the pinion in the middle of the face for the turns [m].
     """
     along = np.asarray(lengths)
     base = [cylinder.base for cylinder in teeth.cylinders]

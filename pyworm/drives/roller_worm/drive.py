@@ -23,10 +23,8 @@ from pyworm.scene.point import Scene
 class RollerWormDrive(RollerMesh, Drive):
     """A roller enveloping worm drive at one operating point; attributes as of `RollerMesh`.
 
-    Raises
-    ------
-    ValueError
-        If worm and rollers do not fit; the message begins with the key that is wrong.
+    Raises:
+        ValueError: If worm and rollers do not fit; the message begins with the key that is wrong.
     """
 
     body_names = "worm", "roller"
@@ -42,19 +40,14 @@ class RollerWormDrive(RollerMesh, Drive):
     def scene(self, section: str, phase: float, station: float | None = None) -> LineScene | Scene:
         """The lubricated contact of a roller: body 1 is the worm, body 2 the roller.
 
-        Parameters
-        ----------
-        section : str
-            "right" or "left".
-        phase : float
-            Phase of the roller in the section, 0 to 1.
-        station : float, optional
-            Fraction of the contact line, for the line contact there; by default the whole line with its ends.
+        Args:
+            section: "right" or "left".
+            phase: Phase of the roller in the section, 0 to 1.
+            station: Fraction of the contact line, for the line contact there; by default the whole line with
+                its ends.
 
-        Raises
-        ------
-        ValueError
-            If the roller carries no load there.
+        Raises:
+            ValueError: If the roller carries no load there.
         """
         part = self.sections[section]
         scene_at = partial(self.scene_at, section, station=station)

@@ -153,18 +153,13 @@ def share(
 ) -> SharedLoad:
     """Share a torque among the rollers of a section.
 
-    Parameters
-    ----------
-    section : WormSection
-        The section.
-    compliance : Compliance
-        Compliance of rollers, pins and thread.
-    wheel_angle : float
-        Wheel angle of one roller [rad]; the others are a pitch apart.
-    torque : float
-        Absolute torque between worm section and wheel, about the wheel's axis [N m]; 0 leaves no load.
-    sharing : str
-        "elastic", or "equal": the same load for each length everywhere.
+    Args:
+        section: The section.
+        compliance: Compliance of rollers, pins and thread.
+        wheel_angle: Wheel angle of one roller [rad]; the others are a pitch apart.
+        torque: Absolute torque between worm section and wheel, about the wheel's axis [N m]; 0 leaves no
+            load.
+        sharing: "elastic", or "equal": the same load for each length everywhere.
     """
     angles = section.in_mesh(wheel_angle)
     contact, lengths = slices(section, angles)

@@ -78,16 +78,11 @@ def line_motion(
 ) -> LineMotion:
     """Compute the motion at contacts.
 
-    Parameters
-    ----------
-    envelope : RollerEnvelope
-        Worm and roller.
-    contact : LineContact
-        The contacts.
-    wheel_speed : float
-        Speed of the wheel [rad/s].
-    roller_speed : ndarray
-        Speed of the rollers about their own axes [rad/s], broadcast against the contacts.
+    Args:
+        envelope: Worm and roller.
+        contact: The contacts.
+        wheel_speed: Speed of the wheel [rad/s].
+        roller_speed: Speed of the rollers about their own axes [rad/s], broadcast against the contacts.
     """
     wide = (3,) + (1,) * contact.place.ndim
     arm = contact.point - envelope.worm_centre.reshape(wide)
@@ -228,22 +223,14 @@ def roller_speed(
 ) -> float:
     """Speed of a roller about its own axis [rad/s], towards growing theta.
 
-    Parameters
-    ----------
-    envelope : RollerEnvelope
-        Worm and roller.
-    contact : LineContact
-        Slices of the roller's contact line, (slices,).
-    lengths, loads : ndarray
-        Length [m] and load for each length [N/m] of the slices.
-    wheel_speed : float
-        Speed of the wheel [rad/s].
-    spinning : str
-        "free", "locked" or "rolling".
-    traction : FilmTraction
-        Shear of the film; used for a free roller only.
-    pin : Pin
-        Pin of the roller.
+    Args:
+        envelope: Worm and roller.
+        contact: Slices of the roller's contact line, (slices,).
+        lengths, loads: Length [m] and load for each length [N/m] of the slices.
+        wheel_speed: Speed of the wheel [rad/s].
+        spinning: "free", "locked" or "rolling".
+        traction: Shear of the film; used for a free roller only.
+        pin: Pin of the roller.
     """
     if spinning == "locked":
         return 0.0

@@ -95,12 +95,9 @@ class WormSection:
     def line(self, wheel_angle: Array, fraction: Array) -> LineContact:
         """Contacts at fractions of the contact lines, 0 to 1 from the end nearer the wheel's axis.
 
-        Parameters
-        ----------
-        wheel_angle : ndarray
-            Angles of rollers [rad].
-        fraction : ndarray
-            Fractions; broadcast against the angles.
+        Args:
+            wheel_angle: Angles of rollers [rad].
+            fraction: Fractions; broadcast against the angles.
         """
         return self.within(self.span(wheel_angle), wheel_angle, fraction)
 

@@ -31,12 +31,9 @@ DRAWN_PARTS = (
 def in_space(mesh: RollerMesh, places: Sequence[ContactIndex]) -> Space:
     """Both flanks of the worm and the rollers about it.
 
-    Parameters
-    ----------
-    mesh : RollerMesh
-        The mesh.
-    places : sequence of Place
-        Sections and phases for the turns.
+    Args:
+        mesh: The mesh.
+        places: Sections and phases for the turns.
     """
     sections = [mesh.sections[present(place.section, "section")] for place in places]
     phases = [present(place.phase, "phase") for place in places]

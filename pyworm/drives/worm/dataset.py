@@ -26,12 +26,10 @@ TOOTH_SAMPLES = 129
 def mesh_cycle_data(contacts: Iterable[Any]) -> "xr.Dataset":
     """The contacts of a mesh cycle as one dataset over phase.
 
-    Parameters
-    ----------
-    contacts : iterable
-        Objects with phase [-], worm_angle and wheel_angle [rad], transmission_error [rad], point
-        [m] and normal as three components in the axes of the drive, and radii [m] along x and y of
-        the tangent plane.
+    Args:
+        contacts: Objects with phase [-], worm_angle and wheel_angle [rad], transmission_error [rad], point
+            [m] and normal as three components in the axes of the drive, and radii [m] along x and y of the
+            tangent plane.
     """
     contacts = tuple(contacts)
 
@@ -88,12 +86,9 @@ LOADED_PHASES = 101
 def loaded_cycle_data(mesh: WormMesh, beyond: float) -> "xr.Dataset":
     """Loads, levers and speeds of a tooth pair over its cycle under load.
 
-    Parameters
-    ----------
-    mesh : WormMesh
-        The mesh.
-    beyond : float
-        Phases before and after the mesh cycle in which a pair may carry load.
+    Args:
+        mesh: The mesh.
+        beyond: Phases before and after the mesh cycle in which a pair may carry load.
     """
     phases = np.linspace(-beyond, 1 + beyond, LOADED_PHASES)
     arms = mesh.arms(phases)
@@ -154,16 +149,12 @@ FlankPlace = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 def tooth_data(outline: Any, gap: Gap, place: FlankPlace, on_thread: FlankPlace) -> PlainDataset:
     """The tooth, its whole gap and its path of contact over a contact's tangent plane.
 
-    Parameters
-    ----------
-    outline : ToothOutline
-        Outline and path.
-    gap : Gap
-        The gap of the contact.
-    place : callable
-        Place on the wheel's flank: along the face from its middle, and distance from the wheel's axis.
-    on_thread : callable
-        Place on the worm's thread: along its axis from the line of centres, and distance from that axis.
+    Args:
+        outline: Outline and path.
+        gap: The gap of the contact.
+        place: Place on the wheel's flank: along the face from its middle, and distance from the wheel's axis.
+        on_thread: Place on the worm's thread: along its axis from the line of centres, and distance from that
+            axis.
     """
     x = np.linspace(outline.x.min(), outline.x.max(), TOOTH_SAMPLES)
     y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)

@@ -17,14 +17,11 @@ def worm_mesh_loss(
 ) -> MeshLoss | None:
     """Loss of all teeth in mesh; None for too few phases of teeth that share a torque.
 
-    Parameters
-    ----------
-    mesh : WormMesh
-        The mesh.
-    loaded_cycle : callable
-        Gives the loads, levers and speeds over the mesh cycle (`loaded_cycle_data`), where they are needed.
-    contacts : sequence of ContactLoss
-        Losses of contacts that were solved.
+    Args:
+        mesh: The mesh.
+        loaded_cycle: Gives the loads, levers and speeds over the mesh cycle (`loaded_cycle_data`), where they
+            are needed.
+        contacts: Losses of contacts that were solved.
     """
     if mesh.tooth_load is None:
         return _of_shared_torque(mesh, loaded_cycle, contacts)

@@ -34,12 +34,9 @@ DRAWN_PARTS = (
 def in_space(gears: WormGears, phases: Sequence[float]) -> Space:
     """The thread that drives and the flank of the wheel that it drives.
 
-    Parameters
-    ----------
-    gears : WormGears
-        Their geometry.
-    phases : sequence of float
-        Phases of the mesh cycle for the turns.
+    Args:
+        gears: Their geometry.
+        phases: Phases of the mesh cycle for the turns.
     """
     contacts = [gears.cycle.contact(phase) for phase in phases]
     worm = Shape(

@@ -39,20 +39,14 @@ def judge(
     Effects are left out, the most expensive first, as long as together they change the quantities asked for
     by no more than the accuracy.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    accuracy : float
-        Relative change allowed [-].
-    quantities : sequence of str
-        Quantities asked for.
-    prediction : Prediction
-        The contact by closed forms, or by solved figures.
-    asked, required : frozenset of str
-        The effects to simulate, if these are given; and those to simulate beside what the accuracy needs.
-    excluded : mapping of str to str, optional
-        Effects not to simulate, and the reason of each.
+    Args:
+        scene: The contact.
+        accuracy: Relative change allowed [-].
+        quantities: Quantities asked for.
+        prediction: The contact by closed forms, or by solved figures.
+        asked, required: The effects to simulate, if these are given; and those to simulate beside what the
+            accuracy needs.
+        excluded: Effects not to simulate, and the reason of each.
     """
     judgements, excluded = {}, excluded or {}
     allowed = accuracy

@@ -28,10 +28,8 @@ GROUPS = ("all", "isothermal")
 def words(text: str) -> tuple[str, ...]:
     """The names of a choice; after "auto", effects to simulate in any case, and after a minus in none.
 
-    Raises
-    ------
-    ValueError
-        For an unknown name.
+    Raises:
+        ValueError: For an unknown name.
     """
     names = tuple(part.strip() for part in text.split(","))
     if names[0] == "auto":
@@ -66,10 +64,8 @@ class BesideAuto:
 def beside_auto(text: str) -> BesideAuto | None:
     """Effects named together with "auto"; None for a choice without it.
 
-    Raises
-    ------
-    ValueError
-        For a word that means nothing.
+    Raises:
+        ValueError: For a word that means nothing.
     """
     first, *names = _understood(text)
     if first != "auto":
@@ -89,19 +85,15 @@ def _understood(text: str) -> tuple[str, ...]:
 def chosen(scene: AnyContact, text: str) -> frozenset[str]:
     """Names of the effects that a choice selects.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    text : str
-        With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for a
-        steady Newtonian film of one temperature between smooth surfaces), names of effects, and names after
-        a minus, which are taken away.
+    Args:
+        scene: The contact.
+        text: With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for
+            a steady Newtonian film of one temperature between smooth surfaces), names of effects, and names
+            after a minus, which are taken away.
 
-    Raises
-    ------
-    ValueError
-        For a word that means nothing, and for an effect that is not simulated or that the contact has not.
+    Raises:
+        ValueError: For a word that means nothing, and for an effect that is not simulated or that the contact
+            has not.
     """
     whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
     groups = {"all": whole, "isothermal": whole - BEYOND_ISOTHERMAL}
@@ -122,10 +114,8 @@ def chosen(scene: AnyContact, text: str) -> frozenset[str]:
 def require(scene: AnyContact, name: str, text: str) -> None:
     """Refuse an effect, named in a choice, that a contact has none of.
 
-    Raises
-    ------
-    ValueError
-        It has none, and not only because of the phase of a mesh.
+    Raises:
+        ValueError: It has none, and not only because of the phase of a mesh.
     """
     effect = SIMULATED[name]
     reason = effect.lacking(scene)

@@ -37,23 +37,15 @@ def build_report(
 ) -> Report:
     """The content of the report on a result.
 
-    Parameters
-    ----------
-    result : Result
-        The result.
-    case : Case, optional
-        Case of the report in place of the solved one, such as one with other ratings.
-    differ : str, optional
-        How they differ, if they do and it is taken anyway.
-    identity : tuple of tuple of str
-        What the page to sign names besides the case: drawing, customer.
-    wear : tuple of Picture, optional
-        Simulated wear of the drive.
+    Args:
+        result: The result.
+        case: Case of the report in place of the solved one, such as one with other ratings.
+        differ: How they differ, if they do and it is taken anyway.
+        identity: What the page to sign names besides the case: drawing, customer.
+        wear: Simulated wear of the drive.
 
-    Raises
-    ------
-    CaseError
-        The result's case is none that this version knows.
+    Raises:
+        CaseError: The result's case is none that this version knows.
     """
     found = findings(result, case)
     cover = cover_of(found, identity)

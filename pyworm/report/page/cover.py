@@ -36,12 +36,9 @@ def verdict_of(safety: Safety) -> Verdict:
 def cover_of(found: Findings, identity: Identity) -> Cover | None:
     """The page to sign; None without safeties.
 
-    Parameters
-    ----------
-    found : Findings
-        The findings of the report.
-    identity : tuple of tuple of str
-        What it names besides the case: drawing, customer.
+    Args:
+        found: The findings of the report.
+        identity: What it names besides the case: drawing, customer.
     """
     ratings = found.ratings
     verdicts = tuple(verdict_of(safety) for rating in ratings for safety in rating.safeties)

@@ -61,12 +61,9 @@ def _those_drawn(drawn: Iterable[Picture | Words | None]) -> list[Picture | Word
 def cycle_section(found: Findings, signed: bool) -> Section | None:
     """Pictures of the whole mesh cycle or traction curve; None where there are none.
 
-    Parameters
-    ----------
-    found : Findings
-        The findings of the report.
-    signed : bool
-        Whether those that belong to what is signed stand elsewhere.
+    Args:
+        found: The findings of the report.
+        signed: Whether those that belong to what is signed stand elsewhere.
     """
     pictures = _of_cycle(found, signed=False)
     if not signed:

@@ -21,17 +21,12 @@ MIN_VARIANTS, MAX_VARIANTS = 2, 6
 def variants_page(results: Sequence[Result], names: Sequence[str]) -> Variants:
     """The page of variants.
 
-    Parameters
-    ----------
-    results : sequence of Result
-        Two to six results.
-    names : sequence of str
-        What they are called, each another.
+    Args:
+        results: Two to six results.
+        names: What they are called, each another.
 
-    Raises
-    ------
-    CaseError
-        Fewer or more, or a case that this version does not know.
+    Raises:
+        CaseError: Fewer or more, or a case that this version does not know.
     """
     if not MIN_VARIANTS <= len(results) <= MAX_VARIANTS:
         raise CaseError(

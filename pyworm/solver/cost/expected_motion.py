@@ -55,12 +55,9 @@ def motion(
 ) -> Motion | None:
     """Expected transient solves of a contact; None of a steady film and where none can begin.
 
-    Parameters
-    ----------
-    scene, plan : Scene or LineScene, Plan
-        The contact and its plan.
-    time_grid : TimeGrid, optional
-        The time grid of its whole life, if known: finding it costs as much as several plans.
+    Args:
+        scene, plan: The contact and its plan.
+        time_grid: The time grid of its whole life, if known: finding it costs as much as several plans.
     """
     if SQUEEZE.name not in plan.on:
         return None

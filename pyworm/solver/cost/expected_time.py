@@ -51,12 +51,9 @@ def expectation(
 
     The first call on a machine, or with another build of the kernel, measures a calibration in some seconds.
 
-    Parameters
-    ----------
-    scene, plan : Scene or LineScene, Plan
-        The scene and its plan.
-    time_grid : TimeGrid, optional
-        The time grid of its life, if it is known.
+    Args:
+        scene, plan: The scene and its plan.
+        time_grid: The time grid of its life, if it is known.
     """
     pace = calibration()
     unit = pace.convolution(plan.work.kind, plan.work.finest)

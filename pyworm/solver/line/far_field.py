@@ -39,14 +39,10 @@ class LineFarField:
 def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Array) -> LineFarField:
     """Compute the far field before a grid's inlet end.
 
-    Parameters
-    ----------
-    scene : LineScene
-        The contact.
-    grid : LineGrid
-        The grid.
-    pressure, film : numpy.ndarray
-        Pressure [Pa] and film [m] on it, at least roughly.
+    Args:
+        scene: The contact.
+        grid: The grid.
+        pressure, film: Pressure [Pa] and film [m] on it, at least roughly.
     """
     x = grid.x
     inlet = 0 if scene.entrainment > 0 else -1

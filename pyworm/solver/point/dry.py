@@ -49,17 +49,12 @@ class DryPressure(Shown):
 def dry_contact(scene: Scene, nodes: int = 129) -> DryPressure:
     """Solve the dry contact of a point contact under its load: its gap, edges included, without oil.
 
-    Parameters
-    ----------
-    scene : Scene
-        The contact.
-    nodes : int, optional
-        Nodes a side of the square grid.
+    Args:
+        scene: The contact.
+        nodes: Nodes a side of the square grid.
 
-    Raises
-    ------
-    ValueError
-        No point contact, or one that is wider than its Hertz ellipse allows for.
+    Raises:
+        ValueError: No point contact, or one that is wider than its Hertz ellipse allows for.
     """
     require_point(scene)
     if isinstance(nodes, bool) or not isinstance(nodes, int) or nodes < 9:

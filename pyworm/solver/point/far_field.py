@@ -32,16 +32,11 @@ class FarField:
 def far_field(scene: Scene, grid: Grid, film: Array, covered: Flags) -> FarField:
     """Compute the far field of a rigid film beyond a grid.
 
-    Parameters
-    ----------
-    scene : Scene
-        The contact.
-    grid : Grid
-        The outermost grid.
-    film : numpy.ndarray
-        Film [m] on the outline, at least roughly, shape (nx, ny).
-    covered : numpy.ndarray
-        Where both surfaces exist.
+    Args:
+        scene: The contact.
+        grid: The outermost grid.
+        film: Film [m] on the outline, at least roughly, shape (nx, ny).
+        covered: Where both surfaces exist.
     """
     x, y = grid.mesh()
     outline = np.zeros(film.shape, dtype=bool)

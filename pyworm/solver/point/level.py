@@ -37,8 +37,6 @@ DRY_TOLERANCE = 1e-5
 class PointLevel(Level):
     """A film of a point contact on one grid.
 
-    Notes
-    -----
     The other attributes are those of `pyworm.solver.level.Level`.
     """
 

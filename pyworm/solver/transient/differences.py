@@ -10,17 +10,12 @@ from pyworm.formulas.arrays import Array
 def weights(times: Sequence[float], time: float) -> tuple[Array, Array]:
     """Weights of values at some times in the polynomial through them and in its rate of change.
 
-    Parameters
-    ----------
-    times : sequence of float
-        Times of the values [s].
-    time : float
-        Time at which the polynomial is wanted [s].
+    Args:
+        times: Times of the values [s].
+        time: Time at which the polynomial is wanted [s].
 
-    Returns
-    -------
-    values, rates : ndarray
-        Weights in the value [-] and in the rate of change [1/s].
+    Returns:
+        values, rates: Weights in the value [-] and in the rate of change [1/s].
     """
     since = np.asarray(times, float) - time
     scale = np.abs(since).max() or 1.0

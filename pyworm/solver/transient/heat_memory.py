@@ -90,24 +90,16 @@ def residual_rise(
 ) -> Array:
     """What both surfaces are warmer than steady conduction has them, equation 1 [K].
 
-    Parameters
-    ----------
-    history : sequence of HeatedInstant
-        Heat at times before, the latest first.
-    contact : Scene or LineScene
-        The contact now.
-    grid : Grid or LineGrid
-        The moving grid now, of as many nodes as before.
-    coarse : Grid or LineGrid
-        Every so many of its nodes, on which the rise is found; it is as smooth as the contact is large.
-    seconds : float
-        The time [s].
-    turning : float
-        Angular velocity of the axes [rad/s].
+    Args:
+        history: Heat at times before, the latest first.
+        contact: The contact now.
+        grid: The moving grid now, of as many nodes as before.
+        coarse: Every so many of its nodes, on which the rise is found; it is as smooth as the contact is
+            large.
+        seconds: The time [s].
+        turning: Angular velocity of the axes [rad/s].
 
-    Returns
-    -------
-    ndarray
+    Returns:
         Rise at the nodes, body along the last axis.
     """
     # solved for the film's nodes already, of which those of the coarse grid are some

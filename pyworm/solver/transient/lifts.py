@@ -38,18 +38,12 @@ class Lift:
 def moving_lifts(time_grid: TimeGrid, begin: float, wanted: Sequence[float]) -> dict[float, Lift]:
     """Lifts by the transient films of a life of point contacts.
 
-    Parameters
-    ----------
-    time_grid : TimeGrid
-        The life.
-    begin : float
-        Where its transient solve begins, with a steady film [transits].
-    wanted : sequence of float
-        Times at which the lift is wanted [s].
+    Args:
+        time_grid: The life.
+        begin: Where its transient solve begins, with a steady film [transits].
+        wanted: Times at which the lift is wanted [s].
 
-    Returns
-    -------
-    dict
+    Returns:
         Time [s] -> lift; without times to which no films lead.
     """
     try:

@@ -171,23 +171,15 @@ def integrate_in_time(
 ) -> TimeIntegration:
     """Integrate a contact's film in time.
 
-    Parameters
-    ----------
-    time_grid : TimeGrid
-        Grids and pace of its life.
-    refinement : int
-        Halvings of the spacing and of the time step.
-    begin : float
-        Where it begins, with a steady film [transits].
-    wanted : sequence of float
-        Times at which the rate of change is wanted [s], later than that.
-    until : float, optional
-        Time up to which the films are wanted, where that is later than these [s].
+    Args:
+        time_grid: Grids and pace of its life.
+        refinement: Halvings of the spacing and of the time step.
+        begin: Where it begins, with a steady film [transits].
+        wanted: Times at which the rate of change is wanted [s], later than that.
+        until: Time up to which the films are wanted, where that is later than these [s].
 
-    Raises
-    ------
-    NoFilmError
-        No film was found from which to begin.
+    Raises:
+        NoFilmError: No film was found from which to begin.
     """
     _require_memory(time_grid, refinement)
     asked = steps_of(time_grid, refinement, begin, max(*wanted, until))
@@ -387,10 +379,8 @@ def _reached(
     load that jumps, or an edge that enters the contact, leaves films from which neither a first guess nor a
     difference of higher order follows.
 
-    Raises
-    ------
-    NoFilmError
-        No film was found after `MOST_HALVINGS`.
+    Raises:
+        NoFilmError: No film was found after `MOST_HALVINGS`.
     """
     try:
         level, taken = _onward(time_grid, step, before, heat, held)

@@ -159,24 +159,16 @@ def curves(
     Figures that the present film does not have, whose heat is not simulated though other times of its life
     call for it, have no curve.
 
-    Parameters
-    ----------
-    solves : sequence of sequence of Moment
-        Moments of each transient solve, the finest last.
-    since : float
-        Time after which they are kept [s].
-    kind : str
-        Kind of contact.
-    share : float
-        Error of the finest over its change from the one before [-].
-    least : float
-        Least relative error.
-    present_seconds : float
-        Time of the present film [s], beyond which the curves of the last scene of a life go on.
-    present : Mapping
-        Figures of that film, on the first grid of the figures.
-    coldest : float or None
-        Bulk temperature of the colder body [K]; None where heat was not simulated.
+    Args:
+        solves: Moments of each transient solve, the finest last.
+        since: Time after which they are kept [s].
+        kind: Kind of contact.
+        share: Error of the finest over its change from the one before [-].
+        least: Least relative error.
+        present_seconds: Time of the present film [s], beyond which the curves of the last scene of a life go
+            on.
+        present: Figures of that film, on the first grid of the figures.
+        coldest: Bulk temperature of the colder body [K]; None where heat was not simulated.
     """
     records = [record for record in solves[-1] if record.seconds > since]
     variables: dict[str, Any] = {

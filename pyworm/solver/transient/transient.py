@@ -178,10 +178,8 @@ def recent(scene: Scene | LineScene) -> Past:
 def part_at(time_grid: TimeGrid, seconds: float) -> Part:
     """The part of a life that a time [s] belongs to.
 
-    Raises
-    ------
-    ValueError
-        If it carries no load at that time.
+    Raises:
+        ValueError: If it carries no load at that time.
     """
     if not time_grid.begin <= seconds <= time_grid.end:
         raise ValueError(f"its surfaces carry no load at {seconds:.3g} s")
@@ -315,14 +313,10 @@ def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
 def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     """The film of a contact with the rate of change of transient solves, and the error of its figures.
 
-    Parameters
-    ----------
-    scene : Scene or LineScene
-        The contact.
-    plan : Plan
-        Its plan.
-    rates : Rates
-        The rates.
+    Args:
+        scene: The contact.
+        plan: Its plan.
+        rates: The rates.
     """
     solver_type = SOLVERS[type(scene)]
     level, _ = solver_type(scene, plan).begin(plan.grids)

@@ -34,19 +34,13 @@ _ALLOWED = tuple(
 def base_cylinder_design(profile: Profile, given: Mapping[str, Any], hand: Hand) -> Design:
     """Worm, wheel and hob of their base cylinders.
 
-    Parameters
-    ----------
-    profile : str
-        Form of the flanks, which is ZI.
-    given : mapping
-        Numbers by the names of `Drawing`, and those of `OF_HOB`; those that are left out None.
-    hand : str
-        Hand of the threads.
+    Args:
+        profile: Form of the flanks, which is ZI.
+        given: Numbers by the names of `Drawing`, and those of `OF_HOB`; those that are left out None.
+        hand: Hand of the threads.
 
-    Raises
-    ------
-    ValueError
-        A number is missing, or is of a drawing with a module; the sentence begins with its key.
+    Raises:
+        ValueError: A number is missing, or is of a drawing with a module; the sentence begins with its key.
     """
     _check(profile, given)
     return Design(

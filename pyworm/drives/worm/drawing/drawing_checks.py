@@ -74,10 +74,8 @@ DERIVED: dict[str, tuple[Callable[[Drawing], float], str]] = {
 def check_given(given: Mapping[str, float | None]) -> None:
     """Refuse counts, angles and a centre distance that no worm gear has, before usual values are taken.
 
-    Raises
-    ------
-    ValueError
-        If one is wrong.
+    Raises:
+        ValueError: If one is wrong.
     """
     threads, teeth, module, factor = (
         present(given[key], f"drive.{key}")
@@ -108,10 +106,8 @@ def check_given(given: Mapping[str, float | None]) -> None:
 def check_profile(profile: Profile, given: Mapping[str, float | None]) -> None:
     """Refuse numbers of a grinding disc of a profile that has none, and a base cylinder of any but ZI.
 
-    Raises
-    ------
-    ValueError
-        If there is such a number.
+    Raises:
+        ValueError: If there is such a number.
     """
     for name, profiles in OF_PROFILES.items():
         if given.get(name) is not None and profile not in profiles:
@@ -122,10 +118,8 @@ def check_profile(profile: Profile, given: Mapping[str, float | None]) -> None:
 def check_drawing(drawing: Drawing) -> None:
     """Refuse a drawing of which no worm gear can be made.
 
-    Raises
-    ------
-    ValueError
-        If there is none.
+    Raises:
+        ValueError: If there is none.
     """
     _check_distance(drawing)
     _check_worm(drawing)
@@ -138,10 +132,8 @@ def check_drawing(drawing: Drawing) -> None:
 def check_redundant(drawing: Drawing, given: Mapping[str, float | None]) -> None:
     """Refuse numbers of a drawing that contradict others.
 
-    Raises
-    ------
-    ValueError
-        If one does.
+    Raises:
+        ValueError: If one does.
     """
     for name, (derive, words) in DERIVED.items():
         value = given.get(name)

@@ -96,16 +96,11 @@ def completed(
 ) -> tuple[Drawing, tuple[str, ...]]:
     """A drawing with usual values for what it does not give.
 
-    Parameters
-    ----------
-    given : mapping
-        Numbers by their names in `Drawing`, those that are left out None or absent.
-    profile : str
-        Form of the flanks.
+    Args:
+        given: Numbers by their names in `Drawing`, those that are left out None or absent.
+        profile: Form of the flanks.
 
-    Returns
-    -------
-    tuple of Drawing and tuple of str
+    Returns:
         The drawing, and a sentence that begins with the key for each value taken.
     """
     known: dict[str, Any] = {name: value for name, value in given.items() if value is not None}

@@ -21,10 +21,8 @@ from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGe
 class AxialArc(ScrewGenerator):
     """A right-hand helicoid swept by an arc in the axial plane; the parameter is the radius.
 
-    Raises
-    ------
-    ValueError
-        If the arc does not rise all the way between them.
+    Raises:
+        ValueError: If the arc does not rise all the way between them.
     """
 
     top: float
@@ -78,19 +76,14 @@ def axial_arc(
 ) -> AxialArc:
     """The flank with a normal pressure angle on the cylinder of a reference radius [m].
 
-    Parameters
-    ----------
-    lead, lead_angle, pressure_angle : float
-        Lead [m], lead angle on the reference cylinder and normal pressure angle.
-    reference, arc_radius : float
-        Reference radius and radius of the arc [m].
-    radii : tuple of float
-        Radii between which it is used [m].
+    Args:
+        lead, lead_angle, pressure_angle: Lead [m], lead angle on the reference cylinder and normal pressure
+            angle.
+        reference, arc_radius: Reference radius and radius of the arc [m].
+        radii: Radii between which it is used [m].
 
-    Raises
-    ------
-    ValueError
-        As of `AxialArc`.
+    Raises:
+        ValueError: As of `AxialArc`.
     """
     axial = atan(tan(pressure_angle) / cos(lead_angle))
     return AxialArc(reference + arc_radius * sin(axial), arc_radius, lead / (2 * pi), *radii)

@@ -46,10 +46,8 @@ class ContactPath(ABC):
     def search(self, tip_radius: float) -> Array:
         """Places in the order of the worm's rotation between which the teeth begin and end, if at all.
 
-        Parameters
-        ----------
-        tip_radius : float
-            Radius of the worm's tip cylinder [m].
+        Args:
+            tip_radius: Radius of the worm's tip cylinder [m].
         """
 
     @abstractmethod

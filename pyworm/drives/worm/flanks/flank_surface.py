@@ -32,11 +32,9 @@ class FlankSurface(ABC):
     def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """One step of Newton's method to the place of the flank on a line.
 
-        Returns
-        -------
-        tuple of ndarray, list of ndarray and ndarray
-            Height along the line where the step leads [m], right to the square of the step at least; the
-            step to be taken off q; and a determinant that vanishes at the flank's edge of regression.
+        Returns:
+            Height along the line where the step leads [m], right to the square of the step at least; the step
+            to be taken off q; and a determinant that vanishes at the flank's edge of regression.
         """
 
     @abstractmethod

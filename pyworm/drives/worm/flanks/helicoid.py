@@ -169,14 +169,10 @@ class Helicoid(Seated):
     def point(self, theta: Array, along: Array, angle: float = 0.0) -> Array:
         """Point on the flank, (3, ...) [m].
 
-        Parameters
-        ----------
-        theta : array
-            Angle at which the generator touches the base cylinder [rad].
-        along : array
-            Distance along the generator from the base helix [m], positive on the flank.
-        angle : float
-            Rotation of the screw about its axis [rad].
+        Args:
+            theta: Angle at which the generator touches the base cylinder [rad].
+            along: Distance along the generator from the base helix [m], positive on the flank.
+            angle: Rotation of the screw about its axis [rad].
         """
         theta, along = np.broadcast_arrays(np.asarray(theta), np.asarray(along))
         x, y = np.cos(theta), np.sin(theta)

@@ -15,10 +15,8 @@ def normal_module(axial_module: float, lead_angle: float) -> float:
 def lead_angle_of(threads: int, normal_module: float, reference_diameter: float) -> float:
     """Lead angle on a reference cylinder on which the threads have a normal module, sin(gamma) = z m_n / d.
 
-    Raises
-    ------
-    ValueError
-        No threads of this module wind about so thin a cylinder.
+    Raises:
+        ValueError: No threads of this module wind about so thin a cylinder.
     """
     sine = threads * normal_module / reference_diameter
     if not sine < 1:
@@ -54,10 +52,9 @@ def axial_profile(radius: float, base_radius: float, lead: float) -> float:
 
     z = p (tan(alpha) - alpha) with p = lead / 2 pi and cos(alpha) = r_b / r: the profile of an involute.
 
-    Parameters
-    ----------
-    radius, base_radius, lead : float
-        The radius, the base cylinder's and the advance of the flank in one turn [m].
+    Args:
+        radius, base_radius, lead: The radius, the base cylinder's and the advance of the flank in one turn
+            [m].
     """
     tangent = sqrt(max(radius**2 - base_radius**2, 0.0)) / base_radius
     return lead / (2 * pi) * (tangent - atan2(tangent, 1.0))

@@ -29,19 +29,13 @@ def on_mesh(
 ) -> Array | None:
     """Values at the nodes of a mesh.
 
-    Parameters
-    ----------
-    find : callable
-        Places x and y, (places,) -> values, a row for each quantity; the last one is 1 where the function is
-        smooth.
-    x, y : ndarray
-        Nodes, of one shape.
-    tolerance : float
-        Largest error of the first quantity.
+    Args:
+        find: Places x and y, (places,) -> values, a row for each quantity; the last one is 1 where the
+            function is smooth.
+        x, y: Nodes, of one shape.
+        tolerance: Largest error of the first quantity.
 
-    Returns
-    -------
-    ndarray or None
+    Returns:
         Values (quantities, ...); None of few nodes, and of such that are no mesh.
     """
     stride = max(x.shape) // LONGER_SIDE if x.ndim == 2 else 0

@@ -15,10 +15,8 @@ Kept = TypeVar("Kept")
 class PointCache:
     """Values at the points evaluated last, up to a number of points; other processes get an empty copy.
 
-    Parameters
-    ----------
-    most : int
-        Total number of points beyond which the least recently used values are dropped.
+    Args:
+        most: Total number of points beyond which the least recently used values are dropped.
     """
 
     def __init__(self, most: int):

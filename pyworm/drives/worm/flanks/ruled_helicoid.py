@@ -54,12 +54,10 @@ def straight_normal(
 ) -> RuledHelicoid:
     """The flank of a ZN worm, straight in the plane normal to the thread.
 
-    Parameters
-    ----------
-    lead, lead_angle, pressure_angle : float
-        Lead [m], lead angle on the reference cylinder and angle of the blade in that plane.
-    apex : float
-        Radius at which the line meets the middle of the thread or of its space [m].
+    Args:
+        lead, lead_angle, pressure_angle: Lead [m], lead angle on the reference cylinder and angle of the
+            blade in that plane.
+        apex: Radius at which the line meets the middle of the thread or of its space [m].
     """
     across = sqrt(cos(pressure_angle) ** 2 + (sin(pressure_angle) * sin(lead_angle)) ** 2)
     return RuledHelicoid(

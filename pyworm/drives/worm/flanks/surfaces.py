@@ -20,14 +20,10 @@ def contact_paths(
 ) -> tuple[ContactPath, ...]:
     """Paths along which worm and wheel touch.
 
-    Parameters
-    ----------
-    worm, flank : WormSurface, WheelSurface
-        The flanks.
-    threads : int
-        Number of threads of the worm.
-    reference_radii : tuple of float
-        Reference radii of worm and hob [m].
+    Args:
+        worm, flank: The flanks.
+        threads: Number of threads of the worm.
+        reference_radii: Reference radii of worm and hob [m].
     """
     if isinstance(worm, Helicoid) and isinstance(flank, WheelFlank):
         return lines_of_action(worm, flank)

@@ -90,12 +90,9 @@ class SweptHelicoid(Seated):
     def expanded(self, u: Array, turn: Array, angle: Array | float) -> Expansion:
         """Points, normals and derivatives.
 
-        Parameters
-        ----------
-        u, turn : array
-            Place on the curve over `size`, and turn of the curve [rad].
-        angle : array
-            Rotation of the screw about its axis [rad].
+        Args:
+            u, turn: Place on the curve over `size`, and turn of the curve [rad].
+            angle: Rotation of the screw about its axis [rad].
         """
         place, along, bend = self.generator.curve(u * self.size)
         x, y, z = place

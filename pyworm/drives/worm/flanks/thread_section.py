@@ -24,19 +24,13 @@ def form_radius(flank: WormSurface, end: float, fillet: float, other_end: float)
     The arc's centre is `fillet` from the cylinder that ends the thread and from the flank:
     r = end +- fillet (1 - sin alpha_x(r)), + at a root and - at a tip (closed for the straight flanks of ZA).
 
-    Parameters
-    ----------
-    flank : WormSurface
-        Flank of worm or hob.
-    end, other_end : float
-        Radii of the cylinder to which the arc is tangent, and of the thread's other one [m].
-    fillet : float
-        Radius of the arc [m]; without any the flank goes on to the end.
+    Args:
+        flank: Flank of worm or hob.
+        end, other_end: Radii of the cylinder to which the arc is tangent, and of the thread's other one [m].
+        fillet: Radius of the arc [m]; without any the flank goes on to the end.
 
-    Raises
-    ------
-    ValueError
-        If the arc leaves no flank.
+    Raises:
+        ValueError: If the arc leaves no flank.
     """
     if fillet == 0:
         return end

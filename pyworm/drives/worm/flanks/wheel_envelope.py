@@ -53,12 +53,9 @@ class WheelFlank:
     def cut_point(self, theta: Array, roll: Array) -> Array:
         """Point of the cutting contact in the drive frame, where hob and wheel touch, (3, ...) [m].
 
-        Parameters
-        ----------
-        theta : array
-            Generator of the hob [rad].
-        roll : array
-            Wheel angle while cutting [rad].
+        Args:
+            theta: Generator of the hob [rad].
+            roll: Wheel angle while cutting [rad].
         """
         theta, roll = np.broadcast_arrays(np.asarray(theta), np.asarray(roll))
         normal, slope, _ = self.hob.normals(theta)

@@ -111,20 +111,13 @@ def share(
 ) -> SharedLoad:
     """Share a torque among tooth pairs.
 
-    Parameters
-    ----------
-    transmission : Transmission
-        The torque.
-    phases : ndarray
-        Phases of the pairs that may touch, (pairs,).
-    arms : ndarray
-        Torque for each normal load [m], (pairs,): `Arms.of`.
-    levers : ndarray
-        Levers of their normals about the wheel's axis [m], (pairs,).
-    ahead : ndarray
-        Transmission error if each pair alone led the wheel [rad], (pairs,).
-    springs : ToothSprings or None
-        Compliance of the pairs; None with equal shares.
+    Args:
+        transmission: The torque.
+        phases: Phases of the pairs that may touch, (pairs,).
+        arms: Torque for each normal load [m], (pairs,): `Arms.of`.
+        levers: Levers of their normals about the wheel's axis [m], (pairs,).
+        ahead: Transmission error if each pair alone led the wheel [rad], (pairs,).
+        springs: Compliance of the pairs; None with equal shares.
     """
     if transmission.sharing == "equal":
         on_teeth = (phases >= 0) & (phases <= 1)

@@ -70,19 +70,13 @@ def drive_temperatures(
 ) -> DriveTemperatures:
     """Compute the steady temperatures under a loss between the teeth.
 
-    Parameters
-    ----------
-    cooling : Cooling
-        Cooling of the drive.
-    rim : float
-        Face width of the wheel times its reference diameter [m2].
-    worm_speed, tooth_loss : float
-        Speed of the worm [rad/s] and loss between the teeth [W].
+    Args:
+        cooling: Cooling of the drive.
+        rim: Face width of the wheel times its reference diameter [m2].
+        worm_speed, tooth_loss: Speed of the worm [rad/s] and loss between the teeth [W].
 
-    Raises
-    ------
-    ValueError
-        If the sump is hotter than the range of the standard's formula.
+    Raises:
+        ValueError: If the sump is hotter than the range of the standard's formula.
     """
     sump = cooling.ambient_temperature + (tooth_loss + cooling.other.power) / cooling.conductance
     wheel = bulk_temperature(sump, tooth_loss, worm_speed, rim, cooling.immersion)

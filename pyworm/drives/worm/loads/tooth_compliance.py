@@ -120,19 +120,14 @@ def tooth_springs(
 ) -> ToothSprings:
     """Dry contacts of one tooth pair over its mesh cycle and a little beyond.
 
-    Parameters
-    ----------
-    gap_at, radii_at : callable
-        Phase -> undeformed gap over the tangent plane, and relative radii of curvature [m].
-    reduced_modulus, whole_load, stiffness : float
-        E' [Pa], load of all pairs together [N], stiffness beyond the contact [N/m].
-    longest : float
-        Half side of the window that no contact exceeds [m].
-    touch_at : callable, optional
-        Phase -> place about which flanks touch first; by default their contact point.
-    follows : callable, optional
-        Phase -> whether the contact is that of the flanks, not continued from where it could be followed no
-        farther; by default within the mesh cycle.
+    Args:
+        gap_at, radii_at: Phase -> undeformed gap over the tangent plane, and relative radii of curvature [m].
+        reduced_modulus, whole_load, stiffness: E' [Pa], load of all pairs together [N], stiffness beyond the
+            contact [N/m].
+        longest: Half side of the window that no contact exceeds [m].
+        touch_at: Phase -> place about which flanks touch first; by default their contact point.
+        follows: Phase -> whether the contact is that of the flanks, not continued from where it could be
+            followed no farther; by default within the mesh cycle.
     """
     loads = LOAD_SHARES * whole_load
     phases, separations, approaches = [], [], []

@@ -24,10 +24,8 @@ MAX_DEFLECTION = 0.1
 class WormShaft:
     """The worm's shaft and its bearings.
 
-    Raises
-    ------
-    ValueError
-        If the mesh does not lie between the bearings.
+    Raises:
+        ValueError: If the mesh does not lie between the bearings.
     """
 
     bearing_span: units.Length
@@ -101,21 +99,15 @@ def bent_shaft(
 ) -> BentShaft:
     """The shaft under the mean force of the mesh.
 
-    Parameters
-    ----------
-    shaft : WormShaft
-        The shaft.
-    gears : WormGears
-        Worm and wheel as on a rigid shaft.
-    mean : MeshForce
-        Force of the wheel's teeth on the worm.
-    youngs_modulus : float
-        Of the shaft [Pa].
+    Args:
+        shaft: The shaft.
+        gears: Worm and wheel as on a rigid shaft.
+        mean: Force of the wheel's teeth on the worm.
+        youngs_modulus: Of the shaft [Pa].
 
-    Raises
-    ------
-    ValueError
-        If a bearing lies where the wheel is, or the shaft bends by more than a tenth of the module.
+    Raises:
+        ValueError: If a bearing lies where the wheel is, or the shaft bends by more than a tenth of the
+            module.
     """
     _check_bearings(gears, shaft)
     diameter = _diameter(shaft, gears.worm)

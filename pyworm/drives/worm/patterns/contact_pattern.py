@@ -131,14 +131,10 @@ def both_flanks(
     The other one is the first one of `turned` gears, with places along the face of the opposite sign; it has
     no known separation where a shift for one direction of drive leaves no contact in the other one.
 
-    Parameters
-    ----------
-    gears : WormGears
-        The gears.
-    pattern_of : callable
-        Finds a pattern.
-    like : WormGears or None
-        Gears with the same wheel, at whose places it is found; None for those of the gears.
+    Args:
+        gears: The gears.
+        pattern_of: Finds a pattern.
+        like: Gears with the same wheel, at whose places it is found; None for those of the gears.
     """
     like = gears if like is None else like
     driven = pattern_of(gears, like.flank_grid)

@@ -85,12 +85,9 @@ Misses = Callable[[Setting[MeshT]], Array]
 def found_setting(mesh: MeshT, wanted: dict[str, float]) -> Setting[MeshT]:
     """The set-up nearest to the present one whose pattern has a wanted place, or size, or both.
 
-    Parameters
-    ----------
-    mesh : WormMesh
-        The mesh, or its drive, as it is.
-    wanted : dict
-        `face` [m], `size` [-], or both, as in `Mark`.
+    Args:
+        mesh: The mesh, or its drive, as it is.
+        wanted: `face` [m], `size` [-], or both, as in `Mark`.
     """
 
     def misses(setting: Setting[MeshT]) -> Array:

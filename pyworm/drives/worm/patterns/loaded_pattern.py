@@ -68,16 +68,11 @@ def deflection(placed: PlacedGap, pressure: Array, modulus: float, x: Array, y: 
     Beyond it forces P at distances r give 2 P / (pi E' r) each (Boussinesq; K. L. Johnson, Contact Mechanics,
     1985, equation 3.22).
 
-    Parameters
-    ----------
-    placed : PlacedGap
-        The window.
-    pressure : ndarray
-        Its pressure [Pa], (x, y).
-    modulus : float
-        E' [Pa].
-    x, y : ndarray
-        Places [m].
+    Args:
+        placed: The window.
+        pressure: Its pressure [Pa], (x, y).
+        modulus: E' [Pa].
+        x, y: Places [m].
     """
     dx, dy = placed.x[1] - placed.x[0], placed.y[1] - placed.y[0]
     inside = kernel.elastic_deflection(pressure, dx, dy, modulus)

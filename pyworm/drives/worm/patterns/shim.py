@@ -29,14 +29,10 @@ def found_shim(
 ) -> Shim:
     """The shim for a place of the pattern.
 
-    Parameters
-    ----------
-    gears : WormGears
-        Worm and wheel with their errors of assembly.
-    patterns : tuple of ContactPattern
-        Their patterns without load, of the flank that the worm drives and of the other one.
-    wanted : float or None
-        Wanted middle of the marked part along the face [m]; None for that without errors of assembly.
+    Args:
+        gears: Worm and wheel with their errors of assembly.
+        patterns: Their patterns without load, of the flank that the worm drives and of the other one.
+        wanted: Wanted middle of the marked part along the face [m]; None for that without errors of assembly.
     """
 
     def middle(pattern: ContactPattern) -> float:

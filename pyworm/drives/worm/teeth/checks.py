@@ -26,10 +26,8 @@ BASE_PITCH_MISMATCH = 0.01
 def check_gears(gears: WormGears) -> None:
     """Refuse a design table whose worm and wheel do not mesh.
 
-    Raises
-    ------
-    ValueError
-        If they do not mesh; the message begins with the key that is wrong.
+    Raises:
+        ValueError: If they do not mesh; the message begins with the key that is wrong.
     """
     _check_numbers(gears)
     check_sizes(gears)
@@ -43,10 +41,8 @@ def check_gears(gears: WormGears) -> None:
 def check_play(gears: WormGears) -> None:
     """Refuse teeth that errors of the assembly leave no play: they cannot be assembled.
 
-    Raises
-    ------
-    ValueError
-        The sentence begins with the table at fault.
+    Raises:
+        ValueError: The sentence begins with the table at fault.
     """
     left, backlash = gears.play, gears.wheel.backlash
     if left is None or backlash is None or left >= 0 or gears.aligned:
@@ -61,10 +57,8 @@ def check_play(gears: WormGears) -> None:
 def check_values(entries: Mapping[str, float], signed: frozenset[str] = frozenset()) -> None:
     """Refuse values that are not finite or, unless signed, not positive.
 
-    Raises
-    ------
-    ValueError
-        If a value is not.
+    Raises:
+        ValueError: If a value is not.
     """
     for key, value in entries.items():
         if not isfinite(value):

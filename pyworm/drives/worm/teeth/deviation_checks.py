@@ -26,10 +26,8 @@ MIN_FACE_COVERAGE = 0.9
 def check_deviations(gears: WormGears) -> None:
     """Refuse deviations of other units, or of other places than the flank's.
 
-    Raises
-    ------
-    ValueError
-        If some are such.
+    Raises:
+        ValueError: If some are such.
     """
     for name, deviations in gears.deviating.items():
         spread = deviations.spread

@@ -30,12 +30,9 @@ class FirstTouch:
 def first_touch(gap: Gap, rim_x: Array, rim_y: Array) -> FirstTouch | None:
     """The place of the least gap within a tooth's outline; None where worm and wheel do not face each other.
 
-    Parameters
-    ----------
-    gap : callable
-        Undeformed gap over the tangent plane.
-    rim_x, rim_y : ndarray
-        Outline of the wheel's tooth on it [m].
+    Args:
+        gap: Undeformed gap over the tangent plane.
+        rim_x, rim_y: Outline of the wheel's tooth on it [m].
     """
     x, y = (np.linspace(side.min(), side.max(), NODES) for side in (rim_x, rim_y))
     found = _least(gap, x, y)

@@ -33,12 +33,9 @@ class FlankGrid:
 def flank_grid(tooth: WheelTooth, flank: WheelSurface, within: tuple[float, ...]) -> FlankGrid:
     """Places between tip and root, from one end of the face to the other.
 
-    Parameters
-    ----------
-    tooth, flank : WheelTooth, WheelSurface
-        Boundaries of the wheel's tooth, and its flank.
-    within : tuple of float
-        Parameters of a point of the flank within them.
+    Args:
+        tooth, flank: Boundaries of the wheel's tooth, and its flank.
+        within: Parameters of a point of the flank within them.
     """
     half = tooth.face_width / 2
     face, part = np.meshgrid(

@@ -220,9 +220,7 @@ class WormGears:
     def flank_place(self, contact: ToothContact, x: Array, y: Array) -> tuple[Array, Array]:
         """Place on the wheel's flank over points of a tangent plane, the same at all wheel angles.
 
-        Returns
-        -------
-        tuple of ndarray
+        Returns:
             Along the face from its middle, and distance from the wheel's axis [m].
         """
         point = surface_points(contact, x, y, contact.wheel_height.solve(x, y)[0])
@@ -231,9 +229,7 @@ class WormGears:
     def thread_place(self, contact: ToothContact, x: Array, y: Array) -> tuple[Array, Array]:
         """Place on the worm's thread over points of a tangent plane, the same at all worm angles.
 
-        Returns
-        -------
-        tuple of ndarray
+        Returns:
             Along the worm's axis from the line of centres, and distance from that axis [m].
         """
         point = surface_points(contact, x, y, contact.worm_height.solve(x, y)[0])

@@ -29,10 +29,8 @@ class Interference:
 def deepest(touch_at: Callable[[float], FirstTouch | None]) -> Interference | None:
     """The deepest interference of worm and wheel without load; None where there is none.
 
-    Parameters
-    ----------
-    touch_at : callable
-        Phase -> where the flanks touch first.
+    Args:
+        touch_at: Phase -> where the flanks touch first.
     """
     found = [
         Interference(-touch.gap, phase, touch.x, touch.y)

@@ -146,12 +146,9 @@ class MeshCycle:
     def contact(self, phase: float, speed: float = 0.0) -> ToothContact:
         """The contact at a phase.
 
-        Parameters
-        ----------
-        phase : float
-            Place in the cycle; the tooth pair touches from 0 to 1, the flanks beyond.
-        speed : float
-            Worm speed [rad/s].
+        Args:
+            phase: Place in the cycle; the tooth pair touches from 0 to 1, the flanks beyond.
+            speed: Worm speed [rad/s].
         """
         seen = isinstance(self.path, SeenPath)
         touches = self._touches(np.array([phase]))
@@ -199,19 +196,13 @@ def find_mesh_cycle(
 ) -> MeshCycle:
     """Find the mesh cycle and its ends at the tooth boundaries.
 
-    Parameters
-    ----------
-    paths : sequence of ContactPath
-        Paths along which the flanks touch.
-    ratio : float
-        Threads / teeth [-].
-    worm_tooth, wheel_tooth : WormTooth, WheelTooth
-        Boundaries of the teeth.
+    Args:
+        paths: Paths along which the flanks touch.
+        ratio: Threads / teeth [-].
+        worm_tooth, wheel_tooth: Boundaries of the teeth.
 
-    Raises
-    ------
-    ValueError
-        If the flanks do not touch on the teeth, or interfere.
+    Raises:
+        ValueError: If the flanks do not touch on the teeth, or interfere.
     """
     found = [cycle for path in paths for cycle in _on_teeth(path, ratio, worm_tooth, wheel_tooth)]
     cycles = [

@@ -19,10 +19,8 @@ MIN_TOOTH_HEIGHT = 1.8
 def check_sizes(gears: WormGears) -> None:
     """Refuse sizes that belong to another key, or to none.
 
-    Raises
-    ------
-    ValueError
-        If one is such.
+    Raises:
+        ValueError: If one is such.
     """
     _check_counts(gears)
     _check_threads(gears)

@@ -66,12 +66,9 @@ def flank_outline(rimmed: RimmedFlank, count: int) -> Array:
 
     Cached, since it does not depend on where the worm is assembled.
 
-    Parameters
-    ----------
-    rimmed : RimmedFlank
-        The flank.
-    count : int
-        Points on each of the four sides.
+    Args:
+        rimmed: The flank.
+        count: Points on each of the four sides.
     """
     tooth = rimmed.tooth
     target = np.stack(tooth.rim(count))
@@ -85,14 +82,10 @@ def flank_places(
 ) -> Array:
     """Parameters of places on a wheel's flank, or of where it ends on the way to them, (parameters, places).
 
-    Parameters
-    ----------
-    flank, start
-        As of `RimmedFlank`.
-    target : ndarray
-        Radii and places along the axis [m], (2, places).
-    hob_form_radius : float
-        Radius up to which the hob has its flank [m], infinite for the whole envelope.
+    Args:
+        flank, start: As of `RimmedFlank`.
+        target: Radii and places along the axis [m], (2, places).
+        hob_form_radius: Radius up to which the hob has its flank [m], infinite for the whole envelope.
     """
     q = np.repeat(np.array(start)[:, None], target.shape[1], axis=1)
     first, slope = flank.place(q)
