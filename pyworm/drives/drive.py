@@ -56,8 +56,7 @@ class Drive(Lubricated, ABC):
         A drive with several contacts at a phase takes the other names of `ContactIndex` that `[operation]`
         lists (`pyworm.case.case.MESH_PLACES`) too, and names its `sections`.
 
-        Raises:
-            ValueError: If there is no contact, or none under load.
+        ValueError if there is no contact, or none under load.
         """
 
     @abstractmethod
@@ -157,8 +156,7 @@ class Drive(Lubricated, ABC):
     def duty(self) -> Duty | None:
         """Input of its rating by standards, of the type `rated_as`; None where no standard covers it.
 
-        Raises:
-            ValueError: If the methods do not apply to it, or data are missing.
+        ValueError if the methods do not apply to it, or data are missing.
         """
         return None
 

@@ -102,8 +102,7 @@ class OilSupply:
 def oil_supply(by: Bath | Jets, teeth: LubricatedTeeth, oil: Oil) -> OilSupply:
     """The layer of oil that a bath or jets bring to the mesh.
 
-    Raises:
-        ValueError: A bath deeper than the body that dips.
+    ValueError for a bath deeper than the body that dips.
     """
     return _by_bath(by, teeth, oil) if isinstance(by, Bath) else _by_jets(by, teeth, oil)
 

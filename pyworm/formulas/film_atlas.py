@@ -191,7 +191,6 @@ def limits(groups: AtlasGroups, constants: AtlasConstants) -> Limits:
 
     Args:
         groups: The contacts, arrays of one shape.
-        constants: Of the fit.
     """
     r, load, re, cos2 = groups.slender, groups.load, groups.along, groups.cos2
     side, normal = groups.inlet

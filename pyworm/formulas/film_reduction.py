@@ -90,9 +90,7 @@ def reduction(groups: AtlasGroups, central: Values, heat: HeatGroups) -> FilmRed
     """Factors of the central and least film by heat and shear thinning.
 
     Args:
-        groups: The contacts without heat.
         central: Their central films in Moes' unit, `film_atlas.films` [-].
-        heat: Their heat and flow.
     """
     constants = _constants()
     read = features(groups, central, heat)

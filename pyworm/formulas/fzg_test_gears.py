@@ -72,7 +72,6 @@ def film_at_load_stage(
 
     Args:
         stage: Failure load stage of the micropitting test FVA 54/7, 5 to 10.
-        oil: The oil.
         oil_temperature: At which it was tested [K].
     """
     if stage not in TEST_TORQUE:

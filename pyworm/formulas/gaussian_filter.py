@@ -25,7 +25,6 @@ def smoothed(
     Args:
         heights: Heights.
         steps: Nesting index over the distance of points along each axis, for each axis.
-        axes: Axes along which to filter.
         periodic: Whether heights repeat themselves.
     """
     for axis, index in zip(axes, steps, strict=True):

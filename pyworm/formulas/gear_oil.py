@@ -57,8 +57,7 @@ def pitch_line_viscosity(pitch_line_velocity: float) -> float:
 def nearest_grade(viscosity_40: float) -> int:
     """The ISO viscosity grade nearest by ratio to a kinematic viscosity at 40 degC [m2/s].
 
-    Raises:
-        ValueError: A viscosity more than half a step beyond VG 32 or VG 1000.
+    ValueError for a viscosity more than half a step beyond VG 32 or VG 1000.
     """
     within("kinematic viscosity at 40 degC", viscosity_40, 26e-6, 1.2e-3, "m2/s")
     return min(ISO_GRADES, key=lambda grade: abs(log(viscosity_40 * 1e6 / grade)))

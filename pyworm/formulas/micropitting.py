@@ -124,8 +124,6 @@ def micropitting_films(
     flash temperature is Blok's (`scuffing.flash_temperature`) with the mean friction.
 
     Args:
-        flanks: The contacts.
-        oil: Its oil.
         oil_temperature, bulk_temperature: Of the oil as it is fed, and of the flanks [K].
     """
     within("bulk temperature", bulk_temperature, 200, 700, "K")

@@ -56,9 +56,7 @@ def walther_constants(
 ) -> tuple[float, float]:
     """m and n of the law through two measured points; viscosities in m2/s, temperatures in K.
 
-    Raises:
-        ValueError: Values that are no viscosities in m2/s, or a viscosity that does not fall with
-            temperature.
+    ValueError for values that are no viscosities in m2/s, or a viscosity that does not fall with temperature.
     """
     within("kinematic viscosity", [viscosity_1, viscosity_2], 4e-7, THICKEST, "m2/s")
     within("temperature", [temperature_1, temperature_2], COLDEST, HOTTEST, "K")
@@ -212,7 +210,6 @@ def agma_alpha(viscosity: Values, k: float, s: float) -> Values:
 
     Args:
         viscosity: Dynamic viscosity [Pa s].
-        k, s: Constants of the base oil.
     """
     within("dynamic viscosity", viscosity, 1e-4, 1e3, "Pa s")
     within("k of AGMA's law", k, 1e-3, 0.1, "mm2/N")

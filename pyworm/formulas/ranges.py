@@ -26,11 +26,7 @@ def apart(value: float, bound: float, digits: int = 6) -> str:
 
 
 def numbers(name: str, value: object) -> Array:
-    """A value, or several, as an array of numbers.
-
-    Raises:
-        ValueError: Neither a number nor several.
-    """
+    """A value, or several, as an array of numbers; ValueError for neither a number nor several."""
     try:
         return np.asarray(value, dtype=float)
     except (TypeError, ValueError):
@@ -49,7 +45,6 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
     """Refuse a value outside a closed range, by more than the rounding of its conversion of units.
 
     Args:
-        name: What the value is called.
         value: The value, in `unit`.
         low, high: The range, both ends allowed.
         unit: Unit to name; empty for a bare number.
@@ -72,8 +67,7 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
 def positive(name: str, value: Values | Sequence[float], unit: str) -> None:
     """Refuse a value that is not finite and greater than zero; arguments as of `within`.
 
-    Raises:
-        ValueError: A value that is zero, negative, infinite or not a number.
+    ValueError for a value that is zero, negative, infinite or not a number.
     """
     values = numbers(name, value)
     wrong = ~(np.isfinite(values) & (values > 0))
@@ -85,11 +79,7 @@ def positive(name: str, value: Values | Sequence[float], unit: str) -> None:
 
 
 def one_of(name: str, value: str, choices: Iterable[Choice]) -> Choice:
-    """The choice that a word is.
-
-    Raises:
-        ValueError: A word that is not among the choices.
-    """
+    """The choice that a word is; ValueError for a word that is not among the choices."""
     for choice in choices:
         if choice == value:
             return choice

@@ -148,7 +148,6 @@ def line_measures(groups: LineGroups, alpha_ratio: Values = 1.0) -> tuple[Values
     The limits are Moes' (`line_asymptotes`), of which the rigid ones are exact.
 
     Args:
-        groups: The contacts.
         alpha_ratio: Reciprocal asymptotic isoviscous pressure coefficient over alpha [-]; 1 of Barus' law.
     """
     central = np.asarray(moes_line(groups).central) / groups.moes_film

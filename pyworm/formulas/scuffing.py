@@ -207,8 +207,7 @@ def rate_scuffing(
 ) -> ScuffingRating:
     """Rate one contact, or arrays of them along a line of action; arguments as of the functions above.
 
-    Raises:
-        ValueError: What lies outside the formulas, in one sentence.
+    ValueError for what lies outside the formulas, in one sentence.
     """
     flash = np.atleast_1d(
         flash_temperature(

@@ -17,7 +17,6 @@ def left_of_waves(length: float, groups: Groups) -> float:
 
     Args:
         length: Wave length over the half-width of Hertz's contact [-].
-        groups: Moes' groups.
     """
     if not groups.moes_l > 0:
         return 0.0

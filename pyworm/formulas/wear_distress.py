@@ -94,8 +94,7 @@ class WearRating:
 def rate_wear(film_min: Values, roughness: float, pitch_line_velocity: float) -> WearRating:
     """Rate the minimum films [m] of the contacts of a mesh, given as an array, or of one.
 
-    Raises:
-        ValueError: What lies outside the fit, in one sentence.
+    ValueError for what lies outside the fit, in one sentence.
     """
     ratios = np.atleast_1d(specific_film(film_min, roughness))
     worst = int(np.argmin(ratios))

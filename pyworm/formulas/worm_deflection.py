@@ -34,7 +34,6 @@ def shaft_deflection(gear: WormGear, torque: float, friction: float) -> float:
     0.006592 stands for 64/(3 pi)/1000 = 0.00679 of a beam: 3 % apart.
 
     Args:
-        gear: Geometry.
         torque: T2 [N m].
         friction: mu_zm [-].
     """

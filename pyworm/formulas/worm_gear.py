@@ -39,8 +39,7 @@ class WormGearSizes:
 class WormGear(WormGearSizes):
     """Geometry of a worm gear as the standards see it.
 
-    Raises:
-        ValueError: Lengths in other units, or parts that do not make up the centre distance within 2 %.
+    ValueError for lengths in other units, or parts that do not make up the centre distance within 2 %.
     """
 
     pressure_angle: float = pi / 9

@@ -57,7 +57,6 @@ def other_losses(
     a, d_m1, d_m2 in mm, n1 in rpm, P2 in W.
 
     Args:
-        gear: Geometry.
         worm_speed: [rad/s].
         torque: T2 [N m].
         bearings: How the worm is held, one of `BEARINGS`.
@@ -109,7 +108,6 @@ def sump_temperature(
     Range: a from 50 to 500 mm, 60 to 3000 rpm, 10 to 1000 mm2/s at 40 degC.
 
     Args:
-        gear: Geometry.
         worm_speed: [rad/s].
         torque: T2 [N m].
         oil: "mineral", "PAO" or "PAG".

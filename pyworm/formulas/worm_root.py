@@ -26,7 +26,6 @@ def root_thickness(gear: WormGear, worn: float = 0.0) -> float:
     with d_m2 - d_f2 twice `DEDENDUM` modules.
 
     Args:
-        gear: Geometry.
         worn: Depth worn off the flanks delta_W [m].
     """
     within("worn depth", worn, 0, 1, "m")
@@ -51,7 +50,6 @@ def root_shear(gear: WormGear, torque: float, worn: float = 0.0, rim: float = FU
     F_tm2 = 2 T2/d_m2, Y_F = 2.9 m_x/s_f2, Y_gamma = 1/cos gamma, Y_eps = 0.5. Checked by dimension.
 
     Args:
-        gear: Geometry.
         torque: T2 [N m].
         worn: Depth worn off the flanks [m].
         rim: Thickness of the rim over the module [-].

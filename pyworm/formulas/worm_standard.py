@@ -296,7 +296,6 @@ def injected_bulk_temperature(
         oil_temperature: Of the injected oil theta_E [K].
         tooth_loss: P_Vz [W].
         worm_speed: [rad/s].
-        gear: Geometry.
         kinematic_viscosity: Of the injected oil [m2/s].
     """
     within("oil temperature", oil_temperature, 230, 470, "K")

@@ -128,7 +128,6 @@ class Film:
 
     Args:
         handles: The kernel's handle of the film and its status.
-        shape: Nodes along each direction.
 
     Raises:
         KernelError: If the kernel could not make the film.
@@ -223,8 +222,7 @@ class Film:
     def remember(self, rise: npt.ArrayLike) -> None:
         """Set what the surfaces are warmer by than steady conduction has them [K]; restart before a step.
 
-        Raises:
-            KernelError: If a value is not finite.
+        KernelError if a value is not finite.
         """
         field = fortran_array(rise)
         of_nodes = field[:, np.newaxis] if len(self._shape) == 1 else field
@@ -235,8 +233,7 @@ class Film:
 
         Its levels may be others than the film's.
 
-        Raises:
-            KernelError: If a value is not finite or memory does not suffice.
+        KernelError if a value is not finite or memory does not suffice.
         """
         field = at_levels(storage.warming, self.levels)
         warming = fortran_array(field).reshape((*self._nodes, self.levels), order="F")
@@ -248,9 +245,8 @@ class Film:
 
         The linear system is solved to `forcing` times the right-hand side.
 
-        Raises:
-            KernelError: If the step fails; pressure and film are unchanged. If the temperature diverged, the
-                residual is large.
+        KernelError if the step fails; pressure and film are unchanged. If the temperature diverged, the
+        residual is large.
         """
         rigid_film, residual, load_error, krylov, damping, change, rise, status = (
             core.bindings.film_step(
@@ -312,7 +308,6 @@ class Film:
         """Set the flow law of the oil, at the inlet's temperature; the film must be restarted, or heated.
 
         Args:
-            law: The oil's law.
             levels: Levels across the film, walls included.
             sliding: Velocity of body 1 relative to body 2 at the nodes along each direction of the grid
                 [m/s].
@@ -400,8 +395,7 @@ class Film:
     def shear_fields(self, factors: bool = False) -> ShearFields:
         """Shear of a film with a flow law; flow factors are computed only on request, else zero.
 
-        Raises:
-            KernelError: If memory does not suffice.
+        KernelError if memory does not suffice.
         """
         *fields, status = core.bindings.film_shear_fields(self._handle, factors, *self._nodes)
         check_status(status)

@@ -54,7 +54,6 @@ def remembered_flux(
 
     Args:
         history: The fluxes; between their nodes and their times they are linear, zero beyond their grids.
-        readings: The ages.
         turning: Angular velocity of the axes [rad/s].
         at_origin: Velocity of the surface at the contact point along each direction [m/s].
         places: Places of the nodes along each direction [m].

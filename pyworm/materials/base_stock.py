@@ -75,11 +75,7 @@ class BaseStock:
 
 
 def base_stock(name: str) -> BaseStock:
-    """The base stock of a name in `BASES`, in any case of letters.
-
-    Raises:
-        ValueError: No such base stock.
-    """
+    """The base stock of a name in `BASES`, in any case of letters; ValueError for no such base stock."""
     for base, stock in _stocks().items():
         if base.lower() == name.lower():
             return stock

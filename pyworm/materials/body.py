@@ -162,8 +162,7 @@ def reduced_modulus(body_1: Body, body_2: Body) -> float:
 def composite_roughness(body_1: Body, body_2: Body) -> float | None:
     """Root mean square of both surfaces' heights together [m]; None if one is not known.
 
-    Raises:
-        ValueError: No roughness of surfaces in contact (`wear_distress.composite_roughness`).
+    ValueError for no roughness of surfaces in contact (`wear_distress.composite_roughness`).
     """
     if body_1.roughness is None or body_2.roughness is None:
         return None

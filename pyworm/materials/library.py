@@ -221,8 +221,7 @@ def oil_from_viscosities(
 ) -> NamedOil:
     """An oil from its kinematic viscosities [m2/s] at 40 and 100 degC; the rest is its base stock's.
 
-    Raises:
-        ValueError: Not viscosities of one oil, or no such base stock.
+    ValueError for not viscosities of one oil, or no such base stock.
     """
     m, n = oil_properties.walther_constants(viscosity_40, DEGREES_40, viscosity_100, DEGREES_100)
     return NamedOil(name, base_stock(base), m, n, source)
@@ -231,8 +230,7 @@ def oil_from_viscosities(
 def oil_from_index(name: str, base: str, viscosity_40: float, index: float) -> NamedOil:
     """An oil from its kinematic viscosity [m2/s] at 40 degC and its viscosity index.
 
-    Raises:
-        ValueError: No such oil, or no such base stock.
+    ValueError for no such oil, or no such base stock.
     """
     viscosity_100 = oil_properties.viscosity_100_of_index(viscosity_40, index)
     return oil_from_viscosities(

@@ -35,8 +35,7 @@ SAME_WARMTH = 0.01
 def require_kinds(name: str, law: object, *kinds: type) -> None:
     """Refuse a law that is not exactly one of these classes.
 
-    Raises:
-        ValueError: It is of another class, or of one derived from them.
+    ValueError if it is of another class, or of one derived from them.
     """
     if type(law) not in kinds:
         known = " or ".join(kind.__name__ for kind in kinds if kind is not type(None))
@@ -47,11 +46,7 @@ def require_kinds(name: str, law: object, *kinds: type) -> None:
 
 
 def require_oil(oil: object) -> None:
-    """Refuse what is no `Oil`, an oil over temperature among it.
-
-    Raises:
-        ValueError: It is of another class.
-    """
+    """Refuse what is no `Oil`, an oil over temperature among it; ValueError if it is of another class."""
     if isinstance(oil, Oil):
         require_kinds("oil", oil, Oil)
     elif callable(getattr(oil, "oil", None)):

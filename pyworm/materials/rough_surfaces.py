@@ -243,7 +243,6 @@ def tabulated(
     """Averages at the rows of `gap_rows` as a table for the kernel.
 
     Args:
-        row: The rows.
         height: Composite root mean square height [m].
         pressure, area: Pressure of the asperities [Pa] and real area of contact over the nominal one.
         surplus: Mean thickness of the gap less the gap between mean planes [m].

@@ -96,7 +96,6 @@ def variations(
     Assumptions that change nothing, as shear flow factors between equal surfaces, are omitted.
 
     Args:
-        pair: The surfaces as assumed.
         boundary_friction: Friction coefficient of asperities in contact as assumed [-].
         part: Part of the uncertainty by which each assumption is changed [-].
         thickness: Mean thickness of the gap [m] at evenly spaced places of the contact.

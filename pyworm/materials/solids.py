@@ -61,11 +61,7 @@ def finishes() -> tuple[str, ...]:
 
 
 def named_material(text: str) -> str:
-    """The name in the table of a material, by any of its names.
-
-    Raises:
-        ValueError: There is none such.
-    """
+    """The name in the table of a material, by any of its names; ValueError if there is none such."""
     known = {
         _plain(alias): name for name in materials() for alias in (name, *_tables()[name]["aliases"])
     }

@@ -20,7 +20,6 @@ def films_by_formula(scene: Scene | LineScene, plan: Plan) -> FormulaFilms | Non
 
     Args:
         scene: The contact; the formula knows no line contacts and no surfaces that are held apart.
-        plan: Its plan.
     """
     if plan.asked is not None or plan.quantities != (FILM,) or isinstance(scene, LineScene):
         return None

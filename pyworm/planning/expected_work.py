@@ -156,7 +156,6 @@ def first_change(
         spacing, half_widths, radii: Grid spacing, half-widths of Hertz's contact and radii of the gap, along
             each direction [m].
         film: Central film [m].
-        moes_l: Moes' lubricant parameter.
         slenderness: Length of the contact along the entrainment over its width [-].
     """
     lubricant = max(moes_l, 1.0) / 10

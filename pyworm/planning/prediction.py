@@ -245,11 +245,7 @@ class Prediction:
 
 
 def predicted(scene: Scene | LineScene) -> Prediction:
-    """Predict a contact by closed forms.
-
-    Raises:
-        ValueError: For a scene that `pyworm.scene.scales` refuses.
-    """
+    """Predict a contact by closed forms; ValueError for a scene that `pyworm.scene.scales` refuses."""
     return _line(scene) if isinstance(scene, LineScene) else _point(scene)
 
 

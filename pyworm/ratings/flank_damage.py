@@ -167,9 +167,6 @@ def scuffing(
     Args:
         contact: Its temperature [K]; None where it is not known.
         oil_temperature: Of the oil before the mesh [K].
-        limit: Scuffing temperature.
-        required: Least safety.
-        place: Where it is.
         bars: Error bars of the rise over the oil, numerical and of the model.
     """
     named = _named("S_B", "scuffing", bars, required, "temperature")
@@ -211,7 +208,6 @@ def micropitting(
     Args:
         film: Its least film [m]; None where it is not known.
         roughness: Ra, mean of both flanks [m].
-        limit: Permissible specific film.
         required, place, bars: As of `scuffing`, the bars those of the film.
     """
     named = _named("S_lambda", "micropitting", bars, required, "film")
@@ -273,9 +269,7 @@ def simulated_safeties(
     """S_B of the hottest and S_lambda of the thinnest simulated contact.
 
     Args:
-        places: The simulated contacts.
         limits: Scuffing temperature and permissible specific film.
-        table: Least safeties.
         oil_temperature, roughness: Of the oil before the mesh [K], and Ra, mean of both flanks [m].
     """
     hot = max(places, key=lambda spot: spot.temperature or 0.0)

@@ -50,12 +50,9 @@ def flank_table(
     """Contact temperatures and specific films of all solved contacts against what the oil bears.
 
     Args:
-        spots: The solved contacts.
         limits: Scuffing temperature [K] and permissible specific film [-].
         oil_temperature, roughness: Of the oil before the mesh [K], and Ra, mean of both flanks [m].
         neglected_effects: What the simulated figures do not hold.
-        closed: Those of a gear pair.
-        words: What else must be said.
         title, source: Of the table, and of its formulas.
     """
     rows = _rows(limits, oil_temperature, roughness, closed)

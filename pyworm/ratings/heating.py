@@ -26,7 +26,6 @@ def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> Heat
     """The larger of the simulated and the standard's loss where roughness carries load, else the simulated.
 
     Args:
-        cycle: A cycle with a loss.
         standard: What a standard has for its teeth.
     """
     smooth = present(cycle.loss, "loss").power
@@ -90,7 +89,6 @@ def heating_of(
 
     Args:
         case: The case with what was found in it.
-        cycle: Its solved cycle.
         standard: What a standard has for its teeth.
     """
     if getattr(case.tables, "cooling", None) is None or cycle is None or cycle.loss is None:

@@ -69,8 +69,7 @@ def choose_oil(duty: OilDuty) -> OilChoice:
     than practice allows and none that overheats the sump. Where no grade gives the film, the thickest
     that practice recommends: the film is then not the oil's to mend.
 
-    Raises:
-        ValueError: Numbers outside the formulas, or a sump that every grade overheats.
+    ValueError for numbers outside the formulas, or a sump that every grade overheats.
     """
     rows = tuple(grade_row(duty, grade) for grade in ISO_GRADES)
     cool = [row for row in rows if row.sump_temperature <= duty.sump_limit]

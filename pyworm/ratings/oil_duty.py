@@ -14,8 +14,7 @@ from pyworm.ratings.rated_case import RatingRequest
 def oil_choice(request: RatingRequest) -> OilChoice:
     """The oil for the drive of a case, with the steps of the choice.
 
-    Raises:
-        CaseError: The case does not give the duty of the oil, or no oil meets it.
+    CaseError if the case does not give the duty of the oil, or no oil meets it.
     """
     try:
         return choose_oil(oil_duty(request))

@@ -171,11 +171,7 @@ def neglected_effects(request: RatingRequest, result: Result | None = None) -> N
 
 
 def load_rating_request(path: str | Path) -> RatingRequest:
-    """Read a case file for its ratings.
-
-    Raises:
-        CaseError: Whatever is wrong first, in one sentence.
-    """
+    """Read a case file for its ratings; CaseError for whatever is wrong first, in one sentence."""
     path = Path(path)
     data = read_toml(path)
     try:
@@ -203,7 +199,6 @@ def ratings(request: RatingRequest, result: Result | None = None) -> tuple[Ratin
     """Every rating that a case asks for and that is possible; the others are in `not_rated`.
 
     Args:
-        request: The case.
         result: Solved contacts of its drive, shown beside; what did not converge is left out (`unconverged`).
 
     Raises:

@@ -67,11 +67,7 @@ def rate_worm_table(
     """The worm gear of a case, with a column of the simulation if a result of the same drive is given.
 
     Args:
-        table: Rating tables of the case.
-        duty: Its worm gear.
-        directory: Where the case lies.
         drive: The drive; needed for the simulation.
-        result: Its solved mesh phases.
     """
     loads = rated_loads(table, duty, directory)
     rated = safeties(table, duty, loads, directory)

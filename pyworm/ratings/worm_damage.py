@@ -25,7 +25,6 @@ def worm_flanks(duty: WormDuty, oil: Oil, result: Result) -> Rating:
     """Simulated contact temperatures and specific films of a worm gear at every solved contact.
 
     Args:
-        duty: The worm gear.
         oil: Its oil, as it enters the contacts.
         result: Solved contacts that converged.
     """

@@ -37,8 +37,7 @@ class RatedLoad:
 def rated_loads(table: CompletedRating, duty: WormDuty, directory: Path) -> tuple[RatedLoad, ...]:
     """The worm gear under each load of its spectrum, else under that of the drive in the life that is given.
 
-    Raises:
-        CaseError: There is no oil of this name.
+    CaseError if there is no oil of this name.
     """
     oil = standard_oil(table, directory)
     steps: list[tuple[float, float, float | Unknown]]

@@ -64,9 +64,6 @@ def safeties(
 
     Args:
         table: The case's `[worm_rating]`, completed.
-        duty: The worm gear.
-        loads: Every load of its life.
-        directory: Where the case lies.
     """
     gear_set = _Rated(table, duty, loads, directory)
     rated = []

@@ -36,8 +36,7 @@ FROM_GAP: Any = None
 class Contact(Shown, ABC):
     """One lubricated contact at one instant.
 
-    Raises:
-        ValueError: The oil or a body is of a class unknown to the kernel.
+    ValueError if the oil or a body is of a class unknown to the kernel.
     """
 
     name: str
@@ -212,8 +211,7 @@ def as_arrays(*coordinates: Given) -> tuple[Array, ...]:
 def radii_of(gap: Any, given: tuple[Any, ...] | None) -> tuple[float, ...]:
     """Radii of a contact, those of its gap if they are not given; window, far field and grids depend on them.
 
-    Raises:
-        ValueError: A radius differs from that of the gap, is none, or is missing where the gap has none.
+    ValueError if a radius differs from that of the gap, is none, or is missing where the gap has none.
     """
     of_gap = getattr(gap, "radii", None)
     if given is not None:

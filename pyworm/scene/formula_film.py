@@ -245,9 +245,7 @@ def unentrained_regime(groups: PointGroups, minimum: float, oil: Oil) -> Regime:
     The limits are those of entrainment along an axis of the contact.
 
     Args:
-        groups: The contact.
         minimum: Its minimum film [m].
-        oil: The oil.
     """
     ratio = min(max(groups.ratio, 1 / groups.ratio), MOST_SLENDER)
     contact = hertz(1.0, 1 / groups.ratio, groups.load, 1.0)

@@ -88,8 +88,7 @@ def _read_array(archive: ZipFile, key: str, most: int) -> Array:
 
     Its header and the archive's directory have to agree on its size before memory is allocated.
 
-    Raises:
-        ValueError: It is too large, cut short, or holds no numbers.
+    ValueError if it is too large, cut short, or holds no numbers.
     """
     name = f"{key}.npy"
     with archive.open(name) as file:

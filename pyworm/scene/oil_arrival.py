@@ -31,7 +31,6 @@ def arriving(oil: Oil, bodies: Sequence[Body]) -> Oil:
     """The oil as it arrives between two bodies: at the mean of their bulk temperatures.
 
     Args:
-        oil: The oil, with heat.
         bodies: Both bodies, with their bulk temperatures.
     """
     supply, known = oil.thermal.inlet_temperature, oil.thermal.supply_temperature
@@ -49,8 +48,6 @@ def nearer_to_supply(oil: Oil, body: Body, speed: float, film: float, distance: 
     Negative of oil supplied colder than the body.
 
     Args:
-        oil: The oil as it arrives.
-        body: The body.
         speed: Speed of its surface [m/s], not zero.
         film: Central film, of which the layer is half [m].
         distance: Way from where they met [m].

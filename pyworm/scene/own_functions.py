@@ -19,8 +19,7 @@ _EXAMPLE = {
 def require_functions(scene: Contact) -> None:
     """Refuse a gap that gives no gap and mask, or a motion that gives no velocities, about the contact point.
 
-    Raises:
-        ValueError: The function fails, or gives something else.
+    ValueError if the function fails, or gives something else.
     """
     steps = [TRIAL_DISTANCE * radius * np.linspace(-1, 1, 3) for radius in scene.radii_along]
     places = tuple(np.meshgrid(*steps, indexing="ij"))

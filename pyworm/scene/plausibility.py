@@ -79,7 +79,6 @@ def require_possible(scene: Scene | LineScene, key: str) -> None:
     """Refuse an impossible contact.
 
     Args:
-        scene: The contact.
         key: The key of the case file that loads it.
 
     Raises:

@@ -80,9 +80,8 @@ def scales(scene: Scene) -> Scales:
     Where the contact point is at rest (pure spin), the mean speed of the entrainment over Hertz's
     ellipse is taken instead.
 
-    Raises:
-        ValueError: If the surfaces entrain no oil anywhere in the contact, or radii, load, speed and oil are
-            out of all proportion.
+    ValueError if the surfaces entrain no oil anywhere in the contact, or radii, load, speed and oil are out
+    of all proportion.
     """
     if not max(scene.radii) <= MOST_SLENDER * min(scene.radii):
         raise ValueError(
@@ -156,8 +155,7 @@ def _open_film(scene: Contact, film: float, pressure: float) -> float:
 def require_proportion(name: str, groups: PointGroups | LineGroups) -> None:
     """Refuse Moes' parameters that can only be a mistake.
 
-    Raises:
-        ValueError: If load, speed and oil are out of all proportion.
+    ValueError if load, speed and oil are out of all proportion.
     """
     if not (LIGHTEST < groups.moes_m < HEAVIEST and groups.moes_l < MOST_PIEZOVISCOUS):
         raise ValueError(
@@ -197,8 +195,7 @@ class LineScales:
 def line_scales(scene: LineScene) -> LineScales:
     """Scales of a line contact from its radius, load, oil and entrainment.
 
-    Raises:
-        ValueError: If there is no entrainment, load or viscosity, or they are out of all proportion.
+    ValueError if there is no entrainment, load or viscosity, or they are out of all proportion.
     """
     viscosity = scene.oil.viscosity
     if not abs(scene.entrainment) > 0:

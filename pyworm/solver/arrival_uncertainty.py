@@ -56,7 +56,6 @@ def arrival_uncertainty(
     Infinite where the film does not follow. The level is left at the film it had.
 
     Args:
-        level: A converged heated film.
         warm: Heats it between other bodies from a guess.
     """
     converged, figures = level.state(), level.read().figures

@@ -88,7 +88,6 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
     """Films of one contact on grids of halving spacing.
 
     Args:
-        scene: The contact.
         plan: The effects that are simulated, and the numerical parameters.
         transient_term: d(rho h)/dt; without it the film is steady.
     """

@@ -204,8 +204,6 @@ def in_words(figure: Estimate, quantity: Quantity, rise: float | None = None) ->
     """A figure as its quantity is shown, with its unit and error bars, of temperatures in K.
 
     Args:
-        figure: The figure.
-        quantity: What it is.
         rise: Rise of a temperature that its errors are relative to [K], by default above its datum.
     """
     value, model = quantity.text(figure.value), figure.model

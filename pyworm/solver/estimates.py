@@ -36,7 +36,6 @@ def estimates(
 
     Args:
         solver: Solver of this kind of contact.
-        level: The film on the last grid.
         readings: Figures on grids of halving spacing, this one last.
         window: What an endless window adds to each figure; empty where no wider window was solved: the window
             error is infinite then, and none of the bars' if the plan has no wider window.

@@ -20,7 +20,6 @@ def film_minimum(
     """Smallest film [m] and its place [m] along each direction of the grid, between nodes.
 
     Args:
-        grid: Where the film is.
         film: Film [m] at its nodes.
         pressurised: Nodes about which the film counts.
         covered: Where both surfaces exist.
@@ -232,7 +231,6 @@ def outline_imbalance(
     """Net over gross flow through the outline of the pressurised film; NaN where nothing flows.
 
     Args:
-        grid: Where the film is.
         flow: Wedge flow per width [m2/s] at the nodes along x and y: what crosses the outline, where pressure
             and its slope vanish.
         imbalance: Net outflow per area [m/s] of each node's cell.

@@ -68,13 +68,8 @@ class GridSequence:
     """State of the grid sequence of a contact: its films on grids of halving spacing.
 
     Args:
-        scene: The contact.
-        plan: Its plan.
         rates: Rates of change of rho h at present; None of a steady film.
         progress: Called with a message and the fraction of the work that is done.
-        stopwatch: Time since the solve began.
-
-    Its methods raise `KernelError` as `pyworm.solve` does.
     """
 
     def __init__(

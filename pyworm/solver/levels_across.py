@@ -73,7 +73,6 @@ def enough_levels(
 
     Args:
         start: The film to begin with; its errors are not known yet.
-        transient: Its transient term.
         again: Whether levels were added on a coarser grid: a film that has enough of them is kept then, with
             what was read on the grids before.
     """

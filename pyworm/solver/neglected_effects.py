@@ -193,7 +193,6 @@ def judged(
     """Judge the effects left out of a contact and its lubrication.
 
     Args:
-        effects: Its effects.
         accuracy: Accuracy asked for [-].
         films: Central and least film [m]; empty where they may not be trusted.
         roughness: Composite roughness [m].

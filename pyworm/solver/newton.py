@@ -101,9 +101,7 @@ def converge(
     """Make Newton steps until the film's figures are settled, or no step reduces the residual.
 
     Args:
-        level: The film.
         tolerance: Residual and load error wanted.
-        target: The figures.
         algebra_wanted: Their relative algebraic error wanted; at least two steps are needed to estimate it.
     """
     steps: list[NewtonStep] = []

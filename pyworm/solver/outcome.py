@@ -40,9 +40,7 @@ def fields(
     """All fields over the grid of a level, in single precision: its 24 bits are far finer than any error bar.
 
     Args:
-        scene: The contact.
         model: The effects that are simulated.
-        level: The film.
         dry_pressure: Pressure of the dry contact [Pa]; None where it is Hertz's in closed form.
         attributes: Radii, load and modulus, by names with their units.
     """

@@ -64,7 +64,6 @@ def neglected_waves(
     A wave flattened by A takes a pressure of pi E' A/(2 length) (Johnson 1985, 13.2).
 
     Args:
-        waves: The waves.
         groups: Moes' groups of the contact.
         half_width: Half-width of Hertz's contact along the entrainment [m].
         modulus: Reduced modulus E' [Pa].
@@ -89,7 +88,6 @@ def roughness_uncertainty(
 
     Args:
         level: A converged film between rough surfaces.
-        pair: The surfaces.
         boundary_friction: Friction coefficient of asperities in contact [-].
         waves: Long waves of the surfaces that are not in the gap.
         fitted_spread: Relative uncertainty of a friction coefficient that was fitted [-] (`variations`).

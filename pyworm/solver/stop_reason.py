@@ -81,8 +81,6 @@ def stop_reason(
     """How the sequence ends on a level, or None if a finer grid follows.
 
     Args:
-        level: The film on the last grid.
-        iteration: Figures on it.
         estimates: The figures with their error bars.
         unconverged, max_unconverged: Number of grids so far that missed the tolerance, and how many may.
         plan: Accuracy, tolerance and largest grid.
@@ -218,7 +216,6 @@ def refusal(
         plan: Accuracy and figures asked for.
         readings: Figures on grids of halving spacing so far.
         orders: Highest credible order of convergence of each figure with the spacing.
-        finer: The next grid.
     """
     if plan.refusal is not None:
         return Ending.REFUSED_BY_PLAN.stop(reason=plan.refusal)
@@ -241,8 +238,6 @@ def spike_stays(reading: Reading, grid: Grid | LineGrid, largest: int) -> bool:
     A spike that a grid resolves is no more than twice as wide, in nodes, on the next one.
 
     Args:
-        reading: Figures on a grid.
-        grid: That grid.
         largest: Nodes of the largest grid allowed.
     """
     if hot_spike(reading) is None:

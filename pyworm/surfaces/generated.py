@@ -28,7 +28,6 @@ def gaussian(
         roughness: Root mean square height [m].
         correlation_length: Distance across the lay at which the autocorrelation has fallen to 0.1 [m].
         aspect: Correlation length along the lay, the x axis, over that across it [-].
-        seed: Of the random numbers.
     """
     side = GAUSSIAN_LENGTHS * correlation_length
     # the spectral density of exp(-ln 10 x^2/l^2)
@@ -56,7 +55,6 @@ def self_affine(
         hurst: Hurst exponent, above 0 to 1 [-].
         longest_wave, shortest_wave: Ends of the spectrum [m], across the lay.
         aspect: Length of waves along the lay, the x axis, over those across it [-].
-        seed: Of the random numbers.
 
     Raises:
         ValueError: Waves that are the wrong way round, or more scales than a cell can hold.

@@ -30,7 +30,6 @@ def read_instrument(
     """Heights [m] of an instrument's file, NaN where points are missing, and their spacing [m].
 
     Args:
-        path: The file.
         metres: Metres of a unit of its numbers, where it does not give that itself.
         spacing: Distance of points [m], where it does not give that itself, or a senseless one.
         most: Points that are read at most.

@@ -50,7 +50,6 @@ def require_plausible_sides(points: tuple[int, ...], steps: tuple[float, ...], g
     """Refuse an area of sides that no measurement has.
 
     Args:
-        points: Points along x and y.
         steps: Their distances [m].
         given: Whether these are the user's, else the file's.
 

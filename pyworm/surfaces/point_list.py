@@ -16,7 +16,6 @@ def on_grid(points: Array, most: int) -> tuple[Array, tuple[float, float]]:
 
     Args:
         points: Columns x, y and z, shape (points, 3), in any order.
-        most: Points of the largest grid.
 
     Returns:
         Heights, shape (nx, ny), and distances along x and y, all in the units of the columns.

@@ -41,8 +41,7 @@ class TextHeights:
 def read_text(path: Path) -> TextHeights:
     """Numbers of a text file and its header.
 
-    Raises:
-        ValueError: It is no text, has no rows of numbers or rows of different lengths.
+    ValueError if it is no text, has no rows of numbers or rows of different lengths.
     """
     lines = _decoded(path.read_bytes()).splitlines()
     start, separator = _first_row(lines)

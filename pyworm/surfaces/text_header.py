@@ -73,8 +73,7 @@ def metres_of(unit: str) -> float | None:
 def read_header(lines: Sequence[str]) -> Header:
     """What the lines before the numbers say.
 
-    Raises:
-        ValueError: The values are said to be no heights, such as volts.
+    ValueError if the values are said to be no heights, such as volts.
     """
     said = _labelled(lines)
     header = _with_units(said)

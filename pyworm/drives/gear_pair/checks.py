@@ -15,11 +15,7 @@ TIGHT = 1e-3
 
 
 def check_gears(pair: InvolutePair) -> None:
-    """Refuse gears that do not mesh.
-
-    Raises:
-        ValueError: If they do not mesh.
-    """
+    """Refuse gears that do not mesh (ValueError)."""
     _check_values(pair)
     _check_centre_distance(pair)
     _check_teeth(pair)
@@ -29,8 +25,7 @@ def check_gears(pair: InvolutePair) -> None:
 def check_mesh(mesh: GearPairMesh) -> None:
     """Refuse sizes not finite and positive, unknown choices, and reliefs longer than their flanks.
 
-    Raises:
-        ValueError: If one is such, or the rule of load sharing does not hold for these gears.
+    ValueError if one is such, or the rule of load sharing does not hold for these gears.
     """
     for key in ("pinion_speed", "power", "load_factor"):
         value = getattr(mesh, key)

@@ -26,9 +26,7 @@ from pyworm.scene.point import Scene
 class GearPairDrive(GearPairMesh, Drive):
     """A pair of gears at one operating point; attributes as of `GearPairMesh`.
 
-    Raises:
-        ValueError: If the gears do not mesh, or cannot be run so; the message begins with the key that is
-            wrong.
+    ValueError if the gears do not mesh, or cannot be run so; the message begins with the key that is wrong.
     """
 
     body_names = "pinion", "gear"

@@ -77,9 +77,7 @@ def rate(
 
     Args:
         contacts: Curvature, velocities and load.
-        bodies: Pinion and gear.
         oil: The oil as it enters the contacts.
-        surfaces: Friction.
     """
     modulus = reduced_modulus(*bodies)
     half_width = np.sqrt(8 * contacts.unit_load * contacts.radius / (np.pi * modulus))

@@ -42,8 +42,7 @@ differ in place by so little that the difference of their integrals is rounding.
 class LoadSharing:
     """One rule for one pair of gears.
 
-    Raises:
-        ValueError: If there is no such rule, or it does not apply to these gears.
+    ValueError if there is no such rule, or it does not apply to these gears.
     """
 
     pair: InvolutePair

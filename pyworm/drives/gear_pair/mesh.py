@@ -160,11 +160,7 @@ class GearPairMesh(Lubricated):
         return (pinion_length - self.teeth.start) / self.teeth.path_length
 
     def contacts(self, phase: float | Array) -> ToothContacts:
-        """The tooth contacts at phases of the mesh cycle, 0 to 1.
-
-        Raises:
-            ValueError: If a phase is out of contact.
-        """
+        """The tooth contacts at phases of the mesh cycle, 0 to 1; ValueError if a phase is out of contact."""
         phase = np.asarray(phase, float)
         if not np.all((phase >= 0) & (phase <= 1)):
             worst = float(phase.flat[np.argmax(np.abs(phase - 0.5))])

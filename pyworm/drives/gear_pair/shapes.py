@@ -43,7 +43,6 @@ def in_space(teeth: InvolutePair, lengths: Sequence[float]) -> Space:
     """Some teeth of both gears.
 
     Args:
-        teeth: The gears.
         lengths: Radii of curvature of the pinion in the middle of the face for the turns [m].
     """
     along = np.asarray(lengths)

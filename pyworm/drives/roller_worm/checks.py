@@ -16,11 +16,7 @@ CHECKED = (61, 17)
 
 
 def check_gears(gears: RollerGears) -> None:
-    """Refuse worm and rollers that do not fit each other, and sections without a flank everywhere.
-
-    Raises:
-        ValueError: If they are such.
-    """
+    """Refuse worm and rollers that do not fit each other, and sections without a flank everywhere (ValueError)."""
     _check_sizes(gears)
     for section in gears.sections.values():
         check_section(section)
@@ -63,9 +59,7 @@ def _check_sizes(gears: RollerGears) -> None:
 def check_section(section: WormSection) -> None:
     """Refuse a section whose flank does not exist everywhere.
 
-    Raises:
-        ValueError: If the flank is undercut, the rollers do not touch it, or it is shorter than a contact
-            line.
+    ValueError if the flank is undercut, the rollers do not touch it, or it is shorter than a contact line.
     """
     angles = np.linspace(section.first, section.last, CHECKED[0])
     places = np.linspace(section.lowest, section.highest, CHECKED[1])[:, None]

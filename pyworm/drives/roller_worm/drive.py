@@ -23,8 +23,7 @@ from pyworm.scene.point import Scene
 class RollerWormDrive(RollerMesh, Drive):
     """A roller enveloping worm drive at one operating point; attributes as of `RollerMesh`.
 
-    Raises:
-        ValueError: If worm and rollers do not fit; the message begins with the key that is wrong.
+    ValueError if worm and rollers do not fit; the message begins with the key that is wrong.
     """
 
     body_names = "worm", "roller"

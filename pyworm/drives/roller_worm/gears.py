@@ -64,8 +64,7 @@ class RollerGears:
     def varied(self, name: str, value: float) -> Self:
         """Gears, or their drive, with another "roller_radius" [m], "throat_coefficient" [-] or "tilt" [rad].
 
-        Raises:
-            ValueError: From a drive, if the flank is undercut, or the rollers leave no thread between them.
+        ValueError from a drive if the flank is undercut, or the rollers leave no thread between them.
         """
         if name == "throat_coefficient":
             return replace(self, worm=replace(self.worm, throat_coefficient=value))

@@ -154,7 +154,6 @@ def share(
     """Share a torque among the rollers of a section.
 
     Args:
-        section: The section.
         compliance: Compliance of rollers, pins and thread.
         wheel_angle: Wheel angle of one roller [rad]; the others are a pitch apart.
         torque: Absolute torque between worm section and wheel, about the wheel's axis [N m]; 0 leaves no

@@ -79,8 +79,6 @@ def line_motion(
     """Compute the motion at contacts.
 
     Args:
-        envelope: Worm and roller.
-        contact: The contacts.
         wheel_speed: Speed of the wheel [rad/s].
         roller_speed: Speed of the rollers about their own axes [rad/s], broadcast against the contacts.
     """
@@ -224,13 +222,11 @@ def roller_speed(
     """Speed of a roller about its own axis [rad/s], towards growing theta.
 
     Args:
-        envelope: Worm and roller.
         contact: Slices of the roller's contact line, (slices,).
         lengths, loads: Length [m] and load for each length [N/m] of the slices.
         wheel_speed: Speed of the wheel [rad/s].
         spinning: "free", "locked" or "rolling".
         traction: Shear of the film; used for a free roller only.
-        pin: Pin of the roller.
     """
     if spinning == "locked":
         return 0.0

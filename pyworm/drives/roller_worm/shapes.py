@@ -32,7 +32,6 @@ def in_space(mesh: RollerMesh, places: Sequence[ContactIndex]) -> Space:
     """Both flanks of the worm and the rollers about it.
 
     Args:
-        mesh: The mesh.
         places: Sections and phases for the turns.
     """
     sections = [mesh.sections[present(place.section, "section")] for place in places]

@@ -87,7 +87,6 @@ def loaded_cycle_data(mesh: WormMesh, beyond: float) -> "xr.Dataset":
     """Loads, levers and speeds of a tooth pair over its cycle under load.
 
     Args:
-        mesh: The mesh.
         beyond: Phases before and after the mesh cycle in which a pair may carry load.
     """
     phases = np.linspace(-beyond, 1 + beyond, LOADED_PHASES)
@@ -150,8 +149,6 @@ def tooth_data(outline: Any, gap: Gap, place: FlankPlace, on_thread: FlankPlace)
     """The tooth, its whole gap and its path of contact over a contact's tangent plane.
 
     Args:
-        outline: Outline and path.
-        gap: The gap of the contact.
         place: Place on the wheel's flank: along the face from its middle, and distance from the wheel's axis.
         on_thread: Place on the worm's thread: along its axis from the line of centres, and distance from that
             axis.

@@ -54,8 +54,7 @@ MIRRORED = (
 class WormDrive(WormMesh, Drive):
     """A worm drive at one operating point; further attributes as of `WormMesh`.
 
-    Raises:
-        ValueError: If worm and wheel do not mesh; the message begins with the key that is wrong.
+    ValueError if worm and wheel do not mesh; the message begins with the key that is wrong.
     """
 
     body_names = "worm", "wheel"

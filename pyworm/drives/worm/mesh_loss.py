@@ -18,7 +18,6 @@ def worm_mesh_loss(
     """Loss of all teeth in mesh; None for too few phases of teeth that share a torque.
 
     Args:
-        mesh: The mesh.
         loaded_cycle: Gives the loads, levers and speeds over the mesh cycle (`loaded_cycle_data`), where they
             are needed.
         contacts: Losses of contacts that were solved.

@@ -35,7 +35,6 @@ def in_space(gears: WormGears, phases: Sequence[float]) -> Space:
     """The thread that drives and the flank of the wheel that it drives.
 
     Args:
-        gears: Their geometry.
         phases: Phases of the mesh cycle for the turns.
     """
     contacts = [gears.cycle.contact(phase) for phase in phases]

@@ -111,8 +111,7 @@ def _side_flow(prediction: Prediction) -> Influence:
 def as_line(scene: AnyContact) -> AnyContact:
     """The line contact in the middle of a long contact: same largest dry pressure and curvature.
 
-    Raises:
-        ValueError: The contact has no such middle.
+    ValueError if the contact has no such middle.
     """
     if isinstance(scene, LineScene):
         return scene

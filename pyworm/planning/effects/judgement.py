@@ -40,9 +40,7 @@ def judge(
     by no more than the accuracy.
 
     Args:
-        scene: The contact.
         accuracy: Relative change allowed [-].
-        quantities: Quantities asked for.
         prediction: The contact by closed forms, or by solved figures.
         asked, required: The effects to simulate, if these are given; and those to simulate beside what the
             accuracy needs.

@@ -28,8 +28,7 @@ GROUPS = ("all", "isothermal")
 def words(text: str) -> tuple[str, ...]:
     """The names of a choice; after "auto", effects to simulate in any case, and after a minus in none.
 
-    Raises:
-        ValueError: For an unknown name.
+    ValueError for an unknown name.
     """
     names = tuple(part.strip() for part in text.split(","))
     if names[0] == "auto":
@@ -64,8 +63,7 @@ class BesideAuto:
 def beside_auto(text: str) -> BesideAuto | None:
     """Effects named together with "auto"; None for a choice without it.
 
-    Raises:
-        ValueError: For a word that means nothing.
+    ValueError for a word that means nothing.
     """
     first, *names = _understood(text)
     if first != "auto":
@@ -86,7 +84,6 @@ def chosen(scene: AnyContact, text: str) -> frozenset[str]:
     """Names of the effects that a choice selects.
 
     Args:
-        scene: The contact.
         text: With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for
             a steady Newtonian film of one temperature between smooth surfaces), names of effects, and names
             after a minus, which are taken away.
@@ -114,8 +111,7 @@ def chosen(scene: AnyContact, text: str) -> frozenset[str]:
 def require(scene: AnyContact, name: str, text: str) -> None:
     """Refuse an effect, named in a choice, that a contact has none of.
 
-    Raises:
-        ValueError: It has none, and not only because of the phase of a mesh.
+    ValueError if it has none, and not only because of the phase of a mesh.
     """
     effect = SIMULATED[name]
     reason = effect.lacking(scene)

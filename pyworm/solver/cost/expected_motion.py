@@ -56,7 +56,6 @@ def motion(
     """Expected transient solves of a contact; None of a steady film and where none can begin.
 
     Args:
-        scene, plan: The contact and its plan.
         time_grid: The time grid of its whole life, if known: finding it costs as much as several plans.
     """
     if SQUEEZE.name not in plan.on:

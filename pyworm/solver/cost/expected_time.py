@@ -52,7 +52,6 @@ def expectation(
     The first call on a machine, or with another build of the kernel, measures a calibration in some seconds.
 
     Args:
-        scene, plan: The scene and its plan.
         time_grid: The time grid of its life, if it is known.
     """
     pace = calibration()

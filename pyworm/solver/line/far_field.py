@@ -40,8 +40,6 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
     """Compute the far field before a grid's inlet end.
 
     Args:
-        scene: The contact.
-        grid: The grid.
         pressure, film: Pressure [Pa] and film [m] on it, at least roughly.
     """
     x = grid.x

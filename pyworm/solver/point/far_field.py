@@ -33,8 +33,6 @@ def far_field(scene: Scene, grid: Grid, film: Array, covered: Flags) -> FarField
     """Compute the far field of a rigid film beyond a grid.
 
     Args:
-        scene: The contact.
-        grid: The outermost grid.
         film: Film [m] on the outline, at least roughly, shape (nx, ny).
         covered: Where both surfaces exist.
     """

@@ -92,7 +92,6 @@ def residual_rise(
 
     Args:
         history: Heat at times before, the latest first.
-        contact: The contact now.
         grid: The moving grid now, of as many nodes as before.
         coarse: Every so many of its nodes, on which the rise is found; it is as smooth as the contact is
             large.

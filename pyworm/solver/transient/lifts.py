@@ -39,7 +39,6 @@ def moving_lifts(time_grid: TimeGrid, begin: float, wanted: Sequence[float]) -> 
     """Lifts by the transient films of a life of point contacts.
 
     Args:
-        time_grid: The life.
         begin: Where its transient solve begins, with a steady film [transits].
         wanted: Times at which the lift is wanted [s].
 

@@ -187,8 +187,7 @@ class TimeGrid:
 def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
     """The time grid of a life under the plan of one of its contacts.
 
-    Raises:
-        ValueError: If it carries no load, or load without motion, at all of its knots.
+    ValueError if it carries no load, or load without motion, at all of its knots.
     """
     times, contacts = _loaded(life)
     heaviest = max(contact.load for contact in contacts)

@@ -172,7 +172,6 @@ def integrate_in_time(
     """Integrate a contact's film in time.
 
     Args:
-        time_grid: Grids and pace of its life.
         refinement: Halvings of the spacing and of the time step.
         begin: Where it begins, with a steady film [transits].
         wanted: Times at which the rate of change is wanted [s], later than that.
@@ -379,8 +378,7 @@ def _reached(
     load that jumps, or an edge that enters the contact, leaves films from which neither a first guess nor a
     difference of higher order follows.
 
-    Raises:
-        NoFilmError: No film was found after `MOST_HALVINGS`.
+    NoFilmError if no film was found after `MOST_HALVINGS`.
     """
     try:
         level, taken = _onward(time_grid, step, before, heat, held)

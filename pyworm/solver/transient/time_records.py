@@ -162,7 +162,6 @@ def curves(
     Args:
         solves: Moments of each transient solve, the finest last.
         since: Time after which they are kept [s].
-        kind: Kind of contact.
         share: Error of the finest over its change from the one before [-].
         least: Least relative error.
         present_seconds: Time of the present film [s], beyond which the curves of the last scene of a life go

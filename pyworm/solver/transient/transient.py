@@ -176,11 +176,7 @@ def recent(scene: Scene | LineScene) -> Past:
 
 
 def part_at(time_grid: TimeGrid, seconds: float) -> Part:
-    """The part of a life that a time [s] belongs to.
-
-    Raises:
-        ValueError: If it carries no load at that time.
-    """
+    """The part of a life that a time [s] belongs to; ValueError if it carries no load at that time."""
     if not time_grid.begin <= seconds <= time_grid.end:
         raise ValueError(f"its surfaces carry no load at {seconds:.3g} s")
     return next(part for part in parts_of(time_grid) if part.holds(time_grid.place(seconds)))
@@ -311,13 +307,7 @@ def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
 
 
 def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
-    """The film of a contact with the rate of change of transient solves, and the error of its figures.
-
-    Args:
-        scene: The contact.
-        plan: Its plan.
-        rates: The rates.
-    """
+    """The film of a contact with the rate of change of transient solves, and the error of its figures."""
     solver_type = SOLVERS[type(scene)]
     level, _ = solver_type(scene, plan).begin(plan.grids)
     if rates.flaw is not None:

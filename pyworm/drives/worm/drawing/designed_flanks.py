@@ -16,9 +16,7 @@ def worm_of(screw: Worm | Hob, size: float, seat: Seat) -> WormSurface:
     """The helicoid of a worm or a hob at its place.
 
     Args:
-        screw: Its design table.
         size: A length of the drive, such as the reference radius [m].
-        seat: Its place.
     """
     if screw.generator is None:
         return Helicoid(present(screw.base_radius, "base_radius"), screw.lead, *seat)

@@ -72,11 +72,7 @@ DERIVED: dict[str, tuple[Callable[[Drawing], float], str]] = {
 
 
 def check_given(given: Mapping[str, float | None]) -> None:
-    """Refuse counts, angles and a centre distance that no worm gear has, before usual values are taken.
-
-    Raises:
-        ValueError: If one is wrong.
-    """
+    """Refuse counts, angles and a centre distance that no worm gear has (ValueError)."""
     threads, teeth, module, factor = (
         present(given[key], f"drive.{key}")
         for key in ("threads", "teeth", "module", "diameter_factor")
@@ -106,8 +102,7 @@ def check_given(given: Mapping[str, float | None]) -> None:
 def check_profile(profile: Profile, given: Mapping[str, float | None]) -> None:
     """Refuse numbers of a grinding disc of a profile that has none, and a base cylinder of any but ZI.
 
-    Raises:
-        ValueError: If there is such a number.
+    ValueError if there is such a number.
     """
     for name, profiles in OF_PROFILES.items():
         if given.get(name) is not None and profile not in profiles:
@@ -116,11 +111,7 @@ def check_profile(profile: Profile, given: Mapping[str, float | None]) -> None:
 
 
 def check_drawing(drawing: Drawing) -> None:
-    """Refuse a drawing of which no worm gear can be made.
-
-    Raises:
-        ValueError: If there is none.
-    """
+    """Refuse a drawing of which no worm gear can be made (ValueError)."""
     _check_distance(drawing)
     _check_worm(drawing)
     _check_disc(drawing)
@@ -130,11 +121,7 @@ def check_drawing(drawing: Drawing) -> None:
 
 
 def check_redundant(drawing: Drawing, given: Mapping[str, float | None]) -> None:
-    """Refuse numbers of a drawing that contradict others.
-
-    Raises:
-        ValueError: If one does.
-    """
+    """Refuse numbers of a drawing that contradict others (ValueError)."""
     for name, (derive, words) in DERIVED.items():
         value = given.get(name)
         if value is None:

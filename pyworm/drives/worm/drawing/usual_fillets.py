@@ -26,8 +26,7 @@ def fitting_fillets(drawing: Drawing) -> tuple[float, float]:
 
     They are zero where the flanks of a thread meet before its root or its tip, so that nothing fits.
 
-    Raises:
-        ValueError: The drawing has no flanks (`Drawing.worm`, `Drawing.hob`).
+    ValueError if the drawing has no flanks (`Drawing.worm`, `Drawing.hob`).
     """
     worm, hob, size = drawing.worm, drawing.hob, drawing.reference_diameter / 2
     thread, cutter = (

@@ -98,7 +98,6 @@ def completed(
 
     Args:
         given: Numbers by their names in `Drawing`, those that are left out None or absent.
-        profile: Form of the flanks.
 
     Returns:
         The drawing, and a sentence that begins with the key for each value taken.

@@ -21,8 +21,7 @@ from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGe
 class AxialArc(ScrewGenerator):
     """A right-hand helicoid swept by an arc in the axial plane; the parameter is the radius.
 
-    Raises:
-        ValueError: If the arc does not rise all the way between them.
+    ValueError if the arc does not rise all the way between them.
     """
 
     top: float

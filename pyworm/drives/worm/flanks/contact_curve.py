@@ -133,8 +133,7 @@ class ContactCurve(ContactPath):
     def _begun(self) -> tuple[float, Array]:
         """Worm angle and unknowns of the contact that the pitch points lead to.
 
-        Raises:
-            HobError: Worm and wheel do not touch near the pitch point.
+        HobError if worm and wheel do not touch near the pitch point.
         """
         (u, turn, angle), (cut_u, cut_turn, hob_angle) = (
             screw.over_centres(radius)

@@ -79,8 +79,7 @@ class DiscHelicoid(ScrewGenerator):
     Its parameter u is the radius; where an edge of regression ends the profile at a radius r_0, near which it
     bends as (r - r_0)^(3/2), it is that of r = r_0 + u^2 / (end_radius - r_0), of which it is smooth.
 
-    Raises:
-        ValueError: The disc leaves no profile from the reference radius to the end.
+    ValueError if the disc leaves no profile from the reference radius to the end.
     """
 
     disc: Disc
@@ -149,8 +148,7 @@ class DiscHelicoid(ScrewGenerator):
         The envelope is followed from the reference radius to both sides, as long as its radius falls with the
         way; the edge, beyond which it would rise again, is given by its way [m].
 
-        Raises:
-            ValueError: It does not reach the end.
+        ValueError if it does not reach the end.
         """
         span = self.end_radius - self.inner_radius
         distances = np.arange(0, 8 * SAMPLES) * span / SAMPLES

@@ -15,8 +15,7 @@ def normal_module(axial_module: float, lead_angle: float) -> float:
 def lead_angle_of(threads: int, normal_module: float, reference_diameter: float) -> float:
     """Lead angle on a reference cylinder on which the threads have a normal module, sin(gamma) = z m_n / d.
 
-    Raises:
-        ValueError: No threads of this module wind about so thin a cylinder.
+    ValueError if no threads of this module wind about so thin a cylinder.
     """
     sine = threads * normal_module / reference_diameter
     if not sine < 1:

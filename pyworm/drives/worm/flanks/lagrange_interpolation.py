@@ -32,7 +32,6 @@ def on_mesh(
     Args:
         find: Places x and y, (places,) -> values, a row for each quantity; the last one is 1 where the
             function is smooth.
-        x, y: Nodes, of one shape.
         tolerance: Largest error of the first quantity.
 
     Returns:

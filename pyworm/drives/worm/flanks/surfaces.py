@@ -21,7 +21,6 @@ def contact_paths(
     """Paths along which worm and wheel touch.
 
     Args:
-        worm, flank: The flanks.
         threads: Number of threads of the worm.
         reference_radii: Reference radii of worm and hob [m].
     """

@@ -25,7 +25,6 @@ def form_radius(flank: WormSurface, end: float, fillet: float, other_end: float)
     r = end +- fillet (1 - sin alpha_x(r)), + at a root and - at a tip (closed for the straight flanks of ZA).
 
     Args:
-        flank: Flank of worm or hob.
         end, other_end: Radii of the cylinder to which the arc is tangent, and of the thread's other one [m].
         fillet: Radius of the arc [m]; without any the flank goes on to the end.
 

@@ -79,8 +79,7 @@ class Thread:
 def generator_of(profile: Profile, thread: Thread) -> ScrewGenerator | None:
     """What sweeps the flank of a thread; None of ZI, which has closed forms.
 
-    Raises:
-        ValueError: A disc of this size leaves no such flank.
+    ValueError if a disc of this size leaves no such flank.
     """
     screw = thread.lead, thread.lead_angle, thread.pressure_angle
     if profile == "ZI":
@@ -119,8 +118,7 @@ def hob_generator(profile: Profile, hob: Thread, worm: Thread) -> ScrewGenerator
     The straight blade of a ZN hob has the angle by which both flanks have one normal pressure angle on their
     reference cylinders, and so one base pitch; with the worm's they would differ by some micrometres.
 
-    Raises:
-        ValueError: A disc of this size leaves no such flank.
+    ValueError if a disc of this size leaves no such flank.
     """
     if profile != "ZN":
         return generator_of(profile, hob)
@@ -142,8 +140,6 @@ def own_pressure_angle(
     """Pressure angle in the definition of the profile (`PRESSURE_ANGLE_PLACES`) [rad].
 
     Args:
-        profile: Form of the flank.
-        generator: What sweeps it; None of ZI.
         lead_angle, normal: Lead angle and pressure angle in the normal section, both on the reference
             cylinder [rad].
     """

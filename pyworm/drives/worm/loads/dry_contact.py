@@ -51,8 +51,7 @@ class DryToothContact(DryContact):
 def dry_contact_of(mesh: WormMesh, load: float, phase: float = 0.5) -> DryToothContact:
     """The dry contact at a phase under a normal load [N].
 
-    Raises:
-        ValueError: Worm and wheel do not reach each other there.
+    ValueError if worm and wheel do not reach each other there.
     """
     contact = mesh.contact(phase)
     modulus = reduced_modulus(*mesh.bodies)

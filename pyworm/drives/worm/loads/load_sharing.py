@@ -112,7 +112,6 @@ def share(
     """Share a torque among tooth pairs.
 
     Args:
-        transmission: The torque.
         phases: Phases of the pairs that may touch, (pairs,).
         arms: Torque for each normal load [m], (pairs,): `Arms.of`.
         levers: Levers of their normals about the wheel's axis [m], (pairs,).

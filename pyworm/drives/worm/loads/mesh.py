@@ -240,8 +240,7 @@ class WormMesh(WormGears, Lubricated):
     def scene_at(self, phase: float) -> Scene:
         """The contact at a phase under its share of the load, without its past.
 
-        Raises:
-            ValueError: If the teeth jam as assembled, or this pair carries no load there.
+        ValueError if the teeth jam as assembled, or this pair carries no load there.
         """
         check_play(self)
         load = self.normal_load(phase)
@@ -275,8 +274,7 @@ class WormMesh(WormGears, Lubricated):
     def varied(self, name: str, change: float) -> Self:
         """The mesh with a difference in one entry of a table, "assembly.axial_shift" or "hob.swivel".
 
-        Raises:
-            ValueError: From a drive, if such a one is not possible.
+        ValueError from a drive if such a one is not possible.
         """
         part, key = name.split(".")
         table = getattr(self, part)

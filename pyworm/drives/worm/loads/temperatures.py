@@ -71,7 +71,6 @@ def drive_temperatures(
     """Compute the steady temperatures under a loss between the teeth.
 
     Args:
-        cooling: Cooling of the drive.
         rim: Face width of the wheel times its reference diameter [m2].
         worm_speed, tooth_loss: Speed of the worm [rad/s] and loss between the teeth [W].
 

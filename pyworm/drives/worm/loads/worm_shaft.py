@@ -22,11 +22,7 @@ MAX_DEFLECTION = 0.1
 
 @dataclass(frozen=True)
 class WormShaft:
-    """The worm's shaft and its bearings.
-
-    Raises:
-        ValueError: If the mesh does not lie between the bearings.
-    """
+    """The worm's shaft and its bearings; ValueError if the mesh does not lie between the bearings."""
 
     bearing_span: units.Length
     """Distance of the bearings [m]."""
@@ -100,7 +96,6 @@ def bent_shaft(
     """The shaft under the mean force of the mesh.
 
     Args:
-        shaft: The shaft.
         gears: Worm and wheel as on a rigid shaft.
         mean: Force of the wheel's teeth on the worm.
         youngs_modulus: Of the shaft [Pa].

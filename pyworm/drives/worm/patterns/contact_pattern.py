@@ -132,8 +132,6 @@ def both_flanks(
     no known separation where a shift for one direction of drive leaves no contact in the other one.
 
     Args:
-        gears: The gears.
-        pattern_of: Finds a pattern.
         like: Gears with the same wheel, at whose places it is found; None for those of the gears.
     """
     like = gears if like is None else like

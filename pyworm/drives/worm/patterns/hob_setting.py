@@ -25,8 +25,7 @@ LEAST_CONCAVE_SHIFT = 0.4
 def with_swivel(drawing: Drawing) -> tuple[Drawing, str]:
     """A drawing with the first swivel by which the worm does not cut into the wheel, and that in words.
 
-    Raises:
-        ValueError: None of those tried leaves a wheel that the worm meshes with.
+    ValueError if none of those tried leaves a wheel that the worm meshes with.
     """
     refusal: ValueError | None = None
     depth: float | None = None
@@ -67,11 +66,7 @@ def with_swivel(drawing: Drawing) -> tuple[Drawing, str]:
 
 
 def drawn_gears(drawing: Drawing, assembly: Assembly = AS_DESIGNED) -> WormGears:
-    """Worm and wheel of a drawing, as cut and assembled.
-
-    Raises:
-        ValueError: If they do not mesh.
-    """
+    """Worm and wheel of a drawing, as cut and assembled; ValueError if they do not mesh."""
     gears = WormGears(
         worm=drawing.worm,
         wheel=drawing.wheel,

@@ -69,7 +69,6 @@ def deflection(placed: PlacedGap, pressure: Array, modulus: float, x: Array, y: 
     1985, equation 3.22).
 
     Args:
-        placed: The window.
         pressure: Its pressure [Pa], (x, y).
         modulus: E' [Pa].
         x, y: Places [m].

@@ -26,8 +26,7 @@ BASE_PITCH_MISMATCH = 0.01
 def check_gears(gears: WormGears) -> None:
     """Refuse a design table whose worm and wheel do not mesh.
 
-    Raises:
-        ValueError: If they do not mesh; the message begins with the key that is wrong.
+    ValueError if they do not mesh; the message begins with the key that is wrong.
     """
     _check_numbers(gears)
     check_sizes(gears)
@@ -39,11 +38,7 @@ def check_gears(gears: WormGears) -> None:
 
 
 def check_play(gears: WormGears) -> None:
-    """Refuse teeth that errors of the assembly leave no play: they cannot be assembled.
-
-    Raises:
-        ValueError: The sentence begins with the table at fault.
-    """
+    """Refuse teeth that errors of the assembly leave no play: ValueError, by table."""
     left, backlash = gears.play, gears.wheel.backlash
     if left is None or backlash is None or left >= 0 or gears.aligned:
         return
@@ -55,11 +50,7 @@ def check_play(gears: WormGears) -> None:
 
 
 def check_values(entries: Mapping[str, float], signed: frozenset[str] = frozenset()) -> None:
-    """Refuse values that are not finite or, unless signed, not positive.
-
-    Raises:
-        ValueError: If a value is not.
-    """
+    """Refuse values that are not finite or, unless signed, not positive (ValueError)."""
     for key, value in entries.items():
         if not isfinite(value):
             raise ValueError(f"{key} is {value}; a finite number is needed")

@@ -24,11 +24,7 @@ MIN_FACE_COVERAGE = 0.9
 
 
 def check_deviations(gears: WormGears) -> None:
-    """Refuse deviations of other units, or of other places than the flank's.
-
-    Raises:
-        ValueError: If some are such.
-    """
+    """Refuse deviations of other units, or of other places than the flank's (ValueError)."""
     for name, deviations in gears.deviating.items():
         spread = deviations.spread
         if deviations.worn:

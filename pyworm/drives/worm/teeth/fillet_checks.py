@@ -13,11 +13,7 @@ from pyworm.drives.worm.teeth.tooth_form import worm_thickness
 
 
 def check_fillets(gears: WormGears) -> None:
-    """Refuse fillets that do not fit between the threads, or on the tip of the hob's.
-
-    Raises:
-        ValueError: If one does not.
-    """
+    """Refuse fillets that do not fit between the threads, or on the tip of the hob's (ValueError)."""
     for name in ROOMS:
         _check_room(gears, name)
 

@@ -199,7 +199,6 @@ def find_mesh_cycle(
     Args:
         paths: Paths along which the flanks touch.
         ratio: Threads / teeth [-].
-        worm_tooth, wheel_tooth: Boundaries of the teeth.
 
     Raises:
         ValueError: If the flanks do not touch on the teeth, or interfere.

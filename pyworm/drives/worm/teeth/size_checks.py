@@ -17,11 +17,7 @@ MIN_TOOTH_HEIGHT = 1.8
 
 
 def check_sizes(gears: WormGears) -> None:
-    """Refuse sizes that belong to another key, or to none.
-
-    Raises:
-        ValueError: If one is such.
-    """
+    """Refuse sizes that belong to another key, or to none (ValueError)."""
     _check_counts(gears)
     _check_threads(gears)
     _check_wheel(gears)

@@ -67,7 +67,6 @@ def flank_outline(rimmed: RimmedFlank, count: int) -> Array:
     Cached, since it does not depend on where the worm is assembled.
 
     Args:
-        rimmed: The flank.
         count: Points on each of the four sides.
     """
     tooth = rimmed.tooth
