@@ -16,7 +16,7 @@ CHECKED = (61, 17)
 
 
 def check_gears(gears: RollerGears) -> None:
-    """Refuse worm and rollers that do not fit each other, and sections without a flank everywhere (ValueError)."""
+    """Refuse worm and rollers that do not fit each other, and sections not flank throughout (ValueError)."""
     _check_sizes(gears)
     for section in gears.sections.values():
         check_section(section)
