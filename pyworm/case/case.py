@@ -75,8 +75,7 @@ class Case(Shown):
     @property
     def _common(self) -> CaseTable:
         """The tables by the keys that all kinds of cases share."""
-        tables: CaseTable = self.tables
-        return tables
+        return self.tables
 
     @property
     def title(self) -> str:

@@ -29,8 +29,7 @@ def case_model(about: str, kind: str) -> type[CaseTable]:
     """Model of the case file about a kind of subject."""
     if about == "contact":
         return CONTACTS[kind]
-    model: type[CaseTable] = present(module_of(kind, "case"), f"case tables of {kind}").CASE
-    return model
+    return present(module_of(kind, "case"), f"case tables of {kind}").CASE
 
 
 def rated() -> tuple[str, ...]:

@@ -57,8 +57,7 @@ class ViscosityTable(Table):
     def viscosity(self, inlet: float, density: Any) -> ViscosityLaw:
         """The law."""
         fields: Any = self  # its class is derived from the law, too
-        law: ViscosityLaw = plain(fields, self.LAW)
-        return law
+        return plain(fields, self.LAW)
 
 
 class RoelandsTable(ViscosityTable):

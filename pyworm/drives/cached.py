@@ -35,7 +35,6 @@ def cached(
             if len(found) > MAX_KEPT_VALUES:
                 found.popitem(last=False)
         found.move_to_end(key)
-        value: Kept = found[key]
-        return value
+        return found[key]
 
     return cached_value

@@ -94,8 +94,7 @@ class LineOfAction:
     @property
     def entrainment(self) -> Array:
         """Mean surface velocity [m/s]."""
-        entrainment: Array = (self.pinion_velocity + self.gear_velocity) / 2
-        return entrainment
+        return (self.pinion_velocity + self.gear_velocity) / 2
 
     @property
     def thinnest(self) -> int:

@@ -143,8 +143,7 @@ def _friction(
     def along(chosen: Array) -> Array:
         inside = np.clip(phases, solved[chosen][0], solved[chosen][-1])
         between = scipy.interpolate.PchipInterpolator(solved[chosen], ratio[chosen])(inside)
-        along: Array = between * reference(phases)
-        return along
+        return between * reference(phases)
 
     all_of_them = np.arange(len(solved))
     half = np.unique([*all_of_them[::2], all_of_them[-1]])
@@ -176,8 +175,7 @@ def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> 
     errors = np.array([getattr(contact, part) or 0.0 for contact in contacts])
     unknown = np.interp(phases, solved_phases, np.isinf(errors).astype(float)) > 0
     known = np.interp(phases, solved_phases, np.where(np.isinf(errors), 0.0, errors))
-    interpolated: Array = np.where(unknown, np.inf, known)
-    return interpolated
+    return np.where(unknown, np.inf, known)
 
 
 def _uncertain(lost_power: Array, error: Array) -> Array:

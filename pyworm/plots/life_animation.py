@@ -143,8 +143,7 @@ class Lines:
 
 def _thickest(life: ContactLife) -> float:
     """Upper end of the scale of films [um]."""
-    thickest: float = FILM.number(THICKEST * float(np.median(life.figures["film_central"])))
-    return thickest
+    return FILM.number(THICKEST * float(np.median(life.figures["film_central"])))
 
 
 def _heading(result: Result, life: ContactLife) -> str:

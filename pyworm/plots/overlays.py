@@ -215,5 +215,4 @@ def between_nodes(
     first = np.minimum(whole(position), nodes.size - 2)
     weight = (position - first).reshape(-1, *[1] * (1 - axis))
     before, behind = (np.take(field, first + step, axis) for step in (0, 1))
-    between_nodes: np.ndarray = before + weight * (behind - before)
-    return between_nodes
+    return before + weight * (behind - before)

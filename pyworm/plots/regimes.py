@@ -175,8 +175,7 @@ def _point_numbers(m: np.ndarray, el: np.ndarray, middle: Regime) -> tuple[Value
 def _near(axis: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Nodes of an axis within a twentieth of it from any of some values, on its logarithmic scale."""
     distance = np.log(axis[:, None] / np.ravel(values))
-    near: np.ndarray = np.any(np.abs(distance) < 0.05 * np.log(axis[-1] / axis[0]), axis=1)
-    return near
+    return np.any(np.abs(distance) < 0.05 * np.log(axis[-1] / axis[0]), axis=1)
 
 
 def _roomiest(area: np.ndarray) -> tuple[int, int]:

@@ -78,10 +78,9 @@ def gear_oil(oil: Oil, base: str) -> GearOil:
 
     def law(name: str) -> Callable[[np.ndarray], np.ndarray]:
         def of(temperature: np.ndarray) -> np.ndarray:
-            found: np.ndarray = np.vectorize(
-                lambda kelvin: getattr(oil.warmed(kelvin - inlet).viscosity, name)
-            )(temperature)
-            return found
+            return np.vectorize(lambda kelvin: getattr(oil.warmed(kelvin - inlet).viscosity, name))(
+                temperature
+            )
 
         return of
 

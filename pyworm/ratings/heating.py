@@ -46,10 +46,7 @@ def tooth_loss_of(case: Case) -> float:
     drive = present(case.drive, "drive")
     cooling = case.tables.cooling_of(drive)
     sump = present(drive.oil.heat, "oil.heat").inlet_temperature
-    tooth_loss_of: float = (
-        sump - cooling.ambient_temperature
-    ) * cooling.conductance - cooling.other.power
-    return tooth_loss_of
+    return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other.power
 
 
 @dataclass(frozen=True)

@@ -179,8 +179,7 @@ def grade_row(duty: OilDuty, grade: int) -> GradeRow:
 
     def heat(sump: float) -> float:
         ratio = float(oil.kinematic_viscosity(sump)) / thickness
-        heat: float = 1 - fraction + fraction * ratio**CHURNING_EXPONENT
-        return heat
+        return 1 - fraction + fraction * ratio**CHURNING_EXPONENT
 
     # Thinner with every degree, so that there is one balance; the teeth's share alone bounds it from below.
     coldest = duty.ambient_temperature + (1 - fraction) * rise

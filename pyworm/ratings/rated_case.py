@@ -124,8 +124,7 @@ class RatingRequest:
             return None
         if isinstance(self.tables, WormRated):
             return self.tables.rating_as_run()
-        completed: CompletedRating = table.completed()
-        return completed
+        return table.completed()
 
 
 def _sound(result: Result | None) -> Result | None:

@@ -156,8 +156,7 @@ def _miner(loads: tuple[RatedLoad, ...]) -> float:
         endured = load.rated.pitting_safety / lasting  # over 25000 h
         damage += hours / 25000 * endured**-_PITTING_POWER
         bound = min(bound, endured * _MOST_LASTING)
-    miner: float = min(damage ** (-1 / _PITTING_POWER), bound)
-    return miner
+    return min(damage ** (-1 / _PITTING_POWER), bound)
 
 
 def _deflection(gear_set: _Rated) -> Safety:

@@ -115,8 +115,7 @@ def _on_tooth(result: Result, face: Array, radius: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         crossing = x + (radius - y) / (next_y - y) * (next_x - x)
     within = np.sum(spans & (face < crossing), axis=-1) % 2 == 1
-    on_tooth: Array = scipy.ndimage.binary_dilation(within)  # cells that the outline passes through
-    return on_tooth
+    return scipy.ndimage.binary_dilation(within)  # cells that the outline passes through
 
 
 def _neighbours(
@@ -226,8 +225,7 @@ MOST_STEPS = 4 * sum(NODES)
 
 def _at(field: Array, place: Array) -> Array:
     """Values of a field between nodes."""
-    values: Array = scipy.ndimage.map_coordinates(field, place, order=1, mode="nearest")
-    return values
+    return scipy.ndimage.map_coordinates(field, place, order=1, mode="nearest")
 
 
 def _filled(field: Array) -> Array:
@@ -238,5 +236,4 @@ def _filled(field: Array) -> Array:
     nearest = scipy.ndimage.distance_transform_edt(
         missing, return_distances=False, return_indices=True
     )
-    filled: Array = field[tuple(nearest)]
-    return filled
+    return field[tuple(nearest)]

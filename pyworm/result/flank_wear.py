@@ -118,8 +118,7 @@ def flank_grid(result: Result, side: Side = "wheel") -> FlankGrid:
 
 def _loaded(layer: dict[str, Array], name: str) -> Array:
     pressure = layer["pressure"]
-    loaded: Array = layer[name][pressure > LOADED_FRACTION * pressure.max()]
-    return loaded
+    return layer[name][pressure > LOADED_FRACTION * pressure.max()]
 
 
 def _rough_phases(result: Result) -> list[Solution]:
@@ -319,5 +318,4 @@ def _with_areas(layer: dict[str, Array], x: Array, y: Array) -> dict[str, Array]
 
 def smoothed(field: Array) -> Array:
     """A worn flank without the ripple of its cells, as a spline through them has to be."""
-    smoothed: Array = scipy.ndimage.gaussian_filter(field, 0.8, mode="nearest")
-    return smoothed
+    return scipy.ndimage.gaussian_filter(field, 0.8, mode="nearest")

@@ -180,8 +180,7 @@ def _along_last(components: Sequence[Array]) -> Array:
     velocity = np.stack(components)
     last = velocity[:, -1]
     speed = np.linalg.norm(last)
-    along_last: Array = velocity.T @ last / speed if speed > 0 else np.linalg.norm(velocity, axis=0)
-    return along_last
+    return velocity.T @ last / speed if speed > 0 else np.linalg.norm(velocity, axis=0)
 
 
 def _frames(dataset: "PlainDataset | xr.Dataset") -> list[Fields]:

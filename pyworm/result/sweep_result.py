@@ -67,14 +67,12 @@ class SweepResult(Shown):
     @property
     def converged(self) -> np.ndarray:
         """Whether the solution of each scene converged."""
-        converged: np.ndarray = self.table["converged"].values == 1
-        return converged
+        return self.table["converged"].values == 1
 
     @property
     def accurate(self) -> np.ndarray:
         """Whether the solution of each scene has the requested accuracy."""
-        accurate: np.ndarray = self.table["accurate"].values == 1
-        return accurate
+        return self.table["accurate"].values == 1
 
     @cached_property
     def neglected_effects(self) -> NeglectedEffects:

@@ -138,8 +138,7 @@ class Estimate:
         try:
             return result(self, Estimate(float(other), 0.0))
         except TypeError:
-            incomparable: Combined = NotImplemented
-            return incomparable
+            return NotImplemented
 
     @staticmethod
     def _sum(first: "Estimate", by: float, second: "Estimate", times: float) -> "Estimate":

@@ -51,10 +51,7 @@ def surface_at(field: Array, i: Array, j: Array) -> Array:
     """Values of the surface through a field over a plane at places given in nodes, all within the grid."""
     rows, on_x = _four(i, field.shape[0])
     columns, on_y = _four(j, field.shape[1])
-    surface_at: Array = np.einsum(
-        "pa,pab,pb->p", on_x, field[rows[:, :, None], columns[:, None, :]], on_y
-    )
-    return surface_at
+    return np.einsum("pa,pab,pb->p", on_x, field[rows[:, :, None], columns[:, None, :]], on_y)
 
 
 def _four(places: Array, count: int) -> tuple[Array, Array]:
@@ -124,15 +121,13 @@ def _lowest_about(field: Array) -> Array:
         lower = np.moveaxis(least, axis, 0)
         np.minimum(lower[1:], line[:-1], out=lower[1:])
         np.minimum(lower[:-1], line[1:], out=lower[:-1])
-    lowest_about: Array = field == least
-    return lowest_about
+    return field == least
 
 
 def _bends(field: Array, i: Array, j: Array) -> Array:
     """Second differences along x at some nodes, by half where one neighbour is outside the grid."""
     before, behind = np.maximum(i - 1, 0), np.minimum(i + 1, field.shape[0] - 1)
-    bends: Array = field[before, j] - 2 * field[i, j] + field[behind, j]
-    return bends
+    return field[before, j] - 2 * field[i, j] + field[behind, j]
 
 
 def _about(
@@ -168,18 +163,12 @@ def _around(node: int, count: int) -> tuple[Array, Array]:
 
 def _corners(combine: np.ufunc, nodes: Array) -> Array:
     """Cells all or one of whose corners are such nodes."""
-    corners: Array = combine.reduce(
-        [nodes[:-1, :-1], nodes[1:, :-1], nodes[:-1, 1:], nodes[1:, 1:]]
-    )
-    return corners
+    return combine.reduce([nodes[:-1, :-1], nodes[1:, :-1], nodes[:-1, 1:], nodes[1:, 1:]])
 
 
 def _cells_of(places: Array) -> Array:
     """Whether places, counted from the middle node, are in each cell between nodes."""
-    cells_of: Array = (
-        np.abs(places[:, None] - (np.arange(-MARGIN_NODES, MARGIN_NODES) + 0.5)) <= 0.5
-    )
-    return cells_of
+    return np.abs(places[:, None] - (np.arange(-MARGIN_NODES, MARGIN_NODES) + 0.5)) <= 0.5
 
 
 def _weights(places: Array) -> Array:
@@ -211,5 +200,4 @@ def _carried_on(values: Array) -> Array:
             count += ~np.isnan(on)
         reached = np.isnan(values) & (count > 0)
         values = np.where(reached, total / np.maximum(count, 1), values)
-    carried_on: Array = np.nan_to_num(values)
-    return carried_on
+    return np.nan_to_num(values)

@@ -179,10 +179,7 @@ class Level(ABC):
 
     def contact(self) -> Flags:
         """Nodes of the contact (`CONTACT_PRESSURE`), where friction and the film's temperature are read."""
-        contact: Flags = self.covered & (
-            self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max()
-        )
-        return contact
+        return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
 
     def share_of_contact(self) -> Array:
         """Share of each node's cell that belongs to the contact [-], where pressure is linear about the node.
@@ -203,8 +200,7 @@ class Level(ABC):
         """Load that the film carries: the scene's, or where surfaces are held apart the pressure's."""
         if self.scene.separation is None:
             return self.scene.load
-        carried: float = float(self.film.pressure.sum()) * self.grid.cell
-        return carried
+        return float(self.film.pressure.sum()) * self.grid.cell
 
     def rigid_film_on(self, grid: Any, pressure: Array) -> float:
         """Rigid film [m] on another grid, with this film's pressure there, for the same film thickness."""

@@ -108,8 +108,7 @@ def _direction(level: Level) -> Array:
     """Unit vector of the entrainment at the contact point."""
     origin = (np.zeros(()),) * level.gap.ndim
     vector = np.array([float(component) for component in level.scene.entrainment_at(*origin)])
-    direction: Array = vector / np.linalg.norm(vector)
-    return direction
+    return vector / np.linalg.norm(vector)
 
 
 def _across(level: Level, along: float, width: float) -> tuple[Array, ...]:
@@ -136,8 +135,7 @@ def _at(level: Level, field: Array, places: tuple[Array, ...]) -> Array:
     nodes = [
         (place - axis[0]) / (axis[1] - axis[0]) for place, axis in zip(places, axes, strict=True)
     ]
-    values: Array = map_coordinates(field, nodes, order=1, mode="nearest")
-    return values
+    return map_coordinates(field, nodes, order=1, mode="nearest")
 
 
 def _reach(level: Level, sign: float) -> float:
@@ -149,8 +147,7 @@ def _reach(level: Level, sign: float) -> float:
         if part:
             end = nodes[-2] if sign * part > 0 else nodes[1]
             reaches.append(abs(end / part))
-    reach: float = min(reaches)
-    return reach
+    return min(reaches)
 
 
 def _meniscus(level: Level) -> float:

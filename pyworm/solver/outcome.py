@@ -72,8 +72,7 @@ def _single(values: Array) -> Array:
         return values
     # fields of a film that was lost may exceed all numbers of that size
     largest = np.finfo(np.float32).max
-    single: Array = np.clip(values, -largest, largest).astype(np.float32)
-    return single
+    return np.clip(values, -largest, largest).astype(np.float32)
 
 
 def _shear_fields(level: Level) -> dict[str, Array]:

@@ -34,8 +34,7 @@ def gaussian(
     decay = correlation_length**2 / (4 * np.log(10))
 
     def density(qx: Array, qy: Array) -> Array:
-        density: Array = np.exp(-decay * ((qx * aspect) ** 2 + qy**2))
-        return density
+        return np.exp(-decay * ((qx * aspect) ** 2 + qy**2))
 
     return _generated(roughness, GAUSSIAN_NODES, (side * aspect, side), density, seed)
 

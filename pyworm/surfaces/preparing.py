@@ -128,8 +128,7 @@ def _levelled(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array
 
 def _without_form(heights: Array, periodic: bool) -> Array:
     level = heights if periodic else heights - _form(heights)
-    without_form: Array = level - np.nanmean(level)
-    return without_form
+    return level - np.nanmean(level)
 
 
 def _require_most(heights: Array) -> None:
@@ -206,8 +205,7 @@ def outlying(level: Array) -> Array:
     group, count = scipy.ndimage.label(far, np.ones((3, 3)))
     share = scipy.ndimage.mean(alone, group, np.arange(count + 1))
     share[0] = 0.0  # what is not far
-    outlying: Array = share[group] >= MOSTLY
-    return outlying
+    return share[group] >= MOSTLY
 
 
 def _matter(level: Array, cleaned: Array, far: Array) -> bool:

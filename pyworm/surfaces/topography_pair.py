@@ -134,8 +134,7 @@ def flow_beyond(table: CellTable, gap: Array) -> tuple[Array, Array]:
 def _interpolated(table: CellTable, values: Array, gap: Array) -> Array:
     """Values of a table at gaps [m], constant beyond its ends."""
     curve = scipy.interpolate.PchipInterpolator(table.separation[::-1], values[..., ::-1], axis=-1)
-    interpolated: Array = curve(np.clip(gap, table.separation[-1], table.separation[0]))
-    return interpolated
+    return curve(np.clip(gap, table.separation[-1], table.separation[0]))
 
 
 def _continued(place: Array, values: Array, gap: Array) -> Array:
@@ -144,10 +143,9 @@ def _continued(place: Array, values: Array, gap: Array) -> Array:
     low, high = place[-1], place[0]
     slope = curve.derivative()
     inside = np.clip(gap, low, high)
-    continued: Array = curve(inside) + np.where(
+    return curve(inside) + np.where(
         gap < low, slope(low) * (gap - low), np.where(gap > high, slope(high) * (gap - high), 0.0)
     )
-    return continued
 
 
 def _turned(tensor: Array, angle: float) -> Array:

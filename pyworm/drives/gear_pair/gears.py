@@ -22,10 +22,9 @@ def involute(angle: float) -> float:
 
 def inverse_involute(value: float) -> float:
     """Pressure angle [rad] whose involute function is a value above zero."""
-    inverse_involute: float = scipy.optimize.brentq(
+    return scipy.optimize.brentq(
         lambda angle: involute(angle) - value, 0.0, pi / 2 - 1e-6, xtol=1e-15
     )
-    return inverse_involute
 
 
 @dataclass(frozen=True)

@@ -77,10 +77,8 @@ class LoadSharing:
         """
         s = np.asarray(s, float)
         if self.rule == "ramp":
-            of_line: Array = self._ramp(s) * self.line_length(s) / self.pair.shortest_line
-            return of_line
-        of_line = self._over_line(s, *self._stiffness) / self._together(s)
-        return of_line
+            return self._ramp(s) * self.line_length(s) / self.pair.shortest_line
+        return self._over_line(s, *self._stiffness) / self._together(s)
 
     def line_length(self, s: Array) -> Array:
         """Length of the contact line through mid-face place s [m]."""
@@ -132,5 +130,4 @@ class LoadSharing:
             return np.where(touching, function(s) * pair.face_width, 0.0)
         half = pair.face_width / 2 * slant
         low, high = (np.clip(place, pair.start, pair.end) for place in (s - half, s + half))
-        over_line: Array = (integral(high) - integral(low)) / (slant * tilt)
-        return over_line
+        return (integral(high) - integral(low)) / (slant * tilt)

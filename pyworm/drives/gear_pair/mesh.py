@@ -60,32 +60,27 @@ class ToothContacts:
     @property
     def entrainment(self) -> Array:
         """Mean surface velocity [m/s]."""
-        entrainment: Array = (self.pinion_velocity + self.gear_velocity) / 2
-        return entrainment
+        return (self.pinion_velocity + self.gear_velocity) / 2
 
     @property
     def sliding(self) -> Array:
         """Velocity of the pinion's surface relative to the gear's [m/s]."""
-        sliding: Array = self.pinion_velocity - self.gear_velocity
-        return sliding
+        return self.pinion_velocity - self.gear_velocity
 
     @property
     def slide_roll_ratio(self) -> Array:
         """Sliding over entrainment [-]."""
-        slide_roll_ratio: Array = self.sliding / self.entrainment
-        return slide_roll_ratio
+        return self.sliding / self.entrainment
 
     @property
     def pinion_specific_sliding(self) -> Array:
         """Sliding over the velocity of the pinion's surface [-]."""
-        pinion_specific_sliding: Array = self.sliding / self.pinion_velocity
-        return pinion_specific_sliding
+        return self.sliding / self.pinion_velocity
 
     @property
     def gear_specific_sliding(self) -> Array:
         """Sliding of the gear's surface over its velocity [-]."""
-        gear_specific_sliding: Array = -self.sliding / self.gear_velocity
-        return gear_specific_sliding
+        return -self.sliding / self.gear_velocity
 
 
 CYCLE_POINTS = 401

@@ -71,8 +71,7 @@ def _met(teeth: InvolutePair, length: Array) -> Array:
     """Points of the line of action (n, 2) [m]."""
     angle = teeth.pressure_angle
     touched = teeth.cylinders[0].base * np.array([cos(angle), sin(angle)])
-    met: Array = touched + length[:, None] * np.array([sin(angle), -cos(angle)])
-    return met
+    return touched + length[:, None] * np.array([sin(angle), -cos(angle)])
 
 
 def _gear(teeth: InvolutePair, number: int, turns: Array) -> Shape:
@@ -116,8 +115,7 @@ def _outline(teeth: InvolutePair, number: int, pitch: float) -> Array:
     other = _mirrored(side, middle)[::-1]
     ends = middle + np.array([-pitch, pitch]) / 2
     ground = size.root * np.column_stack([np.cos(ends), np.sin(ends)])
-    outline: Array = np.vstack([ground[:1], side, other, ground[1:]]) + centre
-    return outline
+    return np.vstack([ground[:1], side, other, ground[1:]]) + centre
 
 
 def _pitch_angle(teeth: InvolutePair, number: int, centre: Array) -> float:
@@ -129,13 +127,9 @@ def _pitch_angle(teeth: InvolutePair, number: int, centre: Array) -> float:
 
 def _turned(points: Array, angle: float) -> Array:
     """Points (n, 2) turned about the origin."""
-    turned: Array = points @ np.array([[cos(angle), sin(angle)], [-sin(angle), cos(angle)]])
-    return turned
+    return points @ np.array([[cos(angle), sin(angle)], [-sin(angle), cos(angle)]])
 
 
 def _mirrored(points: Array, angle: float) -> Array:
     """Points (n, 2) mirrored at the line through the origin at a polar angle."""
-    mirrored: Array = points @ np.array(
-        [[cos(2 * angle), sin(2 * angle)], [sin(2 * angle), -cos(2 * angle)]]
-    )
-    return mirrored
+    return points @ np.array([[cos(2 * angle), sin(2 * angle)], [sin(2 * angle), -cos(2 * angle)]])

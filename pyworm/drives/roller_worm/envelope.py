@@ -40,8 +40,7 @@ E_X, E_Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
 def dot(a: Array, b: Array) -> Array:
     """Scalar product over the first axis."""
-    dot: Array = np.einsum("i...,i...->...", a, b)
-    return dot
+    return np.einsum("i...,i...->...", a, b)
 
 
 def cross(a: Array, b: Array) -> Array:
@@ -144,8 +143,7 @@ class RollerEnvelope:
     def relative_velocity(self, point: Array) -> Array:
         """Velocity of the worm relative to the wheel at points (3, ...) [m/rad]."""
         worm = cross(_wide(self.worm_turn, point), point - _wide(self.worm_centre, point))
-        relative_velocity: Array = worm + about_z(point)
-        return relative_velocity
+        return worm + about_z(point)
 
     def theta(self, place: Array, wheel_angle: Array) -> Array:
         """Angle round the roller at which it touches [rad]; NaN where it does not."""
@@ -166,8 +164,7 @@ class RollerEnvelope:
         roots = [towards - spread, towards + spread]
         first_is_front = np.cos(roots[0]) > np.cos(roots[1])
         root = np.where(first_is_front == (self.flank == "idle"), *roots)
-        theta: Array = np.arctan2(np.sin(root), np.cos(root))
-        return theta
+        return np.arctan2(np.sin(root), np.cos(root))
 
     def point(self, place: Array | float, wheel_angle: Array | float) -> Array:
         """Points of the contact lines [m] in the drive frame, (3, ...)."""
@@ -175,8 +172,7 @@ class RollerEnvelope:
         going, side, axis, middle = self.axes(phi)
         theta = self._theta(s, going, side, axis, middle)
         out = np.cos(theta) * going + np.sin(theta) * side
-        point: Array = middle + s * axis + self.profile(s)[0] * out
-        return point
+        return middle + s * axis + self.profile(s)[0] * out
 
     def contact(self, place: Array, wheel_angle: Array) -> LineContact:
         """The contact at places along the roller [m] and wheel angles [rad], which are broadcast."""

@@ -121,8 +121,7 @@ class ContactFrame:
 def turned(point: Array, angle: Array, centre_distance: float) -> Array:
     """Points (3, ...) turned about the worm's axis."""
     shift = np.array([0.0, centre_distance, 0.0]).reshape((3,) + (1,) * (point.ndim - 1))
-    turned: Array = rotated(point - shift, angle) + shift
-    return turned
+    return rotated(point - shift, angle) + shift
 
 
 def rotated(vector: Array, angle: Array) -> Array:

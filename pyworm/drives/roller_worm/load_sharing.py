@@ -132,16 +132,14 @@ def slices(section: WormSection, wheel_angles: Array) -> tuple[LineContact, Arra
 
 def lever(contact: LineContact) -> Array:
     """Lever of the normal load about the wheel's axis [m], positive where it drives the wheel."""
-    lever: Array = cross(contact.point, contact.normal)[2]
-    return lever
+    return cross(contact.point, contact.normal)[2]
 
 
 def worm_lever(section: WormSection, contact: LineContact) -> Array:
     """Lever of the normal load about the worm's axis [m], positive where it resists the worm."""
     envelope = section.envelope
     arm = contact.point - envelope.worm_centre.reshape((3,) + (1,) * contact.place.ndim)
-    worm_lever: Array = -envelope.hand * cross(arm, contact.normal)[0]
-    return worm_lever
+    return -envelope.hand * cross(arm, contact.normal)[0]
 
 
 def share(

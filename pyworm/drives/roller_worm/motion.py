@@ -63,14 +63,12 @@ class LineMotion:
     @property
     def entrainment(self) -> Array:
         """Mean velocity across the contact line [m/s]."""
-        entrainment: Array = (self.worm[0] + self.roller[0]) / 2
-        return entrainment
+        return (self.worm[0] + self.roller[0]) / 2
 
     @property
     def sliding(self) -> Array:
         """Velocity of the worm relative to the roller across and along the line, (2, ...) [m/s]."""
-        sliding: Array = self.worm - self.roller
-        return sliding
+        return self.worm - self.roller
 
 
 def line_motion(
@@ -153,18 +151,14 @@ def flow_stress(flow: FlowLaw, viscosity: Array, pressure: Array, rate: Array) -
     if flow.law == "newtonian":
         return newtonian
     if flow.law == "eyring":
-        thinned: Array = stress * np.arcsinh(newtonian / stress)
-        return thinned
+        return stress * np.arcsinh(newtonian / stress)
     if flow.law == "bair-winer":
-        thinned = limit * -np.expm1(-newtonian / limit)
-        return thinned
+        return limit * -np.expm1(-newtonian / limit)
     if flow.law == "carreau":
-        thinned = newtonian * (1 + (newtonian / stress) ** 2) ** ((flow.exponent - 1) / 2)
-        return thinned
+        return newtonian * (1 + (newtonian / stress) ** 2) ** ((flow.exponent - 1) / 2)
     if flow.law == "eyring-limited":
         return _limited_eyring_stress(newtonian, stress, limit, 2 * flow.exponent)
-    thinned = np.vectorize(flow.stress_at, otypes=[float])(newtonian, pressure)
-    return thinned
+    return np.vectorize(flow.stress_at, otypes=[float])(newtonian, pressure)
 
 
 def _limited_eyring_stress(newtonian: Array, onset: Array, limit: Array, power: float) -> Array:

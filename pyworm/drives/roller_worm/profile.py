@@ -28,8 +28,7 @@ class Crown:
     def __call__(self, place: Array) -> Array:
         """Relief of the radius [m] at a place along the axis [m] from the roller's middle."""
         beyond = np.maximum(np.abs(place) - self.straight / 2, 0.0)
-        found: Array = beyond**2 / (2 * self.radius)
-        return found
+        return beyond**2 / (2 * self.radius)
 
 
 @dataclass(frozen=True)

@@ -89,8 +89,7 @@ class WormSection:
         ahead, behind = (round_((side - wheel_angle) / self.pitch) for round_, side in _QUARTERS)
         angles = wheel_angle + self.pitch * np.arange(behind, ahead + 1)
         low, high = self.span(angles)
-        in_mesh: Array = angles[high - low > 1e-9 * (self.highest - self.lowest)]
-        return in_mesh
+        return angles[high - low > 1e-9 * (self.highest - self.lowest)]
 
     def line(self, wheel_angle: Array, fraction: Array) -> LineContact:
         """Contacts at fractions of the contact lines, 0 to 1 from the end nearer the wheel's axis.
@@ -108,8 +107,7 @@ class WormSection:
 
     def along(self, place: Array | float, wheel_angle: Array | float) -> Array:
         """Place along the worm's axis of contacts [m]."""
-        along: Array = self.envelope.point(place, wheel_angle)[0]
-        return along
+        return self.envelope.point(place, wheel_angle)[0]
 
     def _cut(self, face: float, wheel_angle: Array, low: Array, high: Array) -> Array:
         """Intersection of a face with contact lines, which are nearly straight, by secants from both ends."""

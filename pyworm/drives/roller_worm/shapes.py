@@ -90,5 +90,4 @@ def _rollers(mesh: RollerMesh, angles: Array) -> Shape:
 def _ring(centre: Array, radius: float, first: Array, other: Array) -> Array:
     """Points of a circle, the first once more at the end, (ANGLES + 1, 3)."""
     around = np.linspace(0, 2 * pi, ANGLES + 1)[:, None]
-    ring: Array = centre + radius * (np.cos(around) * first + np.sin(around) * other)
-    return ring
+    return centre + radius * (np.cos(around) * first + np.sin(around) * other)

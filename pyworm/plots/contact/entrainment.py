@@ -70,5 +70,4 @@ def inflow_points(x: np.ndarray, y: np.ndarray, u: np.ndarray, v: np.ndarray) ->
     )
     # A hair inside, since rounding would put some of them outside.
     centre = np.array([x[0] + x[-1], y[0] + y[-1]]) / 2
-    inflow_points: np.ndarray = points + 1e-6 * (centre - points)
-    return inflow_points
+    return points + 1e-6 * (centre - points)

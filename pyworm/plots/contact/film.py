@@ -95,14 +95,12 @@ def interferogram(fields: AnyDataset, window: Window) -> np.ndarray:
     phase = 4 * np.pi * REFRACTIVE_INDEX * film[..., None] / WAVELENGTHS
     along_y, along_x = np.gradient(phase, axis=(0, 1))
     contrast = _pixel_average(along_x) * _pixel_average(along_y)
-    interferogram: np.ndarray = (1 - contrast * np.cos(phase)) / 2
-    return interferogram
+    return (1 - contrast * np.cos(phase)) / 2
 
 
 def _pixel_average(phase_step: np.ndarray) -> np.ndarray:
     """Contrast of fringes whose phase changes across a pixel; zero from a full period on."""
-    pixel_average: np.ndarray = np.sinc(np.minimum(np.abs(phase_step) / (2 * np.pi), 1))
-    return pixel_average
+    return np.sinc(np.minimum(np.abs(phase_step) / (2 * np.pi), 1))
 
 
 def thickest_shown(solution: Solution) -> float:

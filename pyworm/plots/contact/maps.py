@@ -169,8 +169,7 @@ def draw_supply(case_name: str, solution: Solution) -> Figure:
 
 def _values(fields: AnyDataset, name: str) -> np.ndarray:
     """A field (y, x) in the unit in which it is shown."""
-    values: np.ndarray = QUANTITIES[name].number(fields[name].transpose("y", "x").values)
-    return values
+    return QUANTITIES[name].number(fields[name].transpose("y", "x").values)
 
 
 def _levels(low: float, high: float, count: int) -> np.ndarray:

@@ -218,15 +218,13 @@ def _heated(solution: Solution) -> bool:
 
 def _roll(cycle: "xr.Dataset") -> np.ndarray:
     """Roll angles of the cycle [degrees]."""
-    roll: np.ndarray = np.degrees(cycle["roll_angle"].values)
-    return roll
+    return np.degrees(cycle["roll_angle"].values)
 
 
 def _at(cycle: "xr.Dataset", phase: float | Sequence[float]) -> np.ndarray:
     """Roll angle [degrees] at phases: it is linear in them."""
     first, last = _roll(cycle)[[0, -1]]
-    roll_angle: np.ndarray = first + np.asarray(phase, float) * (last - first)
-    return roll_angle
+    return first + np.asarray(phase, float) * (last - first)
 
 
 def _rolls(cycle: "xr.Dataset", solved: Sequence[Solution]) -> np.ndarray:

@@ -237,8 +237,7 @@ def _dry_pressure(scene: Scene | LineScene, summary: Mapping[str, Any]) -> float
     """Maximum dry contact pressure [Pa]: of a line contact it is Hertz's."""
     figures = {**scene_summary(scene), **summary}
     keys = [QUANTITIES[name].key for name in ("dry_pressure_max", "hertz_pressure_max")]
-    pressure: float = next(figures[key] for key in keys if key in figures)
-    return pressure
+    return next(figures[key] for key in keys if key in figures)
 
 
 def _places(scenes: Sequence[Scene | LineScene]) -> tuple[str, list[str]]:

@@ -72,5 +72,4 @@ def pressure_on(grid: "xr.Dataset", face: np.ndarray, radius: np.ndarray) -> np.
     interpolated = scipy.interpolate.LinearNDInterpolator(
         known[sound], values[sound], fill_value=0.0
     )
-    pressure_on: np.ndarray = interpolated(face, radius)
-    return pressure_on
+    return interpolated(face, radius)

@@ -74,5 +74,4 @@ def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Arra
 def _deflection(scene: LineScene, places: Array, grid: LineGrid, pressure: Array) -> Array:
     """Deflection [m], up to a constant, beyond a grid, with the pressure of each cell as a line load."""
     distance = np.maximum(abs(places[:, None] - grid.x[None, :]), grid.dx / 2)
-    deflection: Array = -4 * grid.dx / (np.pi * scene.bending_modulus) * np.log(distance) @ pressure
-    return deflection
+    return -4 * grid.dx / (np.pi * scene.bending_modulus) * np.log(distance) @ pressure

@@ -207,10 +207,7 @@ def _onward(history: Sequence[HeatedTimeLevel], seconds: float) -> Array:
     parts = np.abs(latest)
     whole = parts.sum(axis=-1, keepdims=True)
     shares = np.divide(parts, whole, out=np.full(parts.shape, 0.5), where=whole > 0)
-    onward: Array = (
-        latest + np.maximum(ahead * (last - before), -np.abs(last))[..., np.newaxis] * shares
-    )
-    return onward
+    return latest + np.maximum(ahead * (last - before), -np.abs(last))[..., np.newaxis] * shares
 
 
 def _passage(grid: Grid | LineGrid, velocity: Sequence[float]) -> float:

@@ -104,13 +104,11 @@ def at_places(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Ar
     """A field at the nodes of another grid in the same axes; beyond its own grid it is constant."""
     if isinstance(grid, LineGrid):
         spline = scipy.interpolate.CubicSpline(grid.x, field)
-        at_places: Array = spline(np.clip(other.x, grid.x[0], grid.x[-1]))
-        return at_places
+        return spline(np.clip(other.x, grid.x[0], grid.x[-1]))
     if isinstance(other, LineGrid):
         raise TypeError("a field over x and y has no values on a line grid")
     spline = scipy.interpolate.RectBivariateSpline(grid.x, grid.y, field)
-    at_places = spline(other.x, other.y)
-    return at_places
+    return spline(other.x, other.y)
 
 
 def means_about(grid: Grid | LineGrid, field: Array, other: Grid | LineGrid) -> Array:
@@ -135,8 +133,7 @@ def _means_along(places: Array, field: Array, nodes: Array, width: float, axis: 
     ends = np.take(field, [0, -1], axis)
     beyond = np.stack([np.minimum(faces - within, 0.0), np.maximum(faces - within, 0.0)])
     outside = np.moveaxis(np.tensordot(beyond, ends, axes=(0, axis)), 0, axis)
-    means: Array = np.diff(integral(within) + outside, axis=axis) / width
-    return means
+    return np.diff(integral(within) + outside, axis=axis) / width
 
 
 def each_at_places(grid: Grid | LineGrid, fields: Array, other: Grid | LineGrid) -> Array:

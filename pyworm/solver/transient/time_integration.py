@@ -541,8 +541,7 @@ def _rate_of(time_grid: TimeGrid, level: Level, time_levels: Sequence[TimeLevel]
     def at_place(at_node: Array, field: Array) -> Array:
         """Equation 1 of `moving_grid`."""
         parts = zip(velocity, slopes(grid, field), strict=True)
-        at_place: Array = at_node - sum(component * slope for component, slope in parts)
-        return at_place
+        return at_node - sum(component * slope for component, slope in parts)
 
     implicit, explicit = level.transient_term.on(grid)
     rate = at_place((implicit - mesh.divergence) * now.content + explicit, now.content)
@@ -554,10 +553,7 @@ def _rate_of(time_grid: TimeGrid, level: Level, time_levels: Sequence[TimeLevel]
 
     def changing(name: str) -> Array:
         parts = zip(coefficients, warm, strict=True)
-        changing: Array = sum(
-            weight * getattr(time_level.state, name) for weight, time_level in parts
-        )
-        return changing
+        return sum(weight * getattr(time_level.state, name) for weight, time_level in parts)
 
     storing = _prompt(level, time_levels[0].seconds - time_levels[1].seconds)
     levels = (

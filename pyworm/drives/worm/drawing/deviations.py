@@ -46,5 +46,4 @@ class FlankDeviations:
             np.clip(place, side[0], side[-1])
             for place, side in ((along, self.along), (radius, self.radius))
         )
-        removed: Array = self._spline.ev(*coordinates)
-        return removed
+        return self._spline.ev(*coordinates)

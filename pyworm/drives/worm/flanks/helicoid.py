@@ -66,16 +66,12 @@ class Seated:
         point = np.asarray(point)
         turned_back = np.tensordot(self.axes.T, point, 1)
         origin = self.axes.T @ self.axis_point
-        radius: Array = np.sqrt(
-            (turned_back[0] - origin[0]) ** 2 + (turned_back[1] - origin[1]) ** 2
-        )
-        return radius
+        return np.sqrt((turned_back[0] - origin[0]) ** 2 + (turned_back[1] - origin[1]) ** 2)
 
     def along_axis(self, point: Array) -> Array:
         """Distance of points (3, ...) along the screw's axis from the common perpendicular [m]."""
         axis = self.axes[:, 2]
-        along_axis: Array = np.tensordot(axis, point, 1) - axis @ self.axis_point
-        return along_axis
+        return np.tensordot(axis, point, 1) - axis @ self.axis_point
 
 
 @dataclass(frozen=True)

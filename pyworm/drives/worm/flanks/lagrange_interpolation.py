@@ -68,8 +68,7 @@ def _sides(x: Array, y: Array) -> tuple[Array, Array] | None:
 def _interpolated(values: Array, sides: tuple[Array, Array], chosen: list[Array]) -> Array:
     """Values at all nodes from those at the chosen ones of each side."""
     rows, columns = (_matrix(side, nodes) for side, nodes in zip(sides, chosen, strict=True))
-    interpolated: Array = rows @ (values @ columns.T)
-    return interpolated
+    return rows @ (values @ columns.T)
 
 
 def _matrix(side: Array, chosen: Array) -> Array:

@@ -65,8 +65,7 @@ class StraightPath(ContactPath):
     def search(self, tip_radius: float) -> Array:
         """Places within a few tip radii of the worm's mid-plane, where the line leaves its tip cylinder."""
         centre = -self.line.foot[2] / self.line.direction[2]
-        search: Array = centre + np.linspace(4, -4, 4001) * tip_radius
-        return search
+        return centre + np.linspace(4, -4, 4001) * tip_radius
 
     def worm_surface(self, angle: float) -> WormPlanes:
         """The worm's tangent planes."""
@@ -130,8 +129,7 @@ def lines_of_action(worm: Helicoid, flank: WheelFlank) -> tuple[StraightPath, ..
         def offset(theta: Array) -> Array:
             foot = _matched(worm, flank, theta)[3]
             normal = worm.normals(theta)[0]
-            offset: Array = foot[1] - foot[2] * normal[1] / normal[2]
-            return offset
+            return foot[1] - foot[2] * normal[1] / normal[2]
 
         values = offset(grid)
     else:

@@ -38,8 +38,7 @@ class PointCache:
         self._found.move_to_end(key)
         while len(self._found) > 1 and self._points > self._most:
             self._drop(next(iter(self._found)))
-        kept: Kept = self._found[key][1]
-        return kept
+        return self._found[key][1]
 
     def _drop(self, key: tuple) -> None:
         if key in self._found:

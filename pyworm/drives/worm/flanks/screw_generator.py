@@ -72,8 +72,7 @@ class ScrewGenerator(ABC):
         nx, ny, nz = cross_product(along, (-y, x, self.screw))
         cosine, sine = np.cos(turn), np.sin(turn)
         normal = np.stack([cosine * nx - sine * ny, sine * nx + cosine * ny, nz + 0 * sine])
-        found: Array = normal / np.sqrt(np.sum(normal**2, axis=0))
-        return found
+        return normal / np.sqrt(np.sum(normal**2, axis=0))
 
 
 def cross_product(first: Components, other: Components) -> Components:

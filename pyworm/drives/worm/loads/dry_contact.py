@@ -103,5 +103,4 @@ def _beside_ends(covered: Array) -> Array:
     """Nodes of both teeth beside those where one of them has ended."""
     padded = np.pad(covered, 1, mode="edge")
     around = [padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]]
-    beside_ends: Array = covered & ~np.logical_and.reduce(around)
-    return beside_ends
+    return covered & ~np.logical_and.reduce(around)

@@ -54,10 +54,9 @@ class Transmission:
         if len(self.lifts) < 2:
             return np.full(np.shape(phases), self.lifts[0][1] if self.lifts else 0.0)
         known, lifts = zip(*self.lifts, strict=True)
-        lift: Array = scipy.interpolate.PchipInterpolator(known, lifts)(
+        return scipy.interpolate.PchipInterpolator(known, lifts)(
             np.clip(phases, known[0], known[-1])
         )
-        return lift
 
 
 @dataclass(frozen=True)

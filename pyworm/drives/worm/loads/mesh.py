@@ -168,10 +168,7 @@ class WormMesh(WormGears, Lubricated):
     def sliding(self, phases: Array) -> Array:
         """Velocity of the worm against the wheel at contact points [m/s], (3, phases)."""
         point, ratios = self.cycle.points(phases), self.cycle.speed_ratios(phases)
-        sliding: Array = self.rotation * (
-            self.worm_flank.sweep(point) + ratios * across_axis(point)
-        )
-        return sliding
+        return self.rotation * (self.worm_flank.sweep(point) + ratios * across_axis(point))
 
     def arms(self, phases: Array) -> Arms:
         """Moment arms of the forces between the teeth at some phases."""

@@ -62,8 +62,7 @@ class ContactPattern:
     def area(self) -> Array:
         """Area of the flank for each place, seen along the wheel's tangent [m2]."""
         wide = np.gradient(self.face, axis=1)
-        area: Array = np.abs(wide * np.gradient(self.radius, axis=0))
-        return area
+        return np.abs(wide * np.gradient(self.radius, axis=0))
 
     def marked(self, thickness: float = THICKNESS) -> Array:
         """Where compound of a thickness [m] is marked."""
@@ -147,8 +146,7 @@ def both_flanks(
 
 def _inside(gears: WormGears, point: Array) -> Array:
     """How far points (3, ...) are between the cylinders of the worm [m]."""
-    inside: Array = np.min(np.stack(list(gears.worm_tooth.margins(point).values())), axis=0)
-    return inside
+    return np.min(np.stack(list(gears.worm_tooth.margins(point).values())), axis=0)
 
 
 def _behind(gears: WormGears) -> Array:
@@ -200,5 +198,4 @@ def _first_gaps(gears: WormGears) -> Array:
             i, j = np.unravel_index(np.argmin(opening), opening.shape)
             place = x[i], y[j]
         least.append(opening[i, j])
-    first_gaps: Array = np.interp(PHASES, PHASES[::PHASE_STRIDE], least)
-    return first_gaps
+    return np.interp(PHASES, PHASES[::PHASE_STRIDE], least)

@@ -95,8 +95,7 @@ class MeshCycle:
         """
         touches = self._touches(phases)
         on_worm = np.sum(touches.normal * touches.travel, axis=0)
-        speed_ratios: Array = on_worm / np.sum(-across_axis(touches.point) * touches.normal, axis=0)
-        return speed_ratios
+        return on_worm / np.sum(-across_axis(touches.point) * touches.normal, axis=0)
 
     @cached_property
     def worm_rotation(self) -> float:
@@ -236,8 +235,7 @@ def _on_teeth(
         return {**worm_tooth.margins(point), **wheel_tooth.margins(point)}
 
     def margin(places: Array) -> Array:
-        margin: Array = np.min(np.stack(list(margins(places).values())), axis=0)
-        return margin
+        return np.min(np.stack(list(margins(places).values())), axis=0)
 
     def end(before: float, after: float) -> tuple[float, str]:
         """Place and boundary between two places of which one is inside."""

@@ -11,8 +11,7 @@ from pyworm.drives.worm.flanks.helicoid import Array, Seated
 
 def wheel_radius(point: Array) -> Array:
     """Distance of points (3, ...) from the wheel's axis [m]."""
-    wheel_radius: Array = np.sqrt(point[0] ** 2 + point[2] ** 2)
-    return wheel_radius
+    return np.sqrt(point[0] ** 2 + point[2] ** 2)
 
 
 @dataclass(frozen=True)
@@ -50,8 +49,7 @@ class WormTooth:
             off = self.tip_relief(self.tip_radius - radius)
         if self.deviations is None:
             return off
-        removed: Array = off + self.deviations.removed(self.worm.along_axis(point), radius)
-        return removed
+        return off + self.deviations.removed(self.worm.along_axis(point), radius)
 
 
 @dataclass(frozen=True)
@@ -93,8 +91,7 @@ class WheelTooth:
             off = self.tip_relief(np.minimum(margins["wheel tip"], margins["wheel throat"]))
         if self.deviations is None:
             return off
-        removed: Array = off + self.deviations.removed(point[1], wheel_radius(point))
-        return removed
+        return off + self.deviations.removed(point[1], wheel_radius(point))
 
     def margins(self, point: Array) -> dict[str, Array]:
         """Distance inside each boundary [m] at points (3, ...), negative beyond it."""
@@ -132,8 +129,7 @@ class WheelTooth:
         """Radius [m] where the flank meets the hobbed root at distances along the wheel's axis [m]."""
         shifted = along - self.hob.axial_shift
         profile = np.sqrt(np.maximum(self.hob_tip_radius**2 - shifted**2, 0.0))
-        root: Array = np.minimum(self.hob.centre_distance - profile, self.tip(along))
-        return root
+        return np.minimum(self.hob.centre_distance - profile, self.tip(along))
 
     def rim(self, count: int) -> tuple[Array, Array]:
         """Closed outline of the tooth: radius and place along the axis [m], 4 count + 1 points."""
@@ -142,8 +138,7 @@ class WheelTooth:
         part = np.linspace(0.0, 1.0, count + 1)
 
         def end(place: float) -> Array:
-            end: Array = self.root(place) + part * (self.tip(place) - self.root(place))
-            return end
+            return self.root(place) + part * (self.tip(place) - self.root(place))
 
         radius = [self.tip(along)[:-1], end(half)[:0:-1], self.root(along)[:0:-1], end(-half)]
         place = [along[:-1], np.full(count, half), along[:0:-1], np.full(count + 1, -half)]
