@@ -6,9 +6,9 @@ A contact in five statements, numbers in SI:
     steel = pyworm.named_body("16MnCr5")
     oil = pyworm.named_oil("PAO VG 220").oil(333.15)
     motions = pyworm.RigidMotion(1.1, 0), pyworm.RigidMotion(0.9, 0)
-    scene = pyworm.Scene(name="ball", gap=pyworm.Paraboloid(0.01, 0.01), load=50, motions=motions,
+    scene = pyworm.Scene(gap=pyworm.Paraboloid(0.01, 0.01), load=50, motions=motions,
                          bodies=(steel, steel), oil=oil)
-    solution = pyworm.solve(scene, pyworm.plan(scene, accuracy=0.02))
+    solution = pyworm.solve(scene, accuracy=0.02)
 
 A contact
     Scene           a point contact at one instant
@@ -41,7 +41,7 @@ Solving
     Case            what `load` gives: it makes scenes
     plan            effects, grids and tolerance for an accuracy
     Plan            what `plan` gives
-    solve           the film of a scene by its plan
+    solve           the film of a scene, to an accuracy or by its plan
     dry_contact     the pressure of a scene without oil
     passes          one contact after another over one track, by what each leaves
     film            films of many contacts by a formula, without a solve
@@ -58,6 +58,7 @@ Results
     Comparison      what `compare` gives
     Result          solutions of a case, as files hold them
     open_result     a result from its file
+    open_solution   a solution from its file
     SweepResult     the table of a sweep
     open_sweep      a sweep from its file
     write_csv       fields as comma-separated values
@@ -123,6 +124,7 @@ if (
     from pyworm.result.export import write_vtk as write_vtk
     from pyworm.result.result import Result as Result
     from pyworm.result.result import open_result as open_result
+    from pyworm.result.result import open_solution as open_solution
     from pyworm.result.sweep_result import SweepResult as SweepResult
     from pyworm.result.sweep_result import open_sweep as open_sweep
     from pyworm.scene.formula_film import FormulaFilms as FormulaFilms
@@ -191,6 +193,7 @@ _HOMES = {
     "OilLayer": "pyworm.materials.oil_layer",
     "passes": "pyworm.solver.passes",
     "open_result": "pyworm.result.result",
+    "open_solution": "pyworm.result.result",
     "open_sweep": "pyworm.result.sweep_result",
     "plan": "pyworm.planning.plan",
     "read_gap": "pyworm.scene.gap_file",

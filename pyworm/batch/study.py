@@ -20,6 +20,7 @@ from pyworm.io.console import progress_bar
 from pyworm.io.given import WithUnit, kind_of, number, row, text
 from pyworm.io.progress import Progress
 from pyworm.io.terminal import print_message
+from pyworm.planning.effects.selection import Effects, as_text
 from pyworm.result.result import Result
 from pyworm.result.sweep_result import SweepResult
 from pyworm.scene.line import LineScene
@@ -32,7 +33,7 @@ def sweep(
     *,
     out: str | Path | None = None,
     accuracy: WithUnit = 0.01,
-    effects: str = "auto",
+    effects: Effects = "auto",
     quantities: Sequence[str] | None = None,
     fields: bool = False,
     processes: int = 1,
@@ -74,7 +75,7 @@ def sweep(
         if isinstance(make, str | Path):
             study = _of_file(make, vary, pool, told, Store(folder / SCENES, fields))
         else:
-            how = effects, quantities and tuple(row("quantities", quantities)), largest_grid
+            how = as_text(effects), quantities and tuple(row("quantities", quantities)), largest_grid
             study = _study(make, title, vary, (_accuracy(accuracy), *how), pool is not None)
         return run_sweep(study, folder, fields, pool, told, print_message if progress else _silent)
 
@@ -84,7 +85,7 @@ def traction_curve(
     slide_roll_ratios: Sequence[float],
     *,
     accuracy: WithUnit = 0.01,
-    effects: str = "auto",
+    effects: Effects = "auto",
     out: str | Path | None = None,
     processes: int = 1,
     progress: bool | Progress = True,

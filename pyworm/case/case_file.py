@@ -15,6 +15,12 @@ Quantity = Literal["film", "friction", "temperature"]
 """What a case asks of its contacts."""
 
 
+def _joined(given: Any) -> Any:
+    """Names of effects in one text; what are none is refused later."""
+    named = isinstance(given, list | tuple) and all(isinstance(name, str) for name in given)
+    return ",".join(given) if named else given
+
+
 def _effects(text: str) -> str:
     from pyworm.planning.effects.selection import words
 
@@ -92,7 +98,7 @@ class CaseTable(FileTable):
         bodies: Bodies  # each kind has its own
 
     accuracy: units.Share = 0.01
-    effects: Annotated[str, AfterValidator(_effects)] = "auto"
+    effects: Annotated[str, BeforeValidator(_joined), AfterValidator(_effects)] = "auto"
     quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
     oil: OilTable
 

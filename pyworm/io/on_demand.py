@@ -38,4 +38,9 @@ def lazy_property(module: str, name: str, doc: str) -> property:
 
     So objects of one floor can be asked for what is built upon them, and know no more of it than where.
     """
-    return property(lambda owner: getattr(import_module(module), name)(owner), doc=doc)
+    return property(lambda owner: attribute_of(module, name)(owner), doc=doc)
+
+
+def attribute_of(module: str, name: str) -> Any:
+    """What a module built upon the asking one has; loaded with the first use."""
+    return getattr(import_module(module), name)

@@ -18,6 +18,8 @@ from pyworm.planning.effects.judgement import Judgement, judge, simplified
 from pyworm.planning.effects.selection import (
     SIMULATED,
     BesideAuto,
+    Effects,
+    as_text,
     beside_auto,
     chosen,
     require,
@@ -121,7 +123,7 @@ class Plan(Shown):
 def plan(
     scene: Scene | LineScene,
     accuracy: WithUnit = 0.01,
-    effects: str = "auto",
+    effects: Effects = "auto",
     quantities: Sequence[str] | None = None,
 ) -> Plan:
     """Plan the solve of a scene: effects, model, grids and tolerance.
@@ -129,9 +131,9 @@ def plan(
     Args:
         scene: The contact.
         accuracy: Relative error wanted [-], between 1e-5 and 0.5.
-        effects: "auto": what the accuracy requires, with effects named after a comma and without those after
-            a minus; otherwise a choice as of `planning.effects.selection.chosen`: "all", "isothermal", or
-            names of effects with commas.
+        effects: "auto": what the accuracy requires; ("auto", "squeeze", "-roughness"): in any case with the
+            first effect and without the second. Otherwise "all", "isothermal", or names of effects, as of
+            `planning.effects.selection.chosen`.
         quantities: Requested quantities: "film", "friction", "temperature"; by default all that the oil's
             data allow.
 
@@ -169,13 +171,12 @@ def _require_conduction(scene: Scene | LineScene) -> None:
 def plan_of(
     scene: Scene | LineScene,
     accuracy: WithUnit = 0.01,
-    effects: str = "auto",
+    effects: Effects = "auto",
     quantities: Sequence[str] | None = None,
 ) -> Plan:
     """The plan of a scene that is known to be possible; arguments as of `plan`."""
     accuracy = number("accuracy", accuracy, kind_of(units.Share))
-    if not isinstance(effects, str):
-        raise ValueError(f'effects = {effects!r:.40}: must be a text with commas, such as "auto"')
+    effects = as_text(effects)
     if isinstance(quantities, str):
         quantities = tuple(quantities.split(","))
     if quantities is not None:

@@ -68,7 +68,7 @@ def compare(first: Solution, second: Solution) -> Comparison:
         )
     figures = {
         name: (estimate, getattr(second.figures, name))
-        for name, estimate in vars(first.figures).items()
-        if isinstance(estimate, Estimate) and getattr(second.figures, name) is not None
+        for name, estimate in first.figures
+        if getattr(second.figures, name) is not None
     }
     return Comparison((first.name, second.name), figures, first.kind)

@@ -205,6 +205,26 @@ def open_result(path: str | os.PathLike) -> Result:
         raise ValueError(f"{path} is damaged: expected content is missing ({why})") from error
 
 
+def save_solution(solution: Solution, path: str | os.PathLike) -> Path:
+    """Write a solution as a result of its own, `Solution.save`."""
+    return Result(solution.name, {}, (solution,), None, {}).save(path)
+
+
+def open_solution(path: str | os.PathLike) -> Solution:
+    """Read a solution from a file of `Solution.save`, or from any result that has a single one.
+
+    Raises:
+        FileNotFoundError: If there is no such file.
+        ValueError: If it is no pyworm result, or has several solutions: `pyworm.open_result` reads those.
+    """
+    solutions = open_result(path).solutions
+    if len(solutions) > 1:
+        raise ValueError(
+            f"{path} has {len(solutions)} solutions: open it by pyworm.open_result, whose `solutions` they are"
+        )
+    return solutions[0]
+
+
 def _load(path: Path) -> "dict[str, xr.Dataset]":
     """Read all groups of a file by their paths."""
     # Times are numbers of seconds here, not dates to be decoded.

@@ -39,7 +39,7 @@ class Contact(Shown, ABC):
     ValueError if the oil or a body is of a class unknown to the kernel.
     """
 
-    name: str
+    name: str = "contact"
     """Name in tables and pictures."""
     gap: Callable[..., tuple[Array, Flags]]
     """Undeformed gap, and where both surfaces exist."""

@@ -114,7 +114,7 @@ class Scene(Contact):
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
         # fmt: off
         def __init__(
-            self, *, name: str, gap: Gap, load: WithUnit, bodies: tuple[Body, Body], oil: Oil,
+            self, *, name: str = ..., gap: Gap, load: WithUnit, bodies: tuple[Body, Body], oil: Oil,
             phase: float | None = ..., slide_roll_ratio: float | None = ..., section: str | None = ...,
             station: float | None = ..., separation: WithUnit | None = ..., past: Past[Any] | None = ...,
             rigid: bool = ..., smooth: bool = ..., travelled: Sequence[Sequence[WithUnit]] | None = ...,

@@ -8,7 +8,7 @@ import numpy as np
 from pyworm.io import units
 from pyworm.io.given import WithUnit, kind_of, number
 from pyworm.materials.oil_layer import OilLayer
-from pyworm.planning.plan import plan
+from pyworm.planning.effects.selection import Effects
 from pyworm.scene.point import Scene, require_point
 from pyworm.solver.solution import Solution
 from pyworm.solver.solve import solve
@@ -18,7 +18,7 @@ def passes(
     scene: Scene,
     count: int,
     accuracy: WithUnit = 0.05,
-    effects: str = "auto",
+    effects: Effects = "auto",
     replenished: WithUnit = 0.0,
 ) -> Iterator[Solution]:
     """Solve passes of a contact over one track, as of rollers or balls in a row, one after another.
@@ -26,7 +26,7 @@ def passes(
     Args:
         scene: The contact; its oil has the `supply` of the first pass.
         count: Number of passes.
-        accuracy, effects (float or str, str): As of `pyworm.plan`.
+        accuracy, effects: As of `pyworm.plan`.
         replenished: Part of the oil that is missing against the first supply which flows back from the sides
             between two passes, 0 to 1 [-].
 
@@ -47,7 +47,7 @@ def passes(
         raise ValueError(f"replenished = {replenished:g}: must be between 0 and 1")
     first = scene
     for _ in range(count):
-        solution = solve(scene, plan(scene, accuracy, effects))
+        solution = solve(scene, accuracy=accuracy, effects=effects)
         yield solution
         supply = solution.figures.supply
         if not solution.converged or supply is None:

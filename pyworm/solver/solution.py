@@ -1,12 +1,16 @@
 """The result of one solve: fields, figures with error bars, convergence history and cost."""
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields, replace
+import os
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, dataclass, fields, is_dataclass, replace
+from pathlib import Path
 from typing import Any, Literal, NamedTuple
+
+import numpy as np
 
 from pyworm.formulas.regimes import Regime
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.io.on_demand import lazy_property
+from pyworm.io.on_demand import attribute_of, lazy_property
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, held, reads_as_xarray, same_data
 from pyworm.io.quantities import QUANTITIES, Quantity
@@ -102,17 +106,36 @@ class Figures(Shown):
         power_loss = "power_loss" if self.dry else "power_loss_per_length"  # of a line contact
         return "Figures", {
             name: in_words(figure, QUANTITIES[power_loss if name == "power_loss" else name])
-            for name, figure in vars(self).items()
-            if isinstance(figure, Estimate)
+            for name, figure in self
         }
+
+    def __iter__(self) -> Iterator[tuple[str, Estimate]]:
+        """Name and figure of each simulated result that has uncertainties."""
+        return (
+            (name, figure) for name, figure in vars(self).items() if isinstance(figure, Estimate)
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """All that was simulated in SI under flat names, a row of a table.
+
+        Figures are numbers, `film_min`, with their relative uncertainties `film_min_error` and, where the
+        model has one, `film_min_model`; those of the dry contact begin with `dry_`.
+        """
+        flat: dict[str, Any] = {}
+        for name, value in vars(self).items():
+            if isinstance(value, Estimate):
+                flat |= {name: value.value, f"{name}_error": value.error}
+                flat |= {} if value.model is None else {f"{name}_model": value.model}
+            elif is_dataclass(value):
+                numbers = {part: number for part, number in vars(value).items() if np.isscalar(number)}
+                flat |= {f"{name}_{part}": number for part, number in numbers.items()}
+            elif value is not None:
+                flat[name] = value
+        return flat
 
     def values(self) -> dict[str, float]:
         """Values of the simulated results that have uncertainties, by name."""
-        return {
-            name: figure.value
-            for name, figure in vars(self).items()
-            if isinstance(figure, Estimate)
-        }
+        return {name: figure.value for name, figure in self}
 
 
 @dataclass(frozen=True)
@@ -276,6 +299,11 @@ class Solution(Shown):
     def changed(self, **changes: Any) -> "Solution":
         """The solution with other values of some attributes; xarray is not loaded for it."""
         return replace(self, **{part: self.held(part) for part in DATASETS} | changes)
+
+    def save(self, path: str | os.PathLike) -> Path:
+        """Write one NetCDF file, which `pyworm.open_solution` and the commands read; returns its path."""
+        write: Callable[..., Path] = attribute_of("pyworm.result.result", "save_solution")
+        return write(self, path)
 
     def summary(self) -> dict:
         """The scalars of this solution as one object, units in the keys, neglected effects first.

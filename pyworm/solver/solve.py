@@ -1,14 +1,18 @@
 """Solve a scene by its plan, on finer grids until the figures are as accurate as asked."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from math import inf
+from typing import Any
 
+from pyworm.io.given import WithUnit
 from pyworm.io.progress import Progress
 from pyworm.io.quantity_text import percent
 from pyworm.kernel.core import KernelError
+from pyworm.planning.effects.selection import Effects
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.effects.starvation import STARVATION
 from pyworm.planning.plan import Plan, reviewed, steady, with_accuracy
+from pyworm.planning.plan import plan as make_plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -28,14 +32,19 @@ def solve(
     plan: Plan | None = None,
     progress: Progress | None = None,
     rates: Rates | None = None,
+    *,
+    accuracy: WithUnit | None = None,
+    effects: Effects | None = None,
+    quantities: Sequence[str] | None = None,
 ) -> Solution:
-    """Solve a scene for its film.
+    """Solve a scene for its film, `solve(scene, accuracy="2 %")` or `solve(scene, plan)`.
 
     Args:
         scene: The contact.
-        plan: Its plan, by `pyworm.plan`, which is required.
+        plan: Its plan, by `pyworm.plan`; by default it is made of the last three arguments.
         progress: Called with what is being done and the fraction of the work that is done, 0 to 1.
         rates: Rates of change of its film where it changes as oil passes; by default they are found first.
+        accuracy, effects, quantities: As of `pyworm.plan`, with its defaults; not beside a plan.
 
     Returns:
         Marked not converged, with the reason, where the figures are not to be trusted; that of a coarser
@@ -43,11 +52,12 @@ def solve(
         require, and a steady film stands for one in motion that is not found.
 
     Raises:
-        ValueError: No contact, no plan, or that of another contact.
+        ValueError: No contact, the plan of another one, a plan with arguments of its own beside it, or as of
+            `pyworm.plan`.
         KernelError: If values of the scene are not finite or memory does not suffice for the first grids
             (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
     """
-    plan = _required(scene, plan)
+    plan = _plan(scene, plan, {"accuracy": accuracy, "effects": effects, "quantities": quantities})
     report = _rising(progress)
     stopwatch, warm_start = Stopwatch(), None
     while True:
@@ -127,23 +137,23 @@ def _error(solution: Solution, plan: Plan) -> float:
     )
 
 
-def _required(scene: Scene | LineScene, plan: Plan | None) -> Plan:
-    """The plan of a scene; ValueError for any other, or where one of the two is something else."""
+def _plan(scene: Scene | LineScene, plan: Plan | None, how: Mapping[str, Any]) -> Plan:
+    """The plan of a scene, made if there is none; ValueError for any other, or what is no scene or plan."""
     if not isinstance(scene, Scene | LineScene):
         of_case = "; a case gives it by case.scene()" if hasattr(scene, "scene") else ""
         raise ValueError(
             f"scene is a {type(scene).__name__}: must be a Scene or a LineScene{of_case}"
         )
+    given = {name: value for name, value in how.items() if value is not None}
     if plan is None:
-        raise ValueError(
-            "the plan is missing: give solve(scene, plan) one with the accuracy wanted, "
-            "pyworm.plan(scene, accuracy=0.02)"
-        )
+        return make_plan(scene, **given)
     if not isinstance(plan, Plan):
         accuracy = plan if isinstance(plan, float | str) else 0.02
         raise ValueError(
-            f"plan = {plan!r:.40}: must be a Plan, such as pyworm.plan(scene, accuracy={accuracy!r:.20})"
+            f"plan = {plan!r:.40}: must be a Plan; give an accuracy by its name, accuracy={accuracy!r:.20}"
         )
+    if given:
+        raise ValueError(f"{', '.join(given)}: the plan has its own; give either plan or these")
     plan.require_of(scene)
     return plan
 

@@ -343,6 +343,11 @@ DIMENSIONED = {
     "film(velocity)": (film(3, 0), 1.0, "1 m/s"),
     "film(spin)": (lambda v: pyworm.film(*FILMS, spin=v).central, 10.0, "10 rad/s"),
     "plan(accuracy)": (lambda v: pyworm.plan(ball(), v), 0.2, "20 %"),
+    "solve(accuracy)": (
+        lambda v: pyworm.solve(ball(), accuracy=v, effects="isothermal").accuracy,
+        0.5,
+        "50 %",
+    ),
     "passes(accuracy)": (
         lambda v: next(pyworm.passes(ball(oil=SUPPLIED), 1, v, "isothermal")).accuracy,
         0.3,
@@ -420,6 +425,7 @@ PLAIN = {
     "Solution.dataset": "part",
     "Solution.figure_text": "quantity",
     "Solution.changed": "changes",
+    "Solution.save": "path",
     "Solution.rise": "temperature",
     "SweepResult.save": "path",
     "SweepResult.save_csv": "path",
@@ -432,12 +438,13 @@ PLAIN = {
     "named_liquid": "name",
     "named_oil": "name",
     "open_result": "path",
+    "open_solution": "path",
     "open_sweep": "path",
     "passes": "scene count effects",
     "plan": "scene effects quantities",
     "read_gap": "path",
     "read_oil": "path",
-    "solve": "scene plan progress rates",
+    "solve": "scene plan progress rates effects quantities",
     "sweep": (
         "make out accuracy effects quantities fields processes scheduler progress title largest_grid vary"
     ),

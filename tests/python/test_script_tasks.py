@@ -90,10 +90,15 @@ def test_7_two_oils_compared():
 
 
 def test_8_a_result_kept_and_opened_again(tmp_path):
-    scene = ball()
-    solution = pyworm.solve(scene, pyworm.plan(scene, 0.2, "isothermal"))
-    file = pyworm.Result("ball", {}, (solution,), None, {}).save(tmp_path / "ball.nc")
-    assert pyworm.open_result(file).solutions == (solution,)
+    solution = pyworm.solve(ball(), accuracy=0.2, effects=("isothermal", "-real-gap"))
+    file = solution.save(tmp_path / "ball.nc")
+    assert pyworm.open_solution(file) == solution
+    figures = pyworm.open_result(file).solutions[0].figures
+    assert dict(figures)["film_min"] == solution.figures.film_min
+    row = figures.to_dict()
+    assert row["film_min"] == figures.film_min.value
+    assert row["film_min_error"] == figures.film_min.error
+    assert row["dry_pressure_max"] == figures.dry.pressure_max
     assert pyworm.write_vtk(solution, tmp_path / "ball.vti").stat().st_size > 10_000
 
 

@@ -1,7 +1,9 @@
 """Effects named by the user."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+from pyworm.io.given import row
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.scene.any_contact import AnyContact
 
@@ -23,6 +25,20 @@ SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not 
 
 GROUPS = ("all", "isothermal")
 """Words for several effects."""
+
+
+Effects = str | Sequence[str]
+"""Effects as a script names them: one word, such as "auto", or several, ("auto", "-squeeze")."""
+
+
+def as_text(effects: Effects) -> str:
+    """A choice of effects as case files have it, with commas; ValueError for what is none."""
+    if isinstance(effects, str):
+        return effects
+    named = tuple(row("effects", effects))
+    if not named or not all(isinstance(name, str) for name in named):
+        raise ValueError(f'effects = {effects!r:.40}: must be names, such as ("auto", "-squeeze")')
+    return ",".join(named)
 
 
 def words(text: str) -> tuple[str, ...]:

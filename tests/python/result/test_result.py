@@ -18,7 +18,7 @@ from synthetic_solution import (
 )
 
 from pyworm.io.quantities import describe
-from pyworm.result.result import open_result
+from pyworm.result.result import open_result, open_solution
 
 
 @pytest.fixture(scope="module")
@@ -218,3 +218,8 @@ def test_mesh_cycle_data():
 def test_unknown_variables_are_not_described():
     with pytest.raises(KeyError, match="surprise"):
         describe(xr.Dataset({"surprise": ("x", [1.0])}))
+
+
+def test_a_result_of_several_solutions_is_no_solution(result, saved):
+    with pytest.raises(ValueError, match=rf"has {len(result.solutions)} solutions: open it by pyw"):
+        open_solution(saved)

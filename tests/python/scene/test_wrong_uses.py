@@ -105,9 +105,9 @@ WRONG = {
     "a line load in newtons": (lambda: roller(load="100 N"), "must be a force per length"),
     "an accuracy in per cent": (lambda: pyworm.plan(ball(), accuracy=5.0), "accuracy = 5"),
     "an accuracy as length": (lambda: pyworm.plan(ball(), accuracy="1 mm"), 'accuracy = "1 mm"'),
-    "effects as a list": (
+    "a quantity as an effect": (
         lambda: pyworm.plan(ball(), effects=["film"]),
-        "effects = .*must be a text",
+        "effects = film: film is none of auto, all, isothermal",
     ),
     "an unknown quantity": (lambda: pyworm.plan(ball(), quantities="wear"), "wear is none of"),
     "a gap without a mask": (
@@ -144,13 +144,17 @@ WRONG = {
         lambda: pyworm.plan(ball(motions=(lambda x, y: 1.0 + 0 * x, pyworm.RigidMotion(1, 0)))),
         "the motion of body 1 gives one array .*: must give its velocities along x and y",
     ),
-    "a solve without a plan": (
-        lambda: pyworm.solve(ball()),
-        r"the plan is missing: .* pyworm.plan\(scene, accuracy=0.02\)",
+    "a solve by a plan and an accuracy beside it": (
+        lambda: pyworm.solve(ball(), pyworm.plan(ball(), 0.2), accuracy=0.05, effects="all"),
+        "accuracy, effects: the plan has its own; give either plan or these",
+    ),
+    "effects that are no names": (
+        lambda: pyworm.solve(ball(), effects=("auto", 1)),
+        r"effects = \('auto', 1\): must be names, such as \(\"auto\", \"-squeeze\"\)",
     ),
     "a solve by an accuracy": (
         lambda: pyworm.solve(ball(), 0.05),
-        r"plan = 0.05: must be a Plan, such as pyworm.plan\(scene, accuracy=0.05\)",
+        r"plan = 0.05: must be a Plan; give an accuracy by its name, accuracy=0.05",
     ),
     "a solve of a plan": (
         lambda: pyworm.solve(pyworm.plan(ball(), 0.2)),
