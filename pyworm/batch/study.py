@@ -75,7 +75,11 @@ def sweep(
         if isinstance(make, str | Path):
             study = _of_file(make, vary, pool, told, Store(folder / SCENES, fields))
         else:
-            how = as_text(effects), quantities and tuple(row("quantities", quantities)), largest_grid
+            how = (
+                as_text(effects),
+                quantities and tuple(row("quantities", quantities)),
+                largest_grid,
+            )
             study = _study(make, title, vary, (_accuracy(accuracy), *how), pool is not None)
         return run_sweep(study, folder, fields, pool, told, print_message if progress else _silent)
 

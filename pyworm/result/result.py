@@ -213,6 +213,9 @@ def save_solution(solution: Solution, path: str | os.PathLike) -> Path:
 def open_solution(path: str | os.PathLike) -> Solution:
     """Read a solution from a file of `Solution.save`, or from any result that has a single one.
 
+    Args:
+        path: The file.
+
     Raises:
         FileNotFoundError: If there is no such file.
         ValueError: If it is no pyworm result, or has several solutions: `pyworm.open_result` reads those.
@@ -220,7 +223,7 @@ def open_solution(path: str | os.PathLike) -> Solution:
     solutions = open_result(path).solutions
     if len(solutions) > 1:
         raise ValueError(
-            f"{path} has {len(solutions)} solutions: open it by pyworm.open_result, whose `solutions` they are"
+            f"{path} has {len(solutions)} solutions: open it by pyworm.open_result and take one of them"
         )
     return solutions[0]
 

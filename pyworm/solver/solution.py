@@ -127,8 +127,11 @@ class Figures(Shown):
                 flat |= {name: value.value, f"{name}_error": value.error}
                 flat |= {} if value.model is None else {f"{name}_model": value.model}
             elif is_dataclass(value):
-                numbers = {part: number for part, number in vars(value).items() if np.isscalar(number)}
-                flat |= {f"{name}_{part}": number for part, number in numbers.items()}
+                flat |= {
+                    f"{name}_{part}": number
+                    for part, number in vars(value).items()
+                    if np.isscalar(number)
+                }
             elif value is not None:
                 flat[name] = value
         return flat

@@ -44,7 +44,7 @@ def solve(
         plan: Its plan, by `pyworm.plan`; by default it is made of the last three arguments.
         progress: Called with what is being done and the fraction of the work that is done, 0 to 1.
         rates: Rates of change of its film where it changes as oil passes; by default they are found first.
-        accuracy, effects, quantities: As of `pyworm.plan`, with its defaults; not beside a plan.
+        accuracy, effects, quantities: As of `pyworm.plan`, with its defaults; not together with a plan.
 
     Returns:
         Marked not converged, with the reason, where the figures are not to be trusted; that of a coarser
@@ -52,7 +52,7 @@ def solve(
         require, and a steady film stands for one in motion that is not found.
 
     Raises:
-        ValueError: No contact, the plan of another one, a plan with arguments of its own beside it, or as of
+        ValueError: No contact, the plan of another one, a plan together with its arguments, or as of
             `pyworm.plan`.
         KernelError: If values of the scene are not finite or memory does not suffice for the first grids
             (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
