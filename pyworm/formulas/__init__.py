@@ -1,17 +1,5 @@
 """Closed forms, a module a subject: `pyworm.formulas.hertz`, `film`, `regimes` and others."""
 
-from importlib import import_module
-from pkgutil import iter_modules
-from types import ModuleType
+import lazy_loader
 
-__all__ = [module.name for module in iter_modules(__path__)]
-
-
-def __getattr__(name: str) -> ModuleType:
-    if name not in __all__:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return import_module(f"{__name__}.{name}")
-
-
-def __dir__() -> list[str]:
-    return sorted(__all__)
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

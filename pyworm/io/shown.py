@@ -1,9 +1,9 @@
 """Objects in words: a line on a terminal, a small table in a notebook."""
 
 from dataclasses import dataclass, fields
-from html import escape
 
 from pyworm.io.given import quantities
+from pyworm.io.html import rendered
 from pyworm.io.quantity import Kind
 from pyworm.io.quantity_text import as_text
 
@@ -25,12 +25,7 @@ class Shown:
 
     def _repr_html_(self) -> str:
         heading, rows = self.shown()
-        body = "".join(
-            f"<tr><th style='text-align:left'>{escape(name)}</th>"
-            f"<td style='text-align:left'>{escape(value)}</td></tr>"
-            for name, value in rows.items()
-        )
-        return f"<table><caption>{escape(heading)}</caption>{body}</table>"
+        return rendered("io/shown.html", heading=heading, rows=rows)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -1,5 +1,6 @@
 """The compiled extension, imported here only: status numbers to exceptions, arrays to Fortran order."""
 
+from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -11,11 +12,7 @@ from pyworm.formulas.arrays import Array
 from pyworm.kernel.levels import loaded, taken
 
 LEVEL, _file = taken()
-if _file is None:
-    from pyworm import _core as _compiled
-else:
-    _compiled = loaded(_file)
-_core: ModuleType = _compiled
+_core: ModuleType = import_module("pyworm._core") if _file is None else loaded(_file)
 
 bindings: Any = _core.bindings
 """The kernel's procedures (`fortran/bindings.f90`)."""

@@ -5,7 +5,7 @@ from hashlib import sha256
 
 
 def policy(style: str, script: str | None = None) -> str:
-    """The tag that allows a page its own style, script and pictures alone; it stands before them.
+    """What allows a page its own style, script and pictures alone; its tag stands before them.
 
     Words of a result or a case (titles, sources, warnings) can then neither run as a script nor fetch
     anything, even if one were not escaped. Script and style, all that stands between their tags, are known by
@@ -20,8 +20,7 @@ def policy(style: str, script: str | None = None) -> str:
     }
     if script is not None:
         allowed["script-src"] = _digest(script)
-    content = "; ".join(f"{what} {source}" for what, source in allowed.items())
-    return f'<meta http-equiv="Content-Security-Policy" content="{content}">'
+    return "; ".join(f"{what} {source}" for what, source in allowed.items())
 
 
 def _digest(text: str) -> str:

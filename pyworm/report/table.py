@@ -1,17 +1,10 @@
-"""A table of text, built once and rendered on a terminal by rich and on a page in HTML."""
+"""A table of text, built once: on a terminal by rich, on a page by the macro of `macros.html`."""
 
-from collections.abc import Sequence
 from dataclasses import dataclass
-from html import escape
 
 import rich.console
 import rich.table
 from rich.box import HEAVY_HEAD, SIMPLE_HEAD
-
-from pyworm.report.page.symbols import typeset
-
-SHORT = 12
-"""Letters up to which a cell of a page is not broken into lines."""
 
 UNBROKEN = 24
 """Letters up to which a cell of a terminal's table is not broken into lines."""
@@ -84,46 +77,3 @@ class Table:
             else:
                 table.add_section()
         return table
-
-
-def html(table: Table) -> str:
-    """The table on a page."""
-    lines = ['<div class="wide"><table>']
-    if table.title:
-        lines.append(f"<caption>{escape(table.title.replace(chr(10), '; '))}</caption>")
-    if any(table.head):
-        cells = "".join(f'<th scope="col">{typeset(heading)}</th>' for heading in table.head)
-        lines.append(f"<thead><tr>{cells}</tr></thead>")
-    lines.append("<tbody>")
-    lines += [_row(row, len(table.head)) for row in table.rows if row]
-    lines.append("</tbody></table></div>")
-    if table.note:
-        lines.append(f'<p class="note">{typeset(table.note)}</p>')
-    return "\n".join(lines)
-
-
-def _row(row: Sequence[str], columns: int) -> str:
-    name, *values = row
-    part = ' class="part"' if name.startswith(" ") else ""
-    first = f'<th scope="row"{part}>{_words(name.strip())}</th>'
-    values += [""] * (columns - len(row))
-    return f"<tr>{first}{''.join(html_cell(value) for value in values)}</tr>"
-
-
-def html_cell(text: str) -> str:
-    """A cell of a page; a figure is broken into lines before its error bar alone."""
-    mark = ' class="no"' if text.startswith("NO: ") else ""
-    value, sign, bar = text.partition(" ± ")
-    if not sign:
-        return f"<td{mark}>{_words(text)}</td>"
-    return f"<td{mark}>{unbroken(value)} {unbroken(f'± {bar}')}</td>"
-
-
-def _words(text: str) -> str:
-    """Text of a cell; a number with its unit stays on one line."""
-    return unbroken(text) if len(text) <= SHORT else typeset(text)
-
-
-def unbroken(text: str) -> str:
-    """Text of a page on one line."""
-    return f'<span class="kept">{typeset(text)}</span>'

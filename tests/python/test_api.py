@@ -4,7 +4,9 @@ import ast
 import dataclasses
 import importlib
 import inspect
+import os
 import pickle
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -16,6 +18,19 @@ from folders import ROOT
 import pyworm
 
 PACKAGE = Path(pyworm.__file__).parent
+
+
+def imported(stub: Path) -> dict[str, str]:
+    """Names that a stub imports, each with its module; "" of a module itself."""
+    return {
+        alias.name: node.module or ""
+        for node in ast.walk(ast.parse(stub.read_text()))
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+
+
+HOMES = imported(PACKAGE / "__init__.pyi")
 NAMES = [name for name in pyworm.__all__ if name not in ("__version__", "formulas", "plots")]
 
 
@@ -30,16 +45,30 @@ def test_the_package_says_that_it_has_types():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_public_name_is_in_the_table_of_contents_and_has_a_docstring(name):
-    assert f" {name}" in pyworm.__doc__
+    assert re.search(rf"^    (\w+, )*{name}\b", pyworm.__doc__, re.MULTILINE)
     assert len(inspect.getdoc(getattr(pyworm, name))) > 20
 
 
-def test_editors_are_told_of_every_name():
-    """Imports for type checkers name the same modules as those on demand."""
-    text = Path(pyworm.__file__).read_text()
-    for name, home in pyworm._HOMES.items():
-        assert f"{name} as {name}" in text.split("_HOMES")[0], name
-        assert getattr(pyworm, name).__module__ == home, name
+@pytest.mark.parametrize("package", ["", "formulas", "plots"])
+def test_editors_read_the_names_that_are_loaded(package):
+    """Each name once, from the module that defines it."""
+    folder = PACKAGE / package
+    module = importlib.import_module(f"pyworm.{package}".rstrip("."))
+    names = imported(folder / "__init__.pyi")
+    assert sorted(names) == module.__all__ == dir(module)
+    for name, home in names.items():
+        where = f"{module.__name__}.{home or name}"
+        found = getattr(module, name)
+        assert getattr(found, "__module__", where) == where if home else found.__name__ == where
+    with pytest.raises(AttributeError, match="nowhere"):
+        module.nowhere  # noqa: B018
+
+
+def test_every_module_of_formulas_is_public():
+    files = (PACKAGE / "formulas").glob("*.py")
+    assert {file.stem for file in files} - {"__init__"} == set(
+        imported(PACKAGE / "formulas/__init__.pyi")
+    )
 
 
 def public_members(of):
@@ -120,14 +149,19 @@ def test_help_reads_as_a_table_of_contents():
         assert heading in head
 
 
-def test_importing_pyworm_loads_nothing_of_it():
+def test_importing_pyworm_loads_nothing_of_it_and_counts_threads_before_numpy():
     program = (
-        "import sys, pyworm; print([name for name in sys.modules if name.startswith('pyworm.')])"
+        "import os, sys, pyworm;"
+        " print([name for name in sys.modules if name.startswith(('pyworm.', 'numpy'))],"
+        " os.environ['OMP_NUM_THREADS'], os.environ['OPENBLAS_NUM_THREADS'])"
     )
-    run = subprocess.run(
-        [sys.executable, "-c", program], capture_output=True, text=True, check=True
-    )
-    assert run.stdout.strip() == "[]"
+    unset = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    for asked, number in ({}, "1"), ({"OMP_NUM_THREADS": "2"}, "2"):
+        run = subprocess.run(
+            [sys.executable, "-c", program],
+            capture_output=True, text=True, check=True, env=unset | asked,
+        )  # fmt: skip
+        assert run.stdout.strip() == f"[] {number} 1"
 
 
 def test_public_values_can_be_sent_to_other_processes():
@@ -143,7 +177,7 @@ def test_formulas_and_plots_have_their_modules_on_demand():
 
 def test_the_page_of_the_interface_has_every_name():
     page = (ROOT / "docs/reference/python.md").read_text()
-    assert not [name for name in NAMES if f"::: {pyworm._HOMES[name]}.{name}\n" not in page]
+    assert not [name for name in NAMES if f"::: pyworm.{HOMES[name]}.{name}\n" not in page]
 
 
 def test_the_changelog_has_the_version():

@@ -1,16 +1,14 @@
 """A result as one page of HTML to explore, without network: its data, its script and its style inside."""
 
-import json
-from html import escape
 from pathlib import Path
 from typing import Any
 
 from pyworm.io.json import finite
+from pyworm.report.document import document
 from pyworm.report.explore.colours import FIELDS, FLANK, shown, used
 from pyworm.report.explore.flank import flank
 from pyworm.report.explore.scenes import reduced, scenes
 from pyworm.report.explore.space import space
-from pyworm.report.policy import policy
 from pyworm.result.headline import headline, of_all
 from pyworm.result.result import Result
 
@@ -41,31 +39,13 @@ def content(result: Result) -> dict[str, Any]:
 
 def explore(result: Result) -> str:
     """The page."""
-    title = result.case.get("title", result.case_name)
-    # a browser looks for ends of scripts and for comments in whatever a script holds
-    data = json.dumps(finite(content(result)), separators=(",", ":")).replace("<", "\\u003c")
-    script = "\n".join((_HERE / name).read_text(encoding="utf-8") for name in SCRIPTS)
-    style = (_HERE / "page.css").read_text(encoding="utf-8")
     words = " ".join(filter(None, (of_all(result.solutions).sentence, headline(result.solutions))))
-    body = (_HERE / "body.html").read_text(encoding="utf-8")
-    return f"""<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-{policy(style, script)}
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{escape(title)}</title>
-<style>{style}</style>
-</head>
-<body>
-<header>
-<h1>{escape(title)}</h1>
-<p class="source">{escape(result.case.get("source", ""))}</p>
-<p class="headline">{escape(words)}</p>
-</header>
-{body}
-<script type="application/json" id="data">{data}</script>
-<script>{script}</script>
-</body>
-</html>
-"""
+    return document(
+        "report/explore/page.html",
+        _HERE / "page.css",
+        [_HERE / name for name in SCRIPTS],
+        title=result.case.get("title", result.case_name),
+        source=result.case.get("source", ""),
+        words=words,
+        data=finite(content(result)),
+    )

@@ -12,7 +12,7 @@ from pyworm.io.quantity_text import duration
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.report.console.scenes import influence_percent
 from pyworm.report.findings import Findings
-from pyworm.report.page.content import Items, Section
+from pyworm.report.page.content import Section
 from pyworm.report.page.figures import place_of
 from pyworm.report.table import Table
 from pyworm.result.result import Result
@@ -72,7 +72,7 @@ def _of_contacts(case: Case) -> list[str]:
     return [ONE_CONTACT, *(() if known else ("Fully flooded inlet: oil.supply is not given.",))]
 
 
-def assumptions_of(found: Findings) -> Items:
+def assumptions_of(found: Findings) -> tuple[str, ...]:
     """Assumptions: values that the source does not give, and those of the models."""
     case, result = found.case, found.result
     items = [f"{what}: {why}." for what, why in assumptions(case.tables).items()]
@@ -112,7 +112,7 @@ def assumptions_of(found: Findings) -> Items:
         items.append(
             f"Oil enters at {min(inlet) - ZERO_CELSIUS:.4g} °C; bulk temperatures {how}: {warm}."
         )
-    return Items(tuple(items))
+    return tuple(items)
 
 
 def assumptions_section(found: Findings) -> Section:

@@ -12,7 +12,7 @@ from pyworm.report.page.assumptions import (
     plan_section,
     provenance_section,
 )
-from pyworm.report.page.content import Block, Items, Picture, Report, Section, Words
+from pyworm.report.page.content import Block, Picture, Report, Section
 from pyworm.report.page.cover import Identity, cover_of, overleaf_of
 from pyworm.report.page.figures import (
     film_section,
@@ -100,7 +100,7 @@ def _noted(found: Findings, section: Section | None) -> Section | None:
     note = found.neglected_effects.note
     if section is None or not note:
         return section
-    return replace(section, blocks=(Words(f"{note.capitalize()}."), *section.blocks))
+    return replace(section, blocks=(f"{note.capitalize()}.", *section.blocks))
 
 
 def _ratings_section(found: Findings) -> Section | None:
@@ -109,7 +109,7 @@ def _ratings_section(found: Findings) -> Section | None:
         return None
     blocks = [block for rating in found.ratings for block in _rating_blocks(rating)]
     if found.not_rated:
-        blocks += [Words("Not rated:"), Items(found.not_rated)]
+        blocks += ["Not rated:", found.not_rated]
     return Section("Ratings: gears, scuffing, bearings", tuple(blocks))
 
 
@@ -118,4 +118,4 @@ def _rating_blocks(rating: Rating) -> list[Block]:
     tables: list[Block] = [rating_table(rating)]
     if rating.safeties:
         tables.append(safeties_table(rating, inputs=True))
-    return [*tables, Items(sentences)] if sentences else tables
+    return [*tables, sentences] if sentences else tables

@@ -1,24 +1,9 @@
 """Content of a report: sections of paragraphs, lists, tables and pictures."""
 
+from base64 import b64encode
 from dataclasses import dataclass
 
 from pyworm.report.table import Table
-
-
-@dataclass(frozen=True)
-class Words:
-    """A paragraph."""
-
-    text: str
-    """Its sentences."""
-
-
-@dataclass(frozen=True)
-class Items:
-    """A list."""
-
-    items: tuple[str, ...]
-    """Its entries."""
 
 
 @dataclass(frozen=True)
@@ -30,8 +15,17 @@ class Picture:
     png: bytes
     """The picture."""
 
+    @property
+    def base64(self) -> str:
+        """The picture as text."""
+        return b64encode(self.png).decode("ascii")
 
-Block = Words | Items | Table | Picture
+
+Block = str | tuple[str, ...] | Table | Picture
+"""A paragraph, a list, a table or a picture."""
+
+_NARROW = 2
+"""Columns of tables that stand side by side where there is room."""
 
 
 @dataclass(frozen=True)
@@ -43,23 +37,25 @@ class Section:
     blocks: tuple[Block, ...]
     """What stands under it, in order."""
 
+    @property
+    def narrow(self) -> bool:
+        """Whether its blocks are narrow tables, more than stand on one line."""
+        return len(self.blocks) > _NARROW and all(
+            isinstance(block, Table) and len(block.head) <= _NARROW for block in self.blocks
+        )
 
-@dataclass(frozen=True)
-class Verdict:
-    """A safety as it is signed."""
 
-    what: str
-    """Its name."""
-    value: str
-    """Its value."""
-    required: str
-    """The least value that is required."""
-    words: str
+class Judged(str):
+    """Cell of a table: value of a safety, empty where it stands elsewhere, with its verdict."""
+
+    verdict: str
     """In words: "sufficient", "not sufficient" or "cannot be rated"."""
-    clause: str
-    """Where the standard has it."""
-    why: str
-    """What it is made of, or why it is not rated."""
+
+    def __new__(cls, value: str, verdict: str) -> "Judged":
+        """Of a value and a verdict."""
+        cell = super().__new__(cls, value)
+        cell.verdict = verdict
+        return cell
 
 
 @dataclass(frozen=True)
@@ -68,13 +64,13 @@ class Cover:
 
     head: tuple[tuple[str, str], ...]
     """Drive, drawing, customer and the like, with their values."""
-    basis: Items
+    basis: tuple[str, ...]
     """Standards and editions of the safeties, what of them was not read, and what is outside their scope."""
     geometry: tuple[tuple[str, str], ...]
     """Computed geometry of the gears, by name; empty where it is not known."""
-    verdicts: tuple[Verdict, ...]
+    verdicts: Table
     """The safeties."""
-    doubts: Items
+    doubts: tuple[str, ...]
     """What in them is assumed or doubtful."""
 
 
@@ -84,28 +80,10 @@ class Overleaf:
 
     figures: Table
     """Decisive figures with their error bars; life asked for, and what becomes of it."""
-    pictures: tuple[Picture | Words, ...]
+    pictures: tuple[Picture | str, ...]
     """Contact pattern, maps of the flank, wear."""
-    assumptions: Items
+    assumptions: tuple[str, ...]
     """What all this rests on."""
-
-
-@dataclass(frozen=True)
-class Matrix:
-    """Rows of variants side by side."""
-
-    rows: tuple[tuple[str, tuple[str, ...]], ...]
-    """Name of a row and its cells, one for each variant."""
-
-
-@dataclass(frozen=True)
-class Beside:
-    """Pictures of one variant."""
-
-    name: str
-    """What the variant is called."""
-    pictures: tuple[Picture | Words, ...]
-    """Its pictures, or a paragraph in place of one."""
 
 
 @dataclass(frozen=True)
@@ -116,16 +94,12 @@ class Variants:
     """Title of the cases."""
     names: tuple[str, ...]
     """What the variants are called."""
-    warnings: tuple[str, ...]
-    """What a reader must know before all else."""
-    differences: Matrix
-    """Inputs in which they differ."""
-    verdicts: Matrix
-    """Safeties as "value|verdict"."""
-    figures: Matrix
-    """Simulated figures with their bars."""
-    beside: tuple[Beside, ...]
-    """Their pictures."""
+    warnings: tuple[tuple[str, str], ...]
+    """What a reader must know before all else, each with the name of its variant."""
+    sections: tuple[Section, ...]
+    """Tables with a column for each variant: inputs in which they differ, verdicts, figures."""
+    pictures: tuple[tuple[tuple[str, Picture | str], ...], ...]
+    """Rows of pictures, or paragraphs in place of one, each with the name of its variant."""
     note: str
     """What the bars mean."""
 

@@ -11,7 +11,7 @@ from pyworm.ratings.rating import Safety
 from pyworm.report.console.drive import described_row
 from pyworm.report.findings import Findings
 from pyworm.report.page.assumptions import assumptions_of
-from pyworm.report.page.content import Cover, Items, Overleaf, Picture, Verdict, Words
+from pyworm.report.page.content import Cover, Judged, Overleaf, Picture
 from pyworm.report.page.figures import key_result_rows, life_rows
 from pyworm.report.page.symbols import inputs_as_text, named
 from pyworm.report.table import Table
@@ -20,17 +20,14 @@ from pyworm.result.result import Result
 Identity = tuple[tuple[str, str], ...]
 
 
-def verdict_of(safety: Safety) -> Verdict:
-    """A safety as it is signed."""
-    words = safety.verdict + (", uncertain" if safety.open else "")
-    return Verdict(
-        f"{named(safety.symbol)}, {safety.label}",
-        safety.shown,
-        f"{safety.minimum:g}",
-        words,
-        safety.clause,
-        inputs_as_text(safety),
-    )
+def named_safety(safety: Safety) -> str:
+    """A safety by its symbol and its name."""
+    return f"{named(safety.symbol)}, {safety.label}"
+
+
+def judged(safety: Safety, value: str) -> Judged:
+    """A value with the verdict on a safety."""
+    return Judged(value, safety.verdict + (", uncertain" if safety.open else ""))
 
 
 def cover_of(found: Findings, identity: Identity) -> Cover | None:
@@ -40,26 +37,30 @@ def cover_of(found: Findings, identity: Identity) -> Cover | None:
         found: The findings of the report.
         identity: What it names besides the case: drawing, customer.
     """
-    ratings = found.ratings
-    verdicts = tuple(verdict_of(safety) for rating in ratings for safety in rating.safeties)
-    if not verdicts:
+    safeties = [safety for rating in found.ratings for safety in rating.safeties]
+    if not safeties:
         return None
     head = (("Case", found.result.case_name), *identity, *_operation(found.case))
     head += _computed(found.result)
-    doubts = (
-        f"{named(safety.symbol)}, {safety.label}: {doubt}"
-        for rating in ratings
-        for safety in rating.safeties
-        for doubt in safety.doubts
-    )
-    basis = (sentence for rating in ratings for sentence in (*rating.differs, *rating.basis))
+    doubts = (f"{named_safety(safety)}: {doubt}" for safety in safeties for doubt in safety.doubts)
+    basis = (sentence for rating in found.ratings for sentence in (*rating.differs, *rating.basis))
     return Cover(
         head,
-        Items(tuple(dict.fromkeys(basis))),
+        tuple(dict.fromkeys(basis)),
         _geometry(found.case),
-        verdicts,
-        Items(tuple(dict.fromkeys(doubts))),
+        Table(
+            ("Safety factor", "Value", "Required", "Verdict", "By", "Inputs"),
+            tuple(map(_signed_row, safeties)),
+        ),
+        tuple(dict.fromkeys(doubts)),
     )
+
+
+def _signed_row(safety: Safety) -> tuple[str, ...]:
+    """A safety as it is signed."""
+    value, required = safety.shown, f"{safety.minimum:g}"
+    verdict, inputs = judged(safety, ""), inputs_as_text(safety)
+    return named_safety(safety), value, required, verdict, safety.clause, inputs
 
 
 def _geometry(case: Case) -> Identity:
@@ -104,14 +105,14 @@ def _computed(result: Result) -> Identity:
     return (*computed, ("Computed on", f"{when:%d %B %Y, %H:%M} UTC"))
 
 
-def overleaf_of(found: Findings, pictures: tuple[Picture | Words, ...]) -> Overleaf:
+def overleaf_of(found: Findings, pictures: tuple[Picture | str, ...]) -> Overleaf:
     """The page behind the page to sign."""
     assumed = assumptions_of(found)
     drive = found.case.drive
     usual = () if drive is None else drive.usual_values
-    decisive = tuple(sentence for sentence in assumed.items if sentence not in usual)
-    more = len(assumed.items) - len(decisive)
+    decisive = tuple(sentence for sentence in assumed if sentence not in usual)
+    more = len(assumed) - len(decisive)
     if more:
         decisive += (f'{more} dimensions taken as usual, listed under "What was assumed".',)
     rows = (*key_result_rows(found), *life_rows(found.case, found.ratings))
-    return Overleaf(Table(("", "Value", "Where"), rows), pictures, Items(decisive))
+    return Overleaf(Table(("", "Value", "Where"), rows), pictures, decisive)

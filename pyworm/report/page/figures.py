@@ -12,7 +12,7 @@ from pyworm.io.quantity_text import bars, shown_like
 from pyworm.ratings.rating import Rating
 from pyworm.ratings.standard_loss import NoStandard
 from pyworm.report.findings import Findings
-from pyworm.report.page.content import Block, Section, Words
+from pyworm.report.page.content import Block, Section
 from pyworm.report.table import Table
 from pyworm.result.result import plain_attributes
 from pyworm.scene.index import ContactIndex
@@ -54,7 +54,7 @@ def key_results_section(found: Findings) -> Section:
     decisive = _decisive(found.ratings)
     if not found.sound.solutions:
         table = Table(("", "Value", "Where"), decisive)
-        return Section("Key results", (Words("No contact converged."), table))
+        return Section("Key results", ("No contact converged.", table))
     loss = found.mesh_loss
     note = ERROR_BARS if loss is None else f"{ERROR_BARS} Loss: {loss.words}."
     rows = (*key_result_rows(found), *decisive)
@@ -187,7 +187,7 @@ def film_section(found: Findings) -> Section:
         words = f"{ratio.symbol} is the {film.words()} over a {roughness.words()} of "
         words += f"{roughness.text(found.composite_roughness)}: below 1 roughness carries load (boundary), "
         words += "from 3 on the film separates the flanks."
-        blocks.append(Words(words))
+        blocks.append(words)
     return Section("Film and pressure", tuple(blocks))
 
 

@@ -13,7 +13,7 @@ from pyworm.plots.drives.picture import cycle_pictures
 from pyworm.plots.regimes import draw_regimes
 from pyworm.plots.traction import draw_traction, traction_curve
 from pyworm.report.findings import Findings
-from pyworm.report.page.content import Picture, Section, Words
+from pyworm.report.page.content import Picture, Section
 from pyworm.report.page.figures import place_of
 from pyworm.result.result import Result
 from pyworm.solver.neglected_effects import NeglectedEffects
@@ -37,12 +37,12 @@ _CAPTIONS = {
 }
 
 
-def signed_pictures(found: Findings) -> tuple[Picture | Words, ...]:
+def signed_pictures(found: Findings) -> tuple[Picture | str, ...]:
     """Pictures of the mesh cycle that belong to what is signed."""
     return tuple(_of_cycle(found, signed=True))
 
 
-def _of_cycle(found: Findings, signed: bool) -> list[Picture | Words]:
+def _of_cycle(found: Findings, signed: bool) -> list[Picture | str]:
     return _those_drawn(
         _drawn(
             _captioned(picture.caption, found.neglected_effects),
@@ -53,7 +53,7 @@ def _of_cycle(found: Findings, signed: bool) -> list[Picture | Words]:
     )
 
 
-def _those_drawn(drawn: Iterable[Picture | Words | None]) -> list[Picture | Words]:
+def _those_drawn(drawn: Iterable[Picture | str | None]) -> list[Picture | str]:
     """Pictures without those of which there is nothing to draw."""
     return [picture for picture in drawn if picture is not None]
 
@@ -88,20 +88,20 @@ def contact_section(result: Result) -> Section:
     return Section("Contacts", tuple(_those_drawn(pictures)))
 
 
-def _picture(result: Result, solution: Solution, name: str) -> Picture | Words | None:
+def _picture(result: Result, solution: Solution, name: str) -> Picture | str | None:
     caption = f"{_CAPTIONS.get(name) or QUANTITIES[name].title()}, {place_of(solution)}"
     return _drawn(
         _captioned(caption, solution.neglected_effects), scene_picture(result, solution, name)
     )
 
 
-def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | Words | None:
+def _drawn(caption: str, draw: Callable[[], Figure | None]) -> Picture | str | None:
     """A picture, or the reason why it failed; None where there is nothing to draw."""
     try:
         figure = draw()
         return None if figure is None else Picture(caption, png(figure))
     except Exception as error:
-        return Words(f"{caption}: could not be drawn ({reason_of(error)}).")
+        return f"{caption}: could not be drawn ({reason_of(error)})."
 
 
 def _captioned(caption: str, neglected_effects: NeglectedEffects) -> str:

@@ -16,7 +16,7 @@ from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.oil import Oil
 from pyworm.materials.tabulated import TabulatedViscosity
 from pyworm.report.findings import Findings
-from pyworm.report.page.content import Block, Section, Words
+from pyworm.report.page.content import Block, Section
 from pyworm.report.table import Table
 from pyworm.result.result import Result
 from pyworm.scene.any_contact import AnyContact
@@ -89,9 +89,9 @@ def sensitivity_section(found: Findings) -> Section | None:
         f"{GRADE_STEP:.2f} in viscosity at one temperature; temperatures are those of the oil at the inlet, "
         "by the case's own law of viscosity."
     )
-    blocks: list[Block] = [Table(head, tuple(rows)), Words(words)]
+    blocks: list[Block] = [Table(head, tuple(rows)), words]
     if changes.mounting is not None:
-        blocks.append(Words(changes.mounting))
+        blocks.append(changes.mounting)
     return Section("Sensitivity", tuple(blocks))
 
 
