@@ -42,12 +42,9 @@ def _templates() -> "Environment":
 def rendered(template: str, **content: Any) -> str:
     """HTML by a template.
 
-    Parameters
-    ----------
-    template : str
-        Its file, from the package's folder.
-    **content
-        What it shows.
+    Args:
+        template: Its file, from the package's folder.
+        **content: What it shows.
     """
     return _templates().get_template(template).render(**content)
 

@@ -1,6 +1,5 @@
 """The compiled extension, imported here only: status numbers to exceptions, arrays to Fortran order."""
 
-from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -12,7 +11,11 @@ from pyworm.formulas.arrays import Array
 from pyworm.kernel.levels import loaded, taken
 
 LEVEL, _file = taken()
-_core: ModuleType = import_module("pyworm._core") if _file is None else loaded(_file)
+if _file is None:
+    from pyworm import _core as _compiled  # type: ignore[attr-defined]  # compiled: in no stub
+else:
+    _compiled = loaded(_file)
+_core: ModuleType = _compiled
 
 bindings: Any = _core.bindings
 """The kernel's procedures (`fortran/bindings.f90`)."""

@@ -11,16 +11,11 @@ from pyworm.report.policy import policy
 def document(template: str, style: Path, scripts: Sequence[Path] = (), **content: Any) -> str:
     """The page of a template that extends `layout.html`.
 
-    Parameters
-    ----------
-    template : str
-        Its file, from the package's folder.
-    style : Path
-        Its style.
-    scripts : sequence of Path, optional
-        Parts of its script in their order.
-    **content
-        What the template shows.
+    Args:
+        template: Its file, from the package's folder.
+        style: Its style.
+        scripts: Parts of its script in their order.
+        **content: What the template shows.
     """
     from markupsafe import Markup
 
