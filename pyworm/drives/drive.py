@@ -22,10 +22,7 @@ AllowedErrors = dict[str, dict[str, float | str]]
 
 
 class Drive(Lubricated, ABC):
-    """A machine with lubricated contacts, which it makes and never solves.
-
-    A drive implements `scene` and `cycle_data`; all else has a default here.
-    """
+    """A machine with lubricated contacts, which implements `scene` and `cycle_data` and never solves."""
 
     body_names: ClassVar[tuple[str, str]] = BODIES
     """Names of body 1 and body 2 of its contacts."""

@@ -100,10 +100,7 @@ class OilSupply:
 
 
 def oil_supply(by: Bath | Jets, teeth: LubricatedTeeth, oil: Oil) -> OilSupply:
-    """The layer of oil that a bath or jets bring to the mesh.
-
-    ValueError for a bath deeper than the body that dips.
-    """
+    """The oil that a bath or jets bring to the mesh; ValueError for a bath too deep."""
     return _by_bath(by, teeth, oil) if isinstance(by, Bath) else _by_jets(by, teeth, oil)
 
 
@@ -121,11 +118,7 @@ class Lubricated:
 
     @cached_property
     def oil_supply(self) -> OilSupply | None:
-        """The oil that its lubrication brings; None where that is not known.
-
-        Raises:
-            ValueError: No such lubrication is possible; the sentence begins with a key of `[lubrication]`.
-        """
+        """The oil that its lubrication brings; None where not known, ValueError where impossible."""
         if self.lubrication is None:
             return None
         teeth = self.lubricated_teeth()

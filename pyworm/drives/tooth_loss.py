@@ -73,12 +73,7 @@ class Loss:
 
 
 def cycle_loss(cycle: "xr.Dataset", contacts: Sequence[ContactLoss]) -> Loss:
-    """Compute the loss of all teeth, equation 1.
-
-    Args:
-        cycle: A drive's mesh cycle under load.
-        contacts: Some of its contacts, in the order of their phases.
-    """
+    """Loss of all teeth, equation 1, from a mesh cycle under load and some contacts by phase."""
     phases = cycle["load_phase"].values
     load, sliding = cycle["tooth_load"].values, cycle["sliding_speed"].values
 
@@ -167,10 +162,7 @@ def _friction_history(
 
 
 def _interpolated(phases: Array, contacts: Sequence[ContactLoss], part: str) -> Array:
-    """A relative error of the contacts at all phases; zero of a contact that has none.
-
-    Where a contact's error has no bound (is infinite) it has none as far as the neighbouring contacts.
-    """
+    """A relative error of the contacts, or zero, at all phases; infinite ones as far as their neighbours."""
     solved_phases = [contact.phase for contact in contacts]
     errors = np.array([getattr(contact, part) or 0.0 for contact in contacts])
     unknown = np.interp(phases, solved_phases, np.isinf(errors).astype(float)) > 0

@@ -29,21 +29,15 @@ def bending(
     rigidity: float,
     stiffness: float = inf,
 ) -> Bending:
-    """Bending of a uniform shaft by a force and a moment at one place between its supports.
+    """Bending of a uniform shaft by a force F [N] and a moment M [N m] at one place between its supports.
 
-    With a and b before and beyond the load and L = a + b, a force F and a moment M that turns towards larger
-    slopes give there
+    With a and b before and beyond the load [m] and L = a + b they give there
 
         w = (F a^2 b^2 + M a b (b - a)) / (3 E I L),   w' = (F a b (b - a) + M (a^2 - a b + b^2)) / (3 E I L)
 
-    (Bernoulli and Euler; J. E. Shigley and C. R. Mischke, Mechanical Engineering Design, 1989, table A-9,
-    cases 6 and 8). Supports that yield move the shaft as a rigid one besides.
-
-    Args:
-        force, moment: F [N] and M [N m].
-        before, beyond: a and b, positive [m].
-        rigidity: E I [N m2].
-        stiffness: Of each support [N/m]; infinite if rigid.
+    where M turns towards larger slopes (Bernoulli and Euler; J. E. Shigley and C. R. Mischke, Mechanical
+    Engineering Design, 1989, table A-9, cases 6 and 8). Supports that yield (`stiffness` of each [N/m]) move
+    the shaft as a rigid one besides; `rigidity` is E I [N m2].
     """
     span = before + beyond
     crossed = before * beyond * (beyond - before)

@@ -82,19 +82,12 @@ CONTAMINATION = {
 
 
 def reference_viscosity(speed: float, mean_diameter: float) -> float:
-    """Kinematic viscosity nu1 [m2/s] that a bearing needs.
+    """Kinematic viscosity nu1 [m2/s] that a bearing needs at a speed [rad/s] and a mean diameter D [m].
 
-    45000 n^-0.83 D^-0.5 mm2/s below 1000 rpm, 4500 (n D)^-0.5 from there on, n in rpm and D in mm.
-
-    Source: ISO 281:2007, equations 27 and 28. At 1000 rpm the two forms differ by 2.3 %, as printed.
-
-    Args:
-        speed: Speed of rotation [rad/s]; 1 to 1e5 rpm.
-        mean_diameter: Half of bore plus outside diameter, or the pitch diameter of the elements [m]; 5 mm to
-            5 m.
-
-    Raises:
-        ValueError: A speed or diameter outside these ranges.
+    45000 n^-0.83 D^-0.5 mm2/s below 1000 rpm, 4500 (n D)^-0.5 from there on, n in rpm and D in mm; D is half
+    of bore plus outside diameter, or the pitch diameter of the elements. Range (ValueError beyond): 1 to 1e5
+    rpm, 5 mm to 5 m. Source: ISO 281:2007, equations 27 and 28. At 1000 rpm both forms differ by 2.3 %, as
+    printed.
     """
     rpm = speed * 30 / pi
     within("speed of rotation", rpm, 1, 1e5, "rpm")
@@ -157,13 +150,8 @@ def contamination_factor(
 def fatigue_load_limit(static_rating: float, elements: Elements, mean_diameter: float) -> float:
     """Estimate of the fatigue load limit C_u [N]: C0/22 of ball and C0/8.2 of roller bearings.
 
-    Source: ISO 281:2007, B.3.3; ball bearings above 100 mm times (100 mm/D)^0.5. Range: roller bearings
-    to 100 mm only, since their exponent above could not be checked.
-
-    Args:
-        static_rating: Basic static load rating C0 [N].
-        elements: "ball" or "roller".
-        mean_diameter: [m].
+    C0 is the static rating. Source: ISO 281:2007, B.3.3; ball bearings above 100 mm mean diameter times (100
+    mm/D)^0.5. Range: roller bearings to 100 mm only, since their exponent above could not be checked.
     """
     positive("static load rating", static_rating, "N")
     one_of("elements", elements, _LIFE_EXPONENT)
@@ -239,14 +227,11 @@ def _modification(kappa: float, x: float, elements: Elements) -> float:
 
 
 def reliability_factor(reliability: float) -> float:
-    """Reliability factor a1 [-] = 0.95 [ln(1/R)/ln(1/0.9)]^(2/3) + 0.05.
+    """Reliability factor a1 [-] = 0.95 [ln(1/R)/ln(1/0.9)]^(2/3) + 0.05, R the fraction that lives longer.
 
-    Source: the Weibull law behind the table of ISO 281:2007 (slope 1.5, 5 % of the life free of
-    failures), which it gives to its two digits: 1, 0.64, 0.55, 0.47, 0.37, 0.25 for 90, 95, 96, 97, 98
-    and 99 %. Range: 90 to 99.95 %.
-
-    Args:
-        reliability: Fraction R of bearings that live longer [-].
+    Source: the Weibull law behind the table of ISO 281:2007 (slope 1.5, 5 % of the life free of failures),
+    which it gives to its two digits: 1, 0.64, 0.55, 0.47, 0.37, 0.25 for 90, 95, 96, 97, 98 and 99 %. Range:
+    90 to 99.95 %.
     """
     within("reliability", reliability, 0.9, 0.9995, "")
     reliability_factor: float = 0.95 * (log(1 / reliability) / log(1 / 0.9)) ** (2 / 3) + 0.05
@@ -256,11 +241,8 @@ def reliability_factor(reliability: float) -> float:
 def basic_life(dynamic_rating: float, load: float, elements: Elements) -> float:
     """Basic rating life L10 [revolutions], 1e6 (C/P)^p with p = 3 for balls and 10/3 for rollers.
 
-    Source: ISO 281:2007. Range: P up to C/2, above which the standard does not hold.
-
-    Args:
-        dynamic_rating, load: C and the equivalent dynamic load P [N].
-        elements: "ball" or "roller".
+    C is the dynamic rating and P the equivalent dynamic load [N]. Source: ISO 281:2007. Range: P up to C/2,
+    above which the standard does not hold.
     """
     positive("dynamic load rating", dynamic_rating, "N")
     positive("equivalent load", load, "N")
@@ -296,11 +278,7 @@ class LoadedBearing:
 
 @dataclass(frozen=True, kw_only=True)
 class BearingRating(LoadedBearing):
-    """Life of one bearing by ISO 281, each figure by itself.
-
-    Each is computed when it is asked for: ValueError with the reason where it lies outside the standard, or
-    what it needs is `Unknown`.
-    """
+    """Life of one bearing by ISO 281; ValueError by a figure outside the standard or without its data."""
 
     fatigue_load_limit: float | Unknown
     """Fatigue load limit C_u [N]."""

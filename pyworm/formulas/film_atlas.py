@@ -105,10 +105,7 @@ class AtlasGroups:
         return np.cos(self.angle), np.sin(self.angle)
 
     def _arc(self, aspect: Values, sense: float) -> Values:
-        """Half the angle by which the course of the contact point's oil turns inside Hertz's ellipse.
-
-        Upstream for `sense` 1, downstream for -1; by iteration, enough for what is fitted to it.
-        """
+        """Half the angle by which the oil turns inside Hertz's ellipse, up- (1) or downstream (-1)."""
         cos, sin = self._path
         half: Values = 0.0
         for _ in range(TURNS):
@@ -375,14 +372,7 @@ def network(kept: Array, constants: Mapping[str, Array]) -> Array:
 
 
 def films(groups: AtlasGroups) -> AtlasFilms:
-    """Films of isothermal point contacts of smooth surfaces with enough oil.
-
-    Args:
-        groups: The contacts; sizes as wanted, since what is computed together fits a processor's cache.
-
-    Returns:
-        Films with left-out errors.
-    """
+    """Films, with their errors, of isothermal, fully flooded point contacts of smooth surfaces."""
     given = np.broadcast_arrays(*(getattr(groups, field.name) for field in fields(groups)))
     shape = given[0].shape
     flat = [np.asarray(values, dtype=float).ravel() for values in given]
@@ -445,12 +435,7 @@ def _inside(groups: AtlasGroups, read: Array, box: Mapping[str, tuple[float, flo
 
 
 def regime_measures(groups: AtlasGroups, minimum: Values) -> tuple[Values, Values]:
-    """Deflection over film and thickening of the oil in the inlet, `pyworm.formulas.regimes`.
-
-    Args:
-        groups: The contacts, of any ratio of radii and angle of entrainment.
-        minimum: Their minimum film in Moes' unit, R (2U)^(1/2) [-].
-    """
+    """Deflection over film and thickening of the inlet's oil, by the minimum film in Moes' unit."""
     long = longer_semi_axis(groups.ratio) * np.exp(groups.load / 3)
     short = long / np.exp(np.polyval(_ellipses()[0], groups.slender))
     half_width = 1 / np.sqrt(groups.cos2 / short**2 + (1 - groups.cos2) / long**2)
@@ -468,14 +453,11 @@ def oil_thickening(groups: AtlasGroups, deflection: Values) -> Values:
 
 
 def reciprocal_alpha(viscosity: Callable[[Array], Array], alpha: float) -> float:
-    """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-].
+    """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-], 1/(alpha int_0^inf eta0/eta dp).
 
-    1/(alpha int_0^inf eta0/eta dp): what Weibull, Blok and Bair take for the pressure-viscosity coefficient
-    of films (S. Bair, High Pressure Rheology for Quantitative Elastohydrodynamics (2007)); 1 of Barus' law.
-
-    Args:
-        viscosity: Viscosity at pressures [Pa].
-        alpha: Coefficient at zero pressure [1/Pa]; 0 gives 1.
+    Weibull, Blok and Bair take it for the pressure-viscosity coefficient of films (S. Bair, High Pressure
+    Rheology for Quantitative Elastohydrodynamics (2007)); 1 of Barus' law, and where alpha at zero pressure
+    [1/Pa] is 0.
     """
     if alpha == 0:
         return 1.0

@@ -87,11 +87,7 @@ class FilmReduction:
 
 
 def reduction(groups: AtlasGroups, central: Values, heat: HeatGroups) -> FilmReduction:
-    """Factors of the central and least film by heat and shear thinning.
-
-    Args:
-        central: Their central films in Moes' unit, `film_atlas.films` [-].
-    """
+    """Factors of central and minimum film by heat and shear thinning, from the central film in Moes' unit."""
     constants = _constants()
     read = features(groups, central, heat)
     inside = np.all((constants["low"] <= read) & (read <= constants["high"]), axis=-1)

@@ -47,11 +47,9 @@ MIN_FITTED_GAP = 0.5
 
 
 def pressure_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
-    """Pressure flow factor [-], at least zero.
+    """Pressure flow factor [-], at least zero, by the gap between mean planes over the composite roughness.
 
-    Args:
-        gap: Gap between mean planes over the composite roughness [-].
-        aspect: Peklenik number: correlation length along the flow over that across it [-].
+    `aspect` is Peklenik's number: correlation length along the flow over that across it [-].
     """
     gap = np.asarray(gap, dtype=float)
     near, far = np.maximum(gap, MIN_FITTED_GAP), np.maximum(gap, FITTED)

@@ -23,13 +23,10 @@ _STEEL_HEAT = 46.0, 7830.0, 465.0
 
 
 def fzg_test_gears(torque: float) -> tuple[Flanks, float]:
-    """The FZG test gears of type C at 2250 1/min, and their loss factor H_v.
+    """The FZG test gears of type C at 2250 1/min and a torque of the pinion [N m], and their loss factor H_v.
 
-    16 and 24 teeth of 4.5 mm, 91.5 mm apart, tips of 82.5 and 118.4 mm, 14 mm wide, profiles not
-    modified: where two pairs share the load, one takes a third to two thirds. Source: ISO 14635-1, FVA 54/7.
-
-    Args:
-        torque: Of the pinion [N m].
+    16 and 24 teeth of 4.5 mm, 91.5 mm apart, tips of 82.5 and 118.4 mm, 14 mm wide, profiles not modified:
+    where two pairs share the load, one takes a third to two thirds. Source: ISO 14635-1, FVA 54/7.
     """
     positive("torque", torque, "N m")
     teeth, module, apart, width = (16, 24), 4.5e-3, 91.5e-3, 14e-3
@@ -68,11 +65,10 @@ def fzg_test_gears(torque: float) -> tuple[Flanks, float]:
 def film_at_load_stage(
     stage: int, oil: GearOil, oil_temperature: float = TEST_TEMPERATURE
 ) -> float:
-    """lambda_GFT [-]: least specific film of the test gears at the load stage that an oil fails at.
+    """lambda_GFT [-]: minimum specific film of the test gears at the load stage that an oil fails at.
 
-    Args:
-        stage: Failure load stage of the micropitting test FVA 54/7, 5 to 10.
-        oil_temperature: At which it was tested [K].
+    Failure load stages of the micropitting test FVA 54/7 are 5 to 10; the temperature [K] is that of the
+    test.
     """
     if stage not in TEST_TORQUE:
         raise ValueError(f"load stage {stage} of the micropitting test: must be one of 5 to 10")

@@ -18,14 +18,9 @@ HALF_WIDTH_RATIO = 1.2
 def smoothed(
     heights: Array, steps: Sequence[float], axes: tuple[int, ...], *, periodic: bool
 ) -> Array:
-    """Long waves of heights.
+    """Long waves of heights by nesting indices over the distance of points along each axis.
 
     Near the ends of what is not periodic the weights are those within it (ISO 16610-28).
-
-    Args:
-        heights: Heights.
-        steps: Nesting index over the distance of points along each axis, for each axis.
-        periodic: Whether heights repeat themselves.
     """
     for axis, index in zip(axes, steps, strict=True):
         reach = int(np.ceil(HALF_WIDTH_RATIO * index))

@@ -45,10 +45,8 @@ AGMA_GRADES = {
 def pitch_line_viscosity(pitch_line_velocity: float) -> float:
     """Kinematic viscosity at 40 degC [m2/s] that a pitch line velocity [m/s] wants.
 
-    7000/sqrt(v) mm2/s with v in ft/min.
-
-    Source: Errichello, equation 1. Verified by his two numbers: 128 cSt at 3000 ft/min, 350 at 400.
-    Range: spur, helical and bevel gears, 0.25 to 100 m/s; he gives none.
+    7000/sqrt(v) mm2/s with v in ft/min. Source: Errichello, equation 1. Verified by his two numbers: 128 cSt
+    at 3000 ft/min, 350 at 400. Range: spur, helical and bevel gears, 0.25 to 100 m/s; he gives none.
     """
     within("pitch line velocity", pitch_line_velocity, 0.25, 100, "m/s")
     return 7000 / sqrt(pitch_line_velocity / FOOT_PER_MINUTE) * 1e-6
@@ -90,15 +88,10 @@ _AGMA_WORM = ((6, 700), (12, 450), (18, 300), (24, 250), (inf, 200))
 
 
 def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAdvice:
-    """AGMA 250.04's grades for single-reduction parallel-shaft drives.
+    """AGMA 250.04's grades for single-reduction parallel-shaft drives, by centre distance and ambient.
 
-    Source: AGMA 250.04, from memory. Verified by what Errichello reads from it: VG 150 or 220 at 16 in,
-    VG 150 for a small drive. Range: pitch line velocities to 25 m/s (5000 ft/min), ambient 15 to 125
-    degF.
-
-    Args:
-        centre_distance: [m].
-        ambient_temperature: [K].
+    Source: AGMA 250.04, from memory. Verified by what Errichello reads from it: VG 150 or 220 at 16 in, VG
+    150 for a small drive. Range: pitch line velocities to 25 m/s (5000 ft/min), ambient 15 to 125 degF.
     """
     within("centre distance", centre_distance, 0.02, 3, "m")
     warm = _is_warm(ambient_temperature)
@@ -118,13 +111,9 @@ def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAd
 def agma_worm(centre_distance: float, worm_speed: float, ambient_temperature: float) -> TableAdvice:
     """AGMA 250.04's grade for enclosed cylindrical worm gears: 7 Comp, or 8 Comp where slow and warm.
 
-    Source: AGMA 250.04, from memory; not checked beyond the VG 460 that the worm drive of Sharif et al.
-    (2001) runs with. Range: ambient 15 to 125 degF.
-
-    Args:
-        centre_distance: [m].
-        worm_speed: [rad/s].
-        ambient_temperature: [K].
+    By centre distance [m], speed of the worm [rad/s] and ambient temperature [K], 15 to 125 degF. Source:
+    AGMA 250.04, from memory; not checked beyond the VG 460 that the worm drive of Sharif et al. (2001) runs
+    with.
     """
     within("centre distance", centre_distance, 0.02, 2, "m")
     within("worm speed", worm_speed * RPM, 0.1, 1e4, "rpm")
@@ -188,16 +177,11 @@ WORM_TABLE_SOURCE = "worm gear viscosity table (centre distance, worm speed, sum
 def worm_table(
     centre_distance: float, worm_speed: float, sump_temperature: float, synthetic: bool
 ) -> TableAdvice | None:
-    """Grades for worm gears by centre distance, speed and sump temperature; None where the table has no row.
+    """Grades for worm gears, PAG if `synthetic`, else mineral; None where the table has no row.
 
-    The rows leave gaps in size, speed and temperature; a sump below a row's range is read as its
-    coolest. Above 100 degC the table's mineral grades are meant as PAO or ester.
-
-    Args:
-        centre_distance: [m].
-        worm_speed: [rad/s].
-        sump_temperature: [K].
-        synthetic: Whether the oil is PAG, else mineral.
+    By centre distance [m], speed of the worm [rad/s] and sump temperature [K], between whose rows are gaps; a
+    sump below a row's range is read as its coolest. Above 100 degC the mineral grades are meant as PAO or
+    ester.
     """
     within("centre distance", centre_distance, 0.02, 2, "m")
     within("worm speed", worm_speed * RPM, 0.1, 1e4, "rpm")
@@ -232,13 +216,9 @@ FEED_PRESSURES = (20 * PSI, 100 * PSI)
 
 
 def oil_flow(power: float, flow: str) -> float:
-    """Oil flow per mesh [m3/s], q = P/c with c by a word of `FLOWS`.
+    """Oil flow per mesh [m3/s] for a power [W], q = P/c with c by a word of `FLOWS`.
 
     Source: Errichello, equation 4 and table 1. Verified by his examples: 200 hp copious is 1 gpm, lean 0.25.
-
-    Args:
-        power: Transmitted power [W].
-        flow: "copious", "adequate", "lean" or "starved".
     """
     positive("transmitted power", power, "W")
     within("transmitted power", power, 1, 1e9, "W")
@@ -265,17 +245,10 @@ class Jets:
 def oil_jets(
     flow: float, pressure: float, density: float, number: int, discharge: float = 0.7
 ) -> Jets:
-    """Jets that pass a flow: Torricelli's velocity through holes with a discharge coefficient.
+    """Jets that pass a flow [m3/s]: Torricelli's velocity through holes with a discharge coefficient.
 
-    Source: the limits are Errichello's; the flow through a hole is Bernoulli's, so that thick oil in
-    long holes needs larger ones.
-
-    Args:
-        flow: Oil flow of the mesh [m3/s].
-        pressure: Feed pressure above that of the housing [Pa].
-        density: Of the oil [kg/m3].
-        number: Jets.
-        discharge: Discharge coefficient [-], 0.6 to 1.
+    That is 0.6 to 1; `pressure` is that of the feed above the housing's [Pa]. Source: the limits are
+    Errichello's; the flow through a hole is Bernoulli's, so that thick oil in long holes needs larger ones.
     """
     positive("oil flow", flow, "m3/s")
     within("feed pressure", pressure, 1e4, 1e7, "Pa")

@@ -88,14 +88,10 @@ def hertz(radius_x: float, radius_y: float, load: float, reduced_modulus: float)
 
 
 def hertz_line(radius: float, load_per_length: float, reduced_modulus: float) -> HertzLine:
-    """Line contact of an undeformed gap x^2 / 2 R.
+    """Line contact of an undeformed gap x^2 / 2 R under a load for each length of line [N/m].
 
-    Args:
-        radius: Relative radius of curvature across the line [m].
-        load_per_length: Normal load for each length of line [N/m].
-        reduced_modulus: E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
-
-    Source: K. L. Johnson, Contact Mechanics (1985), equations 4.43 and 4.45.
+    R is the relative radius of curvature across the line [m], E' [Pa] as of `hertz`. Source: K. L. Johnson,
+    Contact Mechanics (1985), equations 4.43 and 4.45.
     """
     _require_positive(radius=radius, load_per_length=load_per_length)
     _require_positive(reduced_modulus=reduced_modulus)
@@ -104,11 +100,7 @@ def hertz_line(radius: float, load_per_length: float, reduced_modulus: float) ->
 
 
 def ellipticity(radius_ratio: npt.ArrayLike) -> Values:
-    """Semi-axis along over semi-axis across, of the radius along over the radius across.
-
-    Args:
-        radius_ratio: Ratio of the relative radii of curvature [-], positive.
-    """
+    """Semi-axis along over semi-axis across, of the radius along over the radius across [-], positive."""
     found: Values = np.vectorize(_ellipticity, otypes=[float])(radius_ratio)[()]
     return found
 

@@ -29,19 +29,12 @@ BY_SEVERITY: tuple[Lubrication, ...] = ("full", "unknown", "mixed", "boundary")
 def lubrication(
     central: float | None, least: float | None, share: float | None = None
 ) -> Lubrication:
-    """The regime of a contact: by its central film, in which its load is carried, and by its least film.
+    """The regime of a contact: by its central film, in which its load is carried, and by its minimum film.
 
-    A lambda below 1 does not tell how much asperities carry, from 10 % to all; a simulated share does.
-
-    Args:
-        central, least: Central and least film over composite roughness [-]; None where films or roughness are
-            not known.
-        share: Share of the load that asperities carry [-]; None where it is not simulated.
-
-    Returns:
-        "boundary" below a central lambda of 1, with a share from 0.9 on, "mixed" below 3 or where the least
-        lambda is below 1, else "full"; "unknown" without both numbers, or with negative ones, which no film
-        has.
+    "boundary" below a central film of 1 composite roughness, with a `share` of the load on asperities from
+    0.9 on, "mixed" below 3 or where the minimum is below 1, else "full"; "unknown" without both films, or
+    with negative ones, which no film has. A lambda below 1 does not show how much asperities carry, from 10 %
+    to all; a simulated share does.
     """
     if central is None or least is None or not (isfinite(central) and min(central, least) >= 0):
         return "unknown"

@@ -89,16 +89,9 @@ def mean_friction(
 
         0.045 (w/(v_sum rho))^0.2 (1000 eta)^-0.05 X_R X_L,  X_R = 2.2 (Ra/rho)^0.25
 
-    with w in N/mm, v in m/s, rho in mm, eta in Pa s, Ra in um. Source: ISO/TR 15144-1, equations 86, 87;
+    with w, all load factors in it, in N/mm, v_sum of both surfaces in m/s, rho in mm, eta of the oil as fed
+    in Pa s, Ra, mean of both flanks, in um; arguments in SI units. Source: ISO/TR 15144-1, equations 86, 87;
     within 20 % of Schlenk's 0.048 ... eta^-0.05 Ra^0.25 X_L where rho is some 10 mm.
-
-    Args:
-        unit_load: With all load factors [N/m].
-        sum_speed: Sum of both surfaces' speeds at the pitch point [m/s].
-        radius: Relative radius of curvature there [m].
-        viscosity: Of the oil as it is fed [Pa s].
-        roughness: Ra, mean of both flanks [m].
-        friction_factor: X_L [-].
     """
     within("load per length", unit_load, 1, 1e8, "N/m")
     positive("sum of speeds", sum_speed, "m/s")
@@ -162,15 +155,10 @@ def micropitting_films(
 def bulk_rise(
     power: float, friction: float, loss_factor: float, centre_distance: float, face_width: float
 ) -> float:
-    """Rise of the teeth's bulk over oil that is injected [K], without tip relief.
+    """Rise of the teeth's bulk over oil that is injected [K], without tip relief; arguments in SI units.
 
-    7400 (P mu H_v/(a b))^0.72 X_S/(1.2 X_Ca), P in kW, a and b in mm, X_S = 1.2 and X_Ca = 1. Source:
+    7400 (P mu_m H_v/(a b))^0.72 X_S/(1.2 X_Ca), P in kW, a and b in mm, X_S = 1.2 and X_Ca = 1. Source:
     ISO/TR 15144-1, equation 84.
-
-    Args:
-        power: [W].
-        friction, loss_factor: mu_m and H_v [-].
-        centre_distance, face_width: [m].
     """
     within("centre distance", centre_distance, 1e-3, 10, "m")
     within("face width", face_width, 1e-4, 10, "m")
@@ -181,12 +169,10 @@ def bulk_rise(
 
 
 def permissible_specific_film(tested: float, material_factor: float = 1.0) -> float:
-    """lambda_GFP [-], 1.4 W_W lambda_GFT.
+    """lambda_GFP [-], 1.4 W_W lambda_GFT, that of `fzg_test_gears.film_at_load_stage`.
 
-    Args:
-        tested: lambda_GFT, `fzg_test_gears.film_at_load_stage` [-].
-        material_factor: W_W [-]: 1 of case carburised steel (0.95 with more than 25 % of retained austenite),
-            1.5 nitrided, 0.65 induction or flame hardened, 0.5 through hardened.
+    W_W, the `material_factor`, is 1 of case carburised steel (0.95 with more than 25 % of retained
+    austenite), 1.5 nitrided, 0.65 induction or flame hardened, 0.5 through hardened.
     """
     positive("specific film thickness of the test", tested, "")
     within("material factor", material_factor, 0.1, 3, "")

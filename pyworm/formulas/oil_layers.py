@@ -15,15 +15,10 @@ MAX_LAYER_RATIO = 1.0
 
 
 def dragged_layer(viscosity: float, density: float, speed: float) -> float:
-    """Thickness of the layer on a surface that is drawn upwards out of a bath [m].
+    """Thickness of the layer on a surface that is drawn upwards out of a bath [m]; arguments in SI units.
 
     h = 0.944 Ca^(1/6) sqrt(eta U / (rho g)), Ca = eta U / sigma, of slow surfaces (Landau and Levich 1942);
     fast ones, beyond Ca of about 1, carry at most sqrt(eta U / (rho g)) (Deryagin 1943).
-
-    Args:
-        viscosity: [Pa s].
-        density: [kg/m3].
-        speed: Of the surface [m/s].
     """
     positive("viscosity", viscosity, "Pa s")
     within("density", density, 100, 5000, "kg/m3")
@@ -37,19 +32,12 @@ def dragged_layer(viscosity: float, density: float, speed: float) -> float:
 def drained_layer(
     first: float, viscosity: float, density: float, acceleration: float, height: float, time: float
 ) -> float:
-    """Thickness of a layer after it drained for a time along a flank [m].
+    """Thickness [m] of a layer that begins with `first` [m], after it drained for a time [s] along a flank.
 
     On a vertical plate the layer of thickness h_0 thins to h^2 = eta y / (rho g t) down to where that is h_0
-    (Jeffreys 1930). Here under any acceleration, with both joined: 1/h^2 = 1/h_0^2 + rho a t / (eta y), at
-    most sqrt(2) too thin, where they meet.
-
-    Args:
-        first: Thickness at the beginning [m].
-        viscosity: [Pa s].
-        density: [kg/m3].
-        acceleration: Along the flank [m/s2].
-        height: Distance y from the end where the oil begins to flow [m].
-        time: For which it drains [s].
+    (Jeffreys 1930). Here under any acceleration a along the flank, with both joined: 1/h^2 = 1/h_0^2 + rho a
+    t / (eta y), at most sqrt(2) too thin, where they meet; y (`height`) counts from where the oil begins to
+    flow.
     """
     positive("first", first, "m")
     positive("viscosity", viscosity, "Pa s")
@@ -61,12 +49,8 @@ def drained_layer(
 def sprayed_layer(flow: float, flank: float, rate: float) -> float:
     """Thickness on each flank where all the oil of jets spreads evenly over the teeth that pass [m].
 
-    h = q / (4 A f): each passing pair of teeth has two flanks on either body.
-
-    Args:
-        flow: Oil flow of the mesh [m3/s].
-        flank: Area A of a flank [m2].
-        rate: Pairs of teeth that pass the mesh, f [1/s].
+    h = q / (4 A f) of a flow q [m3/s], flanks of an area A [m2] and f pairs of teeth that pass [1/s]: each
+    has two flanks on either body.
     """
     positive("flow", flow, "m3/s")
     positive("flank", flank, "m2")

@@ -33,12 +33,8 @@ ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE = 9.67, 138.0
 def walther_viscosity(m: float, n: float, temperature: Values) -> Values:
     """Kinematic viscosity [m2/s] by log10 log10(nu + 0.7) = m - n log10 T, nu in mm2/s, T in K.
 
-    Source: C. Walther (1931), as standardised in ASTM D341. Range: 200 to 500 K, viscosities above
-    2 mm2/s; below, the standard corrects the shift of 0.7, which here is 0.02 mm2/s at 1.5 mm2/s.
-
-    Args:
-        m, n: Constants of the oil [-].
-        temperature: Temperature [K].
+    Source: C. Walther (1931), as standardised in ASTM D341. Range: 200 to 500 K, viscosities above 2 mm2/s;
+    below, the standard corrects the shift of 0.7, which here is 0.02 mm2/s at 1.5 mm2/s.
     """
     within("temperature", temperature, COLDEST, HOTTEST, "K")
     shifted = 10 ** (10 ** (m - n * np.log10(temperature)))
@@ -72,10 +68,7 @@ def walther_constants(
 
 
 def walther_slope(n: float, viscosity: Values, temperature: Values) -> Values:
-    """-d ln nu / dT [1/K] of the Walther law where it gives a viscosity [m2/s] at a temperature [K].
-
-    The exact derivative n (nu + 0.7) ln(nu + 0.7) / (nu T), nu in mm2/s.
-    """
+    """-d ln nu / dT [1/K] by Walther at a viscosity [m2/s]: n (nu + 0.7) ln(nu + 0.7) / (nu T)."""
     nu = np.asarray(viscosity) * SQUARE_METRE
     shifted = nu + WALTHER_SHIFT
     return n * shifted * np.log(shifted) / (nu * temperature)
@@ -136,10 +129,7 @@ def viscosity_index(viscosity_40: float, viscosity_100: float) -> float:
 
 
 def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
-    """Kinematic viscosity [m2/s] at 100 degC from that at 40 degC [m2/s] and the viscosity index.
-
-    The inverse of `viscosity_index`. Range: indices 0 to 400.
-    """
+    """Kinematic viscosity at 100 degC from that at 40 degC [m2/s] and the viscosity index, 0 to 400."""
     within("viscosity index", index, 0, 400, "")
     within("kinematic viscosity at 40 degC", viscosity_40, 6e-6, 1e-2, "m2/s")
     viscosity_100_of_index: float = scipy.optimize.brentq(
@@ -152,13 +142,7 @@ def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
 
 
 def density(density_15: float, coefficient: float, temperature: Values) -> Values:
-    """Density [kg/m3], rho15 [1 - c (T - 15 degC)].
-
-    Args:
-        density_15: Density at 15 degC [kg/m3].
-        coefficient: c [1/K], of the density at 15 degC.
-        temperature: Temperature [K].
-    """
+    """Density [kg/m3] at a temperature [K] by that at 15 degC, rho15 [1 - c (T - 15 degC)], c in 1/K."""
     within("density at 15 degC", density_15, 600, 2000, "kg/m3")
     within("temperature coefficient of density", coefficient, 0, 2e-3, "1/K")
     within("temperature", temperature, COLDEST, HOTTEST, "K")
@@ -203,13 +187,10 @@ def gold_alpha(viscosity: Values, s: float, t: float) -> Values:
 
 
 def agma_alpha(viscosity: Values, k: float, s: float) -> Values:
-    """AGMA's pressure-viscosity coefficient [1/Pa], k eta^s in mm2/N with eta in mPa s.
+    """AGMA's pressure-viscosity coefficient [1/Pa], k eta^s in mm2/N with eta in mPa s; the argument in Pa s.
 
     Source: AGMA 925-A03, section 6.2; from memory, checked against the two values of Errichello's case
     history (mineral oil, 6.6 and 10 cP: 1.02e-4 and 1.09e-4 in2/lb), which it meets within 10 %.
-
-    Args:
-        viscosity: Dynamic viscosity [Pa s].
     """
     within("dynamic viscosity", viscosity, 1e-4, 1e3, "Pa s")
     within("k of AGMA's law", k, 1e-3, 0.1, "mm2/N")
@@ -240,13 +221,9 @@ def roelands_exponent(
 def eyring_stress(alpha: Values, limit: float) -> Values:
     """Eyring stress [Pa] of an oil whose traction is limited, 2 Lambda/alpha.
 
-    With the viscosity growing as exp(alpha p), Eyring's law makes the stress grow with pressure by
-    tau_E alpha per pressure; Arana et al. take the limiting traction coefficient Lambda for half of it.
-
-    Args:
-        alpha: Pressure-viscosity coefficient [1/Pa].
-        limit: Lambda, limiting stress over pressure [-]: naphthenic 0.047, paraffinic 0.040, PAO 0.035, ester
-            0.030.
+    With the viscosity growing as exp(alpha p), Eyring's law makes the stress grow with pressure by tau_E
+    alpha per pressure; Arana et al. take the limiting traction coefficient Lambda, limiting stress over
+    pressure, for half of it: naphthenic 0.047, paraffinic 0.040, PAO 0.035, ester 0.030.
     """
     within("pressure-viscosity coefficient", alpha, 1e-9, 1e-7, "1/Pa")
     within("limiting traction coefficient", limit, 0.01, 0.2, "")

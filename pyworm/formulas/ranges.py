@@ -42,16 +42,7 @@ def scalar(name: str, value: object) -> float:
 
 
 def within(name: str, value: Values | Sequence[float], low: float, high: float, unit: str) -> None:
-    """Refuse a value outside a closed range, by more than the rounding of its conversion of units.
-
-    Args:
-        value: The value, in `unit`.
-        low, high: The range, both ends allowed.
-        unit: Unit to name; empty for a bare number.
-
-    Raises:
-        ValueError: A value below, above or not a number.
-    """
+    """Refuse a value outside a closed range by more than the rounding of units (ValueError)."""
     values = numbers(name, value)
     above = values >= low - ROUNDING * abs(low)
     outside = ~(above & (values <= high + ROUNDING * abs(high)))
@@ -65,10 +56,7 @@ def within(name: str, value: Values | Sequence[float], low: float, high: float, 
 
 
 def positive(name: str, value: Values | Sequence[float], unit: str) -> None:
-    """Refuse a value that is not finite and greater than zero; arguments as of `within`.
-
-    ValueError for a value that is zero, negative, infinite or not a number.
-    """
+    """Refuse a value that is not finite and greater than zero (ValueError); arguments as of `within`."""
     values = numbers(name, value)
     wrong = ~(np.isfinite(values) & (values > 0))
     if wrong.any():

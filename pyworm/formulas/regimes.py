@@ -121,34 +121,23 @@ def regime_number(deflection: Values, thickening: Values) -> Indices:
 
 
 def flattening(half_width: Values, radius: Values, film_min: Values) -> Values:
-    """Deflection over film: b^2 / 2R, by which Hertz's contact is flattened along the entrainment [-].
-
-    Args:
-        half_width: Half-width of Hertz's contact along the entrainment [m].
-        radius: Relative radius of curvature along it [m].
-        film_min: Minimum film [m].
-    """
+    """Deflection over minimum film [-]: b^2 / 2R, by which Hertz's contact is flattened along it."""
     return half_width**2 / (2 * radius * film_min)
 
 
 def thickening(film_ratio: Values, deflection: Values) -> Values:
     """alpha times the pressure of an isoviscous oil where the film forms [-].
 
-    Args:
-        film_ratio: Film by the limits of an oil that thickens under pressure, over that of one that does not
-            [-].
-        deflection: Deflection over film [-], by which the exponent passes from 3/2 of rigid bodies to 4/3.
+    By the film in the limits of an oil that thickens under pressure over that of one that does not, and the
+    deflection over film, by which the exponent passes from 3/2 of rigid bodies to 4/3.
     """
     return film_ratio ** (4 / 3 + 1 / 6 / (1 + deflection))
 
 
 def line_measures(groups: LineGroups, alpha_ratio: Values = 1.0) -> tuple[Values, Values]:
-    """Deflection and thickening of line contacts.
+    """Deflection and thickening of line contacts by Moes' limits, of which the rigid ones are exact.
 
-    The limits are Moes' (`line_asymptotes`), of which the rigid ones are exact.
-
-    Args:
-        alpha_ratio: Reciprocal asymptotic isoviscous pressure coefficient over alpha [-]; 1 of Barus' law.
+    `alpha_ratio`: reciprocal asymptotic isoviscous pressure coefficient over alpha [-]; 1 of Barus' law.
     """
     central = np.asarray(moes_line(groups).central) / groups.moes_film
     # in Moes' units b^2/R^2 is 8 M/pi

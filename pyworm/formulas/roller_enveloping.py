@@ -41,15 +41,9 @@ def printed_films(
     viscosity: float,
     alpha: float,
 ) -> PrintedFilms:
-    """The four films as printed.
+    """The four films as printed, of a radius R_v, one over the induced curvature [m], under w [N/m].
 
-    Args:
-        radius: R_v, one over the induced curvature [m].
-        load_per_length: w [N/m].
-        reduced_modulus: E' [Pa].
-        speed: u_jx, mean surface velocity across the contact line [m/s].
-        viscosity: eta0 [Pa s].
-        alpha: Pressure-viscosity coefficient [1/Pa].
+    The speed u_jx is the mean of both surfaces across the contact line [m/s].
     """
     r, w, e, eu, a = radius, load_per_length, reduced_modulus, viscosity * speed, alpha
     return PrintedFilms(
@@ -89,13 +83,7 @@ def printed_parameters(
 def printed_normal_force(
     worm_torque: float, diameter: float, pressure_angle: float, lead_angle: float
 ) -> float:
-    """The source's normal force [N], 2 T1 / (d1 cos(alpha_n) cos(lambda)).
-
-    Args:
-        worm_torque: T1 [N m].
-        diameter: d1, of the worm at its throat [m].
-        pressure_angle, lead_angle: alpha_n and lambda [rad].
-    """
+    """The source's normal force [N], 2 T1 / (d1 cos(alpha_n) cos(lambda)), d1 at the worm's throat."""
     return 2 * worm_torque / (diameter * cos(pressure_angle) * cos(lead_angle))
 
 
@@ -106,7 +94,7 @@ def normal_force(
     lead_angle: float,
     friction: float = 0.0,
 ) -> float:
-    """The normal force [N] that balances a worm's torque on one contact at the throat.
+    """The normal force [N] that balances a worm's torque [N m] on one contact at the throat.
 
     2 T1 / {d1 [cos(alpha_n) sin(lambda) + mu cos(lambda)]}; arguments as `printed_normal_force`, friction the
     coefficient mu of sliding along the thread [-].

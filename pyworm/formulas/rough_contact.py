@@ -34,11 +34,9 @@ MAX_GAP_RATIO = 35.0
 
 
 def overlap_moment(order: float, gap: npt.ArrayLike) -> Array:
-    """Moment F_n(H) = int_H^inf (t - H)^n exp(-t^2/2) dt / sqrt(2 pi) of the heights above a gap.
+    """Moment F_n(H) = int_H^inf (t - H)^n exp(-t^2/2) dt / sqrt(2 pi) of the heights above a gap H.
 
-    Args:
-        order: n, above -1; 5/2 gives the pressure and 2 the real area of Greenwood and Tripp's contact.
-        gap: Gap between mean planes over the composite roughness [-].
+    n is above -1; 5/2 gives the pressure and 2 the real area of Greenwood and Tripp's contact.
     """
     gap = np.asarray(gap, dtype=float)
     near = np.minimum(gap, MAX_GAP_RATIO)
@@ -49,11 +47,7 @@ def overlap_moment(order: float, gap: npt.ArrayLike) -> Array:
 
 
 def open_gap(gap: npt.ArrayLike) -> Array:
-    """Mean thickness of the gap over the roughness [-], where surfaces of normal heights overlap nowhere.
-
-    Args:
-        gap: Gap between mean planes over the composite roughness [-].
-    """
+    """Mean thickness of the gap over the roughness [-], where surfaces of normal heights overlap nowhere."""
     gap = np.asarray(gap, dtype=float)
     thickness = gap * scipy.special.ndtr(gap) + np.exp(-(gap**2) / 2) / sqrt(2 * pi)
     open_gap: Array = np.maximum(thickness, 0.0)
@@ -65,12 +59,9 @@ def greenwood_tripp(
 ) -> tuple[Array, Array]:
     """Pressure [Pa] and real area over the nominal one of two rough surfaces with spherical asperities.
 
-    Args:
-        gap: Gap between mean planes over the composite roughness [-].
-        density: Asperities for each area times their radius times the composite roughness, usually 0.03 to
-            0.05 [-].
-        sharpness: Composite roughness over the radius of the asperities [-].
-        modulus: E* = E'/2 [Pa].
+    By the gap between mean planes over the composite roughness, the number density of asperities times their
+    radius times that roughness, usually 0.03 to 0.05, the roughness over their radius (`sharpness`), and E* =
+    E'/2 [Pa].
     """
     pressure = GREENWOOD_TRIPP * density**2 * sqrt(sharpness) * modulus * overlap_moment(2.5, gap)
     return pressure, (pi * density) ** 2 * overlap_moment(2.0, gap)
@@ -79,10 +70,8 @@ def greenwood_tripp(
 def self_affine(gap: npt.ArrayLike, slope: float, modulus: float) -> tuple[Array, Array]:
     """Pressure [Pa] and real area over the nominal one of elastic surfaces that are rough on all scales.
 
-    Args:
-        gap: Gap between mean planes over the composite roughness [-].
-        slope: Composite root mean square slope h'rms [-].
-        modulus: E* = E'/2 [Pa].
+    By the gap between mean planes over the composite roughness, the composite root mean square slope h'rms,
+    and E* = E'/2 [Pa].
     """
     scale = modulus * slope
     pressure = (

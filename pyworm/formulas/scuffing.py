@@ -86,15 +86,11 @@ def contact_temperature(bulk_temperature: Values, flash: Values) -> Values:
 
 
 def scuffing_temperature(viscosity_40: Values, anti_scuff: bool) -> Values:
-    """Mean scuffing temperature of a mineral gear oil [K].
+    """Mean scuffing temperature [K] of a mineral gear oil by its viscosity at 40 degC [m2/s].
 
-    63 degC + 33 K ln nu40, with anti-scuff additives 118 degC + 33 K ln nu40, nu40 in mm2/s. Source:
-    AGMA 925-A03; Errichello prints it as 146 degF + 59 ln nu40 and 245 degF + 59 ln nu40, which is the
-    same within 3 degF. Range: mineral oils of 32 to 1000 mm2/s.
-
-    Args:
-        viscosity_40: Kinematic viscosity at 40 degC [m2/s].
-        anti_scuff: Whether the oil has anti-scuff (EP) additives.
+    63 degC + 33 K ln nu40, with anti-scuff (EP) additives 118 degC + 33 K ln nu40, nu40 in mm2/s. Source:
+    AGMA 925-A03; Errichello prints it as 146 degF + 59 ln nu40 and 245 degF + 59 ln nu40, the same within 3
+    degF. Range: mineral oils of 32 to 1000 mm2/s.
     """
     within("kinematic viscosity at 40 degC", viscosity_40, 25e-6, 1.2e-3, "m2/s")
     base, slope = _SCUFFING[anti_scuff]
@@ -131,12 +127,7 @@ def scuffing_temperature_of_stage(
 
 
 def scuffing_safety(contact: Values, oil: float, scuffing: float) -> Values:
-    """S_B [-], (theta_S - theta_oil)/(theta_B - theta_oil) (ISO/TS 6336-20); all in kelvin.
-
-    Args:
-        contact: Contact temperature, above that of the oil.
-        oil, scuffing: Temperature of the oil before the mesh, and its scuffing temperature.
-    """
+    """S_B [-], (theta_S - theta_oil)/(theta_B - theta_oil) (ISO/TS 6336-20); temperatures in kelvin."""
     within("oil temperature", oil, 200, 600, "K")
     within("scuffing temperature", scuffing, 300, 1000, "K")
     rise = np.asarray(contact) - oil
@@ -145,14 +136,11 @@ def scuffing_safety(contact: Values, oil: float, scuffing: float) -> Values:
 
 
 def scuffing_probability(contact: Values, scuffing: Values) -> Values:
-    """Probability of scuffing [-]: of a normal scuffing temperature that the contact temperature exceeds.
+    """Probability of scuffing [-]: of a normal scuffing temperature that the contact temperature [K] exceeds.
 
     The standard deviation is 15 % of the mean in degrees Fahrenheit. Source: AGMA 2001-B88, from memory;
-    verified by Errichello's two cases (439 degF against 418 degF: 63 %; 302 against 563: below 5 %).
-    With the mean in degrees Celsius, as AGMA 925 has it, the first is 64 %.
-
-    Args:
-        contact, scuffing: Largest contact temperature and mean scuffing temperature [K].
+    verified by Errichello's two cases (439 degF against 418 degF: 63 %; 302 against 563: below 5 %). With the
+    mean in degrees Celsius, as AGMA 925 has it, the first is 64 %.
     """
     within("contact temperature", contact, 200, 3000, "K")
     within("scuffing temperature", scuffing, 300, 1000, "K")

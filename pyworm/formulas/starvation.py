@@ -9,11 +9,9 @@ import math
 
 
 def film_over_flooded(supply_ratio: float, exponent: float) -> float:
-    """Film over that of a flooded contact [-].
+    """Film over that of a flooded contact [-] by the oil supplied over that of the flooded film [-].
 
-    Args:
-        supply_ratio: Oil supplied over that of the flooded film [-].
-        exponent: Exponent g; infinite for a line contact.
+    The exponent g is infinite for a line contact.
     """
     if math.isinf(exponent) or math.isinf(supply_ratio):
         return min(1.0, supply_ratio)

@@ -10,13 +10,10 @@ Groups = LineGroups | PointGroups
 def left_of_waves(length: float, groups: Groups) -> float:
     """Amplitude of a wave in the film over that on the surface, in pure rolling [-].
 
-    Master curves of A. A. Lubrecht and C. H. Venner: of a line (Venner, Couhier, Lubrecht and Greenwood 1997,
-    within 10 % of the films solved in `benchmarks/validation/waviness.py` where half or less is left) and of
-    a point (Venner and Lubrecht 2000), not seen in print. Short waves keep their shape, long ones are
-    flattened.
-
-    Args:
-        length: Wave length over the half-width of Hertz's contact [-].
+    By wave length over half-width, on master curves of A. A. Lubrecht and C. H. Venner: of a line (Venner,
+    Couhier, Lubrecht and Greenwood 1997, within 10 % of the films solved in
+    `benchmarks/validation/waviness.py` where half or less is left) and of a point (Venner and Lubrecht 2000),
+    not seen in print. Short waves keep their shape, long ones are flattened.
     """
     if not groups.moes_l > 0:
         return 0.0

@@ -40,20 +40,16 @@ def regime(specific_film: float) -> str:
 
 
 def distress_probability(specific_film: Values, pitch_line_velocity: float) -> Values:
-    """Probability of wear-related surface distress [-].
+    """Probability of wear-related surface distress [-] by lambda and a pitch line velocity [m/s], 0 to 300.
 
     One minus the normal distribution of lambda with mean and standard deviation
 
         0.47767, 0.21525 up to 5 m/s;  0.86072, 0.33124 up to 60 m/s;  1.07624, 0.23536 above.
 
-    Source: AGMA 925-A03's fit to several hundred gear drives of E. J. Wellauer and G. A. Holloway, J.
-    Eng. Ind. 98 (1976) 626-634; from memory. Verified by Errichello's case history: lambda 0.073 and
-    0.097 give 97 % ("above 95 %") and 96 % (94 %). Range: gears with the minimum film of Dowson and
-    Higginson and the composite rms roughness. At lambda = 0 the fit has 98.7 %, not all.
-
-    Args:
-        specific_film: lambda [-].
-        pitch_line_velocity: [m/s]; 0 to 300.
+    Source: AGMA 925-A03's fit to several hundred gear drives of E. J. Wellauer and G. A. Holloway, J. Eng.
+    Ind. 98 (1976) 626-634; from memory. Verified by Errichello's case history: lambda 0.073 and 0.097 give 97
+    % ("above 95 %") and 96 % (94 %). Range: gears with the minimum film of Dowson and Higginson and the
+    composite rms roughness. At lambda = 0 the fit has 98.7 %, not all.
     """
     within("lambda", specific_film, 0, np.inf, "")
     positive("pitch line velocity", pitch_line_velocity, "m/s")
@@ -92,10 +88,7 @@ class WearRating:
 
 
 def rate_wear(film_min: Values, roughness: float, pitch_line_velocity: float) -> WearRating:
-    """Rate the minimum films [m] of the contacts of a mesh, given as an array, or of one.
-
-    ValueError for what lies outside the fit, in one sentence.
-    """
+    """Rate the minimum films [m] of a mesh, or one; ValueError for what lies outside the fit."""
     ratios = np.atleast_1d(specific_film(film_min, roughness))
     worst = int(np.argmin(ratios))
     thinnest = float(ratios[worst])

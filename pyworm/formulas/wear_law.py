@@ -30,12 +30,9 @@ RUN_IN = 0.6
 
 
 def archard_depth(coefficient: float, pressure: Values, path: Values) -> Values:
-    """Depth worn off [m], k p s (J. F. Archard, J. Appl. Phys. 24 (1953) 981).
+    """Depth worn off [m], k p s (J. F. Archard, J. Appl. Phys. 24 (1953) 981), s the path slid [m].
 
-    Args:
-        coefficient: k, wear coefficient over hardness [m2/N].
-        pressure: Of asperities, over the nominal area [Pa].
-        path: That the other surface slid over the place [m].
+    k is the wear coefficient over hardness [m2/N], p the pressure of asperities over the nominal area [Pa].
     """
     positive("wear coefficient", coefficient, "m2/N")
     within("wear coefficient", coefficient, 1e-24, 1e-9, "m2/N")
@@ -49,10 +46,6 @@ def harder_ratio(hardness: float, softer: float, exponent: float = HARDNESS_EXPO
     Both bear the same asperities over the same path, so this is the ratio of their worn volumes too. Source:
     E. Rabinowicz, Friction and Wear of Materials: n = 2 through tests that scatter widely; a hardness in
     Archard's law alone, with one constant for both, is n = 1 and bounds it from above.
-
-    Args:
-        hardness, softer: Indentation hardness of the harder and of the softer surface [Pa].
-        exponent: n [-].
     """
     positive("hardness", softer, "Pa")
     within("hardness of the harder surface", hardness, softer, 1e11, "Pa")
@@ -62,13 +55,9 @@ def harder_ratio(hardness: float, softer: float, exponent: float = HARDNESS_EXPO
 
 
 def energy_coefficient(energy: float, friction: float) -> float:
-    """k of Archard's law [m2/N] that wears as much as a work of friction for each volume, mu/e_R.
+    """k of Archard's law [m2/N] that wears as much as a work of friction e_R for each volume [J/m3], mu/e_R.
 
-    Depth is mu p s/e_R then: both forms are one as long as the friction of asperities is one number.
-
-    Args:
-        energy: e_R, work of friction that wears off a volume [J/m3].
-        friction: mu of asperities that touch [-].
+    Depth is mu p s/e_R then, mu that of asperities: both forms are one as long as it is one number.
     """
     positive("wear energy", energy, "J/m3")
     within("friction of asperities", friction, 1e-3, 1, "")
@@ -76,15 +65,10 @@ def energy_coefficient(energy: float, friction: float) -> float:
 
 
 def truncated_roughness(roughness: float, removed: float, run_in: float = RUN_IN) -> float:
-    """Root mean square height [m] of a roughness whose summits are worn off.
+    """Rq [m] of a surface, cut with a roughness, whose summits are worn off by a mean depth `removed` [m].
 
     Heights z spread normally become min(z, t); t is where a mean depth is removed. It ends at `run_in` times
     what it was: the other surface and debris leave grooves of their own.
-
-    Args:
-        roughness: Of the surface as it was cut, Rq [m].
-        removed: Mean depth worn off [m].
-        run_in: Least roughness over that as cut [-].
     """
     within("roughness", roughness, 1e-10, 1e-4, "m")
     within("worn depth", removed, 0, 1, "m")

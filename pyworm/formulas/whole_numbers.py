@@ -6,11 +6,7 @@ from pyworm.formulas.arrays import Array, Indices
 
 
 def whole(values: Array) -> Indices:
-    """Integers of computed numbers, without their fractions.
-
-    Raises:
-        ValueError: A number is not finite; cast to an integer it would be an index like any other.
-    """
+    """Integers of computed numbers, without their fractions; ValueError if one is not finite."""
     values = np.asarray(values)
     if not np.isfinite(values).all():
         count = values.size - int(np.isfinite(values).sum())

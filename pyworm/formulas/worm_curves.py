@@ -69,16 +69,10 @@ def base_friction(
     lubrication: Lubrication = "injection",
     family: Family = "tin bronze",
 ) -> float:
-    """Base friction mu_0T [-] = a + b/(vg + c)^d, at most 0.094 to 0.1.
+    """Base friction mu_0T [-] at a sliding speed [m/s] = a + b/(vg + c)^d, at most 0.094 to 0.1.
 
-    Checked by its neighbours and AGMA 6034's curve (docs/reference/constants.md).
-    Range: vg from 0.05 to 25 m/s.
-
-    Args:
-        oil: "mineral", "PAO" or "PAG".
-        sliding_speed: vg [m/s].
-        lubrication: "injection" or "bath"; makes no difference to cast iron.
-        family: Group of the wheel's material; both bronzes have the same curves.
+    Lubrication makes no difference to cast iron; both bronzes have the same curves. Checked by its neighbours
+    and AGMA 6034's curve (docs/reference/constants.md). Range: vg from 0.05 to 25 m/s.
     """
     one_of("oil", oil, OIL_KINDS)
     one_of("lubrication", lubrication, LUBRICATIONS)
@@ -105,14 +99,9 @@ def base_wear(
 ) -> float:
     """Base wear J_0T, depth per sliding path [-], a power of K_W; with mineral oil at most 400e-9.
 
-    Checked: falls with the film. The transcription bounds it for mineral oil (and PAO on aluminium bronze)
-    only.
-
-    Args:
-        oil: "mineral", "PAO" or "PAG".
-        parameter: K_W, film in micrometres times W_S and W_H (`pyworm.formulas.worm_wear`).
-        lubrication: "injection" or "bath"; makes a difference to tin bronze only.
-        family: Group of the wheel's material.
+    K_W is the film in micrometres times W_S and W_H (`pyworm.formulas.worm_wear`); lubrication makes a
+    difference to tin bronze only. Checked: falls with the film. The transcription bounds it for mineral oil
+    (and PAO on aluminium bronze) only.
     """
     positive("K_W", parameter, "")
     factor, exponent, largest = _wear_curve(oil, lubrication, family)

@@ -29,13 +29,9 @@ def shaft_deflection(gear: WormGear, torque: float, friction: float) -> float:
 
         F_tm2 sqrt(tan^2(gamma + atan mu) + tan^2(alpha_0)/cos^2(gamma)) l^3/(48 E I)
 
-    with I of 1.1 times the worm's root diameter and l the wheel's tip diameter. Formula and usual places are
-    those of a public transcription of DIN 3996 (the worksheet on worm gears of MITCalc), whose constant of
-    0.006592 stands for 64/(3 pi)/1000 = 0.00679 of a beam: 3 % apart.
-
-    Args:
-        torque: T2 [N m].
-        friction: mu_zm [-].
+    with mu = mu_zm, I of 1.1 times the worm's root diameter and l the wheel's tip diameter. Formula and usual
+    places are those of a public transcription of DIN 3996 (the worksheet on worm gears of MITCalc), whose
+    constant of 0.006592 stands for 64/(3 pi)/1000 = 0.00679 of a beam: 3 % apart.
     """
     lead = gear.lead_angle
     across = hypot(tan(lead + atan(friction)), tan(gear.pressure_angle) / cos(lead))

@@ -48,18 +48,11 @@ class OtherLosses:
 def other_losses(
     gear: WormGear, worm_speed: float, torque: float, bearings: Bearings = "adjusted"
 ) -> OtherLosses:
-    """Losses besides the teeth [W].
+    """Losses besides the teeth [W]; arguments in SI units, T2 [N m].
 
-        churning   8.9e-5 a n1^(4/3)
-        bearings   0.03 P2 a^0.44 u/d_m2 (adjusted), 0.013 (fixed and floating)
-        seals      1.178e-5 d_m1^2 n1, two of them
-
-    a, d_m1, d_m2 in mm, n1 in rpm, P2 in W.
-
-    Args:
-        worm_speed: [rad/s].
-        torque: T2 [N m].
-        bearings: How the worm is held, one of `BEARINGS`.
+    churning   8.9e-5 a n1^(4/3), a in mm, n1 in rpm
+    bearings   0.03 P2 a^0.44 u/d_m2 (adjusted), 0.013 (fixed and floating); P2 in W, d_m2 in mm
+    seals      1.178e-5 d_m1^2 n1, two of them
     """
     one_of("bearings", bearings, BEARINGS)
     positive("wheel torque", torque, "N m")
@@ -79,11 +72,6 @@ def oil_factor(oil: OilKind, ratio: float, worm_speed: float) -> float:
 
     Doubtful: the transcription subtracts. Mineral oil rubs more than polyglycol and so warms the sump more;
     its fraction is added here, which is also the safe side. Its value, not its sign, is at most 0.15.
-
-    Args:
-        oil: "mineral", "PAO" or "PAG".
-        ratio: u [-].
-        worm_speed: [rad/s].
     """
     one_of("oil", oil, OIL_KINDS)
     if oil == "PAG":
@@ -104,16 +92,9 @@ def sump_temperature(
 ) -> float:
     """Temperature of a bath of oil theta_S [K], theta_0 + [c1 T2/(a/63)^3 + c0] c2 of a usual finned housing.
 
-    A fan never warms the oil: where its regression is above that without fan, as at 60 rpm, the latter holds.
-    Range: a from 50 to 500 mm, 60 to 3000 rpm, 10 to 1000 mm2/s at 40 degC.
-
-    Args:
-        worm_speed: [rad/s].
-        torque: T2 [N m].
-        oil: "mineral", "PAO" or "PAG".
-        viscosity_40: Kinematic viscosity at 40 degC [m2/s].
-        ambient_temperature: [K].
-        fan: Whether a fan sits on the worm's shaft.
+    A fan on the worm's shaft never warms the oil: where its regression is above that without fan, as at 60
+    rpm, the latter holds. Range: a from 50 to 500 mm, 60 to 3000 rpm, 10 to 1000 mm2/s at 40 degC; arguments
+    in SI units.
     """
     within("centre distance", gear.centre_distance, 0.05, 0.5, "m")
     within("worm speed", worm_speed * RPM, 60, 3000, "rpm")
@@ -130,9 +111,9 @@ def sump_temperature(
 def _rise_without_fan(gear: WormGear, second: float, torque: float, thick: float) -> float:
     """c1 T2/(a/63)^3 + c0 [K] without a fan; speed in 1/s, viscosity over 100 mm2/s.
 
-    The transcription has |nu_40/100 - 2.203|^0.0237 in c0, which is 0.99 to 1.05 for all oils but those near
-    VG 220: at 220.3 mm2/s it is zero, as if nothing were lost without load. There it counts as 1, as
-    of VG 150 and VG 320.
+    The transcription's |nu_40/100 - 2.203|^0.0237 in c0, 0.99 to 1.05 for all oils but those near VG 220,
+    would be zero at 220.3 mm2/s, as if nothing were lost without load: there it counts as 1, as of VG 150 and
+    VG 320.
     """
     distance = gear.centre_distance * 1e3
     idle = 0.0523 * (second + 0.28) ** 0.68 * max(abs(thick - 2.203), 1.0) ** 0.0237

@@ -127,10 +127,10 @@ class WormWear:
 
 @dataclass(frozen=True)
 class WormRating:
-    """Figures of a worm gear by the standards under one load; the safeties need their limits besides.
+    """Figures of a worm gear by the standards under one load, each computed on demand.
 
-    Each is computed when it is asked for: ValueError with the reason, and with the key of a case that would
-    give what is missing, where it lies outside the methods or its data are not known.
+    ValueError names the reason, and the key of a case that would give what is missing. Safeties need limits,
+    too.
     """
 
     gear: WormGear

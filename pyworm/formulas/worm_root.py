@@ -19,14 +19,11 @@ FULL_RIM = 2.0
 
 
 def root_thickness(gear: WormGear, worn: float = 0.0) -> float:
-    """Mean thickness of the wheel's teeth at their root s_f2 [m].
+    """Mean thickness of the wheel's teeth at their root s_f2 [m], a depth delta_W [m] worn off their flanks.
 
         1.06 [pi m_x/2 - delta_W/cos gamma + (d_m2 - d_f2) tan(alpha_0)/cos(gamma)]
 
     with d_m2 - d_f2 twice `DEDENDUM` modules.
-
-    Args:
-        worn: Depth worn off the flanks delta_W [m].
     """
     within("worn depth", worn, 0, 1, "m")
     cosine, depth = cos(gear.lead_angle), 2 * DEDENDUM * gear.module
@@ -45,14 +42,10 @@ def rim_factor(thickness: float) -> float:
 
 
 def root_shear(gear: WormGear, torque: float, worn: float = 0.0, rim: float = FULL_RIM) -> float:
-    """Nominal shear at the root of the wheel's teeth tau_F [Pa], F_tm2/(b_2H m_x) Y_eps Y_F Y_gamma Y_K.
+    """Nominal shear at the root of the wheel's teeth [Pa], F_tm2/(b_2H m_x) Y_eps Y_F Y_gamma Y_K.
 
-    F_tm2 = 2 T2/d_m2, Y_F = 2.9 m_x/s_f2, Y_gamma = 1/cos gamma, Y_eps = 0.5. Checked by dimension.
-
-    Args:
-        torque: T2 [N m].
-        worn: Depth worn off the flanks [m].
-        rim: Thickness of the rim over the module [-].
+    F_tm2 = 2 T2/d_m2, Y_F = 2.9 m_x/s_f2 of teeth worn by a depth [m], Y_gamma = 1/cos gamma, Y_eps = 0.5,
+    Y_K by the rim over the module. Checked by dimension.
     """
     positive("wheel torque", torque, "N m")
     form = 2.9 * gear.module / root_thickness(gear, worn)

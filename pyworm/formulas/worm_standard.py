@@ -43,23 +43,15 @@ def minimum_film(
     reduced_modulus: float,
     torque: float,
 ) -> float:
-    """Mean minimum film between the teeth h_min,m [m].
+    """Mean minimum film between the teeth h_min,m [m]; arguments in SI units.
 
         21 h* c_alpha^0.6 eta^0.7 n1^0.7 a^1.39 E_red^0.03 / T2^0.13   [um]
 
-    with c_alpha in m2/N, eta in Pa s, n1 in rpm, a in mm, E_red in N/mm2, T2 in N m. Checked: in SI the
-    units leave a length and the constant becomes 0.996, so that 21 is nothing but the conversion of
-    units; a form in circulation with the exponents 1, 0.43, -0.057 and +0.13 of c_alpha, n1, a and T2 is
-    no length. Range: bronze and cast iron wheels, 25 mm to 2 m.
-
-    Args:
-        film_parameter: h* [-], `WormGear.film_parameter`.
-        pressure_viscosity: c_alpha [1/Pa], `PRESSURE_VISCOSITY`.
-        viscosity: Dynamic viscosity at the wheel's bulk temperature [Pa s].
-        worm_speed: [rad/s].
-        centre_distance: [m].
-        reduced_modulus: E_red [Pa], 2/E_red = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
-        torque: T2 on the wheel [N m].
+    with h* (`WormGear.film_parameter`), c_alpha in m2/N (`PRESSURE_VISCOSITY`), eta at the wheel's bulk
+    temperature in Pa s, n1 in rpm, a in mm, E_red in N/mm2, 2/E_red = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, T2 in
+    N m. Checked: in SI the units leave a length and the constant becomes 0.996, so that 21 is nothing but the
+    conversion of units; a form in circulation with the exponents 1, 0.43, -0.057 and +0.13 of c_alpha, n1, a
+    and T2 is no length. Range: bronze and cast iron wheels, 25 mm to 2 m.
     """
     within("h*", film_parameter, 0.005, 0.5, "")
     within("pressure-viscosity coefficient", pressure_viscosity, 1e-9, 1e-7, "1/Pa")
@@ -91,16 +83,10 @@ def minimum_film(
 def mean_pressure(
     pressure_parameter: float, torque: float, reduced_modulus: float, centre_distance: float
 ) -> float:
-    """Mean contact stress sigma_Hm [Pa], (4/pi) sqrt(p_m* T2 E_red/a^3).
+    """Mean contact stress sigma_Hm [Pa], (4/pi) sqrt(p_m* T2 E_red/a^3), of `WormGear.pressure_parameter`.
 
     Checked by dimension: a pressure, growing with the square root of the load and of the modulus as of any
     line contact, so that it is that of soft wheels, too, as long as their teeth do not bend.
-
-    Args:
-        pressure_parameter: p_m* [-], `WormGear.pressure_parameter`.
-        torque: T2 [N m].
-        reduced_modulus: E_red [Pa].
-        centre_distance: [m].
     """
     within("p_m*", pressure_parameter, 0.1, 10, "")
     positive("wheel torque", torque, "N m")
@@ -119,25 +105,17 @@ def tooth_friction(
     lubrication: Lubrication = "injection",
     family: Family = "tin bronze",
 ) -> float:
-    """Mean coefficient of tooth friction mu_zm [-] = mu_0T Y_S Y_G Y_W Y_R.
+    """Mean coefficient of tooth friction mu_zm [-] = mu_0T Y_S Y_G Y_W Y_R; arguments in SI units.
 
-        mu_0T   `pyworm.formulas.worm_curves.base_friction`
+        mu_0T   `pyworm.formulas.worm_curves.base_friction`, at the sliding speed vg
         Y_S     sqrt(100 mm/a), a at least 65 and at most 250 mm
         Y_G     sqrt(0.07/h*), at most 2
-        Y_R     (Ra/0.5 um)^(1/4)
+        Y_W     of the wheel's material, 1 for the bronze of the tests
+        Y_R     (Ra/0.5 um)^(1/4), Ra of the worm's flanks
 
     Checked: falls with sliding speed; PAG below PAO below mineral oil from 0.25 m/s on; 1 is each factor of
     the reference gear. The bounds of Y_S and Y_G are those of the transcription. Range: vg from 0.05 to 25
     m/s.
-
-    Args:
-        oil: "mineral", "PAO" or "PAG".
-        sliding_speed: vg [m/s].
-        centre_distance: [m].
-        film_parameter: h* [-].
-        roughness: Mean roughness Ra of the worm's flanks [m].
-        material_factor: Y_W of the wheel's material [-]; 1 for the bronze of the tests.
-        lubrication, family: As of `base_friction`.
     """
     base = base_friction(oil, sliding_speed, lubrication, family)
     within("h*", film_parameter, 0.005, 0.5, "")
@@ -170,12 +148,6 @@ def static_friction(
 
     The factors are those of `tooth_friction`. Source as of `STATIC_FRICTION`. Checked: above the friction of
     running teeth at every speed.
-
-    Args:
-        centre_distance: [m].
-        roughness: Mean roughness Ra of the worm's flanks [m].
-        material_factor: Y_W of the wheel's material [-].
-        family: Group of the wheel's material.
     """
     size = sqrt(_size_factor(centre_distance))
     return STATIC_FRICTION[family] * size * _rubbing(roughness, material_factor)
@@ -220,18 +192,10 @@ def pitting_safety(
 ) -> float:
     """Safety against pitting of the wheel S_H [-], sigma_HlimT Z_h Z_v Z_S Z_u Z_oil / sigma_Hm.
 
-    Z_h = (25000 h/Lh)^(1/6), at most 1.6; Z_v = sqrt(5/(4 + vg)); Z_S = sqrt(3000/(2900 + a)), a in mm;
-    Z_u = (u/20.5)^(1/6) below 20.5, else 1; Z_oil of PAG 1, PAO 0.94, mineral 0.89. Checked: 1 is each factor
-    of the reference test (25000 h, 1 m/s, 100 mm, PAG, u = 20.5).
-
-    Args:
-        mean_pressure: sigma_Hm [Pa], `mean_pressure`.
-        strength: sigma_HlimT of the wheel's material [Pa], such as in `PITTING_STRENGTH`.
-        life: Wanted life [h].
-        sliding_speed: vg [m/s].
-        centre_distance: [m].
-        oil: "mineral", "PAO" or "PAG".
-        ratio: u [-].
+    sigma_Hm is `mean_pressure` [Pa]; Z_h = (25000 h/Lh)^(1/6) of the wanted life [h], at most 1.6; Z_v =
+    sqrt(5/(4 + vg)); Z_S = sqrt(3000/(2900 + a)), a in mm; Z_u = (u/20.5)^(1/6) below 20.5, else 1; Z_oil of
+    PAG 1, PAO 0.94, mineral 0.89; sigma_HlimT [Pa] as in `PITTING_STRENGTH`. Checked: 1 is each factor of the
+    reference test (25000 h, 1 m/s, 100 mm, PAG, u = 20.5).
     """
     positive("mean contact stress", mean_pressure, "Pa")
     within("pitting strength", strength, 5e7, 2e9, "Pa")
@@ -259,16 +223,9 @@ def bulk_temperature(
 ) -> float:
     """Bulk temperature of a wheel in a bath theta_M [K], sump temperature + P_Vz/(alpha_L A_R).
 
-    alpha_L = c_k (1940 + 15 n1) W/(m2 K), n1 in rpm and at least 150. Checked by dimension and by its limit
-    without loss.
-
-    Args:
-        sump_temperature: [K].
-        tooth_loss: Power lost between the teeth P_Vz [W].
-        worm_speed: [rad/s].
-        cooled_area: A_R, face width times reference diameter of the wheel [m2].
-        immersion_factor: c_k [-], 1 where the wheel dips into the oil and less where it does not, from the
-            standard.
+    P_Vz is lost between the teeth [W]; alpha_L = c_k (1940 + 15 n1) W/(m2 K), n1 in rpm and at least 150, c_k
+    1 where the wheel dips into the oil, less where it does not; A_R is the wheel's face width times reference
+    diameter. Checked by dimension and by its limit without loss.
     """
     within("sump temperature", sump_temperature, 230, 470, "K")
     within("tooth loss", tooth_loss, 0, 1e7, "W")
@@ -288,15 +245,9 @@ def injected_bulk_temperature(
 ) -> float:
     """Bulk temperature of a wheel with injected oil theta_M [K], theta_E + 16 K_n K_nu K_S P_Vz in kW.
 
-    K_n = (72.5 u/n1)^0.35 with n1 at least 150 rpm, K_nu = (nu/55 mm2/s)^0.35, K_S = (160 mm/a)^0.6. From a
-    public transcription of DIN 3996 (the worksheet on worm gears of MITCalc). Checked by its limit without
-    loss.
-
-    Args:
-        oil_temperature: Of the injected oil theta_E [K].
-        tooth_loss: P_Vz [W].
-        worm_speed: [rad/s].
-        kinematic_viscosity: Of the injected oil [m2/s].
+    K_n = (72.5 u/n1)^0.35 with n1 at least 150 rpm, K_nu = (nu/55 mm2/s)^0.35, K_S = (160 mm/a)^0.6;
+    arguments in SI units. From a public transcription of DIN 3996 (the worksheet on worm gears of MITCalc).
+    Checked by its limit without loss.
     """
     within("oil temperature", oil_temperature, 230, 470, "K")
     within("tooth loss", tooth_loss, 0, 1e7, "W")

@@ -14,12 +14,8 @@ MOST_STARTS = 4.0
 def structure_factor(oil: OilKind, viscosity: float, family: Family = "tin bronze") -> float:
     """W_S of the oil's structure [-], eta^-0.35; 1 of mineral oil, and of PAO on cast iron.
 
-    The exponent counts eta in Pa s, so that W_S is no pure number: a factor of a regression.
-
-    Args:
-        oil: "mineral", "PAO" or "PAG".
-        viscosity: Dynamic viscosity at the wheel's bulk temperature [Pa s].
-        family: Group of the wheel's material.
+    eta, at the wheel's bulk temperature, counts in Pa s, so that W_S is no pure number: a factor of a
+    regression.
     """
     within("dynamic viscosity", viscosity, 1e-4, 10, "Pa s")
     if oil == "mineral" or (oil == "PAO" and family == "cast iron"):
@@ -29,11 +25,9 @@ def structure_factor(oil: OilKind, viscosity: float, family: Family = "tin bronz
 
 
 def pressure_factor(mean_pressure: float, family: Family = "tin bronze") -> float:
-    """W_H of the pressure [-]: 1 to 450 MPa, (450 MPa/sigma_Hm)^4.5 above; of cast iron (300/sigma_Hm)^1.4.
+    """W_H of the pressure [-]: 1 to 450 MPa, (450 MPa/sigma_Hm)^4.5 above.
 
-    Args:
-        mean_pressure: sigma_Hm [Pa].
-        family: Group of the wheel's material.
+    Of cast iron (300 MPa/sigma_Hm)^1.4.
     """
     within("mean contact stress", mean_pressure, 1e6, 1e10, "Pa")
     if family == "cast iron":
@@ -57,14 +51,7 @@ def wear_intensity(
     lubrication: Lubrication = "injection",
     family: Family = "tin bronze",
 ) -> float:
-    """Base wear J_0T [-] at K_W = h_min,m W_S W_H with the film in micrometres.
-
-    Args:
-        oil: "mineral", "PAO" or "PAG".
-        film: h_min,m [m].
-        structure, pressure: `structure_factor` and `pressure_factor` [-].
-        lubrication, family: As of `pyworm.formulas.worm_curves.base_wear`.
-    """
+    """Base wear J_0T [-] at K_W = h_min,m W_S W_H with the film, given in m, in micrometres."""
     within("mean minimum film thickness", film, 1e-9, 1e-4, "m")
     positive("W_S", structure, "")
     positive("W_H", pressure, "")
@@ -80,14 +67,7 @@ def sliding_path(
 ) -> float:
     """Path s_Wm [m] that the worm slides over a place of the wheel's flanks, s* sigma_Hm a/E_red N_L.
 
-    Checked by dimension.
-
-    Args:
-        sliding_parameter: s* [-].
-        mean_pressure: sigma_Hm [Pa].
-        centre_distance: [m].
-        reduced_modulus: [Pa].
-        cycles: Turns of the wheel N_L [-].
+    N_L is the number of turns of the wheel. Checked by dimension.
     """
     positive("s*", sliding_parameter, "")
     within("mean contact stress", mean_pressure, 1e6, 1e10, "Pa")
@@ -105,12 +85,7 @@ def wear_depth(
     reduced_modulus: float,
     cycles: float,
 ) -> float:
-    """Depth [m] worn off the wheel's flanks, J_W times `sliding_path`, whose arguments it takes.
-
-    Args:
-        intensity: J_W [-], `wear_intensity` times W_NS and W_ML.
-        sliding_parameter, mean_pressure, centre_distance, reduced_modulus, cycles: As of `sliding_path`.
-    """
+    """Depth [m] worn off the wheel's flanks: J_W (`wear_intensity`, W_NS, W_ML) times `sliding_path`."""
     within("wear intensity", intensity, 1e-30, 1e-3, "")
     return intensity * sliding_path(
         sliding_parameter, mean_pressure, centre_distance, reduced_modulus, cycles

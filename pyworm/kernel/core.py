@@ -63,10 +63,7 @@ def fortran_array(values: npt.ArrayLike) -> Array:
 
 
 def compiled_with() -> tuple[str, str]:
-    """The compiler of the kernel and its options, without paths.
-
-    Options for single features of the processor are left out, since -march implies them.
-    """
+    """The compiler and its options, without paths and features of the processor that -march implies."""
     compiler, options = (text.decode().strip() for text in bindings.compiled_with())
     given = [
         option

@@ -70,10 +70,7 @@ class Shear:
 
 @dataclass(frozen=True)
 class ShearFields(Shear):
-    """Shear of a film with its flow factors and slip.
-
-    The other attributes are those of `Shear`.
-    """
+    """Shear of a film with its flow factors and slip."""
 
     along: Array
     """Flow factor D of Sharif et al. (2001), equations 13a and 14a [m3/(Pa s)]."""
@@ -124,14 +121,7 @@ LEAST_RISE = 10.0
 
 
 class Film:
-    """A film on one grid in its present state, owned by the kernel.
-
-    Args:
-        handles: The kernel's handle of the film and its status.
-
-    Raises:
-        KernelError: If the kernel could not make the film.
-    """
+    """A film on one grid, by the kernel's handle and its status; KernelError if it was not made."""
 
     def __init__(self, handles: tuple[int, int], shape: tuple[int, ...]):
         self._handle, status = handles
@@ -206,12 +196,8 @@ class Film:
     def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
         """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.
 
-        Args:
-            implicit: Coefficient of rho h at present [1/s].
-            explicit: Part by rho h at earlier times, at the nodes [m/s].
-
-        Raises:
-            KernelError: If a value is not finite or the shape is not that of the grid.
+        `implicit` is the coefficient of rho h at present [1/s], `explicit` the part by rho h at earlier times
+        at the nodes [m/s]. KernelError if a value is not finite or the shape is not that of the grid.
         """
         check_status(core.bindings.film_transient(self._handle, implicit, self._on_nodes(explicit)))
 
@@ -220,7 +206,7 @@ class Film:
         core.bindings.film_hold(self._handle)
 
     def remember(self, rise: npt.ArrayLike) -> None:
-        """Set what the surfaces are warmer by than steady conduction has them [K]; restart before a step.
+        """Set what surfaces are warmer by than in steady conduction [K]; restart before a step.
 
         KernelError if a value is not finite.
         """
@@ -231,9 +217,8 @@ class Film:
     def store_heat(self, storage: HeatStorage) -> None:
         """Let a heated film's oil store heat as it warms and is pressed; restart before a step.
 
-        Its levels may be others than the film's.
-
-        KernelError if a value is not finite or memory does not suffice.
+        Its levels may be others than the film's. KernelError if a value is not finite or memory does not
+        suffice.
         """
         field = at_levels(storage.warming, self.levels)
         warming = fortran_array(field).reshape((*self._nodes, self.levels), order="F")
@@ -243,10 +228,8 @@ class Film:
     def step(self, forcing: float) -> Step:
         """Make one Newton step and, where heat is simulated, one sweep of it at the new pressure.
 
-        The linear system is solved to `forcing` times the right-hand side.
-
-        KernelError if the step fails; pressure and film are unchanged. If the temperature diverged, the
-        residual is large.
+        The linear system is solved to `forcing` times the right-hand side. KernelError if the step fails;
+        pressure and film are unchanged. If the temperature diverged, the residual is large.
         """
         rigid_film, residual, load_error, krylov, damping, change, rise, status = (
             core.bindings.film_step(
@@ -307,15 +290,9 @@ class Film:
     ) -> None:
         """Set the flow law of the oil, at the inlet's temperature; the film must be restarted, or heated.
 
-        Args:
-            levels: Levels across the film, walls included.
-            sliding: Velocity of body 1 relative to body 2 at the nodes along each direction of the grid
-                [m/s].
-            slip_step: Stress in which the slip of a wall beyond the limiting stress grows e-fold, over that
-                stress [-].
-
-        Raises:
-            KernelError: If memory does not suffice or a velocity is not finite.
+        `levels` across the film include walls; `sliding` is the velocity of body 1 relative to body 2 at the
+        nodes along each direction [m/s]; in `slip_step` of the limiting stress the slip of a wall beyond it
+        grows e-fold [-]. KernelError if memory does not suffice or a velocity is not finite.
         """
         sliding_x, sliding_y = (*sliding, np.zeros(self._shape))[:2]
         check_status(
@@ -333,14 +310,10 @@ class Film:
         self._warming = 0.0
 
     def roughen(self, curves: GapCurves, boundary_friction: float) -> None:
-        """Make the surfaces of a sheared film rough; it must be restarted, or heated, before its next step.
+        """Make a sheared film's surfaces rough by averages over the gap; it must be restarted, or heated.
 
-        Args:
-            curves: Averages over the gap between the surfaces' mean planes.
-            boundary_friction: Friction coefficient of asperities in contact [-].
-
-        Raises:
-            KernelError: If memory does not suffice or a curve is not finite.
+        `boundary_friction` is the coefficient of asperities in contact. KernelError if memory does not
+        suffice or a curve is not finite.
         """
         values, slopes = (fortran_array(table) for table in (curves.values, curves.slopes))
         check_status(
@@ -358,13 +331,9 @@ class Film:
         self.boundary_friction = boundary_friction
 
     def feed(self, supply: npt.ArrayLike) -> None:
-        """Limit the oil that enters to a layer; the film must be restarted before its next step.
+        """Limit the oil that enters to a layer at the nodes [m]; restart the film before its next step.
 
-        Args:
-            supply: Thickness of the layer at the nodes [m]; it counts where oil enters.
-
-        Raises:
-            KernelError: If memory does not suffice or a thickness is negative or not finite.
+        KernelError if memory does not suffice or a thickness is negative or not finite.
         """
         check_status(core.bindings.film_feed(self._handle, self._on_nodes(supply)))
         self.fed = True
@@ -393,7 +362,7 @@ class Film:
             self.set_rise(rise)
 
     def shear_fields(self, factors: bool = False) -> ShearFields:
-        """Shear of a film with a flow law; flow factors are computed only on request, else zero.
+        """Shear of a film with a flow law; flow factors only on request, else zero.
 
         KernelError if memory does not suffice.
         """
@@ -412,14 +381,9 @@ class Film:
         return HeatFields(*(self._on_grid(field) for field in fields))
 
     def profile(self, node: tuple[int, ...], velocity: Sequence[Array]) -> tuple[Array, ...]:
-        """Velocity [m/s] at the levels above an inner node along each direction of the grid.
+        """Velocity [m/s] at the levels above an inner node, counted from 0, along each direction.
 
-        Args:
-            node: Number of the node along each direction, counted from 0.
-            velocity: Velocity of body 1's surface there along each direction [m/s].
-
-        Raises:
-            KernelError: If memory does not suffice.
+        `velocity` is that of body 1's surface there [m/s]. KernelError if memory does not suffice.
         """
         i, j = (*node, 0)[:2]
         u1, v1 = (*velocity, 0.0)[:2]

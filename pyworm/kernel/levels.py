@@ -54,10 +54,7 @@ def built(folder: Path = _FOLDER) -> dict[str, Path]:
 
 
 def chosen(others: dict[str, Path], has: set[str], wanted: str | None) -> str:
-    """The level to take: the one wanted, or the highest that is there and runs.
-
-    ImportError if the level wanted is not there, or this processor lacks something for it.
-    """
+    """The level wanted, or the highest that is there and runs; ImportError if it is not or cannot."""
     runs = [level for level in supported(has) if level == BASE or level in others]
     if wanted is None:
         return runs[-1]

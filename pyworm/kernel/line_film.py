@@ -16,13 +16,9 @@ from pyworm.materials.oil import Oil
 class LineFilm(Film):
     """A line contact on one grid in its present state, owned by the kernel.
 
-    Args:
-        gap, covered: Undeformed gap [m] and where both surfaces exist, shape (n,).
-        entrainment: Nodal entrainment velocity [m/s].
-        dx: Grid spacing [m].
-        reduced_modulus, load: E' [Pa] and load for each length [N/m].
-        oil: Oil at its inlet temperature.
-        floor: Film [m] below which the mobility is constant, far below any film of interest.
+    By the gap [m] and where both surfaces exist, (n,), nodal entrainment [m/s], spacing [m], E' [Pa], load
+    for each length [N/m], oil at its inlet, and a film below which the mobility is constant, far below any of
+    interest [m].
 
     The datum of deflection is at a distance of the grid's length from a line load
     (`fortran/elastic/half_plane.f90`); it is the same on every grid over one interval.
@@ -61,14 +57,8 @@ class LineFilm(Film):
     ) -> None:
         """Add heat to a sheared film and its bodies; the film must be restarted before its next step.
 
-        Args:
-            oil: Oil with thermal properties.
-            bodies: Both bodies, with thermal constants.
-            velocities: Velocity of each body's surface [m/s], neither of them zero.
-            rise: Initial temperature above the inlet's [K], shape (n, levels).
-
-        Raises:
-            KernelError: If memory does not suffice or a body is at rest.
+        By the velocity of each body's surface [m/s], not zero, and the first temperature above the inlet's
+        [K], (n, levels). KernelError if memory does not suffice or a body is at rest.
         """
         check_status(
             core.bindings.line_film_heat(

@@ -17,13 +17,9 @@ from pyworm.materials.oil import Oil
 class PointFilm(Film):
     """A point contact on one grid in its present state, owned by the kernel.
 
-    Args:
-        gap, covered: Undeformed gap [m] and where both surfaces exist, shape (nx, ny).
-        entrainment: Nodal entrainment velocity (u, v) [m/s].
-        dx, dy: Grid spacing [m].
-        reduced_modulus, load: E' [Pa] and normal load [N].
-        oil: Oil at its inlet temperature.
-        floor: Film [m] below which the mobility is constant, far below any film of interest.
+    By the gap [m] and where both surfaces exist, (nx, ny), nodal entrainment (u, v) [m/s], spacing [m], E'
+    [Pa], load [N], oil at its inlet, and a film below which the mobility is constant, far below any of
+    interest [m].
     """
 
     def __init__(
@@ -90,15 +86,8 @@ class PointFilm(Film):
     ) -> None:
         """Add heat to a sheared film and its bodies; the film must be restarted before its next step.
 
-        Args:
-            oil: Oil with thermal properties.
-            bodies: Both bodies, with thermal constants.
-            motions: Velocity (u, v) of each body's surface at the nodes [m/s].
-            semi_axes: Semi-axes of the contact along x and y [m].
-            rise: Initial temperature above the inlet's [K], shape (nx, ny, levels).
-
-        Raises:
-            KernelError: If memory does not suffice.
+        By the velocity (u, v) of each body's surface at the nodes [m/s], the contact's semi-axes [m], and the
+        first temperature above the inlet's [K], (nx, ny, levels). KernelError if memory does not suffice.
         """
         self.conduction_errors, status = core.bindings.point_film_heat(
             self._handle,

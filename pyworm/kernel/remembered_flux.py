@@ -50,17 +50,11 @@ def remembered_flux(
     places: Sequence[Array],
     velocity: Sequence[Array],
 ) -> Array:
-    """Integral of the flux met a time s ago, less the present one a way u s before, over sqrt(s) ds.
+    """Integral of the flux a time s ago, less the present one a way u s before, over sqrt(s) ds.
 
-    Args:
-        history: The fluxes; between their nodes and their times they are linear, zero beyond their grids.
-        turning: Angular velocity of the axes [rad/s].
-        at_origin: Velocity of the surface at the contact point along each direction [m/s].
-        places: Places of the nodes along each direction [m].
-        velocity: Velocity u of the surface at the nodes along each direction [m/s].
-
-    Returns:
-        The integral at the nodes [W sqrt(s)/m2].
+    In W sqrt(s)/m2 at the nodes. The fluxes are linear between their nodes and their times, zero beyond their
+    grids. `turning` is the angular velocity of the axes [rad/s], `at_origin` the velocity of the surface at
+    the contact point and `velocity` that at the nodes, along each direction [m/s].
     """
     line = len(places) == 1
     x, y = (places[0], np.zeros(1)) if line else places

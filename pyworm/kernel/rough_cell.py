@@ -21,21 +21,11 @@ def press(
     hardness: float,
     tolerance: float,
 ) -> tuple[Array, Array]:
-    """Contact of a surface with a rigid flat, elastic up to a hardness.
+    """Pressure [Pa] and gap [m] of a surface on a rigid flat, elastic up to a hardness [Pa].
 
-    Args:
-        height: Heights [m], shape (nx, ny), repeated in both directions.
-        spacing: Distance of nodes along x and y [m].
-        reduced_modulus: E' [Pa].
-        separation: Flat from height zero [m].
-        hardness: Largest pressure [Pa].
-        tolerance: Gap left in the contact [m], root mean square.
-
-    Returns:
-        Pressure [Pa], and the gap [m], negative where material has yielded.
-
-    Raises:
-        KernelError: An argument makes no sense, or the iteration did not converge.
+    Heights (nx, ny) repeat in both directions; the flat is at a separation from height zero. The gap is
+    negative where material has yielded, and has a root mean square of `tolerance` in the contact. KernelError
+    if an argument makes no sense, or the iteration did not converge.
     """
     pressure = np.zeros(np.shape(height), order="F")
     gap, _, status = core.bindings.cell_press(
@@ -53,18 +43,10 @@ def press(
 
 
 def conduct(gap: npt.ArrayLike, spacing: tuple[float, float]) -> tuple[Array, Array]:
-    """Flow through a gap that repeats itself.
+    """Flow through a gap above zero [m] that repeats itself, (nx, ny): tensors xx, yy, xy.
 
-    Args:
-        gap: Gap [m], above zero, shape (nx, ny).
-        spacing: Distance of nodes along x and y [m].
-
-    Returns:
-        tuple of numpy.ndarray: Tensors xx, yy, xy: the cube of the gap that conducts as much [m3], and the
-            thickness that a wall carries along with its own roughness [m].
-
-    Raises:
-        KernelError: An argument makes no sense, or the iteration did not converge.
+    The cube of the gap that conducts as much [m3], and the thickness that a wall carries along with its own
+    roughness [m]. KernelError if an argument makes no sense, or the iteration did not converge.
     """
     conducted, carried, _, status = core.bindings.cell_conduct(
         fortran_array(gap), *spacing, FLOW_TOLERANCE, MOST_ITERATIONS

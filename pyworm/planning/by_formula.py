@@ -17,9 +17,6 @@ def films_by_formula(scene: Scene | LineScene, plan: Plan) -> FormulaFilms | Non
 
     They suffice if films alone are asked for, effects are for the accuracy to decide, and the larger bar of
     both films and the influences of all effects that the formula leaves out are together within it.
-
-    Args:
-        scene: The contact; the formula knows no line contacts and no surfaces that are held apart.
     """
     if plan.asked is not None or plan.quantities != (FILM,) or isinstance(scene, LineScene):
         return None

@@ -152,11 +152,8 @@ def first_change(
 ) -> float:
     """Expected relative change of the films from the first grid of the figures to the next.
 
-    Args:
-        spacing, half_widths, radii: Grid spacing, half-widths of Hertz's contact and radii of the gap, along
-            each direction [m].
-        film: Central film [m].
-        slenderness: Length of the contact along the entrainment over its width [-].
+    By spacing, half-widths, radii and central film [m], and the contact's length along the entrainment over
+    its width.
     """
     lubricant = max(moes_l, 1.0) / 10
     lobes = max(slenderness, 1.0) ** LOBES_POWER
@@ -207,15 +204,10 @@ def expected_work(
 ) -> Work:
     """Expected work of a solve, grid by grid.
 
-    Args:
-        kind: "point" or "line".
-        nests: Nodes of the grids of each window, the first window's being refined.
-        change: Relative change of the films from the first grid of the figures to the next.
-        accuracy: Relative error wanted [-].
-        largest: Nodes beyond which grids are not refined.
-        full: Whether more than an isothermal Newtonian oil is simulated.
-        stiffness: Factor of the work of a step over the usual (`stiffness`).
-        auxiliary: Whether heat alone carries the film, which needs auxiliary entrainment.
+    `nests` are nodes of the grids of each window, of which the first is refined up to `largest`; `change` is
+    that of the films from the first grid to the next. Beyond an isothermal Newtonian oil it is `full`;
+    `stiffness` multiplies the work of a step, and `auxiliary` entrainment is needed where heat alone carries
+    the film.
     """
     steps = AUXILIARY_STEPS if auxiliary else STEPS[kind]
     cold = 1.0 if full else stiffness

@@ -109,10 +109,9 @@ def _within(first: int, count: int, nodes: int) -> slice:
 
 
 def nest(inner: Box, outer: Box, dx: float, dy: float) -> tuple[Grid, ...]:
-    """Grids from one that spans `outer` to one of spacing dx, dy that spans `inner`.
+    """Grids, each of half the spacing and within the one before, from `outer` to one that spans `inner`.
 
-    Each has half the spacing of the one before and lies within it, node on node. The origin is a node of
-    all.
+    The origin is a node of all.
     """
     grids = [_spanning(inner, dx, dy)]
     while not _holds(grids[0], outer):
@@ -122,10 +121,7 @@ def nest(inner: Box, outer: Box, dx: float, dy: float) -> tuple[Grid, ...]:
 
 
 def led_up_to(grid: Grid, coarser: int) -> tuple[Grid, ...]:
-    """Grids over the same rectangle, or a little more, with a number of coarser ones before a grid.
-
-    Each has half the spacing of the one before, node on node.
-    """
+    """Grids over the same rectangle or a little more, of halving spacing, node on node, before a grid."""
     grids = [grid]
     for _ in range(coarser):
         grids.insert(0, _spanning(grids[0].box, 2 * grids[0].dx, 2 * grids[0].dy))

@@ -82,10 +82,7 @@ class LineGrid:
 
 
 def twice_as_far(narrow: LineGrid, wide: LineGrid) -> LineGrid:
-    """The wider of two grids of one spacing with its inlet at twice the gap, which rises with the square.
-
-    The inlet is where they differ.
-    """
+    """The wider of two grids of one spacing with its inlet, where they differ, at twice the gap."""
     left = wide.first < narrow.first
     before = -wide.first if left else wide.first + wide.nodes - 1
     more = ceil((sqrt(2) - 1) * before)

@@ -10,11 +10,7 @@ exponentially with pressure, is many times what any oil bears."""
 
 
 def no_friction(effects: Sequence[Judgement]) -> str:
-    """Why friction is not found though the oil's data would allow it; empty where they do not.
-
-    Args:
-        effects: Every effect of a contact without friction.
-    """
+    """Why friction is not found though the oil's data would allow it; empty where they do not."""
     known = {
         effect.name: effect
         for effect in effects

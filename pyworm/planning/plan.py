@@ -300,10 +300,7 @@ def steady(plan: Plan, reason: str) -> Plan:
 
 
 def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float]) -> Plan:
-    """Judge the effects of a plan again by solved figures; effects that are on stay on.
-
-    Only where effects are added is the rest of the plan made again.
-    """
+    """Judge a plan's effects again by solved figures, which adds some, or none and leaves the rest."""
     prediction = predicted(scene).updated(figures)
     how = (
         scene,

@@ -113,12 +113,7 @@ class Prediction:
         return -log(self.oil.eta(0.0, 1.0) / self.oil.eta(0.0))
 
     def stress(self, flow: FlowLaw | None = None, rise: float = 0.0) -> float:
-        """Shear stress by the sliding at the mean pressure [Pa].
-
-        Args:
-            flow: Flow law in place of the oil's.
-            rise: Temperature of the oil above the inlet's [K].
-        """
+        """Shear stress by sliding at the mean pressure [Pa], of another flow law or a rise of the oil [K]."""
         law = flow or self.oil.flow or NEWTONIAN
         newtonian = self.oil.eta(self.pressure_mean, rise) * self.sliding / self.film_central
         return law.stress_at(newtonian, self.pressure_mean)

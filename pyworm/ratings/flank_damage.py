@@ -161,12 +161,9 @@ def scuffing(
     place: str = "",
     bars: tuple[float, float | None] | None = None,
 ) -> Safety:
-    """S_B of a contact by ISO/TS 6336-20: closed form, or simulated where it has error bars.
+    """S_B of a contact by ISO/TS 6336-20, of oil of a temperature before the mesh [K]; simulated with bars.
 
-    Args:
-        contact: Its temperature [K]; None where it is not known.
-        oil_temperature: Of the oil before the mesh [K].
-        bars: Error bars of the rise over the oil, numerical and of the model.
+    Closed form without error bars of the rise over the oil, numerical and of the model.
     """
     named = _named("S_B", "scuffing", bars, required, "temperature")
     if limit.value is None or limit.why:
@@ -202,12 +199,9 @@ def micropitting(
     place: str = "",
     bars: tuple[float, float | None] | None = None,
 ) -> Safety:
-    """S_lambda of a contact by ISO/TS 6336-22: closed form, or simulated where it has error bars.
+    """S_lambda of a contact by ISO/TS 6336-22 of a minimum film [m] on Ra, mean of both flanks [m].
 
-    Args:
-        film: Its least film [m]; None where it is not known.
-        roughness: Ra, mean of both flanks [m].
-        required, place, bars: As of `scuffing`, the bars those of the film.
+    Closed form without error bars of the film, numerical and of the model.
     """
     named = _named("S_lambda", "micropitting", bars, required, "film")
     if limit.value is None or limit.why:
@@ -265,12 +259,7 @@ def simulated_safeties(
     oil_temperature: float | None,
     roughness: float | None,
 ) -> tuple[Safety, ...]:
-    """S_B of the hottest and S_lambda of the thinnest simulated contact.
-
-    Args:
-        limits: Scuffing temperature and permissible specific film.
-        oil_temperature, roughness: Of the oil before the mesh [K], and Ra, mean of both flanks [m].
-    """
+    """S_B of the hottest and S_lambda of the thinnest simulated contact, by Ra, mean of both flanks [m]."""
     hot = max(places, key=lambda spot: spot.temperature or 0.0)
     thin, rough = min(places, key=lambda spot: spot.film), max(spot.asperities for spot in places)
     permissible = limits[1]

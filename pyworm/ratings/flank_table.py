@@ -49,11 +49,7 @@ def flank_table(
 ) -> Rating:
     """Contact temperatures and specific films of all solved contacts against what the oil bears.
 
-    Args:
-        limits: Scuffing temperature [K] and permissible specific film [-].
-        oil_temperature, roughness: Of the oil before the mesh [K], and Ra, mean of both flanks [m].
-        neglected_effects: What the simulated figures do not hold.
-        title, source: Of the table, and of its formulas.
+    By the oil before the mesh [K] and Ra, mean of both flanks [m].
     """
     rows = _rows(limits, oil_temperature, roughness, closed)
     figures = []

@@ -39,18 +39,8 @@ def rate_gear_pair(
 ) -> tuple[Rating, ...]:
     """Ratings of a gear pair along its line of action, as far as its flanks are known, and of its oil supply.
 
-    With a result also those of each solved contact.
-
-    Args:
-        drive: The gears; for the simulation.
-        duty: The same as the formulas see them.
-        table: How they are oiled, and what their oil bears.
-        base: Base stock of the oil; None where it is not known.
-        published: What the case's source prints, shown beside under the same names.
-        result: Solved contacts of the same gears, shown beside.
-
-    Raises:
-        ValueError: What lies outside the formulas.
+    With a result also those of each solved contact; what the case's source prints (`published`) is shown
+    beside under the same names. ValueError for what lies outside the formulas.
     """
     damage = GearDamage(duty, table, base)
     teeth = _teeth(drive, duty, damage, published, result)

@@ -100,11 +100,7 @@ class GearDamage:
         return micropitting_films(flanks, oil, self.oil_temperature, bulk)
 
     def safeties(self, result: Result | None) -> tuple[Safety, ...]:
-        """S_B and S_lambda at the worst place, by the standards and, with a result, simulated.
-
-        Args:
-            result: Solved contacts that converged.
-        """
+        """S_B and S_lambda at the worst place, by the standards and, with a converged result, simulated."""
         line, films = self.duty.line_of_action, self._films
         hottest, hot = _worst(line.contact_temperature, line.phase, np.argmax)
         thinnest, thin = _worst(None if films is None else films.film, line.phase, np.argmin)
@@ -132,11 +128,7 @@ class GearDamage:
         )
 
     def at_each(self, result: Result) -> Rating:
-        """Closed forms and simulation at every solved contact.
-
-        Args:
-            result: Solved contacts that converged.
-        """
+        """Closed forms and simulation at every solved contact."""
         line, duty, films = self.duty.line_of_action, self.duty, self._films
         flash = line.flash_temperature
         closed = ClosedForms(

@@ -23,11 +23,7 @@ class HeatingLoss:
 
 
 def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> HeatingLoss:
-    """The larger of the simulated and the standard's loss where roughness carries load, else the simulated.
-
-    Args:
-        standard: What a standard has for its teeth.
-    """
+    """The simulated loss; where roughness carries load, the larger of it and the standard's."""
     smooth = present(cycle.loss, "loss").power
     surfaces = " with smooth surfaces" if cycle.neglected_effects.as_if_smooth else ""
     simulated = f"{smooth:.4g} W simulated{surfaces}"
@@ -82,12 +78,7 @@ class Heating:
 def heating_of(
     case: Case, cycle: DriveCycle | None, standard: StandardLoss | NoStandard
 ) -> Heating | None:
-    """The losses of a solved case; None where temperatures are given, or without a loss.
-
-    Args:
-        case: The case with what was found in it.
-        standard: What a standard has for its teeth.
-    """
+    """The losses of a case and its solved cycle; None where temperatures are given, or without a loss."""
     if getattr(case.tables, "cooling", None) is None or cycle is None or cycle.loss is None:
         return None
     other = case.tables.cooling_of(case.drive).other

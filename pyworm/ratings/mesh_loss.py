@@ -16,10 +16,7 @@ def with_missing(key: str, label: str, result: Result | None) -> str:
 
 
 def mesh_loss(drive: Drive | None, result: Result) -> MeshLoss | None:
-    """Loss between the teeth of a drive by its converged contacts.
-
-    None where there is no drive, friction was not simulated, or the contacts are not enough.
-    """
+    """Loss between the teeth of a drive; None of other cases, without friction or enough contacts."""
     good = result.sound.solutions
     if (
         drive is None

@@ -12,10 +12,7 @@ from pyworm.ratings.rated_case import RatingRequest
 
 
 def oil_choice(request: RatingRequest) -> OilChoice:
-    """The oil for the drive of a case, with the steps of the choice.
-
-    CaseError if the case does not give the duty of the oil, or no oil meets it.
-    """
+    """The oil for a case's drive, with the steps; CaseError without its duty or a fitting oil."""
     try:
         return choose_oil(oil_duty(request))
     except ValueError as error:

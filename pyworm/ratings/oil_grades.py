@@ -51,14 +51,7 @@ class FilmLaw:
 def line_film(
     radius: float, load_per_length: float, reduced_modulus: float, speed: float
 ) -> FilmLaw:
-    """Dowson and Higginson's film of one contact of a gear pair.
-
-    Args:
-        radius: Relative radius of curvature [m].
-        load_per_length: [N/m].
-        reduced_modulus: E' [Pa].
-        speed: Mean speed of both surfaces [m/s].
-    """
+    """Dowson and Higginson's film of one contact of a gear pair; arguments in SI units."""
 
     def film(viscosity: float, alpha: float) -> float:
         groups = films.line_groups(

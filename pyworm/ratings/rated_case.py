@@ -197,11 +197,8 @@ def rating_request(case: Case) -> RatingRequest:
 def ratings(request: RatingRequest, result: Result | None = None) -> tuple[Rating, ...]:
     """Every rating that a case asks for and that is possible; the others are in `not_rated`.
 
-    Args:
-        result: Solved contacts of its drive, shown beside; what did not converge is left out (`unconverged`).
-
-    Raises:
-        CaseError: A file or a name in the case that there is not.
+    Contacts of a result that did not converge are left out (`unconverged`). CaseError for a file or a name in
+    the case that there is not.
     """
     return tuple(
         rating

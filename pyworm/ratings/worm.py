@@ -64,11 +64,7 @@ def rate_worm_table(
     drive: Drive | None = None,
     result: Result | None = None,
 ) -> Rating:
-    """The worm gear of a case, with a column of the simulation if a result of the same drive is given.
-
-    Args:
-        drive: The drive; needed for the simulation.
-    """
+    """The worm gear of a case, with a column of the simulation if drive and result are given."""
     loads = rated_loads(table, duty, directory)
     rated = safeties(table, duty, loads, directory)
     simulated = {} if result is None or drive is None else _simulated(duty, drive, result)

@@ -22,12 +22,7 @@ NO_RATING = (
 
 
 def worm_flanks(duty: WormDuty, oil: Oil, result: Result) -> Rating:
-    """Simulated contact temperatures and specific films of a worm gear at every solved contact.
-
-    Args:
-        oil: Its oil, as it enters the contacts.
-        result: Solved contacts that converged.
-    """
+    """Simulated contact temperatures and specific films of a worm gear at every converged contact."""
     heights = [height for height in duty.roughness if height is not None]
     return flank_table(
         simulated_spots(result.solutions),

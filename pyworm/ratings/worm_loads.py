@@ -35,10 +35,7 @@ class RatedLoad:
 
 
 def rated_loads(table: CompletedRating, duty: WormDuty, directory: Path) -> tuple[RatedLoad, ...]:
-    """The worm gear under each load of its spectrum, else under that of the drive in the life that is given.
-
-    CaseError if there is no oil of this name.
-    """
+    """The worm gear under its load spectrum or the drive's load; CaseError for an unknown oil."""
     oil = standard_oil(table, directory)
     steps: list[tuple[float, float, float | Unknown]]
     if table.spectrum:

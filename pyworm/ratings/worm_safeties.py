@@ -58,12 +58,9 @@ class _Rated:
 def safeties(
     table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
 ) -> tuple[Safety, ...]:
-    """S_W, S_H, S_delta, S_F and S_T of a worm gear, each by itself or with the reason why there is none.
+    """S_W, S_H, S_delta, S_F and S_T of a worm gear, and S_M of a wheel with a temperature limit.
 
-    A wheel whose material has a temperature limit has S_M besides.
-
-    Args:
-        table: The case's `[worm_rating]`, completed.
+    Each by itself, or with the reason why there is none; the table of the case is completed.
     """
     gear_set = _Rated(table, duty, loads, directory)
     rated = []

@@ -53,10 +53,7 @@ def arrival_uncertainty(
 ) -> dict[str, float]:
     """Relative uncertainty of each figure [-], of temperatures over their rise above the inlet's.
 
-    Infinite where the film does not follow. The level is left at the film it had.
-
-    Args:
-        warm: Heats it between other bodies from a guess.
+    Infinite where the film that `warm` heats between other bodies does not follow. The level keeps its film.
     """
     converged, figures = level.state(), level.read().figures
     warm(other_bodies(level), converged)

@@ -132,10 +132,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         return level, steps
 
     def cut_off(self, narrow: LevelT, wider: LevelT) -> dict[str, float]:
-        """Parts of friction and loss in a wider window that a narrower one cuts off, relative; empty if none.
-
-        Empty as well where the wider one does not hold the whole contact.
-        """
+        """Relative parts of friction and loss in a wider window that a narrower one cuts off, if any."""
         return {}
 
     @staticmethod
@@ -171,10 +168,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
     def _warm(
         self, level: LevelT, rise: Array | None, bodies: tuple[Body, Body] | None = None
     ) -> None:
-        """Add heat to a sheared film between its own bodies or others; it must be restarted.
-
-        It begins with a rise over the inlet temperature [K].
-        """
+        """Add heat to a sheared film, from a rise over the inlet's [K]; it must be restarted."""
 
     @abstractmethod
     def _mass_error(self, level: LevelT) -> float:

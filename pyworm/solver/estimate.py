@@ -200,11 +200,7 @@ def _estimate(
 
 
 def in_words(figure: Estimate, quantity: Quantity, rise: float | None = None) -> str:
-    """A figure as its quantity is shown, with its unit and error bars, of temperatures in K.
-
-    Args:
-        rise: Rise of a temperature that its errors are relative to [K], by default above its datum.
-    """
+    """A figure with its unit and error bars, of temperatures over a rise, by default above the datum [K]."""
     value, model = quantity.text(figure.value), figure.model
     if quantity.unit != "K":
         return with_bars(value, figure.error, model, reason=figure.reason)

@@ -34,17 +34,10 @@ def estimates(
 ) -> dict[str, Estimate]:
     """Estimate figures with error bars, which are infinite where the equations are not met.
 
-    Args:
-        solver: Solver of this kind of contact.
-        readings: Figures on grids of halving spacing, this one last.
-        window: What an endless window adds to each figure; empty where no wider window was solved: the window
-            error is infinite then, and none of the bars' if the plan has no wider window.
-        iteration: Figures and algebraic errors on the last grid.
-        plan: Accuracy and tolerance asked for.
-        approximations: Relative error of each figure by the levels across the film and by the integration in
-            time.
-        uncertainties: Relative uncertainty of each figure by the assumptions of its model; empty where there
-            are none.
+    `readings` are figures on grids of halving spacing, this one last; `window` is what an endless one adds,
+    empty where no wider one was solved: its error is infinite then, or of a plan without one none.
+    `iteration` has the algebraic errors; `approximations` are relative errors by levels across the film and
+    by integration in time, `uncertainties` those by the model's assumptions.
     """
     limits = grid_limits(readings or [iteration.reading], solver.convergence)
     grid = {name: limit.error for name, limit in limits.items()}

@@ -28,14 +28,10 @@ along one of them a parabola reaches 1/8, this surface 0.15."""
 
 
 def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[float, ...]]:
-    """Smallest value of the surface, or curve, through a field, and its place in nodes along each direction.
+    """Smallest value of the surface, or curve, through a field (nx, ny) or (n,), and its place in nodes.
 
-    The surface counts in cells whose corners are all usable and one of them within, beside it nodes within.
-
-    Args:
-        field: Values, shape (nx, ny), or (n,) along a line.
-        within: Nodes about which the minimum is searched; infinite without any.
-        usable: Nodes whose values belong to the field; the surface is extrapolated from them to others.
+    The surface counts in cells whose corners are all usable and one of them `within`, beside it nodes within,
+    from which it is extrapolated; infinite without any.
     """
     if field.ndim == 1:
         return _line_minimum(field, within, usable)

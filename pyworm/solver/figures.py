@@ -17,13 +17,7 @@ Array = np.ndarray
 def film_minimum(
     grid: Grid | LineGrid, film: Array, pressurised: Array, covered: Array
 ) -> tuple[float, tuple[float, ...]]:
-    """Smallest film [m] and its place [m] along each direction of the grid, between nodes.
-
-    Args:
-        film: Film [m] at its nodes.
-        pressurised: Nodes about which the film counts.
-        covered: Where both surfaces exist.
-    """
+    """Smallest film and its place [m] along each direction, between nodes, about pressurised ones."""
     value, node = minimum(film, pressurised, covered)
     return value, grid.place(node)
 
@@ -41,13 +35,7 @@ def maximum(field: Array, covered: Array | bool = True) -> float:
 
 
 def peak(field: Array, covered: Array | bool, largest: float) -> Peak:
-    """Resolution of the largest value of a field by the nodes.
-
-    Args:
-        field: Values at nodes along one direction or two.
-        covered: Where both surfaces exist.
-        largest: The largest value between nodes.
-    """
+    """Resolution of the largest value of a field at nodes, by the one between them."""
     counted = np.broadcast_to(covered, field.shape)
     known = np.where(counted, field, np.nan)
     above = sum(_above_neighbours(known, axis) for axis in range(field.ndim))
@@ -87,15 +75,10 @@ SEARCHED_NODES = 12
 
 
 def maximum_across(field: Array, positions: Array, within: Array, highest: Array) -> float:
-    """Largest value of a field at levels across the film, between nodes and between levels.
+    """Largest value of a field (nodes, levels) across the film, between nodes and between levels.
 
-    Across the film the field is the polynomial through the levels, as in the kernel.
-
-    Args:
-        field: Values, shape (nx, ny, levels), or (n, levels) of a line contact.
-        positions: Positions of the levels, from -1/2 to 1/2.
-        within: Nodes that count.
-        highest: Largest value of each column, at its levels.
+    Across the film the field is the polynomial through the levels, as in the kernel, at positions from -1/2
+    to 1/2; `highest` has the largest value of each column at its levels.
     """
     nodal = np.where(within, highest, -np.inf)
     node = np.unravel_index(np.argmax(nodal), nodal.shape)
@@ -125,12 +108,10 @@ contact."""
 
 
 def minimum_kind(place: Sequence[float], angle: float, half_extents: tuple[float, float]) -> str:
-    """Kind of a point contact's minimum by its place: "side lobe", "exit" or "middle".
+    """Kind of a point contact's minimum by its place [m]: "side lobe", "exit" or "middle".
 
-    Args:
-        place: The place (x, y) [m].
-        angle: Direction of the entrainment at the contact point, from x to y [rad].
-        half_extents: Half the extent of the dry contact along x and y [m].
+    `angle` is the direction of entrainment at the contact point from x to y [rad], `half_extents` those of
+    the dry contact [m].
     """
     (x, y), (a, b) = place, half_extents
     cosine, sine = np.cos(angle), np.sin(angle)
@@ -230,11 +211,8 @@ def outline_imbalance(
 ) -> float:
     """Net over gross flow through the outline of the pressurised film; NaN where nothing flows.
 
-    Args:
-        flow: Wedge flow per width [m2/s] at the nodes along x and y: what crosses the outline, where pressure
-            and its slope vanish.
-        imbalance: Net outflow per area [m/s] of each node's cell.
-        pressurised: Nodes where pressure is above ambient.
+    By the wedge flow per width [m2/s] at the nodes along x and y, which crosses the outline, where pressure
+    and its slope vanish, and the net outflow per area [m/s] of each node's cell.
     """
     net = abs(imbalance[pressurised].sum()) * grid.dx * grid.dy
     gross = 0.0

@@ -40,14 +40,11 @@ def second_order_limit(coarse: float, fine: float) -> float:
 
 
 def mixed_order_limit(values: Sequence[float], falls: tuple[float, float]) -> float:
-    """Limit of a figure on grids of halving spacing whose error is of first and of second order.
+    """Limit of a figure on grids of halving spacing, the finest last, with errors A s + B s^2 of the spacing.
 
-    With errors A s + B s^2 of the spacing s, the last change d and the ratio f of the one before to it, the
-    limit is d (5 - f)/3 beyond the last value: d at first order (f = 2), d/3 at second (f = 4).
-
-    Args:
-        values: The figure on two grids or more, the finest last.
-        falls: Least and largest credible ratio; on two grids, which show none, their mean is taken.
+    With the last change d and the ratio f of the one before to it, of which `falls` are the bounds and, on
+    two grids, the mean, the limit is d (5 - f)/3 beyond the last value: d at first order (f = 2), d/3 at
+    second (f = 4).
     """
     change = values[-1] - values[-2]
     fall = sum(falls) / 2
@@ -58,10 +55,6 @@ def mixed_order_limit(values: Sequence[float], falls: tuple[float, float]) -> fl
 
 def grid_limits(readings: Sequence[Reading], convergence: Convergence) -> dict[str, GridLimit]:
     """Each figure in the limit of grids of halving spacing, by Richardson's extrapolation.
-
-    Args:
-        readings: Figures on the grids, the finest last.
-        convergence: Orders of convergence, and which figures are extrapolated.
 
     The limit is the last value plus a third of the last change (second order; Roache, Annu. Rev. Fluid Mech.
     29, 1997, 123-160), more where errors may fall by less than 4 (`Convergence.falls`). On two grids its

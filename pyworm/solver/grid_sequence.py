@@ -94,10 +94,7 @@ class GridSequence:
         self._unconverged = self._refinements = self._widenings = 0
 
     def begin(self, warm_start: Level | None) -> Level:
-        """Settle the film on the first grid of the figures and return it there.
-
-        `warm_start` is the film on the same grid, solved with fewer effects.
-        """
+        """The converged film on the first grid of the figures, from one solved there with fewer effects."""
         scene, plan = self._scene, self._plan
         self.check_memory(max((*plan.grids, *plan.wider_grids), key=lambda grid: grid.nodes))
         solver_type = SOLVERS[type(scene)]
@@ -365,8 +362,7 @@ class GridSequence:
     def _falls_seen(self, wider: Reading) -> dict[str, float]:
         """Ratio of a temperature's changes from window to window of a heated line, from a third one.
 
-        `wider` are the figures in the second. Empty of other contacts. Falls of a film that is not found make
-        error bars wider.
+        Empty of other contacts. Falls of a film that is not found make error bars wider.
         """
         narrow, wide = self._plan.grids[0], self._plan.wider_grids[0]
         if not (isinstance(narrow, LineGrid) and isinstance(wide, LineGrid)):
@@ -396,10 +392,7 @@ class GridSequence:
             raise NoMemoryError(short)
 
     def _converge_on(self, level: Level, fraction: float = 1.0) -> Iteration:
-        """Settle the film of a level, if need be through films of larger stresses.
-
-        `fraction` is of the algebraic error that figures may have.
-        """
+        """Converge a level, if need be through larger stresses; `fraction` is of its algebraic error."""
         plan = self._plan
         wanted = fraction * error_budget.ALGEBRA * plan.accuracy
         iteration = converge(level, plan.tolerance, plan.target, wanted)
@@ -445,10 +438,7 @@ def _lack_of_memory(error: KernelError) -> Stop:
 
 
 def _extrapolated(figures: Mapping[str, Any], film_min: Estimate) -> dict[str, Any]:
-    """Figures of the last grid, with the minimum film on the centre line extrapolated as that of the contact.
-
-    Else the minimum over the whole contact, extrapolated upwards, may stand above one of its part.
-    """
+    """Figures of the last grid, the minimum film on the centre line extrapolated as that of the contact."""
     exit_min = figures.get("film_exit_min")
     if exit_min is None or not film_min.on_grid:
         return dict(figures)

@@ -182,10 +182,7 @@ class Level(ABC):
         return self.covered & (self.film.pressure > CONTACT_PRESSURE * self.film.pressure.max())
 
     def share_of_contact(self) -> Array:
-        """Share of each node's cell that belongs to the contact [-], where pressure is linear about the node.
-
-        Sums over whole cells would jump by one at an edge as the pressure there changes a little.
-        """
+        """Share of each node's cell in the contact [-], by linear pressure: whole cells make jumps."""
         pressure = self.film.pressure
         above = pressure - CONTACT_PRESSURE * pressure.max()
         slopes = np.gradient(pressure)
@@ -262,10 +259,7 @@ class Level(ABC):
         return friction / max(self.carried(), LEAST_LOAD)
 
     def _rough_figures(self, shear: dict[str, float], shares: Array) -> dict[str, float]:
-        """Figures of asperities, and those of the film's `shear` with what asperities add to them.
-
-        They are over shares of the nodes' cells.
-        """
+        """Figures of asperities, and of the film's `shear` with theirs, over shares of the nodes' cells."""
         if not self.film.rough:
             return shear
         borne = float(self.film.asperities().pressure.sum()) * self.grid.cell

@@ -69,12 +69,8 @@ def enough_levels(
     """Add levels until figures change by little; None where no film with more of them is found.
 
     The error is the last change, or half of the one before if that is larger: figures approach their limit
-    irregularly (a film 35 K above its walls is off by +0.16, -0.11, +0.06, +0.08 % with 7 to 13 levels).
-
-    Args:
-        start: The film to begin with; its errors are not known yet.
-        again: Whether levels were added on a coarser grid: a film that has enough of them is kept then, with
-            what was read on the grids before.
+    irregularly (a film 35 K above its walls is off by +0.16, -0.11, +0.06, +0.08 % with 7 to 13 levels). If
+    levels were added on a coarser grid (`again`) a film that has enough is kept, with what was read before.
     """
     found, last = None, start
     before = dict.fromkeys(start.iteration.reading.figures, 0.0)

@@ -192,12 +192,8 @@ def judged(
 ) -> NeglectedEffects:
     """Judge the effects left out of a contact and its lubrication.
 
-    Args:
-        accuracy: Accuracy asked for [-].
-        films: Central and least film [m]; empty where they may not be trusted.
-        roughness: Composite roughness [m].
-        asperity_load: Share of the load that asperities carry and its relative uncertainty, where they are
-            solved [-].
+    By central and minimum film [m], empty where they may not be trusted, composite roughness [m], and, where
+    they are solved, the share of the load on asperities and its relative uncertainty.
     """
     central, least = None, None
     if roughness and films:

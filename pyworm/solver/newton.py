@@ -100,9 +100,8 @@ def converge(
 ) -> Iteration:
     """Make Newton steps until the film's figures are settled, or no step reduces the residual.
 
-    Args:
-        tolerance: Residual and load error wanted.
-        algebra_wanted: Their relative algebraic error wanted; at least two steps are needed to estimate it.
+    `tolerance` is that of residual and load error, `algebra_wanted` of the figures' relative algebraic
+    errors, which need two steps to be estimated.
     """
     steps: list[NewtonStep] = []
     reading = level.read()

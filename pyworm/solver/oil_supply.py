@@ -43,12 +43,7 @@ class SupplyFigures:
 
 
 def supply_figures(level: Level, flooded: tuple[float, float, float]) -> SupplyFigures:
-    """Figures of a solved level.
-
-    Args:
-        level: The film, fed with a layer of oil.
-        flooded: Central film of the flooded contact [m], its relative error, and the relative density there.
-    """
+    """Figures of a film fed with a layer, by central film [m], its error and density when flooded."""
     scene = level.scene
     film, error, density = flooded
     half_length = _half_length(level)
@@ -65,10 +60,7 @@ def supply_figures(level: Level, flooded: tuple[float, float, float]) -> SupplyF
 
 
 def layer_left(level: Level) -> OilLayer:
-    """Oil behind a contact, over the place across its track, where the next one may take it up.
-
-    Attributes of the places are those of the film's frame, to the left of the entrainment.
-    """
+    """Oil behind a contact over places to the left of the entrainment, where the next may take it up."""
     width = WIDTHS * _half_length(level)
     behind = _reach(level, 1.0)
     across = np.linspace(-width, width, PLACES)
@@ -79,9 +71,8 @@ def layer_left(level: Level) -> OilLayer:
 def mostly_full(guess: InitialGuess, before: Level, window: Any = np.s_[...]) -> InitialGuess:
     """A guess on half the spacing with pressure only where the gap of the coarser level is mostly full.
 
-    It covers a window of the level's nodes.
-
-    A meniscus that starts a node too far out or too near is found by a step for each node.
+    It covers a window of the level's nodes. A meniscus that starts too far out or too near moves by a node a
+    step.
     """
     full = (before.film.pressure[window] > 0).astype(float)
     for axis in range(full.ndim):

@@ -37,12 +37,9 @@ def fields(
     dry_pressure: Array | None,
     attributes: Mapping[str, float],
 ) -> PlainDataset:
-    """All fields over the grid of a level, in single precision: its 24 bits are far finer than any error bar.
+    """All fields over a level's grid, in single precision: its 24 bits are far finer than any error bar.
 
-    Args:
-        model: The effects that are simulated.
-        dry_pressure: Pressure of the dry contact [Pa]; None where it is Hertz's in closed form.
-        attributes: Radii, load and modulus, by names with their units.
+    `dry_pressure` is None where it is Hertz's in closed form; `attributes` have names with units.
     """
     places = level.grid.mesh()
     variables = {

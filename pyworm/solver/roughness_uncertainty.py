@@ -59,14 +59,9 @@ class NeglectedWaves:
 def neglected_waves(
     waves: MovingWaves | None, groups: Groups, half_width: float, modulus: float
 ) -> NeglectedWaves:
-    """What moving waves do to film and pressure.
+    """What moving waves do to film and pressure, by Moes' groups and half-width [m] along the entrainment.
 
-    A wave flattened by A takes a pressure of pi E' A/(2 length) (Johnson 1985, 13.2).
-
-    Args:
-        groups: Moes' groups of the contact.
-        half_width: Half-width of Hertz's contact along the entrainment [m].
-        modulus: Reduced modulus E' [Pa].
+    A wave flattened by A takes a pressure of pi E' A/(2 length) (Johnson 1985, 13.2), E' in Pa.
     """
     if waves is None:
         return NeglectedWaves()
@@ -85,12 +80,8 @@ def roughness_uncertainty(
     """Relative uncertainty of each figure [-], of temperatures over their rise above the inlet's.
 
     Infinite where the film does not follow. The level is left at the film it had, one step further if heated.
-
-    Args:
-        level: A converged film between rough surfaces.
-        boundary_friction: Friction coefficient of asperities in contact [-].
-        waves: Long waves of the surfaces that are not in the gap.
-        fitted_spread: Relative uncertainty of a friction coefficient that was fitted [-] (`variations`).
+    `waves` are long ones that are not in the gap, `fitted_spread` is that of a fitted friction coefficient of
+    asperities [-].
     """
     figures, thickness = level.read().figures, level.film.thickness()
     varied = variations(
@@ -109,10 +100,7 @@ def roughness_uncertainty(
 def changes_by(
     level: Level, pair: RoughSurfaces, boundary_friction: float, varied: Mapping[str, Variation]
 ) -> dict[str, dict[str, float]]:
-    """Relative change of each figure [-] by the whole of each assumption, changed by a `VARIED_FRACTION`.
-
-    Parameters are those of `roughness_uncertainty`; the level is left as there.
-    """
+    """Relative change of each figure [-] by the whole of each assumption, as `roughness_uncertainty`."""
     converged, figures = level.state(), level.read().figures
     changes = {}
     for name, variation in varied.items():

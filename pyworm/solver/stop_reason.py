@@ -43,14 +43,7 @@ on finer grids the pressure there is higher, and each costs four times the one b
 def with_wider_bars(
     stop: Stop, estimates: Mapping[str, Estimate], figures: Mapping[str, float], plan: Plan
 ) -> Stop:
-    """How the solve of a sound film ended, qualified where its figures have error bars that are too wide.
-
-    Args:
-        stop: How the sequence of grids ended.
-        estimates: The figures with their error bars.
-        figures: Their values on the last grid.
-        plan: Accuracy and figures asked for.
-    """
+    """How the solve of a sound film ended, qualified where figures on the last grid have bars too wide."""
     errors = {name: estimate.error for name, estimate in estimates.items()}
     worst, cold = (
         target.worst(errors, figures)
@@ -80,10 +73,7 @@ def stop_reason(
 ) -> Stop | None:
     """How the sequence ends on a level, or None if a finer grid follows.
 
-    Args:
-        estimates: The figures with their error bars.
-        unconverged, max_unconverged: Number of grids so far that missed the tolerance, and how many may.
-        plan: Accuracy, tolerance and largest grid.
+    `unconverged` grids so far missed the tolerance; `max_unconverged` may.
     """
     figures = iteration.reading.figures
     error = plan.target.worst(
@@ -120,10 +110,7 @@ def stop_reason(
 def bound_by_conduction(
     level: Level, estimates: Mapping[str, Estimate], figures: Mapping[str, float], plan: Plan
 ) -> tuple[str, ...]:
-    """Temperatures whose error is that of the approximation of conduction, which no grid mends.
-
-    All else of their error is within the accuracy.
-    """
+    """Temperatures off by the approximation of conduction, which no grid mends, and by nothing else."""
 
     def is_bound(name: str, conduction: float) -> bool:
         target = replace(plan.target, figures=(name,))
@@ -181,13 +168,10 @@ CURE = (
 
 
 def rests_on_edge(fields: PlainDataset) -> bool:
-    """Whether the dry pressure of a solution's fields is large beside the end of a surface.
+    """Whether the dry pressure of a solution's fields [Pa] is large beside the end of a surface.
 
     At a sharp edge the elastic pressure grows without bound as the grid is refined (Johnson, Contact
     Mechanics, 1985, section 2.4), and no film converges there; a relieved edge has no such pressure.
-
-    Args:
-        fields: Fields of a solution; "dry_pressure" [Pa], or "pressure" where there is none, and "covered".
     """
     if "covered" not in fields:
         return False
@@ -212,10 +196,7 @@ def refusal(
 ) -> Stop | None:
     """How the sequence ends without the next grid; None if it, or those after it, may reach the accuracy.
 
-    Args:
-        plan: Accuracy and figures asked for.
-        readings: Figures on grids of halving spacing so far.
-        orders: Highest credible order of convergence of each figure with the spacing.
+    By figures on grids of halving spacing and the highest credible orders of their convergence.
     """
     if plan.refusal is not None:
         return Ending.REFUSED_BY_PLAN.stop(reason=plan.refusal)
@@ -233,12 +214,9 @@ def refusal(
 
 
 def spike_stays(reading: Reading, grid: Grid | LineGrid, largest: int) -> bool:
-    """Whether the film's largest temperature is still the tip of a spike on the largest grid allowed.
+    """Whether the film's largest temperature is still a spike's tip on the `largest` grid [nodes] allowed.
 
     A spike that a grid resolves is no more than twice as wide, in nodes, on the next one.
-
-    Args:
-        largest: Nodes of the largest grid allowed.
     """
     if hot_spike(reading) is None:
         return False

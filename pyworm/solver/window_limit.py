@@ -21,13 +21,9 @@ class WindowLimit:
 def in_this_window(
     this: Reading, wider: Reading, convergence: Convergence, algebra: Mapping[str, float]
 ) -> dict[str, WindowLimit]:
-    """What an endless window adds to each figure in a window, from one of twice the reach.
+    """What an endless window adds to each figure in a window, from one of twice the reach, on one spacing.
 
-    Args:
-        this, wider: Figures in both windows, on grids of one spacing.
-        convergence: How figures change with the reach, and which are extrapolated.
-        algebra: Relative algebraic error of each figure in both windows together, which may hide a change as
-            large.
+    `algebra` is the relative algebraic error of both windows, which may hide a change as large.
     """
     return _limits(changes(this, wider), convergence, algebra, seen=0.0)
 
@@ -39,7 +35,7 @@ def in_wider_window(
     algebra: Mapping[str, float],
     cut_off: Mapping[str, float],
 ) -> dict[str, WindowLimit]:
-    """What an endless window adds to each figure in the wider of two windows (`in_this_window`).
+    """What an endless window adds to each figure in the wider of two windows, as `in_this_window`.
 
     `cut_off` is the part of some figures, relative, by which the narrower window cuts the contact off and the
     wider one does not: that is no sign of more to come.
@@ -59,11 +55,8 @@ def with_falls(convergence: Convergence, falls: Mapping[str, float]) -> Converge
 
     Bodies of different temperatures that exchange heat through a thin film warm slowly: from one window to
     one of twice the reach their temperatures may change by 0.9 of what they changed by before, where 0.6
-    would be left of a rise by the oil's own heat.
-
-    Args:
-        convergence: How figures change with the reach; its largest change stands where changes fall faster.
-        falls: Ratio of the changes of some figures over three windows [-].
+    would be left of a rise by the oil's own heat. `falls` are such ratios of some figures; its own larger
+    ones stand.
     """
     window = dict(convergence.window)
     for name, fall in falls.items():
@@ -77,14 +70,9 @@ def by_warmth(
 ) -> dict[str, WindowLimit]:
     """Those limits, where the window holds all oil that bears pressure.
 
-    What else changes with the window is the temperature, and figures by the viscosity there. By more they may
-    differ on coarse grids, on which the oil's front is off by more in the wider window: that error is the
-    grid's, and falls with it.
-
-    Args:
-        limits: What an endless window adds to each figure.
-        wider: Figures in the wider window.
-        beta: Relative fall of the viscosity with temperature [1/K].
+    What else changes with the window is the temperature, and figures by the viscosity there, of which `beta`
+    is the relative fall [1/K]. By more they may differ on coarse grids, on which the oil's front is off by
+    more in the wider window: that error is the grid's, and falls with it.
     """
     warmer = max(
         (abs(limits[name].rest) + limits[name].error) * abs(value)

@@ -23,10 +23,7 @@ def check_gears(pair: InvolutePair) -> None:
 
 
 def check_mesh(mesh: GearPairMesh) -> None:
-    """Refuse sizes not finite and positive, unknown choices, and reliefs longer than their flanks.
-
-    ValueError if one is such, or the rule of load sharing does not hold for these gears.
-    """
+    """Refuse sizes, choices, reliefs longer than their flanks and impossible load sharing (ValueError)."""
     for key in ("pinion_speed", "power", "load_factor"):
         value = getattr(mesh, key)
         if not (isfinite(value) and value > 0):

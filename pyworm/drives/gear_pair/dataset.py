@@ -38,13 +38,9 @@ def line_of_action_data(
     marks: Mapping[str, float],
     driver: str,
 ) -> "xr.Dataset":
-    """The contacts along a line of action as one dataset over phase.
+    """The contacts along a line of action, and closed forms where known, as a dataset over phase.
 
-    Args:
-        contacts: The contacts, arrays over phase.
-        rating: Closed forms there; unknown ones are left out.
-        marks: Name of a point of the line of action -> its phase.
-        driver: "pinion" or "gear".
+    `marks` has the phases of points of the line of action by their names.
     """
     columns = {name: getattr(contacts, name) for name in _CONTACTS}
     columns |= {f"closed_form_{name}": getattr(rating, name) for name in _RATING}
@@ -65,12 +61,6 @@ def line_of_action_data(
 
 
 def with_friction(data: "xr.Dataset", friction: float, load_factor: np.ndarray) -> "xr.Dataset":
-    """Add the coefficient of friction of the closed forms to the line of action.
-
-    Args:
-        data: As `line_of_action_data` makes it.
-        friction: Coefficient of friction [-].
-        load_factor: Normal load with that friction over the one without [-].
-    """
+    """Add a coefficient of friction, and what it does to the normal load, to `line_of_action_data`."""
     data = data.assign(friction_load_factor=("phase", load_factor))
     return describe(data.assign_attrs(friction_coefficient=friction))

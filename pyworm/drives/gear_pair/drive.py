@@ -24,10 +24,7 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class GearPairDrive(GearPairMesh, Drive):
-    """A pair of gears at one operating point; attributes as of `GearPairMesh`.
-
-    ValueError if the gears do not mesh, or cannot be run so; the message begins with the key that is wrong.
-    """
+    """A pair of gears at one operating point; ValueError, which begins with a key, if it cannot run."""
 
     body_names = "pinion", "gear"
     rated_as = GearPairDuty
@@ -46,10 +43,7 @@ class GearPairDrive(GearPairMesh, Drive):
         )
 
     def scene(self, phase: float) -> LineScene | Scene:
-        """The lubricated contact at a phase; a line contact is that of the middle of the face.
-
-        Body 1 is the pinion, x runs to its tip, y along the contact line.
-        """
+        """The contact at a phase, of a line in mid-face; body 1: pinion, x to its tip, y along the line."""
         base_speed = self.pinion_speed * self.teeth.cylinders[0].base
         return ToothLife(self.scene_at, base_speed / self.teeth.path_length).at(phase)
 

@@ -73,12 +73,7 @@ def mean_bulk_temperature(bodies: tuple[Body, Body]) -> float:
 def rate(
     contacts: Any, bodies: tuple[Body, Body], oil: Oil, surfaces: Surfaces | None
 ) -> GearRating:
-    """Evaluate the closed forms at contacts.
-
-    Args:
-        contacts: Curvature, velocities and load.
-        oil: The oil as it enters the contacts.
-    """
+    """Evaluate the closed forms at contacts, by the oil as it enters them."""
     modulus = reduced_modulus(*bodies)
     half_width = np.sqrt(8 * contacts.unit_load * contacts.radius / (np.pi * modulus))
     groups = line_groups(

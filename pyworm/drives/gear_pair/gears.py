@@ -132,10 +132,7 @@ class InvolutePair:
 
     @property
     def tight_centre_distance(self) -> float:
-        """Centre distance without backlash [m].
-
-        inv(alpha_w) = inv(alpha_t) + 2 tan(alpha_n) (x1 + x2) / (z1 + z2).
-        """
+        """Centre distance without backlash [m], inv(a_w) = inv(a_t) + 2 tan(a_n) (x1 + x2) / (z1 + z2)."""
         system = self.system
         angle = system.transverse_pressure_angle
         shifts = self.pinion.profile_shift + self.gear.profile_shift
@@ -151,10 +148,7 @@ class InvolutePair:
 
     @property
     def tip_shortening(self) -> float:
-        """k [-]: reduction of both addenda by which tips have the clearance of the rack from the roots.
-
-        It is zero where the centre distance leaves more clearance.
-        """
+        """k [-], 0 or more: cut of both addenda that gives tips the clearance of the rack from the roots."""
         pulled = (self.centre_distance - self.reference_centre_distance) / self.system.module
         return max(self.pinion.profile_shift + self.gear.profile_shift - pulled, 0.0)
 

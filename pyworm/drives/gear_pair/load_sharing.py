@@ -40,10 +40,7 @@ differ in place by so little that the difference of their integrals is rounding.
 
 @dataclass(frozen=True)
 class LoadSharing:
-    """One rule for one pair of gears.
-
-    ValueError if there is no such rule, or it does not apply to these gears.
-    """
+    """One rule for one pair of gears; ValueError if it does not exist or apply."""
 
     pair: InvolutePair
     """The gears."""

@@ -212,11 +212,7 @@ class GearPairMesh(Lubricated):
 
     @property
     def _direction(self) -> float:
-        """Sign along x of the surfaces' velocities relative to the contact line.
-
-        x runs to the pinion's tip. Where the pinion drives, the contact line runs to it, and the surfaces
-        pass the other way: oil enters on the side of the pinion's tip.
-        """
+        """Sign along x, which runs to the pinion's tip, of the surfaces' velocities at the contact line."""
         return -1.0 if self.driver == "pinion" else 1.0
 
     def _line(self, phase: float) -> LineScene:

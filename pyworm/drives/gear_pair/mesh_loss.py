@@ -24,10 +24,7 @@ def gear_mesh_loss(mesh: GearPairMesh, contacts: Sequence[ContactLoss]) -> MeshL
 
 
 def _mean_friction(mesh: GearPairMesh, contacts: Sequence[ContactLoss]) -> float:
-    """Mean friction, weighted by load times sliding along the line of action [-].
-
-    Friction between the contacts is interpolated, beyond the last ones constant.
-    """
+    """Mean friction over load times sliding, interpolated between the contacts, else constant [-]."""
     known = sorted((contact.phase, contact.friction) for contact in contacts)
     phases = mesh.cycle_phases()
     all_of_them = mesh.contacts(phases)

@@ -40,11 +40,7 @@ DRAWN_PARTS = (
 
 
 def in_space(teeth: InvolutePair, lengths: Sequence[float]) -> Space:
-    """Some teeth of both gears.
-
-    Args:
-        lengths: Radii of curvature of the pinion in the middle of the face for the turns [m].
-    """
+    """Some teeth of both gears, turned to radii of curvature of the pinion in mid-face [m]."""
     along = np.asarray(lengths)
     base = [cylinder.base for cylinder in teeth.cylinders]
     return Space(

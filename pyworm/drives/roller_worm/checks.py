@@ -57,10 +57,7 @@ def _check_sizes(gears: RollerGears) -> None:
 
 
 def check_section(section: WormSection) -> None:
-    """Refuse a section whose flank does not exist everywhere.
-
-    ValueError if the flank is undercut, the rollers do not touch it, or it is shorter than a contact line.
-    """
+    """Refuse a section whose flank is undercut, not touched or shorter than a contact line (ValueError)."""
     angles = np.linspace(section.first, section.last, CHECKED[0])
     places = np.linspace(section.lowest, section.highest, CHECKED[1])[:, None]
     contact = section.envelope.contact(places, angles)

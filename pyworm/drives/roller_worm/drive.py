@@ -21,10 +21,7 @@ from pyworm.scene.point import Scene
 
 @dataclass(frozen=True)
 class RollerWormDrive(RollerMesh, Drive):
-    """A roller enveloping worm drive at one operating point; attributes as of `RollerMesh`.
-
-    ValueError if worm and rollers do not fit; the message begins with the key that is wrong.
-    """
+    """A roller enveloping worm drive; ValueError, which begins with a key, if worm and rollers do not fit."""
 
     body_names = "worm", "roller"
 
@@ -39,14 +36,8 @@ class RollerWormDrive(RollerMesh, Drive):
     def scene(self, section: str, phase: float, station: float | None = None) -> LineScene | Scene:
         """The lubricated contact of a roller: body 1 is the worm, body 2 the roller.
 
-        Args:
-            section: "right" or "left".
-            phase: Phase of the roller in the section, 0 to 1.
-            station: Fraction of the contact line, for the line contact there; by default the whole line with
-                its ends.
-
-        Raises:
-            ValueError: If the roller carries no load there.
+        At a phase of the roller in the section "right" or "left", at a station, a fraction of the contact
+        line, by default the whole line with its ends. ValueError if the roller carries no load there.
         """
         part = self.sections[section]
         scene_at = partial(self.scene_at, section, station=station)

@@ -57,10 +57,7 @@ def closed_films(
     bodies: tuple[Body, Body],
     oil: Oil,
 ) -> ClosedFilms:
-    """Evaluate films at contacts with an induced curvature [1/m] under a load for each length [N/m].
-
-    Films are NaN where there is no load.
-    """
+    """Films at contacts by induced curvature [1/m] and load for each length [N/m]; NaN without load."""
     modulus, viscosity = reduced_modulus(*bodies), oil.viscosity
     load = np.where(load > 0, load, np.nan)
     contact = 1 / curvature, load, modulus, np.abs(motion.entrainment), viscosity.eta0

@@ -160,10 +160,7 @@ class RollerGap:
 
 @dataclass(frozen=True)
 class RollerMotion:
-    """Velocity of a rigid surface near a contact, relative to the contact point and on its axes.
-
-    Both surfaces are evaluated at the roller, since they are a film apart.
-    """
+    """Velocity of a rigid surface, evaluated at the roller, relative to the contact point on its axes."""
 
     frame: ContactFrame
     """The contact."""

@@ -62,7 +62,7 @@ class RollerGears:
         }
 
     def varied(self, name: str, value: float) -> Self:
-        """Gears, or their drive, with another "roller_radius" [m], "throat_coefficient" [-] or "tilt" [rad].
+        """Gears or drive of another "roller_radius" [m], "throat_coefficient" [-] or "tilt" [rad].
 
         ValueError from a drive if the flank is undercut, or the rollers leave no thread between them.
         """

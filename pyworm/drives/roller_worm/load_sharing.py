@@ -149,14 +149,10 @@ def share(
     torque: float,
     sharing: Sharing = "elastic",
 ) -> SharedLoad:
-    """Share a torque among the rollers of a section.
+    """Share a torque among the rollers of a section, one of which is at a wheel angle [rad].
 
-    Args:
-        compliance: Compliance of rollers, pins and thread.
-        wheel_angle: Wheel angle of one roller [rad]; the others are a pitch apart.
-        torque: Absolute torque between worm section and wheel, about the wheel's axis [N m]; 0 leaves no
-            load.
-        sharing: "elastic", or "equal": the same load for each length everywhere.
+    The torque is absolute, between worm section and wheel, about the wheel's axis [N m]; 0 leaves no load.
+    Shared equally the load for each length is the same everywhere.
     """
     angles = section.in_mesh(wheel_angle)
     contact, lengths = slices(section, angles)

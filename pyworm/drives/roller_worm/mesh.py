@@ -83,7 +83,7 @@ class RollerMesh(RollerGears, Lubricated):
         return Compliance(self.bodies, self.rollers.stiffness)
 
     def wheel_torque(self, section: str) -> float:
-        """Torque between a section and the wheel [N m], about the wheel's axis.
+        """Torque about the wheel's axis between it and a section [N m].
 
         The idling section carries the preload; the driving one that and, without friction, the worm's torque
         times the ratio.

@@ -74,12 +74,7 @@ class LineMotion:
 def line_motion(
     envelope: RollerEnvelope, contact: LineContact, wheel_speed: float, roller_speed: Array | float
 ) -> LineMotion:
-    """Compute the motion at contacts.
-
-    Args:
-        wheel_speed: Speed of the wheel [rad/s].
-        roller_speed: Speed of the rollers about their own axes [rad/s], broadcast against the contacts.
-    """
+    """Motion at contacts by the speeds of the wheel and of rollers about their own axes [rad/s]."""
     wide = (3,) + (1,) * contact.place.ndim
     arm = contact.point - envelope.worm_centre.reshape(wide)
     turn = envelope.worm_turn.reshape(wide) * wheel_speed * np.ones(contact.point.shape)
@@ -215,12 +210,8 @@ def roller_speed(
 ) -> float:
     """Speed of a roller about its own axis [rad/s], towards growing theta.
 
-    Args:
-        contact: Slices of the roller's contact line, (slices,).
-        lengths, loads: Length [m] and load for each length [N/m] of the slices.
-        wheel_speed: Speed of the wheel [rad/s].
-        spinning: "free", "locked" or "rolling".
-        traction: Shear of the film; used for a free roller only.
+    By slices of its contact line, with their lengths [m] and loads for each length [N/m], and the wheel's
+    speed [rad/s]; the film's traction moves a free roller only.
     """
     if spinning == "locked":
         return 0.0

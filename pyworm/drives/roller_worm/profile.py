@@ -14,11 +14,7 @@ Shape = Literal["cylinder", "cone", "ball"]
 
 @dataclass(frozen=True)
 class Crown:
-    """Crown relief of a roller relative to the profile that enveloped the worm.
-
-    Beyond a straight middle part the radius falls by (|s| - straight/2)^2 / 2 radius. A roller without a
-    straight part is crowned all along.
-    """
+    """Crown relief: beyond a straight middle the radius falls by (|s| - straight/2)^2 / 2 radius."""
 
     radius: units.Radius
     """Radius of the crown along the roller [m]."""

@@ -92,12 +92,7 @@ class WormSection:
         return angles[high - low > 1e-9 * (self.highest - self.lowest)]
 
     def line(self, wheel_angle: Array, fraction: Array) -> LineContact:
-        """Contacts at fractions of the contact lines, 0 to 1 from the end nearer the wheel's axis.
-
-        Args:
-            wheel_angle: Angles of rollers [rad].
-            fraction: Fractions; broadcast against the angles.
-        """
+        """Contacts at fractions of lines, from the end nearer the wheel's axis, at wheel angles [rad]."""
         return self.within(self.span(wheel_angle), wheel_angle, fraction)
 
     def within(self, span: tuple[Array, Array], wheel_angle: Array, fraction: Array) -> LineContact:

@@ -29,11 +29,7 @@ DRAWN_PARTS = (
 
 
 def in_space(mesh: RollerMesh, places: Sequence[ContactIndex]) -> Space:
-    """Both flanks of the worm and the rollers about it.
-
-    Args:
-        places: Sections and phases for the turns.
-    """
+    """Both flanks of the worm and the rollers about it, turned to some sections and phases."""
     sections = [mesh.sections[present(place.section, "section")] for place in places]
     phases = [present(place.phase, "phase") for place in places]
     angles = [

@@ -24,13 +24,7 @@ TOOTH_SAMPLES = 129
 
 
 def mesh_cycle_data(contacts: Iterable[Any]) -> "xr.Dataset":
-    """The contacts of a mesh cycle as one dataset over phase.
-
-    Args:
-        contacts: Objects with phase [-], worm_angle and wheel_angle [rad], transmission_error [rad], point
-            [m] and normal as three components in the axes of the drive, and radii [m] along x and y of the
-            tangent plane.
-    """
+    """The contacts of a mesh cycle as one dataset over phase, vectors in the axes of the drive."""
     contacts = tuple(contacts)
 
     def column(name: str) -> np.ndarray:
@@ -84,11 +78,7 @@ LOADED_PHASES = 101
 
 
 def loaded_cycle_data(mesh: WormMesh, beyond: float) -> "xr.Dataset":
-    """Loads, levers and speeds of a tooth pair over its cycle under load.
-
-    Args:
-        beyond: Phases before and after the mesh cycle in which a pair may carry load.
-    """
+    """Loads, levers and speeds of a tooth pair over its cycle and `beyond` [phases] before and after."""
     phases = np.linspace(-beyond, 1 + beyond, LOADED_PHASES)
     arms = mesh.arms(phases)
     shared = [mesh.shared(float(phase)) for phase in phases]
@@ -146,13 +136,7 @@ FlankPlace = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 def tooth_data(outline: Any, gap: Gap, place: FlankPlace, on_thread: FlankPlace) -> PlainDataset:
-    """The tooth, its whole gap and its path of contact over a contact's tangent plane.
-
-    Args:
-        place: Place on the wheel's flank: along the face from its middle, and distance from the wheel's axis.
-        on_thread: Place on the worm's thread: along its axis from the line of centres, and distance from that
-            axis.
-    """
+    """The tooth, its gap and its path of contact over a contact's tangent plane, places on both flanks."""
     x = np.linspace(outline.x.min(), outline.x.max(), TOOTH_SAMPLES)
     y = np.linspace(outline.y.min(), outline.y.max(), TOOTH_SAMPLES)
     opening, covered = gap(*np.meshgrid(x, y))

@@ -52,10 +52,7 @@ MIRRORED = (
 
 @dataclass(frozen=True, kw_only=True)
 class WormDrive(WormMesh, Drive):
-    """A worm drive at one operating point; further attributes as of `WormMesh`.
-
-    ValueError if worm and wheel do not mesh; the message begins with the key that is wrong.
-    """
+    """A worm drive at one operating point; ValueError, which begins with a key, if its teeth do not mesh."""
 
     body_names = "worm", "wheel"
     rated_as = WormDuty

@@ -15,13 +15,7 @@ LoadedCycle = Callable[[], "xr.Dataset"]
 def worm_mesh_loss(
     mesh: WormMesh, loaded_cycle: LoadedCycle, contacts: Sequence[ContactLoss]
 ) -> MeshLoss | None:
-    """Loss of all teeth in mesh; None for too few phases of teeth that share a torque.
-
-    Args:
-        loaded_cycle: Gives the loads, levers and speeds over the mesh cycle (`loaded_cycle_data`), where they
-            are needed.
-        contacts: Losses of contacts that were solved.
-    """
+    """Loss of all teeth in mesh by solved contacts; None for too few phases of a shared torque."""
     if mesh.tooth_load is None:
         return _of_shared_torque(mesh, loaded_cycle, contacts)
     return _of_given_load(mesh, mesh.tooth_load, contacts)

@@ -22,11 +22,7 @@ SIDES = (-1, 0, 1)
 
 
 def sensitivity_data(mesh: WormMesh) -> "xr.Dataset":
-    """The contact at mid-mesh under its load with each error alone; NaN where teeth cannot be assembled.
-
-    Args:
-        mesh: The mesh; the middle of each row is the drive itself.
-    """
+    """The contact at mid-mesh under its load with each error alone; NaN where teeth cannot be assembled."""
     load = mesh.mid_mesh_load
     aligned = mid_mesh_contact(mesh, load)
     rows = []

@@ -32,11 +32,7 @@ DRAWN_PARTS = (
 
 
 def in_space(gears: WormGears, phases: Sequence[float]) -> Space:
-    """The thread that drives and the flank of the wheel that it drives.
-
-    Args:
-        phases: Phases of the mesh cycle for the turns.
-    """
+    """The thread that drives and the flank of the wheel that it drives, turned to phases."""
     contacts = [gears.cycle.contact(phase) for phase in phases]
     worm = Shape(
         1,

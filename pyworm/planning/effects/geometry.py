@@ -109,10 +109,7 @@ def _side_flow(prediction: Prediction) -> Influence:
 
 
 def as_line(scene: AnyContact) -> AnyContact:
-    """The line contact in the middle of a long contact: same largest dry pressure and curvature.
-
-    ValueError if the contact has no such middle.
-    """
+    """The line in the middle of a long contact, of its pressure and curvature; ValueError without."""
     if isinstance(scene, LineScene):
         return scene
     axis = _axis(scene)

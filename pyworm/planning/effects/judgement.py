@@ -34,17 +34,10 @@ def judge(
     required: frozenset[str] = frozenset(),
     excluded: Mapping[str, str] | None = None,
 ) -> tuple[Judgement, ...]:
-    """Judge every effect, whether to simulate it.
+    """Judge every effect, whether to simulate it, by a contact in closed form or solved figures.
 
     Effects are left out, the most expensive first, as long as together they change the quantities asked for
-    by no more than the accuracy.
-
-    Args:
-        accuracy: Relative change allowed [-].
-        prediction: The contact by closed forms, or by solved figures.
-        asked, required: The effects to simulate, if these are given; and those to simulate beside what the
-            accuracy needs.
-        excluded: Effects not to simulate, and the reason of each.
+    by no more than the accuracy. Beside those `asked` or `required` those `excluded` have a reason each.
     """
     judgements, excluded = {}, excluded or {}
     allowed = accuracy
@@ -84,10 +77,7 @@ def _decided(
     judgements: Mapping[str, Judgement],
     excluded: Mapping[str, str],
 ) -> tuple[bool, str] | None:
-    """Decide an effect without its influence, with the reason; None where the influence decides.
-
-    Arguments as of `judge`, and the effects judged before.
-    """
+    """Decide an effect without its influence, with the reason; None where the influence decides."""
     if effect.name in excluded:
         return False, excluded[effect.name]
     if effect.without is None:

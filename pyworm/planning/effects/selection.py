@@ -77,10 +77,7 @@ class BesideAuto:
 
 
 def beside_auto(text: str) -> BesideAuto | None:
-    """Effects named together with "auto"; None for a choice without it.
-
-    ValueError for a word that means nothing.
-    """
+    """Effects named together with "auto"; None without it; ValueError for a word that means nothing."""
     first, *names = _understood(text)
     if first != "auto":
         return None
@@ -125,10 +122,7 @@ def chosen(scene: AnyContact, text: str) -> frozenset[str]:
 
 
 def require(scene: AnyContact, name: str, text: str) -> None:
-    """Refuse an effect, named in a choice, that a contact has none of.
-
-    ValueError if it has none, and not only because of the phase of a mesh.
-    """
+    """Refuse an effect that a contact has none of, but by the phase of a mesh (ValueError)."""
     effect = SIMULATED[name]
     reason = effect.lacking(scene)
     if reason is not None and not effect.passing:

@@ -55,8 +55,7 @@ def motion(
 ) -> Motion | None:
     """Expected transient solves of a contact; None of a steady film and where none can begin.
 
-    Args:
-        time_grid: The time grid of its whole life, if known: finding it costs as much as several plans.
+    The time grid of its whole life costs as much to find as several plans, and is passed if known.
     """
     if SQUEEZE.name not in plan.on:
         return None

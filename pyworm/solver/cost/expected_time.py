@@ -47,12 +47,9 @@ class Expectation:
 def expectation(
     scene: Scene | LineScene, plan: Plan, time_grid: TimeGrid | None = None
 ) -> Expectation:
-    """Estimate the cost of solving a scene by a plan on this machine.
+    """Estimate the cost of solving a scene by a plan on this machine, with its time grid if known.
 
     The first call on a machine, or with another build of the kernel, measures a calibration in some seconds.
-
-    Args:
-        time_grid: The time grid of its life, if it is known.
     """
     pace = calibration()
     unit = pace.convolution(plan.work.kind, plan.work.finest)
@@ -112,10 +109,7 @@ def _making(scene: Scene | LineScene) -> float:
 
 
 def _sampling(scene: Scene | LineScene, plan: Plan) -> tuple[float, float]:
-    """Processor time of sampling the gap and the velocities at a node, from those of a few nodes [s].
-
-    Velocities are sampled for the film, for its shear and for its heat, and once more on the last grid.
-    """
+    """Processor time of sampling gap and velocities at a node [s], velocities for film, shear and heat."""
     if isinstance(scene, LineScene) or isinstance(scene.gap, Paraboloid):
         return 0.0, 0.0
     grid = plan.grids[-1]

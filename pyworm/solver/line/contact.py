@@ -121,8 +121,8 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
     def _first(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
         """Solve the first grid in stages: isothermal Newtonian, sheared, heated.
 
-        The stresses of a Newtonian film may be so far above the limiting stress that their heat diverges;
-        hence shear comes before heat.
+        Newtonian stresses may be so far above the limiting stress that their heat diverges: shear comes
+        first.
         """
         for lift in LIFTS:
             height = lift * self._size.film
@@ -138,10 +138,7 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
         return level, steps
 
     def _sped_up(self, grid: LineGrid) -> tuple[LineLevel, list[NewtonStep]]:
-        """Solve the film by continuation in the velocities, from `SPEED_FRACTIONS`.
-
-        After the slowest, the entrainment rises while shear and heat are those of the full speed.
-        """
+        """Continuation in the entrainment, from `SPEED_FRACTIONS`, with shear and heat of the full speed."""
         slowest, *faster = (
             LineContactSolver(self._at(fraction), self._plan, self._transient_term)
             for fraction in SPEED_FRACTIONS

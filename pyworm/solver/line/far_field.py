@@ -37,11 +37,7 @@ class LineFarField:
 
 
 def line_far_field(scene: LineScene, grid: LineGrid, pressure: Array, film: Array) -> LineFarField:
-    """Compute the far field before a grid's inlet end.
-
-    Args:
-        pressure, film: Pressure [Pa] and film [m] on it, at least roughly.
-    """
+    """The far field before a grid's inlet end, of a pressure [Pa] and a film [m] known roughly."""
     x = grid.x
     inlet = 0 if scene.entrainment > 0 else -1
     if not scene.gap(x[[inlet]])[1][0]:

@@ -41,11 +41,7 @@ class LineLevel(Level):
         return {}
 
     def rigid_film_on(self, grid: LineGrid, pressure: Array) -> float:
-        """Rigid film [m] on another grid: deflections are those relative to a grid's length away.
-
-        A strip under a line load deflects by its logarithm (`fortran/elastic/half_plane.f90`), so that the
-        rigid film of the same film changes with that length by micrometres.
-        """
+        """Rigid film [m] on another grid: deflections are those relative to a grid's length away."""
 
         def of_datum(on: LineGrid, under: Array) -> float:
             load = float(under.sum()) * on.dx

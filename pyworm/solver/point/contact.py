@@ -158,10 +158,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         return level, steps
 
     def _lifted_off(self, level: PointLevel, begun: tuple[Array, float]) -> list[NewtonStep]:
-        """Newton steps from thicker films on the outermost grid, where none was found from its beginning.
-
-        That was a pressure and a rigid film. The level is left as it was where these lead to none either.
-        """
+        """Newton steps from thicker films on the outermost grid, where none was found; else it stays."""
         if level.film.fed or self._found(level):
             return []
         (pressure, rigid_film), first, steps = begun, level.state(), []

@@ -30,12 +30,7 @@ class FarField:
 
 
 def far_field(scene: Scene, grid: Grid, film: Array, covered: Flags) -> FarField:
-    """Compute the far field of a rigid film beyond a grid.
-
-    Args:
-        film: Film [m] on the outline, at least roughly, shape (nx, ny).
-        covered: Where both surfaces exist.
-    """
+    """The far field of a rigid film beyond a grid, of a film [m] known roughly on the outline."""
     x, y = grid.mesh()
     outline = np.zeros(film.shape, dtype=bool)
     outline[[0, -1], :] = outline[:, [0, -1]] = True

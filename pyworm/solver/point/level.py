@@ -35,10 +35,7 @@ DRY_TOLERANCE = 1e-5
 
 @dataclass(frozen=True)
 class PointLevel(Level):
-    """A film of a point contact on one grid.
-
-    The other attributes are those of `pyworm.solver.level.Level`.
-    """
+    """A film of a point contact on one grid."""
 
     forcing: ClassVar[float] = 0.1
 
@@ -83,10 +80,7 @@ def dry_contact(
 def first_level(
     scene: Scene, far: Scene, size: Scales, grid: Grid, term: TransientTerm | None = None
 ) -> PointLevel:
-    """The outermost grid, started from the dry contact lifted by the expected film.
-
-    `far` is the scene of the far field.
-    """
+    """The outermost grid of a scene, whose far field is that of `far`, from the lifted dry contact."""
     x, y = grid.mesh()
     gap, covered = opening(scene, x, y)
     dry = dry_contact(scene, grid, gap, covered, size.hertz.pressure(x, y))
@@ -194,10 +188,7 @@ def restart(scene: Scene, size: Scales, level: PointLevel) -> None:
 
 
 def dry_guess(scene: Scene, size: Scales, level: PointLevel) -> InitialGuess:
-    """Initial guess of a film: its dry contact lifted by the expected film.
-
-    Pressure on the outline and beyond stays unchanged.
-    """
+    """Initial guess: the dry contact lifted by the expected film, pressure on the outline unchanged."""
     dry = dry_contact(
         scene,
         level.grid,

@@ -32,15 +32,9 @@ _ALLOWED = tuple(
 
 
 def base_cylinder_design(profile: Profile, given: Mapping[str, Any], hand: Hand) -> Design:
-    """Worm, wheel and hob of their base cylinders.
+    """Worm, wheel and hob of their base cylinders by `Drawing`'s and `OF_HOB`'s numbers, None if not given.
 
-    Args:
-        profile: Form of the flanks, which is ZI.
-        given: Numbers by the names of `Drawing`, and those of `OF_HOB`; those that are left out None.
-        hand: Hand of the threads.
-
-    Raises:
-        ValueError: A number is missing, or is of a drawing with a module; the sentence begins with its key.
+    ValueError, which begins with a key, if one is missing, or is of a drawing with a module.
     """
     _check(profile, given)
     return Design(

@@ -13,11 +13,7 @@ Seat = tuple[float, float, float]
 
 
 def worm_of(screw: Worm | Hob, size: float, seat: Seat) -> WormSurface:
-    """The helicoid of a worm or a hob at its place.
-
-    Args:
-        size: A length of the drive, such as the reference radius [m].
-    """
+    """The helicoid of a worm or a hob at its place; `size` is a length such as the reference radius [m]."""
     if screw.generator is None:
         return Helicoid(present(screw.base_radius, "base_radius"), screw.lead, *seat)
     return SweptHelicoid(screw.generator, size, *seat)

@@ -174,10 +174,7 @@ class Drawing:
 
     @property
     def hob(self) -> Hob:
-        """The hob's design table: the worm's normal module and pressure angle on a larger cylinder.
-
-        So both have the same normal base pitch. Its tip cuts the wheel's root.
-        """
+        """The hob: the worm's normal module and pressure angle, so its base pitch, on a larger cylinder."""
         diameter = self.reference_diameter + self.hob_oversize
         distance = self.hob_centre_distance or self.centre_distance + self.hob_oversize / 2
         lead_angle = self.hob_lead_angle

@@ -100,10 +100,7 @@ def check_given(given: Mapping[str, float | None]) -> None:
 
 
 def check_profile(profile: Profile, given: Mapping[str, float | None]) -> None:
-    """Refuse numbers of a grinding disc of a profile that has none, and a base cylinder of any but ZI.
-
-    ValueError if there is such a number.
-    """
+    """Refuse numbers that only other profiles have, of discs, arcs and base cylinders (ValueError)."""
     for name, profiles in OF_PROFILES.items():
         if given.get(name) is not None and profile not in profiles:
             words = " and ".join(f'"{profile}"' for profile in profiles)

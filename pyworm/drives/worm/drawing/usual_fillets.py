@@ -22,9 +22,7 @@ ROOM = 0.8
 
 
 def fitting_fillets(drawing: Drawing) -> tuple[float, float]:
-    """Radii [m] of the worm's fillet and of the rounded edge of the hob's tip.
-
-    They are zero where the flanks of a thread meet before its root or its tip, so that nothing fits.
+    """Radii [m] of the worm's fillet and of the hob's rounded tip edge; zero where nothing fits.
 
     ValueError if the drawing has no flanks (`Drawing.worm`, `Drawing.hob`).
     """

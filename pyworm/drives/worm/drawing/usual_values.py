@@ -94,14 +94,7 @@ def _mean_diameter(known: Known) -> float:
 def completed(
     given: Mapping[str, float | None], profile: Profile = "ZI"
 ) -> tuple[Drawing, tuple[str, ...]]:
-    """A drawing with usual values for what it does not give.
-
-    Args:
-        given: Numbers by their names in `Drawing`, those that are left out None or absent.
-
-    Returns:
-        The drawing, and a sentence that begins with the key for each value taken.
-    """
+    """A drawing with usual values where none, or None, is given, and a sentence on each, by its key."""
     known: dict[str, Any] = {name: value for name, value in given.items() if value is not None}
     assumed = {}
     for name, (rule, words) in (_USUAL | _USUAL_OF.get(profile, {})).items():

@@ -19,10 +19,7 @@ from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGe
 
 @dataclass(frozen=True)
 class AxialArc(ScrewGenerator):
-    """A right-hand helicoid swept by an arc in the axial plane; the parameter is the radius.
-
-    ValueError if the arc does not rise all the way between them.
-    """
+    """A helicoid swept by an arc in the axial plane over the radius; ValueError if it does not rise."""
 
     top: float
     """r_c, radius above which the flank would no longer rise [m]."""
@@ -73,16 +70,6 @@ def axial_arc(
     arc_radius: float,
     radii: tuple[float, float],
 ) -> AxialArc:
-    """The flank with a normal pressure angle on the cylinder of a reference radius [m].
-
-    Args:
-        lead, lead_angle, pressure_angle: Lead [m], lead angle on the reference cylinder and normal pressure
-            angle.
-        reference, arc_radius: Reference radius and radius of the arc [m].
-        radii: Radii between which it is used [m].
-
-    Raises:
-        ValueError: As of `AxialArc`.
-    """
+    """The flank with a normal pressure angle and a lead angle on a reference radius [m], between radii."""
     axial = atan(tan(pressure_angle) / cos(lead_angle))
     return AxialArc(reference + arc_radius * sin(axial), arc_radius, lead / (2 * pi), *radii)

@@ -131,10 +131,7 @@ class ContactCurve(ContactPath):
 
     @property
     def _begun(self) -> tuple[float, Array]:
-        """Worm angle and unknowns of the contact that the pitch points lead to.
-
-        HobError if worm and wheel do not touch near the pitch point.
-        """
+        """Worm angle and unknowns of the contact from the pitch points; HobError without one near."""
         (u, turn, angle), (cut_u, cut_turn, hob_angle) = (
             screw.over_centres(radius)
             for screw, radius in zip((self.worm, self.flank.hob), self.reference_radii, strict=True)

@@ -44,11 +44,7 @@ class ContactPath(ABC):
 
     @abstractmethod
     def search(self, tip_radius: float) -> Array:
-        """Places in the order of the worm's rotation between which the teeth begin and end, if at all.
-
-        Args:
-            tip_radius: Radius of the worm's tip cylinder [m].
-        """
+        """Places, as the worm turns, between which teeth of a tip radius [m] begin and end, if at all."""
 
     @abstractmethod
     def worm_surface(self, angle: float) -> FlankSurface:

@@ -148,12 +148,10 @@ class FlankHeight:
     def solve(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
         """Height [m] of the flank at points (x, y), the touching planes' q, and where it exists.
 
-        Where the mathematical flank ends before (x, y), it is continued along the ray from the contact
-        point with the slope of its last sound point and the contact point's curvatures, so that the
-        gap stays smooth and opens; q is then the last sound point's.
-
-        Gap and velocities are evaluated at the same points one after the other; hence results are cached and
-        must not be written to.
+        Where the flank ends before (x, y), it is continued along the ray from the contact point with the
+        slope of its last sound point, whose q is given, and the contact point's curvatures, so that the gap
+        stays smooth and opens. Gap and velocities are evaluated at the same points, one after the other:
+        results, cached, are not written to.
         """
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         return self._cache.recall((x, y), lambda: self._solve_all(x, y))

@@ -24,17 +24,15 @@ def along(point: Vector, distance: Array | float, direction: Vector) -> Componen
 class FlankSurface(ABC):
     """A flank by parameters q, one array each.
 
-    A line along the common normal ez is given by its point in the tangent plane, whose axes are ex and ey;
-    `axes` has the rows ex, ey, ez.
+    A line along the normal ez is given by its point in the tangent plane; `axes` has the rows ex, ey, ez.
     """
 
     @abstractmethod
     def newton(self, q: list[Array], line: Vector, axes: Array) -> tuple[Array, list[Array], Array]:
         """One step of Newton's method to the place of the flank on a line.
 
-        Returns:
-            Height along the line where the step leads [m], right to the square of the step at least; the step
-            to be taken off q; and a determinant that vanishes at the flank's edge of regression.
+        Height along the line where the step leads [m], right to the square of the step at least; the step to
+        be taken off q; and a determinant that vanishes at the flank's edge of regression.
         """
 
     @abstractmethod

@@ -101,10 +101,7 @@ class Helicoid(Seated):
 
     @cached_property
     def base_travel(self) -> float:
-        """Advance of a tangent plane along its normal per radian of rotation [m].
-
-        The normal base pitch is this times 2 pi / threads.
-        """
+        """Advance of a tangent plane along its normal per radian [m]: base pitch times threads / 2 pi."""
         return self.screw * float(np.cos(self.base_lead_angle))
 
     @property
@@ -147,10 +144,7 @@ class Helicoid(Seated):
         )
 
     def normals(self, theta: Array) -> tuple[Array, Array, Array]:
-        """Unit normal of the tangent plane and its first two derivatives by theta, each (3, ...).
-
-        The normal is the binormal of the base helix; it points into the thread.
-        """
+        """Unit normal into the thread, and its first two derivatives by theta, each (3, ...)."""
         normal, slope, bend = (np.stack(normal) for _, normal in self.planes(theta))
         return normal, slope, bend
 
@@ -163,13 +157,7 @@ class Helicoid(Seated):
         return support, slope, bend
 
     def point(self, theta: Array, along: Array, angle: float = 0.0) -> Array:
-        """Point on the flank, (3, ...) [m].
-
-        Args:
-            theta: Angle at which the generator touches the base cylinder [rad].
-            along: Distance along the generator from the base helix [m], positive on the flank.
-            angle: Rotation of the screw about its axis [rad].
-        """
+        """Points (3, ...) [m] of generators theta [rad] at distances from the base helix [m]."""
         theta, along = np.broadcast_arrays(np.asarray(theta), np.asarray(along))
         x, y = np.cos(theta), np.sin(theta)
         across = along * cos(self.base_lead_angle)

@@ -50,10 +50,6 @@ def axial_profile(radius: float, base_radius: float, lead: float) -> float:
     """Height of the flank along the axis over a radius at or outside the base cylinder [m].
 
     z = p (tan(alpha) - alpha) with p = lead / 2 pi and cos(alpha) = r_b / r: the profile of an involute.
-
-    Args:
-        radius, base_radius, lead: The radius, the base cylinder's and the advance of the flank in one turn
-            [m].
     """
     tangent = sqrt(max(radius**2 - base_radius**2, 0.0)) / base_radius
     return lead / (2 * pi) * (tangent - atan2(tangent, 1.0))

@@ -27,15 +27,10 @@ MIN_ERROR_RATIO = 100.0
 def on_mesh(
     find: Callable[[Array, Array], Array], x: Array, y: Array, tolerance: float
 ) -> Array | None:
-    """Values at the nodes of a mesh.
+    """Values (quantities, ...) at the nodes of a mesh; None of few nodes, and of such that are no mesh.
 
-    Args:
-        find: Places x and y, (places,) -> values, a row for each quantity; the last one is 1 where the
-            function is smooth.
-        tolerance: Largest error of the first quantity.
-
-    Returns:
-        Values (quantities, ...); None of few nodes, and of such that are no mesh.
+    `find` gives a row for each quantity at places, of which the last one is 1 where the function is smooth;
+    `tolerance` is the largest error of the first one.
     """
     stride = max(x.shape) // LONGER_SIDE if x.ndim == 2 else 0
     if stride < 2 or min(x.shape) <= 2 * THROUGH * stride or (sides := _sides(x, y)) is None:

@@ -13,11 +13,7 @@ Kept = TypeVar("Kept")
 
 
 class PointCache:
-    """Values at the points evaluated last, up to a number of points; other processes get an empty copy.
-
-    Args:
-        most: Total number of points beyond which the least recently used values are dropped.
-    """
+    """Values at the `most` points evaluated last; other processes get an empty copy."""
 
     def __init__(self, most: int):
         self._most = most

@@ -52,12 +52,9 @@ def straight_axial(lead: float, lead_angle: float, pressure_angle: float) -> Rul
 def straight_normal(
     lead: float, lead_angle: float, pressure_angle: float, apex: float
 ) -> RuledHelicoid:
-    """The flank of a ZN worm, straight in the plane normal to the thread.
+    """The flank of a ZN worm, straight in the plane normal to the thread, where its blade has an angle.
 
-    Args:
-        lead, lead_angle, pressure_angle: Lead [m], lead angle on the reference cylinder and angle of the
-            blade in that plane.
-        apex: Radius at which the line meets the middle of the thread or of its space [m].
+    `apex` is the radius at which the line meets the middle of the thread or of its space [m].
     """
     across = sqrt(cos(pressure_angle) ** 2 + (sin(pressure_angle) * sin(lead_angle)) ** 2)
     return RuledHelicoid(

@@ -18,12 +18,7 @@ WheelSurface = WheelFlank | SweptWheel
 def contact_paths(
     worm: WormSurface, flank: WheelSurface, threads: int, reference_radii: tuple[float, float]
 ) -> tuple[ContactPath, ...]:
-    """Paths along which worm and wheel touch.
-
-    Args:
-        threads: Number of threads of the worm.
-        reference_radii: Reference radii of worm and hob [m].
-    """
+    """Paths along which worm and wheel touch, by threads and reference radii of worm and hob [m]."""
     if isinstance(worm, Helicoid) and isinstance(flank, WheelFlank):
         return lines_of_action(worm, flank)
     if isinstance(worm, SweptHelicoid) and isinstance(flank, SweptWheel):

@@ -88,12 +88,7 @@ class SweptHelicoid(Seated):
         return u / self.size, turn, turn + float(z) / self.screw
 
     def expanded(self, u: Array, turn: Array, angle: Array | float) -> Expansion:
-        """Points, normals and derivatives.
-
-        Args:
-            u, turn: Place on the curve over `size`, and turn of the curve [rad].
-            angle: Rotation of the screw about its axis [rad].
-        """
+        """Points, normals and derivatives at u, a turn of the curve and an angle of the screw [rad]."""
         place, along, bend = self.generator.curve(u * self.size)
         x, y, z = place
         swept = -y, x, self.screw

@@ -21,15 +21,9 @@ def thread_thickness(flank: WormSurface, radius: float, reference: float, there:
 def form_radius(flank: WormSurface, end: float, fillet: float, other_end: float) -> float:
     """Radius of the cylinder on which a flank turns into an arc that ends it [m].
 
-    The arc's centre is `fillet` from the cylinder that ends the thread and from the flank:
-    r = end +- fillet (1 - sin alpha_x(r)), + at a root and - at a tip (closed for the straight flanks of ZA).
-
-    Args:
-        end, other_end: Radii of the cylinder to which the arc is tangent, and of the thread's other one [m].
-        fillet: Radius of the arc [m]; without any the flank goes on to the end.
-
-    Raises:
-        ValueError: If the arc leaves no flank.
+    The arc's centre is `fillet` from the cylinder that ends the thread and from the flank: r = end +- fillet
+    (1 - sin alpha_x(r)), + at a root and - at a tip (closed for the straight flanks of ZA). Without a fillet
+    the flank goes on to the end; ValueError if the arc leaves none up to the other end.
     """
     if fillet == 0:
         return end

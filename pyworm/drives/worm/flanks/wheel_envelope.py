@@ -51,12 +51,7 @@ class WheelFlank:
         return self.hob.base_travel / self.ratio
 
     def cut_point(self, theta: Array, roll: Array) -> Array:
-        """Point of the cutting contact in the drive frame, where hob and wheel touch, (3, ...) [m].
-
-        Args:
-            theta: Generator of the hob [rad].
-            roll: Wheel angle while cutting [rad].
-        """
+        """Points (3, ...) [m] where hob and wheel touch, in the drive frame, by generator and roll [rad]."""
         theta, roll = np.broadcast_arrays(np.asarray(theta), np.asarray(roll))
         normal, slope, _ = self.hob.normals(theta)
         support, support_slope, _ = self.hob.supports(theta)
@@ -75,10 +70,7 @@ class WheelFlank:
         return turned(self.hob.normals(theta)[0], np.asarray(roll) - wheel_angle)
 
     def place(self, q: Array) -> tuple[Array, Array]:
-        """Radius and place along the axis, (2, points) [m], derivatives by theta and roll, (2, 2, points).
-
-        The derivatives are by complex step, exact to rounding.
-        """
+        """Radius and axial place (2, points) [m], their derivatives by theta and roll, by complex step."""
         tiny = 1e-30
         columns = []
         for part in (0, 1):

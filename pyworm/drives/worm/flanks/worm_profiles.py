@@ -77,10 +77,7 @@ class Thread:
 
 
 def generator_of(profile: Profile, thread: Thread) -> ScrewGenerator | None:
-    """What sweeps the flank of a thread; None of ZI, which has closed forms.
-
-    ValueError if a disc of this size leaves no such flank.
-    """
+    """What sweeps the flank of a thread; None of ZI, which is closed; ValueError without such a flank."""
     screw = thread.lead, thread.lead_angle, thread.pressure_angle
     if profile == "ZI":
         return None
@@ -137,12 +134,7 @@ def normal_pressure_angle(profile: Profile, pressure_angle: float, lead_angle: f
 def own_pressure_angle(
     profile: Profile, generator: ScrewGenerator | None, lead_angle: float, normal: float
 ) -> float:
-    """Pressure angle in the definition of the profile (`PRESSURE_ANGLE_PLACES`) [rad].
-
-    Args:
-        lead_angle, normal: Lead angle and pressure angle in the normal section, both on the reference
-            cylinder [rad].
-    """
+    """Pressure angle in the definition of the profile (`PRESSURE_ANGLE_PLACES`) [rad]."""
     if profile == "ZA":
         return atan(tan(normal) / cos(lead_angle))
     if profile == "ZN" and isinstance(generator, RuledHelicoid):

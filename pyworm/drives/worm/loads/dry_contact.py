@@ -49,10 +49,7 @@ class DryToothContact(DryContact):
 
 
 def dry_contact_of(mesh: WormMesh, load: float, phase: float = 0.5) -> DryToothContact:
-    """The dry contact at a phase under a normal load [N].
-
-    ValueError if worm and wheel do not reach each other there.
-    """
+    """The dry contact at a phase under a normal load [N]; ValueError if worm and wheel do not meet."""
     contact = mesh.contact(phase)
     modulus = reduced_modulus(*mesh.bodies)
     touch = None if mesh.aligned else mesh.first_touch(contact)

@@ -110,12 +110,9 @@ def share(
 ) -> SharedLoad:
     """Share a torque among tooth pairs.
 
-    Args:
-        phases: Phases of the pairs that may touch, (pairs,).
-        arms: Torque for each normal load [m], (pairs,): `Arms.of`.
-        levers: Levers of their normals about the wheel's axis [m], (pairs,).
-        ahead: Transmission error if each pair alone led the wheel [rad], (pairs,).
-        springs: Compliance of the pairs; None with equal shares.
+    Arguments are arrays over the pairs that may touch: `arms` torque for each normal load [m], `levers` of
+    their normals about the wheel's axis [m], `ahead` the transmission error if each alone led the wheel
+    [rad]; without springs the shares are equal.
     """
     if transmission.sharing == "equal":
         on_teeth = (phases >= 0) & (phases <= 1)

@@ -235,10 +235,7 @@ class WormMesh(WormGears, Lubricated):
         return mesh_springs(MeshedTeeth.of(self), modulus, whole, shared.stiffness)
 
     def scene_at(self, phase: float) -> Scene:
-        """The contact at a phase under its share of the load, without its past.
-
-        ValueError if the teeth jam as assembled, or this pair carries no load there.
-        """
+        """The contact under its share of the load, without its past; ValueError if teeth jam or have none."""
         check_play(self)
         load = self.normal_load(phase)
         if load == 0:

@@ -68,14 +68,9 @@ class DriveTemperatures:
 def drive_temperatures(
     cooling: Cooling, rim: float, worm_speed: float, tooth_loss: float
 ) -> DriveTemperatures:
-    """Compute the steady temperatures under a loss between the teeth.
+    """Steady temperatures under a loss between the teeth [W]; `rim` is the wheel's width times diameter [m2].
 
-    Args:
-        rim: Face width of the wheel times its reference diameter [m2].
-        worm_speed, tooth_loss: Speed of the worm [rad/s] and loss between the teeth [W].
-
-    Raises:
-        ValueError: If the sump is hotter than the range of the standard's formula.
+    ValueError if the sump is hotter than the range of the standard's formula.
     """
     sump = cooling.ambient_temperature + (tooth_loss + cooling.other.power) / cooling.conductance
     wheel = bulk_temperature(sump, tooth_loss, worm_speed, rim, cooling.immersion)

@@ -120,14 +120,11 @@ def tooth_springs(
 ) -> ToothSprings:
     """Dry contacts of one tooth pair over its mesh cycle and a little beyond.
 
-    Args:
-        gap_at, radii_at: Phase -> undeformed gap over the tangent plane, and relative radii of curvature [m].
-        reduced_modulus, whole_load, stiffness: E' [Pa], load of all pairs together [N], stiffness beyond the
-            contact [N/m].
-        longest: Half side of the window that no contact exceeds [m].
-        touch_at: Phase -> place about which flanks touch first; by default their contact point.
-        follows: Phase -> whether the contact is that of the flanks, not continued from where it could be
-            followed no farther; by default within the mesh cycle.
+    By phase are given the undeformed gap over the tangent plane, the radii of curvature [m], the place about
+    which flanks touch first (`touch_at`), by default their contact point, and whether the contact `follows`
+    the flanks and is not continued, by default within the mesh cycle. `whole_load` is that of all pairs
+    together [N], `stiffness` that beyond the contact [N/m], `longest` half the side of the window that no
+    contact exceeds [m].
     """
     loads = LOAD_SHARES * whole_load
     phases, separations, approaches = [], [], []
@@ -226,10 +223,7 @@ def placed_gap(
     cells: tuple[int, int] = CELLS,
     middle: Place = CONTACT_POINT,
 ) -> PlacedGap | None:
-    """The gap about its least under a load [N], arguments as of `tooth_springs`; None without teeth.
-
-    The least is sought about a place of the tangent plane, `middle` [m].
-    """
+    """The gap about its least near a `middle` [m], under a load [N]; None without teeth."""
     size = hertz(min(radii[0], LONGEST_RATIO * radii[1]), radii[1], load, reduced_modulus)
     sides = [
         min(fraction * axis, longest)

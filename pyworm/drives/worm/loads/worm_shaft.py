@@ -93,16 +93,9 @@ class MeshForce:
 def bent_shaft(
     shaft: WormShaft, gears: WormGears, mean: MeshForce, youngs_modulus: float
 ) -> BentShaft:
-    """The shaft under the mean force of the mesh.
+    """The shaft under the mean force of the wheel's teeth on the worm, which meshes as on a rigid shaft.
 
-    Args:
-        gears: Worm and wheel as on a rigid shaft.
-        mean: Force of the wheel's teeth on the worm.
-        youngs_modulus: Of the shaft [Pa].
-
-    Raises:
-        ValueError: If a bearing lies where the wheel is, or the shaft bends by more than a tenth of the
-            module.
+    ValueError if a bearing lies where the wheel is, or the shaft bends by more than a tenth of the module.
     """
     _check_bearings(gears, shaft)
     diameter = _diameter(shaft, gears.worm)
@@ -157,10 +150,7 @@ def _diameter(shaft: WormShaft, worm: Worm) -> float:
 def _too_soft(
     gears: WormGears, shaft: WormShaft, diameter: float, deflections: tuple[float, float]
 ) -> str:
-    """The sentence about a shaft that bends too much, or whose bearings yield too much.
-
-    The deflections [m] are that of the mesh and that by the shaft itself.
-    """
+    """Message about a shaft whose mesh deflects too much [m], or the part of that which bending makes."""
     deflection, by_shaft = deflections
     most = f"worms of this module may move {MAX_DEFLECTION * gears.module * 1e3:.2g} mm at most"
     if shaft.bearing_stiffness < inf:

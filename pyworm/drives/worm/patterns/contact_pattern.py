@@ -127,11 +127,8 @@ def both_flanks(
 ) -> tuple[ContactPattern, ContactPattern]:
     """The patterns of the flank that the worm drives and of the wheel's other one.
 
-    The other one is the first one of `turned` gears, with places along the face of the opposite sign; it has
-    no known separation where a shift for one direction of drive leaves no contact in the other one.
-
-    Args:
-        like: Gears with the same wheel, at whose places it is found; None for those of the gears.
+    The other one is the first one of `turned` gears, with places along the face of the opposite sign, found
+    at the places of gears `like` these; it has no known separation where a shift leaves no contact that way.
     """
     like = gears if like is None else like
     driven = pattern_of(gears, like.flank_grid)
@@ -170,11 +167,7 @@ def _behind(gears: WormGears) -> Array:
 
 
 def _first_gaps(gears: WormGears) -> Array:
-    """Least gap of the flanks at `PHASES` [m].
-
-    It is zero, at the contact point, where there are no deviations, and negative where misaligned flanks
-    touch at an edge before.
-    """
+    """Least gap of the flanks at `PHASES` [m], negative where misaligned or uneven ones touch before."""
     if gears.edge_contact is not None:
         touches = [
             gears.first_touch(gears.cycle.contact(float(phase))) for phase in PHASES[::PHASE_STRIDE]

@@ -83,12 +83,7 @@ Misses = Callable[[Setting[MeshT]], Array]
 
 
 def found_setting(mesh: MeshT, wanted: dict[str, float]) -> Setting[MeshT]:
-    """The set-up nearest to the present one whose pattern has a wanted place, or size, or both.
-
-    Args:
-        mesh: The mesh, or its drive, as it is.
-        wanted: `face` [m], `size` [-], or both, as in `Mark`.
-    """
+    """The set-up nearest to the present one whose pattern has a wanted `face` [m], `size` [-], or both."""
 
     def misses(setting: Setting[MeshT]) -> Array:
         return np.array(
@@ -124,10 +119,7 @@ def _newton_step(current: Setting[MeshT], misses: Misses[MeshT]) -> Change:
 def _nearer(
     current: Setting[MeshT], change: Change, misses: Misses[MeshT]
 ) -> Setting[MeshT] | None:
-    """The set-up a part of the change away that misses by less; None without.
-
-    The worm must not cut in, and a pair of teeth not part before the next one meets.
-    """
+    """The set-up a part of the change away that misses by less, if it meshes and stays in contact."""
     least = np.linalg.norm(misses(current))
     for part in (1.0, 0.5, 0.25, 0.1):
         tried = _changed(current, {entry: part * by for entry, by in change.items()})

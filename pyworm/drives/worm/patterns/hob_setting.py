@@ -23,7 +23,7 @@ LEAST_CONCAVE_SHIFT = 0.4
 
 @lru_cache(maxsize=4)
 def with_swivel(drawing: Drawing) -> tuple[Drawing, str]:
-    """A drawing with the first swivel by which the worm does not cut into the wheel, and that in words.
+    """A drawing with the first swivel without interference of worm and wheel, and that in words.
 
     ValueError if none of those tried leaves a wheel that the worm meshes with.
     """

@@ -63,15 +63,10 @@ def _nearer(
 
 
 def deflection(placed: PlacedGap, pressure: Array, modulus: float, x: Array, y: Array) -> Array:
-    """Elastic deflection of both flanks together at places in and beyond a contact's window [m].
+    """Elastic deflection of both flanks together [m], in a window under pressure [Pa] and beyond it.
 
-    Beyond it forces P at distances r give 2 P / (pi E' r) each (Boussinesq; K. L. Johnson, Contact Mechanics,
+    There forces P at distances r give 2 P / (pi E' r) each (Boussinesq; K. L. Johnson, Contact Mechanics,
     1985, equation 3.22).
-
-    Args:
-        pressure: Its pressure [Pa], (x, y).
-        modulus: E' [Pa].
-        x, y: Places [m].
     """
     dx, dy = placed.x[1] - placed.x[0], placed.y[1] - placed.y[0]
     inside = kernel.elastic_deflection(pressure, dx, dy, modulus)

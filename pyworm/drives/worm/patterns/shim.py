@@ -27,12 +27,9 @@ def found_shim(
     patterns: tuple[ContactPattern, ContactPattern],
     wanted: float | None = None,
 ) -> Shim:
-    """The shim for a place of the pattern.
+    """The shim for a wanted middle of the mark along the face [m], or None: that without errors.
 
-    Args:
-        gears: Worm and wheel with their errors of assembly.
-        patterns: Their patterns without load, of the flank that the worm drives and of the other one.
-        wanted: Wanted middle of the marked part along the face [m]; None for that without errors of assembly.
+    `patterns` are those without load of the flank that the worm drives and of the other one.
     """
 
     def middle(pattern: ContactPattern) -> float:
@@ -75,9 +72,6 @@ def shimmed(gears: WormGears, shift: float) -> WormGears:
 
 
 def _slope(gears: WormGears) -> float:
-    """Way of the contact at mid-mesh along the face by the shift of the wheel; of aligned flanks.
-
-    That of misaligned ones stays at the edge where they touch.
-    """
+    """Way of the contact at mid-mesh along the face by the wheel's shift, of aligned flanks."""
     ends = [shimmed(gears, side * DIFFERENCE).cycle.contact(0.5).point[1] for side in (-1, 1)]
     return float(ends[1] - ends[0]) / (2 * DIFFERENCE)

@@ -24,10 +24,7 @@ BASE_PITCH_MISMATCH = 0.01
 
 
 def check_gears(gears: WormGears) -> None:
-    """Refuse a design table whose worm and wheel do not mesh.
-
-    ValueError if they do not mesh; the message begins with the key that is wrong.
-    """
+    """Refuse gears that do not mesh (ValueError); the message begins with the key that is wrong."""
     _check_numbers(gears)
     check_sizes(gears)
     _check_table(gears)

@@ -28,12 +28,7 @@ class FirstTouch:
 
 
 def first_touch(gap: Gap, rim_x: Array, rim_y: Array) -> FirstTouch | None:
-    """The place of the least gap within a tooth's outline; None where worm and wheel do not face each other.
-
-    Args:
-        gap: Undeformed gap over the tangent plane.
-        rim_x, rim_y: Outline of the wheel's tooth on it [m].
-    """
+    """The place of the least gap within a tooth's outline [m]; None where worm and wheel do not face."""
     x, y = (np.linspace(side.min(), side.max(), NODES) for side in (rim_x, rim_y))
     found = _least(gap, x, y)
     for _ in range(2):

@@ -31,12 +31,7 @@ class FlankGrid:
 
 
 def flank_grid(tooth: WheelTooth, flank: WheelSurface, within: tuple[float, ...]) -> FlankGrid:
-    """Places between tip and root, from one end of the face to the other.
-
-    Args:
-        tooth, flank: Boundaries of the wheel's tooth, and its flank.
-        within: Parameters of a point of the flank within them.
-    """
+    """Places between tip and root, from one end of the face to the other, about parameters within them."""
     half = tooth.face_width / 2
     face, part = np.meshgrid(
         np.linspace(-half, half, FACE_PLACES), np.linspace(0.0, 1.0, HEIGHT_PLACES)

@@ -19,10 +19,7 @@ def surface_points(contact: ToothContact, x: Array, y: Array, height: Array) -> 
 
 @dataclass(frozen=True)
 class ToothGap:
-    """Undeformed gap between the teeth over the tangent plane, along the common normal.
-
-    Without relief it is zero at the contact point.
-    """
+    """Undeformed gap along the common normal over the tangent plane, zero at the contact but for relief."""
 
     contact: ToothContact
     """The contact."""
@@ -53,10 +50,7 @@ class ToothGap:
 
 @dataclass(frozen=True)
 class ToothMotion:
-    """Velocity of one tooth's surface relative to the contact point, on the tangent plane's axes.
-
-    The body's rigid rotation is evaluated at the actual point of its surface.
-    """
+    """Velocity of one tooth's surface, where it is, relative to the contact point on the plane's axes."""
 
     contact: ToothContact
     """The contact."""

@@ -54,10 +54,7 @@ class WormGears:
 
     @property
     def base_pitches(self) -> tuple[float, float]:
-        """Distance of neighbouring threads along the normal, of the worm and of the hob [m].
-
-        On their reference cylinders; of involutes it is the base pitch, the same on all.
-        """
+        """Distance of neighbouring threads of worm and hob along the normal, on reference cylinders [m]."""
         worm, hob = (
             2 * pi * screw.normal_travel(radius) / self.worm.threads
             for screw, radius in zip(
@@ -220,8 +217,7 @@ class WormGears:
     def flank_place(self, contact: ToothContact, x: Array, y: Array) -> tuple[Array, Array]:
         """Place on the wheel's flank over points of a tangent plane, the same at all wheel angles.
 
-        Returns:
-            Along the face from its middle, and distance from the wheel's axis [m].
+        Along the face from its middle, and distance from the wheel's axis [m].
         """
         point = surface_points(contact, x, y, contact.wheel_height.solve(x, y)[0])
         return point[1], wheel_radius(point)
@@ -229,8 +225,7 @@ class WormGears:
     def thread_place(self, contact: ToothContact, x: Array, y: Array) -> tuple[Array, Array]:
         """Place on the worm's thread over points of a tangent plane, the same at all worm angles.
 
-        Returns:
-            Along the worm's axis from the line of centres, and distance from that axis [m].
+        Along the worm's axis from the line of centres, and distance from that axis [m].
         """
         point = surface_points(contact, x, y, contact.worm_height.solve(x, y)[0])
         return self.worm_flank.along_axis(point), self.worm_flank.radius(point)
@@ -299,10 +294,7 @@ class WormGears:
 
     @cached_property
     def turned(self) -> Self:
-        """The gears turned by half a turn about X, whose driven flank is the other one of these.
-
-        Shifts along the wheel's axis change their sign by that; without any they are the same.
-        """
+        """The gears after half a turn about X, which drives their other flank and reverses shifts along Y."""
         changes = self.turned_parts()
         return replace(self, **changes) if changes else self
 

@@ -27,11 +27,7 @@ class Interference:
 
 
 def deepest(touch_at: Callable[[float], FirstTouch | None]) -> Interference | None:
-    """The deepest interference of worm and wheel without load; None where there is none.
-
-    Args:
-        touch_at: Phase -> where the flanks touch first.
-    """
+    """The deepest interference of worm and wheel without load, by where they touch first; None without."""
     found = [
         Interference(-touch.gap, phase, touch.x, touch.y)
         for phase, touch in ((phase, touch_at(phase)) for phase in PHASES)

@@ -143,12 +143,7 @@ class MeshCycle:
         return float(self._ahead(self._touches(np.array([0.5])))[0])
 
     def contact(self, phase: float, speed: float = 0.0) -> ToothContact:
-        """The contact at a phase.
-
-        Args:
-            phase: Place in the cycle; the tooth pair touches from 0 to 1, the flanks beyond.
-            speed: Worm speed [rad/s].
-        """
+        """The contact at a phase, 0 to 1, of the flanks beyond, and a speed of the worm [rad/s]."""
         seen = isinstance(self.path, SeenPath)
         touches = self._touches(np.array([phase]))
         point, normal = touches.point[:, 0], touches.normal[:, 0]
@@ -193,14 +188,9 @@ class MeshCycle:
 def find_mesh_cycle(
     paths: Sequence[ContactPath], ratio: float, worm_tooth: WormTooth, wheel_tooth: WheelTooth
 ) -> MeshCycle:
-    """Find the mesh cycle and its ends at the tooth boundaries.
+    """The mesh cycle and its ends at the tooth boundaries, with `ratio` threads over teeth.
 
-    Args:
-        paths: Paths along which the flanks touch.
-        ratio: Threads / teeth [-].
-
-    Raises:
-        ValueError: If the flanks do not touch on the teeth, or interfere.
+    ValueError if the flanks do not touch on the teeth, or interfere.
     """
     found = [cycle for path in paths for cycle in _on_teeth(path, ratio, worm_tooth, wheel_tooth)]
     cycles = [

@@ -41,7 +41,7 @@ def wheel_thickness(gears: WormGears) -> float:
 
 
 def wheel_tip_thickness(gears: WormGears) -> tuple[Array, Array]:
-    """Places along the face [m] and thickness of the wheel's tooth at its tip there [m].
+    """Thickness of the wheel's teeth at their tip over places along the face [m].
 
     It is negative where the flanks meet below the tip, not a number where the flank does not reach it.
     """

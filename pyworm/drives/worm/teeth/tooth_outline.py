@@ -65,9 +65,6 @@ def flank_outline(rimmed: RimmedFlank, count: int) -> Array:
     """Parameters of the closed outline of a wheel's flank, (parameters, 4 count + 1).
 
     Cached, since it does not depend on where the worm is assembled.
-
-    Args:
-        count: Points on each of the four sides.
     """
     tooth = rimmed.tooth
     target = np.stack(tooth.rim(count))
@@ -79,12 +76,9 @@ def flank_outline(rimmed: RimmedFlank, count: int) -> Array:
 def flank_places(
     flank: WheelSurface, start: tuple[float, ...], target: Array, hob_form_radius: float = inf
 ) -> Array:
-    """Parameters of places on a wheel's flank, or of where it ends on the way to them, (parameters, places).
+    """Parameters (parameters, places) of radii and axial places on a wheel's flank [m], or of its end before.
 
-    Args:
-        flank, start: As of `RimmedFlank`.
-        target: Radii and places along the axis [m], (2, places).
-        hob_form_radius: Radius up to which the hob has its flank [m], infinite for the whole envelope.
+    The hob has its flank up to a radius [m], infinite for the whole envelope.
     """
     q = np.repeat(np.array(start)[:, None], target.shape[1], axis=1)
     first, slope = flank.place(q)
