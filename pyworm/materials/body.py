@@ -160,10 +160,7 @@ def reduced_modulus(body_1: Body, body_2: Body) -> float:
 
 
 def composite_roughness(body_1: Body, body_2: Body) -> float | None:
-    """Root mean square of both surfaces' heights together [m]; None if one is not known.
-
-    ValueError for no roughness of surfaces in contact (`wear_distress.composite_roughness`).
-    """
+    """Root mean square of both surfaces' heights [m]; None if not known, ValueError if none."""
     if body_1.roughness is None or body_2.roughness is None:
         return None
     return wear_distress.composite_roughness(body_1.roughness, body_2.roughness)

@@ -33,10 +33,7 @@ SAME_WARMTH = 0.01
 
 
 def require_kinds(name: str, law: object, *kinds: type) -> None:
-    """Refuse a law that is not exactly one of these classes.
-
-    ValueError if it is of another class, or of one derived from them.
-    """
+    """Refuse a law that is not exactly one of these classes, such as one derived (ValueError)."""
     if type(law) not in kinds:
         known = " or ".join(kind.__name__ for kind in kinds if kind is not type(None))
         raise ValueError(

@@ -71,10 +71,7 @@ class _OilTable(StockTable):
 
 
 def oil_called(name: str, directory: Path) -> NamedOil:
-    """The oil of a name ("PAG VG 460"), or of a file, relative to a directory, whose name ends in .toml.
-
-    CaseError for no such oil, or no oil in the file.
-    """
+    """The oil of a name ("PAG VG 460"), or of a .toml file relative to a directory; CaseError without."""
     if name.endswith(".toml"):
         return read_oil(directory / name)
     try:

@@ -242,12 +242,9 @@ def tabulated(
 ) -> GapCurves:
     """Averages at the rows of `gap_rows` as a table for the kernel.
 
-    Args:
-        height: Composite root mean square height [m].
-        pressure, area: Pressure of the asperities [Pa] and real area of contact over the nominal one.
-        surplus: Mean thickness of the gap less the gap between mean planes [m].
-        flow, shear: Flow factors of the mean thickness's cube [-] and shear flow factors times the roughness
-            [m]: tensors xx, yy, xy, shape (3, rows).
+    By composite height [m], pressure of the asperities [Pa], real area over the nominal one, mean thickness
+    less the gap between mean planes [m], flow factors of its cube [-] and shear flow factors times the
+    roughness [m], both tensors xx, yy, xy, (3, rows).
     """
     values = np.vstack(
         [
@@ -262,12 +259,7 @@ def tabulated(
 
 
 def rough_pair(bodies: tuple[Body, Body], directions: Sequence[float]) -> RoughPair:
-    """The surfaces of two bodies whose roughness is known.
-
-    Args:
-        bodies: Body 1 and body 2.
-        directions: Direction of each surface's motion, from which its lay counts, from the x axis [rad].
-    """
+    """Both bodies' surfaces, of known roughness, moving in directions from the x axis [rad], of their lay."""
     first, second = (
         RoughSurface(
             present(body.roughness, "roughness"),

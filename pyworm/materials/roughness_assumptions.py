@@ -92,17 +92,11 @@ def variations(
     """Names of uncertain assumptions, each with the surfaces in which it is changed; all are independent.
 
     Laws of contact exclude each other: that one counts by which the load of the asperities changes most at a
-    given gap. A friction coefficient that was fitted by one law is another by another one (`REFITTED`).
-    Assumptions that change nothing, as shear flow factors between equal surfaces, are omitted.
-
-    Args:
-        boundary_friction: Friction coefficient of asperities in contact as assumed [-].
-        part: Part of the uncertainty by which each assumption is changed [-].
-        thickness: Mean thickness of the gap [m] at evenly spaced places of the contact.
-        waves: Root mean square height [m] of waves in the film that the gap does not have; they count as more
-            roughness.
-        fitted_spread: Relative uncertainty of the friction coefficient where it was fitted to measured
-            friction [-]; None where it is given (`BOUNDARY_FRICTION_SPREAD`).
+    given gap. A friction coefficient that was fitted (`fitted_spread`, else `BOUNDARY_FRICTION_SPREAD`) by
+    one law is another by another one (`REFITTED`). Assumptions that change nothing, as shear flow factors
+    between equal surfaces, are omitted. `part` of the uncertainty is changed; `thickness` is the mean one [m]
+    at evenly spaced places; `waves` in the film that the gap does not have count as more roughness by their
+    height [m].
     """
     curves = pair.curves()
     higher = hypot(1.0, waves / pair.height) - 1

@@ -15,8 +15,7 @@ Points = tuple[tuple[MaterialTemperature, Modulus], ...]
 def points(name: str, given: Sequence[Sequence[WithUnit]]) -> Points:
     """Points of a modulus over temperature, numbers in SI or texts with units.
 
-    ValueError for no pairs of a temperature and a modulus, temperatures that do not rise, or a modulus that
-    does.
+    ValueError for no pairs, temperatures that do not rise, or a modulus that does.
     """
     read = []
     for place, pair in enumerate(given):

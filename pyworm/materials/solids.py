@@ -91,11 +91,7 @@ def _plain(name: str) -> str:
 
 
 def constants(name: str) -> dict[str, Any]:
-    """Constants of a material of the table as a case file writes them, its modulus that at room temperature.
-
-    Args:
-        name: As of `named_material`.
-    """
+    """Constants of a material as a case file writes them, its modulus that at room temperature."""
     table = {
         key: value for key, value in _tables()[name].items() if key not in ("aliases", "source")
     }

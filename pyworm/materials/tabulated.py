@@ -127,16 +127,10 @@ class Tabulated(ABC):
         largest_pressure: WithUnit = LARGEST_PRESSURE,
         temperatures: Sequence[WithUnit] | None = None,
     ) -> Self:
-        """The table of a function.
+        """The table of a function of pressure [Pa] and temperature [K], of arrays as of numbers.
 
-        Args:
-            function: Pressure [Pa], temperature [K] -> the property, of arrays as of numbers.
-            reference: Temperature at which the oil enters [K].
-            largest_pressure: Pressure to which it is tabulated [Pa]: beyond the largest of the contact.
-            temperatures: Least and largest temperature [K].
-
-        Raises:
-            ValueError: A value that is not finite and above zero.
+        Oil enters at a `reference` temperature; beyond the largest pressure of the contact the table has
+        none. ValueError for a value that is not finite and above zero.
         """
         reference = in_si("reference", reference, units.Temperature)
         largest_pressure = in_si("largest_pressure", largest_pressure, units.Pressure)

@@ -30,10 +30,7 @@ LARGEST_Z = 1e6
 
 @dataclass(frozen=True, repr=False)
 class ViscosityLaw(ShownFields, ABC):
-    """Viscosity over pressure by constants, which the kernel computes itself.
-
-    What temperature does to it is one of `Thinning`.
-    """
+    """Viscosity over pressure by constants, which the kernel computes itself; temperature is `Thinning`'s."""
 
     CASE_NAME: ClassVar[str]
     """`law` of `[oil.viscosity]`."""
@@ -70,10 +67,7 @@ class ViscosityLaw(ShownFields, ABC):
 
 
 class Thinning:
-    """What temperature does to a law: eta exp(-beta (T - T0)) at every pressure.
-
-    The constant beta [1/K] is the `viscosity_exponent` of `OilHeat`.
-    """
+    """What temperature does: eta exp(-beta (T - T0)), beta [1/K] the `viscosity_exponent` of `OilHeat`."""
 
     has_s0: ClassVar[bool] = False
     """Whether that constant is Roelands' s0 instead."""
@@ -95,10 +89,7 @@ class Thinning:
 
 
 class RoelandsThinning(Thinning):
-    """Roelands' law: (1 + p/p0)^z is multiplied by ((T - 138 K)/(T0 - 138 K))^-s0.
-
-    Source: Sharif, Kong, Evans and Snidle (2001), equation 20.
-    """
+    """Roelands: (1 + p/p0)^z times ((T - 138 K)/(T0 - 138 K))^-s0 (Sharif et al. 2001, equation 20)."""
 
     has_s0 = True
 

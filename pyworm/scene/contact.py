@@ -34,10 +34,7 @@ FROM_GAP: Any = None
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Contact(Shown, ABC):
-    """One lubricated contact at one instant.
-
-    ValueError if the oil or a body is of a class unknown to the kernel.
-    """
+    """One lubricated contact at one instant; ValueError for oil or bodies unknown to the kernel."""
 
     name: str = "contact"
     """Name in tables and pictures."""

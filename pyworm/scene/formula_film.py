@@ -240,13 +240,7 @@ _REGIME_GROUPS = ("moes_m", "moes_l", "alpha_ratio", "compression", "ratio", "an
 
 
 def unentrained_regime(groups: PointGroups, minimum: float, oil: Oil) -> Regime:
-    """The regime where the contact point is nearly at rest, or for radii beyond those of Hertz's fits.
-
-    The limits are those of entrainment along an axis of the contact.
-
-    Args:
-        minimum: Its minimum film [m].
-    """
+    """The regime of a point nearly at rest or of extreme radii, by limits of entrainment along an axis."""
     ratio = min(max(groups.ratio, 1 / groups.ratio), MOST_SLENDER)
     contact = hertz(1.0, 1 / groups.ratio, groups.load, 1.0)
     alike = AtlasGroups(

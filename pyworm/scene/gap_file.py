@@ -86,9 +86,8 @@ _HEADERS = {
 def _read_array(archive: ZipFile, key: str, most: int) -> Array:
     """Read one array of an npz file, of `most` numbers at most.
 
-    Its header and the archive's directory have to agree on its size before memory is allocated.
-
-    ValueError if it is too large, cut short, or holds no numbers.
+    Its header and the archive's directory have to agree on its size before memory is allocated. ValueError if
+    it is too large, cut short, or holds no numbers.
     """
     name = f"{key}.npy"
     with archive.open(name) as file:

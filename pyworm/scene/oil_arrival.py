@@ -28,11 +28,7 @@ def bulk_temperature(body: Body) -> float:
 
 
 def arriving(oil: Oil, bodies: Sequence[Body]) -> Oil:
-    """The oil as it arrives between two bodies: at the mean of their bulk temperatures.
-
-    Args:
-        bodies: Both bodies, with their bulk temperatures.
-    """
+    """The oil as it arrives between two bodies: at the mean of their bulk temperatures."""
     supply, known = oil.thermal.inlet_temperature, oil.thermal.supply_temperature
     warmer = sum(bulk_temperature(body) for body in bodies) / 2 - supply
     if warmer == 0:
@@ -43,14 +39,10 @@ def arriving(oil: Oil, bodies: Sequence[Body]) -> Oil:
 
 
 def nearer_to_supply(oil: Oil, body: Body, speed: float, film: float, distance: float) -> float:
-    """What a layer is nearer to the oil's supply if it met its body a short way before the contact [K].
+    """How much nearer a layer is to its supply [K] if it met its body only a distance [m] before the contact.
 
-    Negative of oil supplied colder than the body.
-
-    Args:
-        speed: Speed of its surface [m/s], not zero.
-        film: Central film, of which the layer is half [m].
-        distance: Way from where they met [m].
+    Negative of oil supplied colder than the body; the layer is half of the central film [m] and moves with
+    the surface, at a speed [m/s] that is not zero.
     """
     heat = oil.thermal
     if heat.supply_temperature is None:

@@ -17,10 +17,7 @@ _EXAMPLE = {
 
 
 def require_functions(scene: Contact) -> None:
-    """Refuse a gap that gives no gap and mask, or a motion that gives no velocities, about the contact point.
-
-    ValueError if the function fails, or gives something else.
-    """
+    """Refuse functions that fail or give no gap and mask, or no velocities, at the contact (ValueError)."""
     steps = [TRIAL_DISTANCE * radius * np.linspace(-1, 1, 3) for radius in scene.radii_along]
     places = tuple(np.meshgrid(*steps, indexing="ij"))
     names = ", ".join("xy"[: len(places)])

@@ -76,22 +76,12 @@ class Doubt:
 
 
 def require_possible(scene: Scene | LineScene, key: str) -> None:
-    """Refuse an impossible contact.
-
-    Args:
-        key: The key of the case file that loads it.
-
-    Raises:
-        CaseError: Its Hertz pressure or its film is beyond all bodies.
-    """
+    """Refuse a contact, by the key that loads it, with a pressure or film beyond all bodies (CaseError)."""
     _refuse((doubt for doubt in _judged(scene) if not doubt.possible), key)
 
 
 def require_conceivable(scene: Scene | LineScene, key: str) -> None:
-    """Refuse a contact that not even a model's bodies could make; arguments and errors as above.
-
-    Bodies of a study by dimensionless groups bear more than real ones.
-    """
+    """Refuse a contact beyond even a model's bodies, which bear more than real ones (CaseError)."""
     _refuse((doubt for doubt in _judged(scene) if not doubt.conceivable), key)
 
 
@@ -111,11 +101,7 @@ def doubts(scenes: Iterable[Scene | LineScene], key: str) -> tuple[str, ...]:
 
 
 def overheated(summaries: Iterable[Mapping[str, Any]]) -> tuple[str, ...]:
-    """The warning about a film temperature beyond what oils withstand.
-
-    Args:
-        summaries: `Solution.summary()` of solved contacts.
-    """
+    """The warning about a film temperature, in summaries of contacts, beyond what oils withstand."""
     hot = [summary for summary in summaries if "temperature_max_C" in summary]
     hottest = max(hot, key=lambda summary: summary["temperature_max_C"]["film"], default=None)
     if hottest is None or not hottest["temperature_max_C"]["film"] > HOTTEST_FILM:

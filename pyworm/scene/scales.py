@@ -77,11 +77,9 @@ class Scales:
 def scales(scene: Scene) -> Scales:
     """Scales of a scene from its radii, load, oil and entrainment at the contact point.
 
-    Where the contact point is at rest (pure spin), the mean speed of the entrainment over Hertz's
-    ellipse is taken instead.
-
-    ValueError if the surfaces entrain no oil anywhere in the contact, or radii, load, speed and oil are out
-    of all proportion.
+    Where the contact point is at rest (pure spin), the mean speed of the entrainment over Hertz's ellipse is
+    taken instead. ValueError if no oil is entrained anywhere, or radii, load, speed and oil are out of all
+    proportion.
     """
     if not max(scene.radii) <= MOST_SLENDER * min(scene.radii):
         raise ValueError(
@@ -153,10 +151,7 @@ def _open_film(scene: Contact, film: float, pressure: float) -> float:
 
 
 def require_proportion(name: str, groups: PointGroups | LineGroups) -> None:
-    """Refuse Moes' parameters that can only be a mistake.
-
-    ValueError if load, speed and oil are out of all proportion.
-    """
+    """Refuse load, speed and oil whose Moes' parameters can only be a mistake (ValueError)."""
     if not (LIGHTEST < groups.moes_m < HEAVIEST and groups.moes_l < MOST_PIEZOVISCOUS):
         raise ValueError(
             f"{name}: load, speed and oil give Moes' M = {groups.moes_m:.3g} and "
@@ -193,10 +188,7 @@ class LineScales:
 
 
 def line_scales(scene: LineScene) -> LineScales:
-    """Scales of a line contact from its radius, load, oil and entrainment.
-
-    ValueError if there is no entrainment, load or viscosity, or they are out of all proportion.
-    """
+    """Scales of a line contact; ValueError without entrainment, load, viscosity or any proportion."""
     viscosity = scene.oil.viscosity
     if not abs(scene.entrainment) > 0:
         raise ValueError(

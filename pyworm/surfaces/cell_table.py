@@ -66,16 +66,10 @@ class CellTable:
 
 @lru_cache(maxsize=16)
 def cell_table(cell: Topography, reduced_modulus: float, hardness: float | None) -> CellTable:
-    """Contact and flow of a periodic cell, from the user's cache or solved.
+    """Contact and flow of a periodic cell of any direction, from the user's cache or solved.
 
-    Args:
-        cell: A periodic surface, whatever its direction.
-        reduced_modulus: E' [Pa].
-        hardness: Largest pressure [Pa]; None of surfaces that do not yield.
-
-    Raises:
-        CaseError: A contact or a flow did not converge where the gap is wide.
-        KernelError: There is no memory, or the heights are not finite.
+    By E' and, of surfaces that yield, the largest pressure [Pa]. CaseError if a contact or a flow did not
+    converge where the gap is wide; KernelError if there is no memory, or the heights are not finite.
     """
     path = cache_directory() / "surfaces" / f"{_key(cell, reduced_modulus, hardness)}.npz"
     try:

@@ -22,12 +22,10 @@ MOST_RATIO = 64.0
 def gaussian(
     roughness: float, correlation_length: float, aspect: float = 1.0, seed: int = 0
 ) -> Topography:
-    """Surface of normal heights with a Gaussian autocorrelation exp(-ln 10 (x/length)^2).
+    """Surface of normal heights of a root mean square [m], autocorrelation exp(-ln 10 (x/length)^2).
 
-    Args:
-        roughness: Root mean square height [m].
-        correlation_length: Distance across the lay at which the autocorrelation has fallen to 0.1 [m].
-        aspect: Correlation length along the lay, the x axis, over that across it [-].
+    `correlation_length` [m], across the lay, is where it has fallen to 0.1; `aspect` is that along the lay,
+    x, over it.
     """
     side = GAUSSIAN_LENGTHS * correlation_length
     # the spectral density of exp(-ln 10 x^2/l^2)
@@ -47,16 +45,10 @@ def self_affine(
     aspect: float = 1.0,
     seed: int = 0,
 ) -> Topography:
-    """Surface that is rough on all scales between two: spectral density q^(-2 - 2 Hurst).
+    """Surface that is rough on all scales between two [m]: spectral density q^(-2 - 2 Hurst).
 
-    Args:
-        roughness: Root mean square height [m].
-        hurst: Hurst exponent, above 0 to 1 [-].
-        longest_wave, shortest_wave: Ends of the spectrum [m], across the lay.
-        aspect: Length of waves along the lay, the x axis, over those across it [-].
-
-    Raises:
-        ValueError: Waves that are the wrong way round, or more scales than a cell can hold.
+    The waves' ends are across the lay; `aspect` is the length of waves along it, x, over those across.
+    ValueError for waves that are the wrong way round, or more scales than a cell can hold.
     """
     ratio = longest_wave / shortest_wave
     if not 1 < ratio <= MOST_RATIO:

@@ -29,13 +29,8 @@ def read_instrument(
 ) -> tuple[Array, tuple[float, float]]:
     """Heights [m] of an instrument's file, NaN where points are missing, and their spacing [m].
 
-    Args:
-        metres: Metres of a unit of its numbers, where it does not give that itself.
-        spacing: Distance of points [m], where it does not give that itself, or a senseless one.
-        most: Points that are read at most.
-
-    Raises:
-        ValueError: It cannot be read, holds no heights of an area, or lacks unit or spacing.
+    `metres` of a unit and the spacing are used where it does not give them itself. ValueError if it cannot be
+    read, has too many points, holds no heights of an area, or lacks unit or spacing.
     """
     with path.open("rb") as file:
         if is_compressed(file.read(8)):

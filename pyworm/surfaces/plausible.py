@@ -47,15 +47,7 @@ def plausible_side(points: tuple[int, ...], steps: tuple[float, ...]) -> bool:
 
 
 def require_plausible_sides(points: tuple[int, ...], steps: tuple[float, ...], given: bool) -> None:
-    """Refuse an area of sides that no measurement has.
-
-    Args:
-        steps: Their distances [m].
-        given: Whether these are the user's, else the file's.
-
-    Raises:
-        ValueError: A side is too long or too short.
-    """
+    """Refuse an area, of steps [m] given by the user or the file, that no measurement has (ValueError)."""
     if plausible_side(points, steps):
         return
     mended = (
@@ -70,14 +62,7 @@ def require_plausible_sides(points: tuple[int, ...], steps: tuple[float, ...], g
 
 
 def require_plausible(surface: Topography) -> None:
-    """Refuse heights and slopes that no surface has.
-
-    Args:
-        surface: All waves of the surface, without form.
-
-    Raises:
-        ValueError: They are too low or too steep.
-    """
+    """Refuse heights and slopes, without form, that no surface has (ValueError)."""
     if surface.rms < MIN_RMS_HEIGHT:
         raise ValueError(
             f"has heights of {surface.rms * 1e9:.2g} nm root mean square, less than "

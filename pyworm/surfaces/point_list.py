@@ -12,16 +12,9 @@ SAME_PLACE = 0.25
 
 
 def on_grid(points: Array, most: int) -> tuple[Array, tuple[float, float]]:
-    """Heights over a grid, NaN where it has no point, and the distances of its points.
+    """Heights (nx, ny) of points x, y, z, NaN where there is none, and distances along x and y.
 
-    Args:
-        points: Columns x, y and z, shape (points, 3), in any order.
-
-    Returns:
-        Heights, shape (nx, ny), and distances along x and y, all in the units of the columns.
-
-    Raises:
-        ValueError: The points lie on no regular grid, twice at one place, or on one that is too large.
+    ValueError if the points lie on no regular grid, twice at one place, or on one that is too large.
     """
     points = points[np.isfinite(points[:, :2]).all(axis=1)]
     (row, dx), (column, dy) = (_places(points[:, k], name) for k, name in enumerate("xy"))

@@ -64,21 +64,12 @@ def separate_waves(
     shortest_wave: float | None = None,
     outliers: Outliers = "refuse",
 ) -> SeparatedWaves:
-    """Fill, level and filter heights.
+    """Fill, level and filter heights (nx, ny) [m], NaN where missing; only measured points count.
 
-    Form is a polynomial of second order. Filters are Gaussian (ISO 16610-61). Form, filters and figures
-    count measured points alone.
-
-    Args:
-        heights: Heights [m], shape (nx, ny), NaN where missing.
-        spacing: Distance of points along x and y [m].
-        periodic: Whether they repeat themselves, and have no form.
-        nesting_index: Longest wave of roughness [m]; without, all that is no form is roughness.
-        shortest_wave: Nesting index of the filter against noise [m].
-        outliers: Whether to "refuse", "fill" or "keep" heights that are far from all others.
-
-    Raises:
-        ValueError: Too many points are missing, there are outliers, or an index that the area does not hold.
+    Form, none of periodic ones, is a polynomial of second order. Filters are Gaussian (ISO 16610-61): without
+    `nesting_index`, the longest wave of roughness [m], all that is no form is roughness; `shortest_wave` [m]
+    filters noise. Outliers, heights that are far from all others, are to "refuse", "fill" or "keep".
+    ValueError for too many missing points, outliers, or an index that the area does not hold.
     """
     level, missing = _levelled(heights, periodic, outliers)
     if not np.nanstd(level) > 0:

@@ -42,14 +42,10 @@ def read_heights(
 ) -> tuple[Array, tuple[float, float]]:
     """Heights [m] of a file, shape (nx, ny), NaN where points are missing, and their spacing [m].
 
-    Args:
-        path: `.npy` or a text with rows along y and columns along x, or with three columns x, y and z of
-            points on a regular grid; or a format of an instrument.
-        spacing: Distance of points [m], of a list of points that along x, where the file does not give it.
-        height_unit: Unit of the heights, such as "um", where the file does not give it.
-
-    Raises:
-        ValueError: No such file, none that can be read, without unit or spacing, too large or too small.
+    The file is `.npy` or a text with rows along y and columns along x, or with columns x, y and z of points
+    on a regular grid, or a format of an instrument; spacing, of a list of points that along x, and unit count
+    where it gives none. ValueError for no such file, none that can be read, without unit or spacing, too
+    large or too small.
     """
     if not path.is_file():
         raise ValueError("no such file")

@@ -39,10 +39,7 @@ class TextHeights:
 
 
 def read_text(path: Path) -> TextHeights:
-    """Numbers of a text file and its header.
-
-    ValueError if it is no text, has no rows of numbers or rows of different lengths.
-    """
+    """Numbers of a text and its header; ValueError without rows of numbers of one length."""
     lines = _decoded(path.read_bytes()).splitlines()
     start, separator = _first_row(lines)
     header = read_header(lines[:start])

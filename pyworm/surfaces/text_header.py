@@ -71,10 +71,7 @@ def metres_of(unit: str) -> float | None:
 
 
 def read_header(lines: Sequence[str]) -> Header:
-    """What the lines before the numbers say.
-
-    ValueError if the values are said to be no heights, such as volts.
-    """
+    """What the lines before the numbers say; ValueError if they are no heights, such as volts."""
     said = _labelled(lines)
     header = _with_units(said)
     if header.height_metres is None:

@@ -162,12 +162,7 @@ def _turned(tensor: Array, angle: float) -> Array:
 
 
 def topography_pair(bodies: tuple[Body, Body], directions: tuple[float, float]) -> TopographyPair:
-    """The surfaces of two bodies of which at least one has a topography.
-
-    Args:
-        bodies: Body 1 and body 2, the roughness of both known.
-        directions: Direction of each surface's motion from the x axis of the contact [rad].
-    """
+    """The surfaces of two bodies of known roughness, one of a topography, moving from the x axis [rad]."""
     first, second = (
         None
         if body.topography is None
