@@ -49,6 +49,7 @@ Solving
     FormulaFilms    what they give
     traction_curve  friction over the slide-roll ratio
     sweep           many scenes to one table
+    transient       films while load, speed or radii change
 
 Results
     Solution        fields, figures, convergence and cost of one solve
@@ -60,6 +61,7 @@ Results
     open_result     a result from its file
     open_solution   a solution from its file
     SweepResult     the table of a sweep
+    TransientResult     what `transient` gives
     open_sweep      a sweep from its file
     write_csv       fields as comma-separated values
     write_vtk       fields for ParaView

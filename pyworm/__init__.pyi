@@ -2,6 +2,7 @@ from . import formulas as formulas
 from . import plots as plots
 from .batch.study import sweep as sweep
 from .batch.study import traction_curve as traction_curve
+from .batch.transient import transient as transient
 from .case.case import Case as Case
 from .case.case import load as load
 from .case.oil import named_liquid as named_liquid
@@ -34,6 +35,7 @@ from .result.result import open_result as open_result
 from .result.result import open_solution as open_solution
 from .result.sweep_result import SweepResult as SweepResult
 from .result.sweep_result import open_sweep as open_sweep
+from .result.transient_result import TransientResult as TransientResult
 from .scene.formula_film import FormulaFilms as FormulaFilms
 from .scene.formula_film import film as film
 from .scene.formula_film import film_of as film_of

@@ -18,7 +18,8 @@ from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.solve import solve
-from pyworm.solver.transient.transient import Rates
+from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
+from pyworm.solver.transient.transient import Rates, present_in_life
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,11 @@ class SceneTask:
         if self.largest_grid is None:
             return found
         return replace(found, largest_grid=min(self.largest_grid, found.largest_grid))
+
+    @cached_property
+    def time_grid(self) -> TimeGrid:
+        """The time grid of its life; ValueError if that carries no load in motion."""
+        return time_grid_of(present_in_life(self.scene).life, self.plan)
 
     @cached_property
     def identity(self) -> dict[str, Any]:

@@ -1,27 +1,27 @@
 """`[past]`: loads and speeds that a contact written directly had before."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from typing import Annotated, Self
 
-import numpy as np
 from pydantic import Field, model_validator
 
-from pyworm.case.table import Table, plain
+from pyworm.case.table import Table
 from pyworm.io import units
 from pyworm.io.plain_values import Number
 from pyworm.scene.any_contact import AnyContact
-from pyworm.scene.life import Life, Past, unturned
-from pyworm.scene.line import LineScene
-from pyworm.scene.point import RigidMotion
-from pyworm.scene.waves import velocities
+from pyworm.scene.history import History, Interpolated
+from pyworm.scene.life import Past
 
 Factors = Annotated[tuple[Number, ...], Field(min_length=2)]
 
 
-@dataclass(frozen=True, kw_only=True)
-class LoadHistory:
-    """Factors of the load and of the surfaces' velocities at some times, straight between them."""
+class PastTable(Table):
+    """`[past]`: factors of the load and of the surfaces' velocities at some times, straight between them.
+
+    Where the load is zero the separation of the surfaces may be given. The last time is the present, at which
+    the contact is solved.
+    """
 
     times: Annotated[tuple[units.TimeOrZero, ...], Field(min_length=2)]
     """Times since the beginning [s]; the last one is the present."""
@@ -31,14 +31,6 @@ class LoadHistory:
     """Factors of velocities and spins [-]; None likewise."""
     separation: Annotated[tuple[units.Separation, ...], Field(min_length=2)] | None = None
     """Distances of the undeformed surfaces [m], which hold where the factor of the load is zero."""
-
-
-class PastTable(Table, LoadHistory):
-    """`[past]`: factors of the load and of the surfaces' velocities at some times, straight between them.
-
-    Where the load is zero the separation of the surfaces may be given. The last time is the present, at which
-    the contact is solved.
-    """
 
     @model_validator(mode="after")
     def _a_course_that_ends_at_present(self) -> Self:
@@ -86,49 +78,17 @@ class PastTable(Table, LoadHistory):
 
     def of(self, scene: AnyContact) -> AnyContact:
         """The contact with this past."""
-        history = _WrittenLife(present=scene, **vars(plain(self, LoadHistory)))
-        life = Life(self.times[-1], history, unturned, self.times[1:-1])
-        return replace(history(self.times[-1]), past=Past(life, self.times[-1]))
-
-
-@dataclass(frozen=True, kw_only=True)
-class _WrittenLife(LoadHistory):
-    """Time since the beginning [s] -> the contact then; ValueError where it carries no load."""
-
-    present: AnyContact
-
-    def __call__(self, seconds: float) -> AnyContact:
-        load, speed = (
-            1.0 if factors is None else float(np.interp(seconds, self.times, factors))
-            for factors in (self.load, self.speed)
+        history = History(
+            contact=scene,
+            times=self.times,
+            load=self._over_time(self.load, scene.load),
+            speed=self._over_time(self.speed),
+            separation=self._over_time(self.separation),
         )
-        moving = replace(_moving(self.present, speed), travelled=self._travelled(seconds))
-        if load > 0:
-            return replace(moving, load=load * self.present.load)
-        if self.separation is None:
-            raise ValueError("the contact carries no load")
-        return replace(moving, separation=float(np.interp(seconds, self.times, self.separation)))
+        return replace(history(self.times[-1]), past=Past(history.life, self.times[-1]))
 
-    def _travelled(self, seconds: float) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """How far the surfaces are from their place at present, along each direction [m]."""
-        knots = np.array([seconds, *(time for time in self.times if time > seconds)])
-        speeds = np.ones(knots.size)
-        if self.speed is not None:
-            speeds = np.interp(knots, self.times, self.speed)
-        left = float(np.trapezoid(speeds, knots))
-        body_1, body_2 = velocities(self.present)
-        return tuple(-left * velocity for velocity in body_1), tuple(
-            -left * velocity for velocity in body_2
-        )
-
-
-def _moving(scene: AnyContact, factor: float) -> AnyContact:
-    """A contact whose surfaces, which translate and spin at most, move some times as fast."""
-    if isinstance(scene, LineScene):
-        first, second = scene.velocities
-        return replace(scene, velocities=(factor * first, factor * second))
-    rigid = [motion for motion in scene.motions if isinstance(motion, RigidMotion)]
-    body_1, body_2 = (
-        RigidMotion(factor * motion.u, factor * motion.v, factor * motion.spin) for motion in rigid
-    )
-    return replace(scene, motions=(body_1, body_2))
+    def _over_time(
+        self, values: tuple[float, ...] | None, scale: float = 1.0
+    ) -> Interpolated | None:
+        """Values straight between the times."""
+        return None if values is None else Interpolated(self.times, values, scale)

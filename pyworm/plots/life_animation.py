@@ -38,11 +38,13 @@ MARGIN_FRACTION = 0.15
 def animate(result: Result, life: ContactLife, path: Path) -> Path:
     """Write an animation of a life; its kind follows from the file's suffix (`WRITERS`).
 
-    ValueError if the life has no fields, or no program writes this kind of file here.
+    ValueError if the life has no fields, the suffix is another one, or no program writes such a file here.
     """
     if not life.frames:
         raise ValueError("this result has no fields over time; only transient solutions have")
     kind = path.suffix.removeprefix(".")
+    if kind not in WRITERS:
+        raise ValueError(f"{path}: an animation ends with .{' or .'.join(WRITERS)}")
     writer: Any = WRITERS[kind]
     if not writer.isAvailable():
         other = "install ffmpeg, or ask for --animate gif"

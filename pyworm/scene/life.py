@@ -56,6 +56,9 @@ class Past(Generic[Contact]):
     """Its life."""
     seconds: float
     """Time since the first touch [s]."""
+    until: float | None = None
+    """Time up to which the films of the whole life are wanted [s]; None where those of the recent past up to
+    the present are enough."""
 
     def before(self, seconds: float) -> Contact:
         """The contact some time before the present [s]; ValueError where it carried no load."""

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from contacts import ball, roller
+from lives import life_dataset
 from synthetic_solution import make_result, make_solution
 
 import pyworm
@@ -61,7 +62,17 @@ def built():
             pyworm.TabulatedViscosity.of(lambda p, t: 0.1 * np.exp(2e-8 * p), "40 degC"),
             "0.1 Pa s at 40 °C",
         ),
+        "TransientResult": (make_transient(), "status accurate, times 3 to 8 ms, film_min 0.5 "),
     }
+
+
+def make_transient():
+    """A contact at three times."""
+    phases = np.linspace(0.2, 0.4, 3)
+    solution = make_solution().changed(
+        life=life_dataset(phases, np.full(3, 1.0), np.full(3, 9.0), np.array([1e-6, 5e-7, 1e-6]))
+    )
+    return pyworm.TransientResult(pyworm.Result("ball", {}, (solution,), None, {}))
 
 
 def test_every_public_object_shows_itself_in_a_line():
