@@ -128,6 +128,7 @@ lint: $(INSTALLED)
 	ruff check .
 	ruff format --check .
 	mypy
+	basedpyright
 	fortitude check fortran tests/fortran
 
 clean:

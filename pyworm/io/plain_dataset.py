@@ -6,12 +6,14 @@ What solving, writing and drawing a contact use of xarray.Dataset, by its names:
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.quantities import attributes
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -134,10 +136,10 @@ class _OnDemandDataset:
         return value
 
 
-def reads_as_xarray(*names: str) -> Callable[[type], type]:
+def reads_as_xarray(*names: str) -> Callable[[type[T]], type[T]]:
     """Decorator of a dataclass: these attributes, given as any datasets, are read as xarray's (`held`)."""
 
-    def decorated(kind: type) -> type:
+    def decorated(kind: type[T]) -> type[T]:
         for name in names:
             setattr(kind, name, _OnDemandDataset(name))
         return kind

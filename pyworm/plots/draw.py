@@ -72,8 +72,8 @@ SHOWS = {
 
 
 def draw(
-    result: Result | str | os.PathLike,
-    directory: str | os.PathLike,
+    result: Result | str | os.PathLike[str],
+    directory: str | os.PathLike[str],
     executor: Executor | None = None,
     *,
     key_only: bool = False,

@@ -19,7 +19,7 @@ def require_solution(solution: object) -> None:
         )
 
 
-def write_csv(solution: Solution, path: str | os.PathLike) -> Path:
+def write_csv(solution: Solution, path: str | os.PathLike[str]) -> Path:
     """Write the fields of a solution as a table, a row for each node, units in brackets.
 
     Args:
@@ -40,7 +40,7 @@ def write_csv(solution: Solution, path: str | os.PathLike) -> Path:
     return path
 
 
-def write_vtk(solution: Solution, path: str | os.PathLike) -> Path:
+def write_vtk(solution: Solution, path: str | os.PathLike[str]) -> Path:
     """Write the fields of a solution as VTK image data (`.vti`), as ParaView and PyVista read them.
 
     Args:

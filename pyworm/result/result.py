@@ -164,7 +164,7 @@ class Result(Shown):
             number for number, solution in enumerate(self.solutions) if solution is thinnest
         )
 
-    def save(self, path: str | os.PathLike) -> Path:
+    def save(self, path: str | os.PathLike[str]) -> Path:
         """Write one NetCDF file, atomically."""
         path = Path(path)
         content = as_netcdf(_groups(self))
@@ -173,7 +173,7 @@ class Result(Shown):
         return path
 
 
-def open_result(path: str | os.PathLike) -> Result:
+def open_result(path: str | os.PathLike[str]) -> Result:
     """Read a file written by `Result.save`, such as `pyworm run` writes.
 
     Args:
@@ -205,12 +205,12 @@ def open_result(path: str | os.PathLike) -> Result:
         raise ValueError(f"{path} is damaged: expected content is missing ({why})") from error
 
 
-def save_solution(solution: Solution, path: str | os.PathLike) -> Path:
+def save_solution(solution: Solution, path: str | os.PathLike[str]) -> Path:
     """Write a solution as a result of its own, `Solution.save`."""
     return Result(solution.name, {}, (solution,), None, {}).save(path)
 
 
-def open_solution(path: str | os.PathLike) -> Solution:
+def open_solution(path: str | os.PathLike[str]) -> Solution:
     """Read a solution from a file of `Solution.save`, or from any result that has a single one.
 
     Args:

@@ -89,7 +89,7 @@ class SweepResult(Shown):
         )
         return worst([_neglected_effects(row) for row in rows])
 
-    def save(self, path: str | os.PathLike) -> Path:
+    def save(self, path: str | os.PathLike[str]) -> Path:
         """Write one NetCDF file, atomically."""
         path = Path(path)
         attributes = {
@@ -105,7 +105,7 @@ class SweepResult(Shown):
             partial.write_bytes(content)
         return path
 
-    def save_csv(self, path: str | os.PathLike) -> Path:
+    def save_csv(self, path: str | os.PathLike[str]) -> Path:
         """Write the table as comma-separated values, units of varied keys in brackets."""
         path = Path(path)
         columns = self.table.data_vars.values()
@@ -120,7 +120,7 @@ class SweepResult(Shown):
         return path
 
 
-def open_sweep(path: str | os.PathLike) -> SweepResult | None:
+def open_sweep(path: str | os.PathLike[str]) -> SweepResult | None:
     """Read a file written by `SweepResult.save`; None if it is no table of a sweep.
 
     Args:

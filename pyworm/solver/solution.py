@@ -303,7 +303,7 @@ class Solution(Shown):
         """The solution with other values of some attributes; xarray is not loaded for it."""
         return replace(self, **{part: self.held(part) for part in DATASETS} | changes)
 
-    def save(self, path: str | os.PathLike) -> Path:
+    def save(self, path: str | os.PathLike[str]) -> Path:
         """Write one NetCDF file, which `pyworm.open_solution` and the commands read; returns its path."""
         write: Callable[..., Path] = attribute_of("pyworm.result.result", "save_solution")
         return write(self, path)

@@ -43,7 +43,14 @@ line = pyworm.solve(roller, pyworm.plan(roller, 0.02, "isothermal", ("film",)))
 film = pyworm.film((0.01, "20 mm"), "20 N", "226 GPa", ("1 m/s", 0.0), oil)
 tracks = list(pyworm.passes(ball, 2, "10 %"))
 dry = pyworm.dry_contact(ball)
-study = pyworm.sweep(lambda load: ball, load=(10, 20), accuracy="2 %")
+
+
+def loaded(load: float) -> pyworm.Scene:
+    """A contact of a sweep."""
+    return pyworm.with_slide_roll_ratio(ball, load / 100)
+
+
+study = pyworm.sweep(loaded, load=(10, 20), accuracy="2 %")
 result = pyworm.open_result("result.nc")
 
 # what is read of them are numbers

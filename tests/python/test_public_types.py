@@ -41,6 +41,15 @@ def test_twenty_public_uses_are_clean():
     assert not errors(SCRIPT)
 
 
+def test_arguments_with_units_have_one_type():
+    """The alias, and no second way to write it in what is public."""
+    for name in pyworm.__all__:
+        public = getattr(pyworm, name)
+        if inspect.isclass(public) or inspect.isfunction(public):
+            written = inspect.getsource(public)
+            assert ": float | str" not in written and ": str | float" not in written, name
+
+
 def test_wrong_uses_are_seen(tmp_path):
     script = tmp_path / "wrong.py"
     script.write_text(
