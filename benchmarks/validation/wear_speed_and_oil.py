@@ -17,7 +17,7 @@ from pyworm.batch.task import Task
 from pyworm.batch.wear_run import EFFECTS
 from pyworm.formulas.wear_law import RUN_IN, WEAR_COEFFICIENT
 from pyworm.io.quantity import SHARE_KIND, parse
-from pyworm.ratings.worm_loads import rated_loads
+from pyworm.ratings.worm_loads import RatedWormGear
 from pyworm.result.flank_wear import asperity_pass, flank_grid
 
 DATA = Path(__file__).parents[2] / "tests" / "data" / "zi_a100.toml"
@@ -65,9 +65,8 @@ def main() -> None:
         for oil, speed in ROWS:
             case = case_of(oil, speed, Path(name))
             found, share = simulated(case, accuracy, Path(name) / f"{oil}{speed}")
-            (load,) = rated_loads(
-                case.tables.rating_as_run(), case.tables.duty(case.drive), case.directory
-            )
+            duty = case.tables.duty(case.drive)
+            (load,) = RatedWormGear(case.tables.rating_as_run(), duty, case.directory).loads
             rate = load.rated.wear.depth / load.hours
             scale = scale or rate / found
             print(

@@ -167,11 +167,12 @@ def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, flo
                 "--coefficient is missing: none is known of wheels with a temperature limit, such as plastics"
             )
         return {"coefficient": WEAR_COEFFICIENT}, f"known to a factor of {WEAR_SPREAD:g}"
-    from pyworm.ratings.worm_loads import rated_loads
+    from pyworm.ratings.worm_loads import RatedWormGear
 
     if getattr(case.tables, "worm_rating", None) is None:
         raise CaseError("--calibrate: needs [worm_rating] with wheel_material and life")
-    loads = rated_loads(case.tables.rating_as_run(), case.tables.duty(case.drive), case.directory)
+    duty = case.tables.duty(case.drive)
+    loads = RatedWormGear(case.tables.rating_as_run(), duty, case.directory).loads
     if len(loads) != 1:
         raise CaseError("--calibrate: needs [worm_rating] with one life, and it gives a spectrum")
     (load,) = loads

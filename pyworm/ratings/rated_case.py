@@ -31,8 +31,9 @@ from pyworm.ratings.bearing import rate_bearing_table
 from pyworm.ratings.films import rate_films
 from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.rating import Rating
-from pyworm.ratings.worm import rate_worm_table, standard_rating, worm_duty_of_table
+from pyworm.ratings.worm import rate_worm_gear, worm_duty_of_table
 from pyworm.ratings.worm_damage import worm_flanks
+from pyworm.ratings.worm_loads import RatedWormGear
 from pyworm.ratings.worm_verdict import NEVER_RATED
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -162,7 +163,7 @@ def neglected_effects(request: RatingRequest, result: Result | None = None) -> N
 
     def lubricated() -> NeglectedEffects:
         duty = request.worm_duty
-        film = standard_rating(table, duty, request.directory).film  # a mean over the contact lines
+        film = RatedWormGear(table, duty, request.directory).hardest.rated.film  # a mean of lines
         found = judged((), 0.0, (film, film), duty.composite_roughness)
         return replace(found, by_formula=True)
 
@@ -214,14 +215,12 @@ def _attempts(
     """Name of each rating that a case asks for, and the rating or why there is none."""
     tables, drive, table = request.tables, request.drive, request.worm_rating
     if table is not None:
-        yield (
-            "Worm gear",
-            _attempt(
-                lambda: (
-                    rate_worm_table(table, request.worm_duty, request.directory, drive, result),
-                )
-            ),
-        )
+
+        def worm_gear() -> tuple[Rating, ...]:
+            gear_set = RatedWormGear(table, request.worm_duty, request.directory)
+            return (rate_worm_gear(gear_set, drive, result),)
+
+        yield "Worm gear", _attempt(worm_gear)
         if drive is not None and result is not None:
             yield "Contacts", _attempt(lambda: (worm_flanks(request.worm_duty, drive.oil, result),))
     if drive is not None and request.rated_as is GearPairDuty:

@@ -2,13 +2,12 @@
 
 from collections.abc import Iterator
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
-from pyworm.case.ratings import CompletedRating, WormGearTable
+from pyworm.case.ratings import WormGearTable
 from pyworm.case.table import plain
-from pyworm.case.worm_conditions import MEAN_TO_RMS, standard_oil
+from pyworm.case.worm_conditions import MEAN_TO_RMS
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.ranges import within
@@ -22,11 +21,11 @@ from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
 from pyworm.ratings.flank_damage import hotter_flank
 from pyworm.ratings.mesh_loss import mesh_loss, with_missing
-from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating, without_value
+from pyworm.ratings.rating import SIMULATION, RatedFigure, Rating, Safety, without_value
 from pyworm.ratings.worm_basis import BASIS, outside_scope
 from pyworm.ratings.worm_differences import differences
-from pyworm.ratings.worm_loads import RatedLoad, hardest, rated_loads
-from pyworm.ratings.worm_safeties import safeties, total_wear
+from pyworm.ratings.worm_loads import RatedWormGear
+from pyworm.ratings.worm_safeties import safeties
 from pyworm.ratings.worm_verdict import CANNOT_DRIVE, NEVER_RATED, failures, locking
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
@@ -52,23 +51,13 @@ def _duty(table: WormGearTable) -> WormDuty:
     )
 
 
-def standard_rating(table: CompletedRating, duty: WormDuty, directory: Path) -> WormRating:
-    """The worm gear by the standards under its largest torque; arguments and errors as of `rated_loads`."""
-    return hardest(rated_loads(table, duty, directory)).rated
-
-
-def rate_worm_table(
-    table: CompletedRating,
-    duty: WormDuty,
-    directory: Path,
-    drive: Drive | None = None,
-    result: Result | None = None,
+def rate_worm_gear(
+    gear_set: RatedWormGear, drive: Drive | None = None, result: Result | None = None
 ) -> Rating:
     """The worm gear of a case, with a column of the simulation if drive and result are given."""
-    loads = rated_loads(table, duty, directory)
-    rated = safeties(table, duty, loads, directory)
-    simulated = {} if result is None or drive is None else _simulated(duty, drive, result)
-    figures = tuple(_figures(duty, loads, simulated, result))
+    rated = safeties(gear_set)
+    simulated = {} if result is None or drive is None else _simulated(gear_set.duty, drive, result)
+    figures = tuple(_figures(gear_set, simulated, result))
     return Rating(
         key="worm",
         title="Worm gear",
@@ -76,8 +65,8 @@ def rate_worm_table(
         columns=("standard", SIMULATION) if simulated else ("standard",),
         figures=figures,
         safeties=rated,
-        words=tuple(_words(table, duty, loads, directory, bool(simulated))),
-        failed=failures(duty, rated, loads),
+        words=tuple(_words(gear_set, rated, bool(simulated))),
+        failed=failures(gear_set, rated),
         not_rated=(
             *(f"{labels}: {why}." for why, labels in without_value(figures).items()),
             *(
@@ -90,20 +79,14 @@ def rate_worm_table(
         neglected_effects=of_all(result.solutions)
         if simulated and result is not None
         else NeglectedEffects(),
-        basis=(*BASIS, *outside_scope(duty, loads)),
-        differs=differences(table, duty, loads, directory),
+        basis=(*BASIS, *outside_scope(gear_set)),
+        differs=differences(gear_set),
     )
 
 
-def _words(
-    table: CompletedRating,
-    duty: WormDuty,
-    loads: tuple[RatedLoad, ...],
-    directory: Path,
-    simulated: bool,
-) -> list[str]:
+def _words(gear_set: RatedWormGear, rated: tuple[Safety, ...], simulated: bool) -> list[str]:
     """What the figures mean, and what was assumed."""
-    words = [*duty.words]
+    words, loads = [*gear_set.duty.words], gear_set.loads
     if len(loads) > 1:
         hours = sum(known(load.hours) for load in loads)
         words.append(
@@ -120,19 +103,13 @@ def _words(
             "inlet temperature, viscosity and pressure-viscosity coefficient."
         )
     for sentences_of in (_rough_words, _oil_words, locking):
-        found = attempt(partial(sentences_of, table, duty, loads, directory))
+        found = attempt(partial(sentences_of, gear_set))
         words += [] if isinstance(found, Unknown) else [found]
-    words += [
-        f"{safety.symbol}: {doubt}"
-        for safety in safeties(table, duty, loads, directory)
-        for doubt in safety.doubts
-    ]
-    return words
+    return words + [f"{safety.symbol}: {doubt}" for safety in rated for doubt in safety.doubts]
 
 
-def _rough_words(
-    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
-) -> str:
+def _rough_words(gear_set: RatedWormGear) -> str:
+    duty = gear_set.duty
     together = duty.composite_roughness
     worm, wheel = (present(height, "roughness") * 1e6 for height in duty.roughness)
     return (
@@ -141,10 +118,8 @@ def _rough_words(
     )
 
 
-def _oil_words(
-    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
-) -> str:
-    under, rated = hardest(loads).conditions, hardest(loads).rated
+def _oil_words(gear_set: RatedWormGear) -> str:
+    under, rated = gear_set.hardest.conditions, gear_set.hardest.rated
     material = under.material
     wheel = (
         "material of the wheel not known, its friction taken as of tin bronze"
@@ -152,20 +127,17 @@ def _oil_words(
         else f"wheel of {material.name}"
     )
     return (
-        f"{known(standard_oil(table, directory)).name}, {table.lubrication} lubrication, {wheel}: "
+        f"{known(gear_set.oil).name}, {gear_set.table.lubrication} lubrication, {wheel}: "
         f"{known(under.viscosity) * 1e3:.0f} mPa s on the wheel flanks at "
         f"{rated.bulk_temperature - ZERO_CELSIUS:.0f} °C."
     )
 
 
 def _figures(
-    duty: WormDuty,
-    loads: tuple[RatedLoad, ...],
-    simulated: dict[str, float | str],
-    result: Result | None,
+    gear_set: RatedWormGear, simulated: dict[str, float | str], result: Result | None
 ) -> Iterator[RatedFigure]:
     """Every row with the standard's value, or why it has none, and the simulated one."""
-    for key, label, compute, scale, unit in _rows(duty, loads):
+    for key, label, compute, scale, unit in _rows(gear_set):
         value = attempt(compute)
         if value is None and key not in simulated:
             continue
@@ -176,9 +148,9 @@ def _figures(
         yield RatedFigure(key, label, (or_none(value), *others), scale, unit, why=why)
 
 
-def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
+def _rows(gear_set: RatedWormGear) -> list[tuple]:
     """Key, label, how the standard's value is computed, scale and unit of every row."""
-    worst, gear = hardest(loads), duty.gear
+    worst, duty, gear = gear_set.hardest, gear_set.duty, gear_set.duty.gear
     rated = worst.rated
     thin, central, specific, highest = (
         QUANTITIES[name] for name in ("film_min", "film_central", "specific_film", "pressure_max")
@@ -189,7 +161,7 @@ def _rows(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> list[tuple]:
 
     def worn() -> float | None:
         given = isinstance(worst.conditions.material, Unknown) or isinstance(worst.hours, Unknown)
-        return None if given else total_wear(loads)
+        return None if given else gear_set.total_wear
 
     return [
         ("wheel_torque_Nm", "Wheel torque T2", lambda: worst.torque, 1e-3, "kN m"),

@@ -4,8 +4,7 @@ Scope and the beginning of the table of contents, clauses 1 to 6, are those that
 14521:2020 show; its other clauses are numbered from memory.
 """
 
-from pyworm.drives.duty import WormDuty
-from pyworm.ratings.worm_loads import RatedLoad
+from pyworm.ratings.worm_loads import RatedWormGear
 
 STANDARD = "ISO/TS 14521:2020"
 
@@ -33,10 +32,10 @@ MIN_CENTRE_DISTANCE, MAX_SLIDING_SPEED, MIN_WEAR_SPEED, MIN_CONTACT_RATIO = 0.05
 ratio above [-]."""
 
 
-def outside_scope(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> tuple[str, ...]:
+def outside_scope(gear_set: RatedWormGear) -> tuple[str, ...]:
     """What of a worm gear lies outside the standard's scope, a sentence each."""
-    speeds = [load.rated.sliding_speed for load in loads]
-    ratio, distance = duty.contact_ratio, duty.gear.centre_distance
+    speeds = [load.rated.sliding_speed for load in gear_set.loads]
+    ratio, distance = gear_set.duty.contact_ratio, gear_set.duty.gear.centre_distance
     found = []
     if distance < MIN_CENTRE_DISTANCE:
         found.append(

@@ -1,13 +1,10 @@
 """What simulation and rating of one worm drive do not share, for the headline of the rating."""
 
-from pathlib import Path
-
 from pyworm.case.ratings import CompletedRating
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.unknown import Unknown, attempt
-from pyworm.ratings.worm_loads import RatedLoad
-from pyworm.ratings.worm_safeties import standard_sump
+from pyworm.ratings.worm_loads import RatedLoad, RatedWormGear
 
 TEMPERATURE_TOLERANCE = 1.0
 """Difference of bulk temperatures that is none [K]."""
@@ -16,18 +13,14 @@ TOO_COLD = 10.0
 """How far a given temperature of the oil may lie below the standard's of a housing with a fan [K]."""
 
 
-def differences(
-    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
-) -> tuple[str, ...]:
-    """What simulation and rating of a drive do not share; nothing of a worm gear that is only rated.
-
-    Arguments as of `pyworm.ratings.worm_safeties.safeties`.
-    """
+def differences(gear_set: RatedWormGear) -> tuple[str, ...]:
+    """What simulation and rating of a drive do not share; nothing of a worm gear that is only rated."""
+    duty, loads = gear_set.duty, gear_set.loads
     at_duty_speed = [load for load in loads if load.worm_speed == duty.worm_speed] or list(loads)
     return (
-        *_material(table, duty),
+        *_material(gear_set.table, duty),
         *_bulk(duty, at_duty_speed[0]),
-        *_sump(table, duty, at_duty_speed[0], directory),
+        *_sump(gear_set, at_duty_speed[0]),
     )
 
 
@@ -58,17 +51,13 @@ def _bulk(duty: WormDuty, load: RatedLoad) -> tuple[str, ...]:
     )
 
 
-def _sump(
-    table: CompletedRating, duty: WormDuty, load: RatedLoad, directory: Path
-) -> tuple[str, ...]:
+def _sump(gear_set: RatedWormGear, load: RatedLoad) -> tuple[str, ...]:
     """A temperature of the oil that is given and colder than any balance has it, or one not shared."""
     sump = load.sump
     if isinstance(sump, Unknown):
         return ()
-    coldest = attempt(
-        lambda: min(standard_sump(table, duty, load, directory, fan) for fan in (True, False))
-    )
-    given = duty.oil_temperature is not None or table.sump_temperature is not None
+    coldest = attempt(lambda: min(gear_set.standard_sump(load, fan) for fan in (True, False)))
+    given = (gear_set.duty.oil_temperature, gear_set.table.sump_temperature) != (None, None)
     if not given or isinstance(coldest, Unknown) or coldest - sump <= TOO_COLD:
         return ()
     return (

@@ -1,14 +1,11 @@
 """The five safeties of the worm-gear standard, over all loads of a life, each with what it was made of."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from pyworm.case.ratings import CompletedRating
-from pyworm.case.worm_conditions import material_of, standard_oil, sump_by_standard
-from pyworm.drives.duty import WormDuty
+from pyworm.case.worm_conditions import material_of
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.unknown import Unknown, attempt, known
 from pyworm.formulas.worm_curves import SLIDING_RANGE
@@ -18,7 +15,7 @@ from pyworm.formulas.worm_root import root_shear
 from pyworm.formulas.worm_standard import OIL_LIMITS, temperature_safety
 from pyworm.ratings.rating import Safety
 from pyworm.ratings.worm_basis import CLAUSES
-from pyworm.ratings.worm_loads import RatedLoad, hardest
+from pyworm.ratings.worm_loads import RatedLoad, RatedWormGear
 
 REQUIRED = {"S_W": 1.1, "S_H": 1.0, "S_delta": 1.0, "S_F": 1.1, "S_T": 1.1, "S_M": 1.0}
 """Least safeties (a public transcription of DIN 3996, the worksheet on worm gears of MITCalc); S_M is none of
@@ -45,47 +42,25 @@ _MOST_LASTING = 1.6
 """Largest Z_h [-]."""
 
 
-@dataclass(frozen=True)
-class _Rated:
-    """What all safeties are made of."""
-
-    table: CompletedRating
-    duty: WormDuty
-    loads: tuple[RatedLoad, ...]
-    directory: Path
-
-
-def safeties(
-    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
-) -> tuple[Safety, ...]:
+def safeties(rated: RatedWormGear) -> tuple[Safety, ...]:
     """S_W, S_H, S_delta, S_F and S_T of a worm gear, and S_M of a wheel with a temperature limit.
 
-    Each by itself, or with the reason why there is none; the table of the case is completed.
+    Each by itself, or with the reason why there is none.
     """
-    gear_set = _Rated(table, duty, loads, directory)
-    rated = []
+    found = []
     for symbol, rate in _RATES.items():
-        lacking = _missing(table, *_REQUIRED_KEYS.get(symbol, ()))
-        found = Unknown(lacking) if lacking else attempt(partial(rate, gear_set))
-        rated.append(_unrated(symbol, found.why) if isinstance(found, Unknown) else found)
-    if duty.wheel_limit is not None:
-        found = attempt(partial(_material, gear_set))
-        rated.append(_unrated("S_M", found.why) if isinstance(found, Unknown) else found)
-    return tuple(rated)
-
-
-def total_wear(loads: tuple[RatedLoad, ...]) -> float:
-    """Depth worn off the flanks under all loads together [m]; ValueError where it is not rated."""
-    return sum(load.rated.wear.depth for load in loads)
+        if symbol == "S_M" and rated.duty.wheel_limit is None:
+            continue
+        lacking = _missing(rated.table, *_REQUIRED_KEYS.get(symbol, ()))
+        safety = Unknown(lacking) if lacking else attempt(partial(rate, rated))
+        if isinstance(safety, Unknown):
+            safety = _safety(symbol, why=f"{safety.why.rstrip('.')}.")
+        found.append(safety)
+    return tuple(found)
 
 
 def _safety(symbol: str, **given: Any) -> Safety:
     return Safety(symbol, _LABELS[symbol], REQUIRED[symbol], clause=CLAUSES[symbol], **given)
-
-
-def _unrated(symbol: str, why: str) -> Safety:
-    """A safety that cannot be rated, with the reason as a sentence."""
-    return _safety(symbol, why=f"{why.rstrip('.')}.")
 
 
 def _missing(table: CompletedRating, *keys: str) -> str:
@@ -98,9 +73,9 @@ def _missing(table: CompletedRating, *keys: str) -> str:
     return ", ".join(f"worm_rating.{key} is missing" for key in gone)
 
 
-def _wear(gear_set: _Rated) -> Safety:
-    depth = total_wear(gear_set.loads)
-    limit, worst = gear_set.duty.gear.wear_limit, hardest(gear_set.loads)
+def _wear(gear_set: RatedWormGear) -> Safety:
+    depth = gear_set.total_wear
+    limit, worst = gear_set.duty.gear.wear_limit, gear_set.hardest
     wear = worst.rated.wear
     inputs = {
         "delta_Wlim_um": limit * 1e6,
@@ -128,11 +103,11 @@ def _wear(gear_set: _Rated) -> Safety:
     return _safety("S_W", value=limit / depth, inputs=inputs, doubts=tuple(doubts))
 
 
-def _pitting(gear_set: _Rated) -> Safety:
+def _pitting(gear_set: RatedWormGear) -> Safety:
     """Miner's sum of hours over those endured at the stress divided by the safety is 1."""
     rated = [load.rated.pitting_safety for load in gear_set.loads]
     value = rated[0] if len(rated) == 1 else _miner(gear_set.loads)
-    worst = hardest(gear_set.loads)
+    worst = gear_set.hardest
     inputs = {
         "sigma_HlimT_MPa": known(known(material_of(gear_set.table)).pitting_strength) * 1e-6,
         "sigma_Hm_MPa": worst.rated.mean_pressure * 1e-6,
@@ -156,8 +131,8 @@ def _miner(loads: tuple[RatedLoad, ...]) -> float:
     return min(damage ** (-1 / _PITTING_POWER), bound)
 
 
-def _deflection(gear_set: _Rated) -> Safety:
-    worst, limit = hardest(gear_set.loads), deflection_limit(gear_set.duty.gear.module)
+def _deflection(gear_set: RatedWormGear) -> Safety:
+    worst, limit = gear_set.hardest, deflection_limit(gear_set.duty.gear.module)
     if gear_set.duty.deflection is not None:
         bent = gear_set.duty.deflection * worst.torque / gear_set.duty.torque
         doubts: tuple[str, ...] = ()
@@ -174,11 +149,11 @@ def _deflection(gear_set: _Rated) -> Safety:
     return _safety("S_delta", value=limit / bent, inputs=inputs, doubts=doubts)
 
 
-def _root(gear_set: _Rated) -> Safety:
+def _root(gear_set: RatedWormGear) -> Safety:
     """Teeth are worn as far as they wear in the life, by what is allowed where that is not rated."""
     strength = known(known(material_of(gear_set.table)).root_strength)
-    worst, gear = hardest(gear_set.loads), gear_set.duty.gear
-    depth = attempt(lambda: total_wear(gear_set.loads))
+    worst, gear = gear_set.hardest, gear_set.duty.gear
+    depth = attempt(lambda: gear_set.total_wear)
     worn = gear.wear_limit if isinstance(depth, Unknown) else min(gear.wear_limit, depth)
     shear = root_shear(gear, worst.torque, worn, gear_set.table.rim_over_module)
     inputs = {
@@ -196,7 +171,7 @@ def _root(gear_set: _Rated) -> Safety:
     return _safety("S_F", value=strength / shear, inputs=inputs, doubts=tuple(doubts))
 
 
-def _temperature(gear_set: _Rated) -> Safety:
+def _temperature(gear_set: RatedWormGear) -> Safety:
     hot = max(gear_set.loads, key=lambda load: known(load.sump))
     sump, given = known(hot.sump), gear_set.table.temperature_limit
     limit = OIL_LIMITS[hot.rated.oil] if given is None else given
@@ -216,7 +191,7 @@ def _temperature(gear_set: _Rated) -> Safety:
     return _safety("S_T", value=value, inputs=inputs, doubts=tuple(doubts))
 
 
-def _material(gear_set: _Rated) -> Safety:
+def _material(gear_set: RatedWormGear) -> Safety:
     """The limit of the wheel's material over its bulk temperature under the hottest load, both in degC."""
     limit = known(
         Unknown("it has no limit")
@@ -239,24 +214,14 @@ def _material(gear_set: _Rated) -> Safety:
     return _safety("S_M", value=value, inputs=inputs, doubts=tuple(doubts))
 
 
-def standard_sump(
-    table: CompletedRating, duty: WormDuty, load: RatedLoad, directory: Path, fan: bool
-) -> float:
-    """The standard's temperature of the sump under a load [K]; ValueError outside its range."""
-    oil, torque = standard_oil(table, directory), load.torque / table.application_factor
-    return sump_by_standard(table, duty, oil, torque, load.worm_speed, fan)
-
-
-def _sumps(gear_set: _Rated, hot: RatedLoad, doubts: list[str]) -> Mapping[str, float | str]:
+def _sumps(gear_set: RatedWormGear, hot: RatedLoad, doubts: list[str]) -> Mapping[str, float | str]:
     """The sump's temperature by the standard with and without fan, for S_T's inputs."""
     given = gear_set.table.sump_temperature is not None or gear_set.duty.oil_temperature is not None
     balanced = gear_set.duty.conductance is not None
     taken = "by [cooling]" if balanced else "as given" if given else "of the standard"
     try:
         with_fan, without = (
-            standard_sump(gear_set.table, gear_set.duty, hot, gear_set.directory, fan)
-            - ZERO_CELSIUS
-            for fan in (True, False)
+            gear_set.standard_sump(hot, fan) - ZERO_CELSIUS for fan in (True, False)
         )
         factor = oil_factor(hot.rated.oil, gear_set.duty.gear.ratio, hot.worm_speed)
     except ValueError as error:
@@ -272,12 +237,13 @@ def _sumps(gear_set: _Rated, hot: RatedLoad, doubts: list[str]) -> Mapping[str, 
     return {"theta_S_with_fan_C": with_fan, "theta_S_without_fan_C": without, "taken": taken}
 
 
-_RATES: dict[str, Callable[[_Rated], Safety]] = {
+_RATES: dict[str, Callable[[RatedWormGear], Safety]] = {
     "S_W": _wear,
     "S_H": _pitting,
     "S_delta": _deflection,
     "S_F": _root,
     "S_T": _temperature,
+    "S_M": _material,
 }
 """Symbol of a safety -> how it is rated."""
 

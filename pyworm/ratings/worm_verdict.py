@@ -1,16 +1,13 @@
 """Verdicts on a worm gear rated by the standards: self-locking, and failures."""
 
 from math import atan, degrees
-from pathlib import Path
 
-from pyworm.case.ratings import CompletedRating
 from pyworm.drives.duty import WormDuty
 from pyworm.formulas.ranges import apart
 from pyworm.formulas.unit_factors import RPM
 from pyworm.formulas.unknown import Unknown, attempt, or_none
 from pyworm.ratings.rating import Safety
-from pyworm.ratings.worm_loads import RatedLoad
-from pyworm.ratings.worm_safeties import total_wear
+from pyworm.ratings.worm_loads import RatedLoad, RatedWormGear
 
 NEVER_RATED = (
     "Scuffing: ISO/TS 14521 and DIN 3996 have no rating of it, and that of ISO/TS 6336-20 is of steel gears.",
@@ -27,14 +24,12 @@ NO_BRAKE = (
 )
 
 
-def locking(
-    table: CompletedRating, duty: WormDuty, loads: tuple[RatedLoad, ...], directory: Path
-) -> str:
+def locking(gear_set: RatedWormGear) -> str:
     """Whether the wheel can drive the gearbox, running and from rest; ValueError where that is not known.
 
-    By all losses of the gearbox under the load that locks least. Arguments as of
-    `pyworm.ratings.worm_safeties.safeties`.
+    By all losses of the gearbox under the load that locks least.
     """
+    loads = gear_set.loads
     at_rest = max(loads, key=lambda load: load.rated.static_gearbox_efficiency_back)
     locks_at_rest = at_rest.rated.static_gearbox_efficiency_back <= 0
     back = [_efficiency_back(load) for load in loads]
@@ -102,15 +97,13 @@ def _passing(when: str, what: str, teeth: float, others: str, taken: float) -> s
     return f"{when}, {through} of the wheel's {what} passes the teeth, and {others} take {100 * taken:.3g} %"
 
 
-def failures(
-    duty: WormDuty, rated: tuple[Safety, ...], loads: tuple[RatedLoad, ...]
-) -> tuple[str, ...]:
+def failures(gear_set: RatedWormGear, rated: tuple[Safety, ...]) -> tuple[str, ...]:
     """Why a worm gear fails its rating; empty where every safety that is rated is sufficient.
 
     S_delta counts where the case gives the bearings of the worm's shaft.
     """
-    failed, gear = [], duty.gear
-    worn = or_none(attempt(lambda: total_wear(loads)))
+    failed, duty, gear = [], gear_set.duty, gear_set.duty.gear
+    worn = or_none(attempt(lambda: gear_set.total_wear))
     if worn is not None and worn >= gear.tooth_thickness:
         failed.append(
             f"Wear of {worn * 1e3:.3g} mm in its life would take the whole tooth, which is "
@@ -126,7 +119,7 @@ def failures(
         safety for safety in rated if safety.symbol != "S_delta" or duty.deflection is not None
     ]
     failed += [safety.failure for safety in decides if safety.failure]
-    return (*failed, *_cannot_run(duty, loads))
+    return (*failed, *_cannot_run(duty, gear_set.loads))
 
 
 def _cannot_run(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> tuple[str, ...]:

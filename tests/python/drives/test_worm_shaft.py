@@ -15,7 +15,7 @@ from pyworm.case.ratings import WormRatingTable
 from pyworm.drives.worm.loads.worm_shaft import WormShaft
 from pyworm.formulas.worm_deflection import deflection_limit
 from pyworm.io.input_error import CaseError
-from pyworm.ratings.worm_loads import rated_loads
+from pyworm.ratings.worm_loads import RatedWormGear
 from pyworm.ratings.worm_safeties import safeties
 from pyworm.ratings.worm_verdict import failures
 
@@ -121,10 +121,10 @@ def test_the_standard_rates_the_deflection(drive):
     assert drive.duty().deflection == drive.shaft_deflection.deflection
     table = WormRatingTable(oil="PAG VG 220", sump_temperature="80 degC").completed()
     duty = replace(drive.duty(), deflection=0.1e-3)
-    loads = rated_loads(table, duty, Path())
-    built = safeties(table, duty, loads, Path())
+    rated = RatedWormGear(table, duty, Path())
+    built = safeties(rated)
     bent = next(of for of in built if of.symbol == "S_delta")
     assert bent.value == pytest.approx(0.8) and bent.verdict == "not sufficient"
-    assert failures(duty, built, loads) == (
+    assert failures(rated, built) == (
         "S_delta = 0.8 against deflection of the worm shaft is below 1.",
     )

@@ -27,7 +27,8 @@ from pyworm.case.ratings import BearingTable, RatingCase
 from pyworm.cli.main import main
 from pyworm.ratings.bearing import bearing_life
 from pyworm.ratings.rated_case import rating_request, ratings
-from pyworm.ratings.worm import standard_rating, worm_duty_of_table
+from pyworm.ratings.worm import worm_duty_of_table
+from pyworm.ratings.worm_loads import RatedWormGear
 from pyworm.result.result import Result
 
 BEARING, WORM, INCREASER = (
@@ -487,9 +488,8 @@ WORM_TABLES = checked(RatingCase, tomllib.loads(WORM))
 def worm_standard(sump=333.15, **duty):
     table = WORM_TABLES.worm_rating.completed()
     table = table.model_copy(update={"sump_temperature": sump})
-    return standard_rating(
-        table, replace(worm_duty_of_table(WORM_TABLES.worm_gear), **duty), Path()
-    )
+    duty = replace(worm_duty_of_table(WORM_TABLES.worm_gear), **duty)
+    return RatedWormGear(table, duty, Path()).hardest.rated
 
 
 @settings(max_examples=30)
