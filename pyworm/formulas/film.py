@@ -296,10 +296,7 @@ def moes_line(groups: LineGroups) -> Film:
     t = 1 - _decay(3.5 * m**0.125, el**0.25)
     r = np.exp(1 - 3 / (el + 4))
     minimum = _join(2.05 * m**-0.2, 0.99 * m**-0.125 * el**0.75 * t, r)
-    return Film(
-        groups.moes_film * _join(isoviscous, piezoviscous, s),
-        groups.moes_film * minimum,
-    )
+    return Film(groups.moes_film * _join(isoviscous, piezoviscous, s), groups.moes_film * minimum)
 
 
 def dowson_higginson(groups: LineGroups) -> Film:

@@ -17,11 +17,7 @@ from pyworm.io import units
 from pyworm.io.given import Given, WithUnit, in_si, kind_of, number, text
 from pyworm.io.present import present
 from pyworm.io.shown import Shown
-from pyworm.materials.base_stock import (
-    BASES,
-    BaseStock,
-    base_stock,
-)
+from pyworm.materials.base_stock import BASES, BaseStock, base_stock
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.materials.thermal_properties import OilHeat
@@ -211,8 +207,7 @@ def named_oil(name: str) -> NamedOil:
     like = NamedOil("", stock, *stock.grades[nearest], "")
     oil = oil_from_index(called, stock.name, grade * SQUARE_MILLIMETRE, like.viscosity_index)
     return replace(
-        oil,
-        source=f"viscosity index {like.viscosity_index:.0f}, that of {stock.name} VG {nearest}",
+        oil, source=f"viscosity index {like.viscosity_index:.0f}, that of {stock.name} VG {nearest}"
     )
 
 

@@ -54,10 +54,7 @@ class LongWaves:
     def at(self, along: Array, across: Array) -> Array:
         """Heights [m] at places [m] from the middle, along the surface's own motion and to its left."""
         turn = self.surface.x_direction
-        places = (
-            cos(turn) * along + sin(turn) * across,
-            cos(turn) * across - sin(turn) * along,
-        )
+        places = (cos(turn) * along + sin(turn) * across, cos(turn) * across - sin(turn) * along)
         rows = [
             place / step + (count - 1) / 2
             for place, step, count in zip(

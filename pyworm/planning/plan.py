@@ -302,15 +302,7 @@ def steady(plan: Plan, reason: str) -> Plan:
 def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float]) -> Plan:
     """Judge a plan's effects again by solved figures, which adds some, or none and leaves the rest."""
     prediction = predicted(scene).updated(figures)
-    how = (
-        scene,
-        plan.accuracy,
-        plan.quantities,
-        prediction,
-        plan.asked,
-        plan.on,
-        plan.excluded,
-    )
+    how = (scene, plan.accuracy, plan.quantities, prediction, plan.asked, plan.on, plan.excluded)
     again = replace(plan, effects=_judged(*how))
     return again if again.on == plan.on else planned(*how)
 
@@ -318,13 +310,7 @@ def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float])
 def with_accuracy(scene: Scene | LineScene, plan: Plan, accuracy: float) -> Plan:
     """The plan of a scene at another accuracy; its effects stay on, and its largest grid the same."""
     repeated = planned(
-        scene,
-        accuracy,
-        plan.quantities,
-        predicted(scene),
-        plan.asked,
-        plan.on,
-        plan.excluded,
+        scene, accuracy, plan.quantities, predicted(scene), plan.asked, plan.on, plan.excluded
     )
     return replace(repeated, largest_grid=plan.largest_grid)
 

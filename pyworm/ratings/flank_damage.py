@@ -22,10 +22,7 @@ from pyworm.ratings.rating import Safety, Value
 from pyworm.scene.index import ContactIndex
 from pyworm.solver.solution import Estimate, Solution
 
-CLAUSES = {
-    "S_B": "ISO/TR 13989-1, eq. 100",
-    "S_lambda": "ISO/TR 15144-1, eq. 4",
-}
+CLAUSES = {"S_B": "ISO/TR 13989-1, eq. 100", "S_lambda": "ISO/TR 15144-1, eq. 4"}
 """Symbol of a safety -> where the former edition of its standard has it, by a public program."""
 
 BASIS = (

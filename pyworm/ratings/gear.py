@@ -211,11 +211,7 @@ def _simulated(drive: Drive, duty: GearPairDuty, result: Result) -> dict[str, fl
     }
     loss = mesh_loss(drive, result)
     if loss is not None:
-        values |= {
-            "friction": loss.friction,
-            "loss_W": loss.loss,
-            "efficiency": loss.efficiency,
-        }
+        values |= {"friction": loss.friction, "loss_W": loss.loss, "efficiency": loss.efficiency}
     if all(solution.figures.temperature_max_body_1 is not None for solution in solutions):
         hottest, phase = max((_surface(solution), solution.phase) for solution in solutions)
         values |= {

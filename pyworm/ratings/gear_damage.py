@@ -106,18 +106,10 @@ class GearDamage:
         thinnest, thin = _worst(None if films is None else films.film, line.phase, np.argmin)
         safeties = (
             scuffing(
-                hottest,
-                self.oil_temperature,
-                self.limits[0],
-                self.table.required_scuffing,
-                hot,
+                hottest, self.oil_temperature, self.limits[0], self.table.required_scuffing, hot
             ),
             micropitting(
-                thinnest,
-                self.roughness,
-                self.limits[1],
-                self.table.required_micropitting,
-                thin,
+                thinnest, self.roughness, self.limits[1], self.table.required_micropitting, thin
             ),
         )
         if result is None:

@@ -191,13 +191,7 @@ def _rows(gear_set: RatedWormGear) -> list[tuple]:
         ("surface_temperature_max_C", "Largest flank temperature", lambda: None, 1.0, "°C"),
         ("wear_depth_m", "Wear over service life", worn, 1e6, "µm"),
         ("wear_limit_m", "Permissible wear", lambda: worn() and gear.wear_limit, 1e6, "µm"),
-        (
-            "shaft_deflection_m",
-            "Deflection of the worm shaft",
-            lambda: duty.deflection,
-            1e6,
-            "µm",
-        ),
+        ("shaft_deflection_m", "Deflection of the worm shaft", lambda: duty.deflection, 1e6, "µm"),
         *_gearbox_rows(rated),
     ]
 

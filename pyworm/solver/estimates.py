@@ -7,13 +7,7 @@ import numpy as np
 
 from pyworm.planning.plan import Plan
 from pyworm.solver.contact import ContactSolver
-from pyworm.solver.error_estimate import (
-    LEAST_PEAK,
-    Reading,
-    hot_spike,
-    peak_errors,
-    unresolved,
-)
+from pyworm.solver.error_estimate import LEAST_PEAK, Reading, hot_spike, peak_errors, unresolved
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.grid_limit import grid_limits
 from pyworm.solver.level import Level

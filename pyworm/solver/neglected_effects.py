@@ -9,12 +9,7 @@ from dataclasses import dataclass, field, replace
 from math import inf, sqrt
 from typing import Any, Self
 
-from pyworm.formulas.lubrication import (
-    BY_SEVERITY,
-    Lubrication,
-    full_film_roughness,
-    lubrication,
-)
+from pyworm.formulas.lubrication import BY_SEVERITY, Lubrication, full_film_roughness, lubrication
 from pyworm.formulas.rough_contact import RQ_OVER_RA
 from pyworm.io.number_with_unit import parse_in
 from pyworm.io.present import present

@@ -86,11 +86,7 @@ def solve(
 
 
 def _no_worse(
-    scene: Scene | LineScene,
-    plan: Plan,
-    solution: Solution,
-    rates: Rates | None,
-    report: Progress,
+    scene: Scene | LineScene, plan: Plan, solution: Solution, rates: Rates | None, report: Progress
 ) -> Solution:
     """The solution, or that of a coarser request where less error is left by it.
 

@@ -189,10 +189,7 @@ def rests_on_edge(fields: PlainDataset) -> bool:
 
 
 def refusal(
-    plan: Plan,
-    readings: Sequence[Reading],
-    orders: Mapping[str, float],
-    finer: Grid | LineGrid,
+    plan: Plan, readings: Sequence[Reading], orders: Mapping[str, float], finer: Grid | LineGrid
 ) -> Stop | None:
     """How the sequence ends without the next grid; None if it, or those after it, may reach the accuracy.
 

@@ -33,10 +33,7 @@ _RATING = (
 
 
 def line_of_action_data(
-    contacts: Any,
-    rating: Any,
-    marks: Mapping[str, float],
-    driver: str,
+    contacts: Any, rating: Any, marks: Mapping[str, float], driver: str
 ) -> "xr.Dataset":
     """The contacts along a line of action, and closed forms where known, as a dataset over phase.
 

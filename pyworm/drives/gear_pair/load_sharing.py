@@ -99,10 +99,7 @@ class LoadSharing:
         pair = self.pair
         b0 = 1 / sqrt((1 + pair.transverse_contact_ratio / 2) ** 2 / 2 - 1)
         rate, middle = b0 / pair.system.base_pitch, (pair.start + pair.end) / 2
-        return (
-            lambda s: np.cos(rate * (s - middle)),
-            lambda s: np.sin(rate * (s - middle)) / rate,
-        )
+        return (lambda s: np.cos(rate * (s - middle)), lambda s: np.sin(rate * (s - middle)) / rate)
 
     def _together(self, s: Array) -> Array:
         """Integral of v over all lines that are in contact when one is at s [m]."""

@@ -44,10 +44,7 @@ def in_space(teeth: InvolutePair, lengths: Sequence[float]) -> Space:
     along = np.asarray(lengths)
     base = [cylinder.base for cylinder in teeth.cylinders]
     return Space(
-        shapes=(
-            _gear(teeth, 0, -along / base[0]),
-            _gear(teeth, 1, along / base[1]),
-        ),
+        shapes=(_gear(teeth, 0, -along / base[0]), _gear(teeth, 1, along / base[1])),
         view=np.eye(3),
         size=SHOWN_LENGTH * teeth.system.module,
         drawn=DRAWN_PARTS,

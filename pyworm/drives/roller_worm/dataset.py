@@ -37,12 +37,7 @@ def roller_cycle_data(mesh: RollerMesh) -> "xr.Dataset":
     """The mesh cycle of both sections."""
     return describe(
         xr.Dataset(
-            {
-                **_contact_lines(mesh),
-                **_flanks(mesh),
-                **_lines_in_mesh(mesh),
-                **_sensitivity(mesh),
-            },
+            {**_contact_lines(mesh), **_flanks(mesh), **_lines_in_mesh(mesh), **_sensitivity(mesh)},
             coords={
                 "section": list(mesh.sections),
                 "phase": PHASES,

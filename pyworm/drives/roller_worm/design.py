@@ -3,10 +3,7 @@
 from dataclasses import dataclass
 from typing import Literal
 
-from pyworm.drives.roller_worm.motion import (
-    FREE_OF_FRICTION,
-    Pin,
-)
+from pyworm.drives.roller_worm.motion import FREE_OF_FRICTION, Pin
 from pyworm.drives.roller_worm.profile import RollerProfile
 from pyworm.io import units
 from pyworm.io.plain_values import Count, PositiveNumber

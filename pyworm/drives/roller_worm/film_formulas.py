@@ -51,11 +51,7 @@ class ClosedFilms:
 
 
 def closed_films(
-    curvature: Array,
-    load: Array,
-    motion: LineMotion,
-    bodies: tuple[Body, Body],
-    oil: Oil,
+    curvature: Array, load: Array, motion: LineMotion, bodies: tuple[Body, Body], oil: Oil
 ) -> ClosedFilms:
     """Films at contacts by induced curvature [1/m] and load for each length [N/m]; NaN without load."""
     modulus, viscosity = reduced_modulus(*bodies), oil.viscosity

@@ -98,10 +98,7 @@ def line_motion(
         worm=np.array([dot(worm, x_axis), dot(worm, y_axis)]),
         roller=np.array([dot(roller, x_axis), dot(roller, y_axis)]),
         spin=np.array(
-            [
-                -dot(turn, contact.normal),
-                -dot(wheel_turn + roller_speed * axis, contact.normal),
-            ]
+            [-dot(turn, contact.normal), -dot(wheel_turn + roller_speed * axis, contact.normal)]
         ),
         round_worm=dot(worm, contact.around),
         round_roller=dot(roller, contact.around),

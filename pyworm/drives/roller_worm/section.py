@@ -76,10 +76,7 @@ class WormSection:
             if not (outside[0] ^ outside[1]).any() and not (outside[0] & outside[1]).any():
                 continue
             cut = self._cut(face, phi, low, high)
-            low, high = (
-                np.where(outside[0], cut, low),
-                np.where(outside[1], cut, high),
-            )
+            low, high = (np.where(outside[0], cut, low), np.where(outside[1], cut, high))
             nowhere = outside[0] & outside[1]
             low, high = np.where(nowhere, self.middle, low), np.where(nowhere, self.middle, high)
         return low, high

@@ -9,12 +9,7 @@ from pyworm.drives.drive import AllowedErrors, Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.tooth_life import ToothLife
-from pyworm.drives.worm.dataset import (
-    loaded_cycle_data,
-    mesh_cycle_data,
-    pattern_data,
-    tooth_data,
-)
+from pyworm.drives.worm.dataset import loaded_cycle_data, mesh_cycle_data, pattern_data, tooth_data
 from pyworm.drives.worm.drawing.design import AS_DESIGNED
 from pyworm.drives.worm.duty import worm_duty
 from pyworm.drives.worm.geometry_table import (

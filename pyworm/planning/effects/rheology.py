@@ -69,8 +69,7 @@ COMPRESSIBILITY = Effect(
     indicator=_compression,
     influence=_by_compression,
     without=lambda scene: replace(
-        scene,
-        oil=replace(scene.oil, density=Density.incompressible(scene.oil.density.rho0)),
+        scene, oil=replace(scene.oil, density=Density.incompressible(scene.oil.density.rho0))
     ),
     lacking=lambda scene: "the oil is incompressible" if scene.oil.density.d1 == 0 else None,
 )

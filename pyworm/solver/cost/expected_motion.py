@@ -10,12 +10,7 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
 from pyworm.solver.transient.time_steps import FIRST_TRANSITS, places_of
-from pyworm.solver.transient.transient import (
-    Part,
-    begin_of_further,
-    part_at,
-    recent,
-)
+from pyworm.solver.transient.transient import Part, begin_of_further, part_at, recent
 
 FURTHER = 0.1
 """Chance that a contact has one more transient solve than its accuracy asks for: two of 31 had. A second one

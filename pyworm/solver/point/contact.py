@@ -245,10 +245,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         density = level.film.fraction() * density
         u, v = self._assisted.entrainment(*level.grid.mesh())
         return figures.outline_imbalance(
-            level.grid,
-            (density * film * u, density * film * v),
-            imbalance,
-            level.flowing(),
+            level.grid, (density * film * u, density * film * v), imbalance, level.flowing()
         )
 
     def _dry_figures(self, level: PointLevel, dry: DryContact) -> dict[str, Any]:

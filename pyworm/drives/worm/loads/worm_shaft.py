@@ -106,12 +106,7 @@ def bent_shaft(
     rigidity = youngs_modulus * second_moment(diameter)
     radial, lateral = (
         bending(
-            force[side],
-            -arm[side] * force[2],
-            before,
-            beyond,
-            rigidity,
-            shaft.bearing_stiffness,
+            force[side], -arm[side] * force[2], before, beyond, rigidity, shaft.bearing_stiffness
         )
         for side in (0, 1)
     )

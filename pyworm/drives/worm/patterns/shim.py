@@ -23,9 +23,7 @@ MOST_STEPS = 10
 
 
 def found_shim(
-    gears: WormGears,
-    patterns: tuple[ContactPattern, ContactPattern],
-    wanted: float | None = None,
+    gears: WormGears, patterns: tuple[ContactPattern, ContactPattern], wanted: float | None = None
 ) -> Shim:
     """The shim for a wanted middle of the mark along the face [m], or None: that without errors.
 
