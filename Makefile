@@ -19,7 +19,7 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python browser sanitized hard mutants docs evidence lint clean
+.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python browser sanitized hard mutants docs evidence lint tested release clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
@@ -39,12 +39,13 @@ help:
 	@echo "make evidence  redo the short studies behind docs/evidence (DATA=name for those of some data)"
 	@echo "make fortran-docs  build the documentation of the kernel by FORD, build/fortran-docs/index.html"
 	@echo "make lint     run the linters"
+	@echo "make release  check that this commit can be released: versions, changelog, date, tests, wheels"
 	@echo "make clean    remove the virtual environment and all that was built (results stay)"
 
 install: $(INSTALLED)
 
 # Sources need no rule: the editable install rebuilds itself on import when they change.
-$(INSTALLED): pyproject.toml tools/setup.sh
+$(INSTALLED): pyproject.toml meson.build tools/setup.sh
 	tools/setup.sh $(PYTHON) $(VENV)
 	@touch $@
 
@@ -130,6 +131,13 @@ lint: $(INSTALLED)
 	mypy
 	basedpyright
 	fortitude check fortran tests/fortran
+
+# What .ci/run ends with, and make release asks for.
+tested: $(INSTALLED)
+	python tools/release.py --tested
+
+release: $(INSTALLED)
+	python tools/release.py
 
 clean:
 	rm -rf $(VENV) build .pytest_cache .ruff_cache .mypy_cache .hypothesis

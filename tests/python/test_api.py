@@ -178,7 +178,3 @@ def test_formulas_and_plots_have_their_modules_on_demand():
 def test_the_page_of_the_interface_has_every_name():
     page = (ROOT / "docs/reference/python.md").read_text()
     assert not [name for name in NAMES if f"::: pyworm.{HOMES[name]}.{name}\n" not in page]
-
-
-def test_the_changelog_has_the_version():
-    assert f"\n## {pyworm.__version__}, " in (ROOT / "CHANGELOG.md").read_text()

@@ -13,11 +13,6 @@ ELSEWHERE = {"matplotlib": "matplotlib-base"}
 """Package by its name for pip -> as conda-forge calls it."""
 
 
-def test_it_is_of_this_version():
-    (version,) = re.findall(r"\n  version: '(.*?)',", (ROOT / "meson.build").read_text())
-    assert RECIPE["context"]["version"] == version
-
-
 def test_it_runs_with_what_the_package_needs():
     wanted = set()
     for of in PROJECT["project"]["dependencies"]:
