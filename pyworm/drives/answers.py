@@ -119,5 +119,4 @@ class Space:
     drawn: str
     """What is drawn and what is not, a sentence."""
     lines: tuple[np.ndarray, ...] = ()
-    """Points of the line of contact at each place [m], in the axes of the drive, (n, 3); none where a flank
-    shows the pressure in its place."""
+    """Points (n, 3) [m] of the line of contact at each place; none where a flank shows the pressure."""

@@ -34,11 +34,9 @@ class WormDuty:
     deflection: float | None = None
     """Deflection of the worm's shaft at the mesh [m]; None where its bearings are not known."""
     oil_temperature: float | None = None
-    """Temperature of the oil in the sump, as it is given or follows from the drive's thermal balance [K];
-    None where a rating has to find it."""
+    """Temperature of the oil in the sump, given or by thermal balance [K]; None: a rating finds it."""
     wheel_temperature: float | None = None
-    """Bulk temperature of the wheel, as it is given or follows from the drive's thermal balance [K]; None
-    where a rating has to find it."""
+    """Bulk temperature of the wheel, given or by thermal balance [K]; None: a rating finds it."""
     wheel_material: str | None = None
     """Material of the wheel in the drive's contacts; None where it has no name."""
     simulated_wheel_temperature: float | None = None
@@ -46,11 +44,9 @@ class WormDuty:
     contact_ratio: float | None = None
     """Pairs of teeth in mesh on average [-]; None of a gear without its flanks."""
     wheel_limit: float | None = None
-    """Temperature that the wheel's material bears in continuous use [K]; None of a material without such a
-    limit."""
+    """Temperature that the wheel's material bears for long [K]; None where it has no such limit."""
     wheel_modulus: float | None = None
-    """Young's modulus of the wheel at the bulk temperature of the drive's contacts [Pa]; None of a material
-    without such a limit."""
+    """Young's modulus of such a wheel at the bulk temperature of the drive's contacts [Pa]."""
     conductance: float | None = None
     """Heat that the housing gives off for each kelvin of its oil [W/K], where it is given."""
     other_loss: float | None = None

@@ -25,8 +25,7 @@ class ContactLoss:
     station: float | None = None
     """Place along a contact line, 0 to 1; None where the contact is solved as a whole."""
     loss_history: tuple[tuple[float, float], ...] = ()
-    """Phases since the contact before, and the power lost over the load at each [m/s], of a transient solve;
-    empty where films are steady."""
+    """Phases since the contact before, and transient power lost over the load at each [m/s]."""
 
 
 @dataclass(frozen=True)

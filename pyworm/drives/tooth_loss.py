@@ -38,8 +38,7 @@ class Loss:
     phase_error: float
     """Error bar of the power lost by the phases, from leaving out every other one [W]."""
     end_error: float
-    """Error bar of the power lost by what is interpolated, beyond the first and the last phase, from its
-    range elsewhere [W]."""
+    """Error bar of the power lost before the first and after the last phase, by its range else [W]."""
     friction: float
     """Mean coefficient: loss over load times sliding [-]."""
     wheel_torque: float
@@ -51,8 +50,7 @@ class Loss:
     reverse_efficiency: float
     """Efficiency with the power in the other direction, at the same loads and friction [-]."""
     model_error: float | None = None
-    """Uncertainty of the power lost by the model of roughness, the same way at all phases [W]; None where
-    roughness was not simulated."""
+    """Uncertainty of the power lost by the model of roughness [W]; None where not simulated."""
 
     @property
     def error(self) -> float:

@@ -43,14 +43,12 @@ class AtlasGroups:
     ratio: Values
     """Larger relative radius over the smaller one, 1 or more [-]."""
     angle: Values
-    """Angle of the entrainment from the direction of the smaller radius, 0 to pi/2 [rad]: at 0 the long axis
-    of the contact lies across the entrainment."""
+    """Angle of entrainment from the smaller radius' direction, 0 (across the long axis) to pi/2 [rad]."""
     spin: Values = 0.0
     """Mean angular velocity, positive from the smaller towards the larger radius, times Hertz's longer
     semi-axis over the entrainment speed [-]."""
     alpha_ratio: Values = 1.0
-    """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-], `reciprocal_alpha`; 1 of Barus'
-    law."""
+    """Reciprocal asymptotic isoviscous pressure coefficient over alpha [-]; 1 of Barus' law."""
     compression: Values = 0.0
     """Relative increase of the oil's density at the Hertz pressure [-]."""
 

@@ -46,8 +46,7 @@ class HeatGroups:
     loading: Values
     """Thermal loading eta0 beta u^2/k of the entrainment speed u [-]."""
     sliding: Values
-    """Slide-roll ratio, the size of sliding over entrainment [-]; above 2 the surfaces move in opposite
-    directions."""
+    """Slide-roll ratio, the size of sliding over entrainment [-]; above 2 of opposite motion."""
     shear: Values
     """eta0 u/(h tau0) with the central film h without heat and the Eyring stress tau0 [-]."""
     conductivity_ratio: Values
@@ -77,11 +76,9 @@ class FilmReduction:
     minimum: Array
     """Factor of the least film [-]."""
     central_error: Array
-    """Relative error of the factor of the central film that 19 of 20 contacts kept which the fit had not seen
-    [-]."""
+    """Relative error of the central film's factor of 19 of 20 contacts outside the fit [-]."""
     minimum_error: Array
-    """Relative error of the factor of the least film that 19 of 20 contacts kept which the fit had not seen
-    [-]."""
+    """Relative error of the minimum film's factor of 19 of 20 contacts outside the fit [-]."""
     inside: Flags
     """Whether the contact is in the box of the thermal contacts; outside it the errors are not known."""
 

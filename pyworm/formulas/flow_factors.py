@@ -39,8 +39,7 @@ SHEAR_FACTORS = (
 """A1, a1, a2 and a3 of A1 H^a1 exp(-a2 H + a3 H^2) (1979, table 2, not seen in print)."""
 
 FITTED, ASYMPTOTIC = 4.0, 5.0
-"""Gaps over roughness up to which the fits, and from which the asymptotes hold; between them both are
-blended."""
+"""Gaps over roughness up to which fits, and from which asymptotes hold, blended between."""
 
 MIN_FITTED_GAP = 0.5
 """Gap over roughness below which the fits, that would diverge or be negative, go on as constants."""

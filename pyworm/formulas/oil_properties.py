@@ -23,8 +23,7 @@ THINNEST, THICKEST = 1e-7, 1.0
 """Kinematic viscosities [m2/s] between which a number can be one: 0.1 mm2/s to 1e6 mm2/s."""
 
 ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE = 9.67, 138.0
-"""-ln of the viscosity [Pa s] and temperature [K] of the pole of Roelands' law (Sharif et al. 2001, equation
-20)."""
+"""-ln of viscosity [Pa s] and temperature [K] of Roelands' pole (Sharif et al. 2001, eq. 20)."""
 
 
 # ------------------------------------------------------------------------ viscosity and temperature

@@ -69,8 +69,7 @@ class Regime:
     ratio: float | None = None
     """Larger over smaller relative radius [-]; None of a line contact."""
     angle: float | None = None
-    """Angle of the entrainment from the direction of the smaller relative radius [rad]; None of a line
-    contact."""
+    """Angle of entrainment from the smaller relative radius' direction [rad]; None of a line."""
     spin: float = 0.0
     """As of those groups [-]."""
 

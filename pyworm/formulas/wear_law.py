@@ -25,8 +25,7 @@ WORM_HARDNESS, WHEEL_HARDNESS = 6.7e9, 0.93e9
 """Indentation hardness of case hardened worms, 680 HV, and of tin bronze, 95 HB [Pa], of bodies without."""
 
 RUN_IN = 0.6
-"""Roughness of hobbed flanks after running in, over that before [-]; a gear program's manual has 20 to 45 of
-30 to 80 uin."""
+"""Rq of hobbed flanks after running in over before [-]; a program's manual: 20-45 of 30-80 uin."""
 
 
 def archard_depth(coefficient: float, pressure: Values, path: Values) -> Values:

@@ -16,8 +16,7 @@ from pyworm.formulas.worm_gear import WormGear
 Bearings = Literal["adjusted", "fixed and floating"]
 
 BEARINGS: tuple[Bearings, ...] = ("adjusted", "fixed and floating")
-"""Rolling bearings of the worm: two that carry the axial force one way each, or one that carries it both
-ways."""
+"""Rolling bearings of the worm: two for axial force one way each, or one for both ways."""
 
 SEALS = 2
 """Seals of the worm's shaft that the transcription counts."""

@@ -27,8 +27,7 @@ class Balance:
     load_error: float
     """Missing load over the load."""
     warming: float = 0.0
-    """Last change of the film's temperature over its largest rise; zero where heat is not simulated, infinite
-    before the first."""
+    """Last change of the film's temperature over its largest rise; infinite before the first."""
 
     @property
     def worst(self) -> float:
@@ -60,8 +59,7 @@ class Shear:
     """Shear of a film at the nodes."""
 
     stress: tuple[Array, ...]
-    """Shear stress at the middle of the film along each direction of the grid, along the velocity of body 2
-    relative to body 1 [Pa]."""
+    """Shear stress in mid-film along each direction, along body 2's velocity relative to body 1 [Pa]."""
     friction: Array
     """Heat of shearing [W/m2]."""
     rate: Array

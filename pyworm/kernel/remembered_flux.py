@@ -15,11 +15,9 @@ class FluxHistory:
     """Fluxes into a body at some times, the present first."""
 
     flux: Sequence[Array]
-    """Flux at the nodes of each time's grid, all of as many nodes, as its heat has spread along the surface
-    since [W/m2]."""
+    """Flux at the nodes of each time's grid as its heat has spread along the surface since [W/m2]."""
     present: Sequence[Array]
-    """The present flux at the nodes of its own grid, as its heat would have spread within each of these times
-    [W/m2]."""
+    """Present flux at its grid's nodes, as its heat would have spread within those times [W/m2]."""
     first: Sequence[tuple[float, ...]]
     """First node of that grid along each direction [m]."""
     spacing: Sequence[tuple[float, ...]]

@@ -58,8 +58,7 @@ class BaseStock:
     agma_s: float | None = None
     """Constant s of AGMA's law; None where it has none."""
     limiting_coefficient: float | None = None
-    """Limiting stress over pressure [-], which also gives the Eyring stress; None where stresses are
-    given."""
+    """Limiting stress over pressure [-], which gives Eyring's, too; None where stresses are given."""
     eyring_stress: float | None = None
     """Constant Eyring stress [Pa]; None where the coefficient gives it."""
     limiting_stress: float | None = None

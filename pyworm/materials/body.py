@@ -48,8 +48,7 @@ class SolidConstants:
     """Root mean square height of the surface, Rq [m]; None if it is not known. Drawings often give the
     arithmetic mean Ra, from which it is about 1.25 Ra where heights are spread normally."""
     asperity_sharpness: AboveZeroToOne | None = field(default=None, kw_only=True)
-    """Composite roughness over the radius of the asperities' tips [-], all alike; None of a surface that is
-    rough on all scales."""
+    """Composite roughness over the radius of all asperities [-]; None if rough on all scales."""
     hardness: units.Hardness | None = field(default=None, kw_only=True)
     """Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield."""
     temperature_limit: units.MaterialTemperature | None = field(default=None, kw_only=True)

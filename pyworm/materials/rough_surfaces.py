@@ -21,8 +21,7 @@ MIN_GAP_RATIO = 0.05
 valleys, and its equations stay regular."""
 
 TABLE_ROWS, MIN_TABLE_GAP, MAX_TABLE_GAP = 500, -6.0, 1e4
-"""Rows of the tables, and their least and largest gap over the composite roughness; heights beyond are not
-found."""
+"""Rows of the tables, and their least and largest gap over the composite roughness."""
 
 LEAST_LOGARITHM = -600.0
 """Logarithm of the least pressure of asperities [Pa], which is none."""

@@ -51,11 +51,9 @@ class OilHeat(ShownFields, HeatCourse):
     specific_heat: units.SpecificHeat
     """c0 [J/(kg K)] of rho c = rho0 c0 {1 + b0 (1 + b1 p + b2 p^2) (T - T0)} {1 + k1 p / (1 + k2 p)}."""
     expansivity: units.TemperatureCoefficientOrZero = 0.0
-    """eps0 [1/K] of the expansivity eps = eps0 exp(-lambda p), by which the density is rho(p)
-    [1 - eps (T - T0)]."""
+    """eps0 [1/K] of eps = eps0 exp(-lambda p), by which the density is rho(p) [1 - eps (T - T0)]."""
     supply_temperature: units.Temperature | None = None
-    """Temperature of the oil before it met bodies of another one, which it has taken since [K]; None where it
-    is the inlet's."""
+    """Temperature of the oil before it met bodies of another one [K]; None where the inlet's."""
 
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
         # fmt: off

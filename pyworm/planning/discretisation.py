@@ -49,8 +49,7 @@ LARGEST_GRID = 4_000_000
 """Nodes beyond which grids are not refined further."""
 
 LARGEST_LINE = 33_000
-"""Largest number of nodes of a line contact. A step costs some milliseconds at 2000 nodes and grows
-linearly."""
+"""Largest number of nodes of a line; a step costs some ms at 2000 and grows linearly."""
 
 LINE_TOLERANCE = 1e-6
 """Residual allowed of an isothermal line film; Newton's last step falls far below it at no cost."""

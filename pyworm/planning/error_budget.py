@@ -24,8 +24,7 @@ WIDER_WINDOW_ALGEBRA = 0.1
 a tenth of the accuracy."""
 
 WINDOW = 0.25
-"""Error by the end of the window above which the sequence goes on in the wider window, which costs more
-nodes."""
+"""Error by the end of the window above which the sequence goes on in the wider, dearer one."""
 
 PLANNED_LEVELS = 0.1
 """Error by the levels across the film that are planned, known from other contacts."""

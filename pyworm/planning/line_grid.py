@@ -17,15 +17,13 @@ INLET_ACCURACY = 1e-3
 """Accuracy for which that height is enough; the error falls with its square (`solver.line.contact`)."""
 
 HEATED_INLET_FILMS = 48.0
-"""Height of the gap at the inlet end for a heated film, whose oil and bodies are heated far before the
-contact."""
+"""Gap at the inlet end of a heated film, in films: oil and bodies warm far before the contact."""
 
 HEATED_INLET_ACCURACY = 1e-2
 """Accuracy for which that height is enough; the error falls linearly with it (`solver.line.contact`)."""
 
 EXIT_FILMS = 1.0
-"""Height of Hertz's gap at the exit end, in films. A rigid film ruptures where it is a quarter of the
-film."""
+"""Hertz's gap at the exit end, in films; a rigid film ruptures where it is a quarter of it."""
 
 FIRST_CELLS = 64
 """Least number of cells of the first grid."""

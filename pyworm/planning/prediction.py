@@ -44,8 +44,7 @@ class Prediction:
     mean_to_max: float
     """Ratio of mean to largest pressure [-]."""
     pressure_max: float
-    """Largest pressure [Pa]; predicted by Hertz, limited to `SOLID`, too high where a thick film spreads the
-    load."""
+    """Largest pressure by Hertz, limited to `SOLID`; too high where a thick film spreads it [Pa]."""
     film_central: float
     """Central film [m]."""
     film_min: float

@@ -54,8 +54,7 @@ class OilChoice:
     reached: bool
     """Whether it gives the wanted specific film."""
     viscosity_needed: float | None
-    """Kinematic viscosity at 40 degC [m2/s] that would give it at the temperature of reference; None if none
-    does."""
+    """Viscosity at 40 degC [m2/s] that would give it at the temperature of reference, if any does."""
     rows: tuple[GradeRow, ...]
     """Every grade."""
     steps: tuple[Step, ...]

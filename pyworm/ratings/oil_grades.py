@@ -36,8 +36,7 @@ class FilmLaw:
     words: str
     """The formula, with the numbers of all but the oil."""
     alpha: float | None = None
-    """The pressure-viscosity coefficient [1/Pa] that the formula has for the base stock; None where it takes
-    the oil's own."""
+    """The formula's pressure-viscosity coefficient of the base stock [1/Pa]; None: the oil's own."""
 
     def of(self, oil: NamedOil, temperature: float) -> float:
         """The film [m] of an oil on teeth of a temperature [K]."""
@@ -106,8 +105,7 @@ class OilDuty(OilRequirements):
     roughness: float
     """Composite rms roughness of the teeth [m]."""
     pitch_line_velocity: float | None = None
-    """Pitch line velocity [m/s], for the rule of speed and the probability of distress; None for a worm gear,
-    to which they do not apply."""
+    """Pitch line velocity [m/s], by which speed and distress are judged; None for a worm gear."""
     tables: tuple[TableAdvice | None, ...] = ()
     """Grades by tables; None for a table without a row."""
     contact_temperature: float | None = None

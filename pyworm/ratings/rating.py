@@ -182,8 +182,7 @@ class Rating:
     neglected_effects: NeglectedEffects = field(default_factory=NeglectedEffects)
     """What its simulated figures do not hold; nothing without any."""
     basis: tuple[str, ...] = ()
-    """Standard and edition of its safeties, what of it was not read, and what lies outside its scope; a
-    sentence each."""
+    """Standard and edition of its safeties, what was not read or is outside their scope, in sentences."""
     differs: tuple[str, ...] = ()
     """What simulation and rating of the drive do not share, a sentence each."""
 

@@ -54,8 +54,7 @@ class FormulaFilms(Shown):
     minimum: Array
     """Minimum film thickness [m]."""
     central_error: Array
-    """Relative error of the central film thickness, 95 % of contacts outside the fit [-]; infinite
-    outside the box of the atlas."""
+    """Relative error of the central film, 95 % outside the fit [-]; infinite outside the atlas."""
     minimum_error: Array
     """Relative error of the minimum film thickness, likewise [-]."""
     inside: Flags

@@ -37,8 +37,7 @@ class Life(Generic[Contact]):
     """Load from which on surfaces that come together carry that of the contact, whatever the separation given
     [N], of a line contact for each length [N/m]; inf where a separation that is given holds."""
     touched: float = 0.0
-    """Time from which on its films begin with a steady one, where those of surfaces that come together before
-    are not found [s]."""
+    """Time from which its films begin with a steady one where those before are not found [s]."""
 
     def turning(self, seconds: float) -> float:
         """Angular velocity of the axes about the normal [rad/s], positive from x to y."""
@@ -57,8 +56,7 @@ class Past(Generic[Contact]):
     seconds: float
     """Time since the first touch [s]."""
     until: float | None = None
-    """Time up to which the films of the whole life are wanted [s]; None where those of the recent past up to
-    the present are enough."""
+    """Time up to which all its films are wanted [s]; None where those up to the present suffice."""
 
     def before(self, seconds: float) -> Contact:
         """The contact some time before the present [s]; ValueError where it carried no load."""

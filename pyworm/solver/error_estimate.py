@@ -47,8 +47,7 @@ class Left:
     """Error that grids leave in a figure, over its changes from grid to grid."""
 
     figure: float
-    """On two grids: error over the figure's change; the larger of both counts, since a figure may stand still
-    by chance."""
+    """On two grids: error over the figure's change, or over the films' if that is larger."""
     films: float
     """On two grids: error over the larger change of both films."""
     limit: float = 1.0
@@ -70,13 +69,11 @@ class Convergence:
     left: Mapping[str, Left]
     """Error that grids leave in each figure that is extrapolated."""
     window: Mapping[str, tuple[float, float]]
-    """Least and largest change of each figure from a window to an endless one, over its change when the reach
-    of the window (in gap) doubles."""
+    """Least and largest change of figures to an endless window over that by doubling its reach."""
     kept: Mapping[str, Left] = field(default_factory=dict)
     """Error that two grids leave in figures that are not extrapolated, by default `UNKNOWN`."""
     falls: tuple[float, float] = (4.0, 4.0)
-    """Least and largest ratio of successive errors of the figures that are extrapolated: 2 at first order, 4
-    at second."""
+    """Credible ratios of successive errors of extrapolated figures: 2 at first order, 4 at second."""
 
 
 def change(before: Reading, after: Reading) -> dict[str, float]:

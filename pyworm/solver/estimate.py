@@ -36,16 +36,14 @@ class Estimate:
     reason: str | None = None
     """Reason why this figure alone has an infinite uncertainty."""
     on_grid: float | None = None
-    """The figure on the finest grid in its domain, to which the fields belong; None where it is not known
-    apart."""
+    """The figure on the finest grid in its domain, that of the fields; None where not known apart."""
     model: float | None = None
     """Relative uncertainty by the assumptions of averaged roughness (`roughness_uncertainty`), by the
     temperature of the inlet film between bodies of another one than its supply's
     (`arrival_uncertainty`) and, of films, by a pressure-viscosity coefficient that was not measured
     (`oil_uncertainty`), no part of `error`; None where there is none of these."""
     datum: float = 0.0
-    """What the error is relative to the distance from: of temperatures that of the colder body before the
-    contact [K], else zero."""
+    """Origin of errors: of temperatures that of the colder body before the contact [K], else zero."""
 
     @property
     def error(self) -> float:

@@ -66,8 +66,7 @@ def _above_neighbours(field: Array, axis: int) -> Array:
 
 
 FINE_LEVELS = 201
-"""Number of places at which a column across the film is searched; between two of them a peak is at most 1e-4
-higher."""
+"""Places at which a column across the film is searched: its peak is at most 1e-4 higher."""
 
 
 SEARCHED_NODES = 12
@@ -103,8 +102,7 @@ def _lagrange(nodes: Array, places: Array) -> Array:
 
 
 SIDE_LOBE_DISTANCE = 0.35
-"""Distance from the entrainment line beyond which a minimum is in a side lobe, in half extents of the
-contact."""
+"""Distance from the entrainment line beyond which a minimum is in a side lobe, in half extents."""
 
 
 def minimum_kind(place: Sequence[float], angle: float, half_extents: tuple[float, float]) -> str:

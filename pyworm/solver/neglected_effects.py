@@ -67,8 +67,7 @@ class NeglectedEffects:
     asperity_load_fraction_model_error: float | None = None
     """Its relative uncertainty by the model of roughness; None likewise."""
     mixed_above_roughness_m: float | None = None
-    """Composite roughness [m] above which lubrication would be mixed; None where a roughness is given, or the
-    film not known."""
+    """Composite roughness [m] of mixed lubrication; None where it is given, or the film not known."""
     by_formula: bool = False
     """Whether films are those of closed forms, beside which nothing is simulated."""
 

@@ -22,8 +22,7 @@ MOST_SLOW_STEPS, SLOW_BALANCE_RATIO = 60, 6.0
 local slip slows the last steps."""
 
 UNRECOVERABLE_RESIDUAL = 1e6
-"""Residual from which Newton's iteration does not recover, as where a flow law is evaluated far beyond the
-stress that its oil bears."""
+"""Residual from which Newton does not recover, as of a flow law far beyond its stress."""
 
 
 @dataclass(frozen=True)
@@ -39,8 +38,7 @@ class NewtonStep:
     krylov: int
     """GMRES iterations."""
     work: dict[str, float]
-    """Operations and processor times since the step before, or since the film was made
-    (`kernel.PointFilm.work`)."""
+    """Operations and processor times since the step before, or the start (`kernel.PointFilm.work`)."""
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,7 @@ class SupplyFigures:
     """Figures of a contact whose supply of oil is limited."""
 
     supply_ratio: float
-    """Oil supplied over that of the flooded film, the mean over the dry contact's width over rho h in the
-    middle (Chevalier et al. 1998) [-]."""
+    """Mean supply over the dry contact's width over the flooded rho h (Chevalier et al. 1998) [-]."""
     film_over_flooded: float
     """Central film over the flooded one [-]."""
     flooded_error: float

@@ -12,8 +12,7 @@ class WindowLimit:
     """What an endless window adds to a figure."""
 
     rest: float
-    """Change of the figure from this window to an endless one, relative to its size; 0 where it is not
-    extrapolated [-]."""
+    """Relative change from this window to an endless one [-]; 0 where it is not extrapolated."""
     error: float
     """Relative error by the window that is left [-]."""
 

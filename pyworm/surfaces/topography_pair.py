@@ -27,8 +27,7 @@ class TopographyPair:
     """
 
     surfaces: tuple[Topography | None, Topography | None]
-    """Those of body 1 and body 2, their x axes from the x axis of the contact; None where only the height is
-    known."""
+    """Those of both bodies, x axes from the contact's; None where only the height is known."""
     heights: tuple[float, float]
     """Root mean square heights of both [m]."""
     reduced_modulus: float

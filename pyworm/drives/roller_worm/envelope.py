@@ -77,8 +77,7 @@ class LineContact:
     along: Array
     """Unit vector of the tangent plane along the contact line (with s)."""
     across: Array
-    """Unit vector of the tangent plane across the contact line; along, across and the normal are
-    right-handed."""
+    """Unit vector of the plane across the contact line; right-handed are along, across and normal."""
     around: Array
     """Unit vector of the tangent plane round the roller's axis."""
     stretch: Array

@@ -43,11 +43,9 @@ class ClosedFilms:
     printed: Array
     """The source's four films as printed, (4, ...), in the order of `REGIMES`."""
     heated_share: Array
-    """Wilson and Sheu's film over the isothermal one; NaN where the oil's thermal properties are not
-    known."""
+    """Wilson and Sheu's film over the isothermal one; NaN without thermal properties of the oil."""
     specific_film: Array
-    """Dowson and Higginson's minimum film, heated if known, over the composite roughness [-]; NaN where that
-    is not known."""
+    """Dowson and Higginson's film, heated if known, over the composite roughness [-]; NaN without."""
 
 
 def closed_films(

@@ -45,8 +45,7 @@ class LineMotion:
     x_axis: Array
     """Unit vector across the contact line, where the worm sweeps to, (3, ...)."""
     y_axis: Array
-    """Unit vector along the contact line, such that x, y and the direction from worm to roller are
-    right-handed, (3, ...)."""
+    """Unit vector along the line: x, y and that from worm to roller are right-handed, (3, ...)."""
     worm: Array
     """Velocity of the worm along x and y, (2, ...) [m/s]."""
     roller: Array

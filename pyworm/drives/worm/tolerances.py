@@ -46,8 +46,7 @@ class Tolerance:
     high: float
     """Largest allowed error [m] or [rad]."""
     low_limit: Limit
-    """What limits the smallest error: "pressure", "backlash", or "none within reach" of a quarter of a
-    module."""
+    """Limit of the smallest error: "pressure", "backlash", or "none within reach" of module/4."""
     high_limit: Limit
     """What limits the largest error, likewise."""
 

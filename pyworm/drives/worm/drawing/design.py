@@ -87,11 +87,9 @@ class Wheel:
     backlash: float | None = None
     """Circumferential backlash on the reference circle [m], where it is known."""
     deviations: FlankDeviations | None = None
-    """Deviations of the flank that the worm drives from the one that the hob cuts; None where none are
-    known."""
+    """Deviations of the driven flank from the one that the hob cuts; None where none are known."""
     fillet_radius: float = 0.0
-    """Radius of the rounded edge of the hob's tip in its axial section [m], which leaves the wheel's
-    fillet."""
+    """Radius [m] of the rounded edge of the hob's tip, axially, which leaves the wheel's fillet."""
 
 
 @dataclass(frozen=True)

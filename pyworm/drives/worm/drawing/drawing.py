@@ -35,8 +35,7 @@ class Drawing:
     diameter_factor: float
     """q, reference diameter of the worm over the module [-]."""
     pressure_angle: float
-    """alpha_n, normal, at the worm's reference cylinder [rad]; of ZA the axial one, of ZN the blade's, of ZK
-    and ZC the disc's."""
+    """alpha_n at the worm's reference cylinder [rad]; axial of ZA, of ZN the blade's, ZK, ZC the disc's."""
     worm_tip_diameter: float
     """Tip diameter of the worm, d_a1 [m]."""
     worm_root_diameter: float
@@ -58,8 +57,7 @@ class Drawing:
     worm_fillet_radius: float
     """Radius of the worm's fillet at its root, in its axial section [m]."""
     wheel_fillet_radius: float
-    """Radius of the rounded edge of the hob's tip, which leaves the wheel's fillet, in its axial section
-    [m]."""
+    """Radius [m] of the rounded edge of the hob's tip, axially, which leaves the wheel's fillet."""
     worm_tip_relief: float
     """What is taken off the worm's flank at its tip [m]."""
     worm_tip_relief_length: float

@@ -53,8 +53,7 @@ TOLERANCE = 1e-12
 """Error of heights on large meshes [m], a ten-thousandth of a film of 10 nm."""
 
 MOST_CACHED = 1_000_000
-"""Number of points of a flank in the cache: a grid of the figures, the one before it, and samples of
-windows."""
+"""Points of a flank in the cache: a grid of the figures, the one before, samples of windows."""
 
 
 def _powers(x: Array, y: Array) -> Array:

@@ -60,8 +60,7 @@ class Thread:
     lead_angle: float
     """Lead angle on the reference cylinder [rad]."""
     pressure_angle: float
-    """Pressure angle in the normal section on the reference cylinder; of blades (ZN) and discs that of their
-    profile [rad]."""
+    """Normal pressure angle on the reference cylinder; of blades (ZN) and discs the profile's [rad]."""
     reference_radius: float
     """Radius of its reference cylinder [m]."""
     root_radius: float

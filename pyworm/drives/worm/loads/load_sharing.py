@@ -40,8 +40,7 @@ class Transmission:
     shaft: Shaft
     """Shaft of that torque: "worm" or "wheel"."""
     sharing: Sharing = "elastic"
-    """Rule of load sharing: "elastic", or "equal": the same load on each pair whose contact point lies on
-    both teeth."""
+    """Rule: "elastic", or "equal" loads of pairs whose contact points lie on both teeth."""
     friction: float = 0.0
     """Coefficient of friction in the balance of forces: the teeth's loss over load times sliding [-]."""
     stiffness: float = inf
@@ -80,11 +79,9 @@ class Arms:
     """Moment arms [m] of the forces on tooth pairs at some phases."""
 
     worm_normal: Array
-    """Arm of the normal load about the worm's axis, positive where it resists the worm in the sense in which
-    the worm turns."""
+    """Arm of the normal load about the worm's axis, positive where it resists the turning worm."""
     wheel_normal: Array
-    """Arm of the normal load about the wheel's axis, positive where it drives the wheel in the sense in which
-    the worm turns it."""
+    """Arm of the normal load about the wheel's axis, positive where it drives the turning wheel."""
     worm_sliding: Array
     """Arm about the worm's axis of a force along the sliding of the worm against the wheel, likewise."""
     wheel_sliding: Array

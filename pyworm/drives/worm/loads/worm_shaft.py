@@ -27,8 +27,7 @@ class WormShaft:
     bearing_span: units.Length
     """Distance of the bearings [m]."""
     bearing_offset: units.Offset = 0.0
-    """Middle of the bearings from the line of centres along the worm's axis [m], positive to where the
-    driving worm's thrust acts."""
+    """Middle of the bearings from the line of centres [m], positive to where the worm's thrust acts."""
     diameter: units.Length | None = None
     """Diameter of a uniform shaft that bends as much [m]; None for the worm's root diameter."""
     bearing_stiffness: units.Stiffness = inf

@@ -13,8 +13,7 @@ MAX_DEVIATION_DIFFERENCE = 0.05
 """Maximum difference of deviations on a flank over the module."""
 
 MAX_WORN_DIFFERENCE = 0.3
-"""Maximum difference of deviations on a worn flank over the module, as the worm standard allows
-(0.3 m_x cos gamma)."""
+"""Largest difference of deviations on a worn flank over the module (0.3 m_x cos gamma)."""
 
 SHORT = 0.5
 """Distance from the ends of a mesh cycle over the module within which deviations of the worm may end."""

@@ -19,8 +19,7 @@ class EdgeContact:
     boundary: str
     """Nearest boundary of the teeth."""
     depth: float
-    """Depth by which the flanks would cross there if they touched at their contact point [m]; 0 where they
-    have none on the teeth."""
+    """Depth by which flanks touching at their contact point would cross there [m]; 0 off the teeth."""
     assembly_under_load: Assembly
     """Where the worm runs."""
 

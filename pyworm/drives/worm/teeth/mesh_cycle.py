@@ -40,8 +40,7 @@ class ToothContact:
     normal: Array
     """The common normal from worm to wheel, (3,); with both axes the contact frame."""
     x_axis: Array
-    """The direction of the larger relative radius of curvature, along which the worm sweeps positively,
-    (3,)."""
+    """Direction of the larger relative radius, along which the worm sweeps positively, (3,)."""
     y_axis: Array
     """Normal cross x_axis, (3,)."""
     radii: tuple[float, float]

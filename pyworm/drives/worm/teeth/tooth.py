@@ -74,8 +74,7 @@ class WheelTooth:
     hob_tip_radius: float
     """Radius of the hob's tip cylinder [m]."""
     hob_form_radius: float
-    """Radius up to which the hob's flank reaches [m]: the rounded edge of its tip is beyond, which cuts the
-    fillet."""
+    """Radius up to which the hob's flank reaches [m]; its rounded tip beyond cuts the fillet."""
     tip_relief: ParabolicRelief = NO_RELIEF
     """What is taken off towards tip and throat."""
     groove_radius: float | None = None
