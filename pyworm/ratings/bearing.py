@@ -6,7 +6,6 @@ from pathlib import Path
 from pyworm.case.ratings import BearingTable
 from pyworm.case.table import plain
 from pyworm.formulas.bearing_life import (
-    REVOLUTIONS,
     BearingRating,
     LoadedBearing,
     contamination_factor,
@@ -19,18 +18,18 @@ from pyworm.io.present import present
 from pyworm.materials.oil_file import oil_called
 from pyworm.ratings.rating import RatedFigure, Rating, without_value
 
-# Key, label, attribute of `BearingRating`, scale to the unit shown, unit
+# Key, label, attribute of `BearingRating`, unit
 _FIGURES = (
-    ("viscosity_m2_s", "Viscosity at the bearing", "viscosity", 1e6, "mm²/s"),
-    ("reference_viscosity_m2_s", "Viscosity required, nu1", "reference_viscosity", 1e6, "mm²/s"),
-    ("kappa", "Viscosity ratio kappa", "kappa", 1.0, ""),
-    ("contamination", "Contamination e_C", "contamination", 1.0, ""),
-    ("modification", "Life modification a_ISO", "modification", 1.0, ""),
-    ("reliability_factor", "Reliability factor a1", "reliability_factor", 1.0, ""),
-    ("basic_life_rev", "Basic life L10", "basic_life", 1 / REVOLUTIONS, "Mrev"),
-    ("basic_life_h", "Basic life L10h", "basic_hours", 1.0, "h"),
-    ("modified_life_rev", "Modified life L_nm", "modified_life", 1 / REVOLUTIONS, "Mrev"),
-    ("modified_life_h", "Modified life L_nmh", "modified_hours", 1.0, "h"),
+    ("viscosity_m2_s", "Viscosity at the bearing", "viscosity", "mm²/s"),
+    ("reference_viscosity_m2_s", "Viscosity required, nu1", "reference_viscosity", "mm²/s"),
+    ("kappa", "Viscosity ratio kappa", "kappa", ""),
+    ("contamination", "Contamination e_C", "contamination", ""),
+    ("modification", "Life modification a_ISO", "modification", ""),
+    ("reliability_factor", "Reliability factor a1", "reliability_factor", ""),
+    ("basic_life_rev", "Basic life L10", "basic_life", "Mrev"),
+    ("basic_life_h", "Basic life L10h", "basic_hours", "h"),
+    ("modified_life_rev", "Modified life L_nm", "modified_life", "Mrev"),
+    ("modified_life_h", "Modified life L_nmh", "modified_hours", "h"),
 )
 
 _PRINTED_IN = {"basic_hours": 3600.0, "modified_hours": 3600.0}
@@ -110,13 +109,7 @@ def rate_bearing_table(name: str, table: BearingTable, directory: Path) -> Ratin
 
 
 def _figure(
-    rated: BearingRating,
-    table: BearingTable,
-    key: str,
-    label: str,
-    attribute: str,
-    scale: float,
-    unit: str,
+    rated: BearingRating, table: BearingTable, key: str, label: str, attribute: str, unit: str
 ) -> RatedFigure:
     """A figure beside the printed one, or why there is none."""
     found = attempt(lambda: known(getattr(rated, attribute)))
@@ -124,7 +117,7 @@ def _figure(
     beside = None if printed is None else printed.value / _PRINTED_IN.get(attribute, 1.0)
     values = (or_none(found), beside) if table.published else (or_none(found),)
     why = found.why if isinstance(found, Unknown) else ""
-    return RatedFigure(key, label, values, scale, unit, why=why)
+    return RatedFigure(key, label, values, unit, why=why)
 
 
 def _words(kappa: float) -> str:

@@ -56,14 +56,14 @@ def rate_films(scene: Scene | LineScene, solution: Solution | None = None) -> Ra
         for key, (label, formula) in formulas.items()
         if not objections[label]
     }
-    shown = QUANTITIES["film"].scale, QUANTITIES["film"].shown
+    unit = QUANTITIES["film"].shown
     figures = [
-        RatedFigure(f"{key}_m", label, _both(film), *shown) for key, (label, film) in films.items()
+        RatedFigure(f"{key}_m", label, _both(film), unit) for key, (label, film) in films.items()
     ]
     if solution is not None:
         found = solution.figures
         simulated = found.film_central.value, found.film_min.value
-        figures.append(RatedFigure("simulated_m", "Simulated", simulated, *shown))
+        figures.append(RatedFigure("simulated_m", "Simulated", simulated, unit))
     least = [float(film.minimum) for _, film in films.values() if film.minimum is not None]
     words = [_groups(prediction), "Formulas: isothermal, smooth, fully supplied."]
     outside = [f"{label} ({reason})" for label, reason in objections.items() if reason]

@@ -53,11 +53,11 @@ def flank_table(
     """
     rows = _rows(limits, oil_temperature, roughness, closed)
     figures = []
-    for key, label, unit, scale, value_of in rows:
+    for key, label, unit, value_of in rows:
         found = [value_of(spot) for spot in spots]
         if any(value is not None for value, _ in found):
             values, error_bars = zip(*found, strict=True)
-            figures.append(RatedFigure(key, label, values, scale, unit, error_bars))
+            figures.append(RatedFigure(key, label, values, unit, error_bars))
     return Rating(
         key="flanks",
         title=title,
@@ -74,7 +74,7 @@ def flank_table(
 
 
 _Barred = tuple[float | None, tuple[float, float | None] | None]
-_Row = tuple[str, str, str, float, Callable[[Spot], _Barred]]
+_Row = tuple[str, str, str, Callable[[Spot], _Barred]]
 
 
 def _rows(
@@ -83,7 +83,7 @@ def _rows(
     roughness: float | None,
     closed: ClosedForms | None,
 ) -> list[_Row]:
-    """Key, label, unit, scale and value of each row."""
+    """Key, label, unit and value of each row."""
     scuffing, permissible = limits[0].value, limits[1].value
 
     def celsius(spot: Spot) -> _Barred:
@@ -110,18 +110,12 @@ def _rows(
 
     carried = QUANTITIES["asperity_load_fraction"]
     simulated = [
-        ("friction_simulated", "Friction, simulated", "", 1.0, lambda spot: (spot.friction, None)),
-        (
-            "asperity_share",
-            f"{carried.title()}, simulated",
-            carried.shown,
-            carried.scale,
-            _asperities,
-        ),
-        ("contact_temperature_simulated_C", "Contact temperature, simulated", "°C", 1.0, celsius),
-        ("S_B_simulated", "S_B, simulated", "", 1.0, safety),
-        ("specific_film_simulated", "Specific film thickness, simulated", "", 1.0, specific),
-        ("S_lambda_simulated", "S_lambda, simulated", "", 1.0, film_safety),
+        ("friction_simulated", "Friction, simulated", "", lambda spot: (spot.friction, None)),
+        ("asperity_share", f"{carried.title()}, simulated", carried.shown, _asperities),
+        ("contact_temperature_simulated_C", "Contact temperature, simulated", "°C", celsius),
+        ("S_B_simulated", "S_B, simulated", "", safety),
+        ("specific_film_simulated", "Specific film thickness, simulated", "", specific),
+        ("S_lambda_simulated", "S_lambda, simulated", "", film_safety),
     ]
     return (
         simulated if closed is None else [*_closed_rows(limits, oil, roughness, closed), *simulated]
@@ -167,15 +161,14 @@ def _closed_rows(
         return (None if found is None or permissible is None else found / permissible), None
 
     return [
-        ("contact_temperature_C", "Contact temperature, Blok", "°C", 1.0, celsius),
-        ("S_B", "S_B", "", 1.0, safety),
-        ("specific_film", "Specific film thickness, ISO/TS 6336-22", "", 1.0, specific),
-        ("S_lambda", "S_lambda", "", 1.0, film_safety),
+        ("contact_temperature_C", "Contact temperature, Blok", "°C", celsius),
+        ("S_B", "S_B", "", safety),
+        ("specific_film", "Specific film thickness, ISO/TS 6336-22", "", specific),
+        ("S_lambda", "S_lambda", "", film_safety),
         (
             "contact_temperature_blok_C",
             "Contact temperature, Blok with the simulated friction",
             "°C",
-            1.0,
             blok,
         ),
     ]

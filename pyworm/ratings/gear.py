@@ -25,9 +25,6 @@ from pyworm.result.result import Result
 from pyworm.solver.neglected_effects import NeglectedEffects
 from pyworm.solver.solution import Solution
 
-LITRES_PER_MINUTE = 6e4
-"""From m3/s to l/min."""
-
 
 def rate_gear_pair(
     drive: Drive,
@@ -59,7 +56,7 @@ def _teeth(
     closed = _closed_forms(duty, damage.table)
     safeties = damage.safeties(result)
     printed = {
-        key: _as_shown(published[name], key) for key, _, name, _, _ in _TEETH if name in published
+        key: _as_shown(published[name], key) for key, _, name, _ in _TEETH if name in published
     }
     simulated = {} if result is None else _simulated(drive, duty, result)
     given: dict[str, Mapping[str, Any]]
@@ -70,10 +67,9 @@ def _teeth(
             key,
             with_missing(key, label, result) if key in simulated else label,
             tuple(column.get(key) for column in columns.values()),
-            scale,
             unit,
         )
-        for key, label, _, scale, unit in _TEETH
+        for key, label, _, unit in _TEETH
         if any(column.get(key) is not None for column in columns.values())
     )
     words = ["Phase 0 is the start of the pinion's active profile, 1 its end, at the tip."]
@@ -105,32 +101,32 @@ def _teeth(
     )
 
 
-def _row(name: str, key: str = "") -> tuple[str, str, str, float, str]:
+def _row(name: str, key: str = "") -> tuple[str, str, str, str]:
     """A quantity as a row, under a key of its own where that is older."""
     quantity = QUANTITIES[name]
-    return key or quantity.key, quantity.title(), quantity.published, quantity.scale, quantity.shown
+    return key or quantity.key, quantity.title(), quantity.published, quantity.shown
 
 
-# Key, label, name under [published], scale to the unit shown, unit
+# Key, label, name under [published], unit
 _TEETH = (
-    ("pitch_line_velocity_m_s", "Pitch line velocity", "pitch_line_velocity", 1.0, "m/s"),
+    ("pitch_line_velocity_m_s", "Pitch line velocity", "pitch_line_velocity", "m/s"),
     _row("film_min"),
-    ("film_min_phase", "  at phase", None, 1.0, ""),
+    ("film_min_phase", "  at phase", None, ""),
     _row("composite_roughness"),
     _row("specific_film"),
-    ("regime", "Lubrication", None, 1.0, ""),
-    ("wear_probability", "Probability of wear distress", "wear_probability", 100.0, "%"),
+    ("regime", "Lubrication", None, ""),
+    ("wear_probability", "Probability of wear distress", "wear_probability", "%"),
     _row("hertz_pressure_max", "hertz_pressure_Pa"),
-    ("loss_factor", "Loss factor H_V", None, 1.0, ""),
+    ("loss_factor", "Loss factor H_V", None, ""),
     _row("mesh_friction", "friction"),
     _row("mesh_loss", "loss_W"),
     _row("mesh_efficiency", "efficiency"),
-    ("flash_temperature_K", "Largest flash temperature", None, 1.0, "K"),
-    ("contact_temperature_C", "Largest contact temperature", "contact_temperature", 1.0, "°C"),
-    ("contact_temperature_phase", "  at phase", None, 1.0, ""),
-    ("scuffing_temperature_C", "Mean scuffing temperature", "scuffing_temperature", 1.0, "°C"),
-    ("scuffing_probability", "Probability of scuffing", "scuffing_probability", 100.0, "%"),
-    ("scuffing_risk", "Risk of scuffing", None, 1.0, ""),
+    ("flash_temperature_K", "Largest flash temperature", None, "K"),
+    ("contact_temperature_C", "Largest contact temperature", "contact_temperature", "°C"),
+    ("contact_temperature_phase", "  at phase", None, ""),
+    ("scuffing_temperature_C", "Mean scuffing temperature", "scuffing_temperature", "°C"),
+    ("scuffing_probability", "Probability of scuffing", "scuffing_probability", "%"),
+    ("scuffing_risk", "Risk of scuffing", None, ""),
 )
 
 
@@ -229,14 +225,14 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
     """Viscosity by speed, oil flow and jets."""
     speed = duty.pitch_line_velocity
     wanted = gear_oil.pitch_line_viscosity(speed)
-    figures: list[tuple[str, str, float, float, str]] = [
-        ("viscosity_40_m2_s", "Viscosity at 40 °C by speed", wanted, 1e6, "mm²/s"),
-        ("nearest_grade", "  nearest ISO VG", gear_oil.nearest_grade(wanted), 1.0, ""),
+    figures: list[tuple[str, str, float, str]] = [
+        ("viscosity_40_m2_s", "Viscosity at 40 °C by speed", wanted, "mm²/s"),
+        ("nearest_grade", "  nearest ISO VG", gear_oil.nearest_grade(wanted), ""),
     ]
     for word, (_, use) in gear_oil.FLOWS.items():
         flow = gear_oil.oil_flow(duty.power, word)
         label = f"Oil flow, {word} ({use})"
-        figures.append((f"flow_{word}_m3_s", label, flow, LITRES_PER_MINUTE, "l/min"))
+        figures.append((f"flow_{word}_m3_s", label, flow, "l/min"))
     words = [f"Oil is brought by {gear_oil.application_method(speed)}."]
     if table.flow is not None:
         flow = gear_oil.oil_flow(duty.power, table.flow)
@@ -247,9 +243,9 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
             present(table.jets, "gear_rating.jets"),
         )
         figures += [
-            ("jets", f"Jets, {table.flow} flow", jets.number, 1.0, ""),
-            ("jet_diameter_m", "  diameter", jets.diameter, 1e3, "mm"),
-            ("jet_velocity_m_s", "  velocity", jets.velocity, 1.0, "m/s"),
+            ("jets", f"Jets, {table.flow} flow", jets.number, ""),
+            ("jet_diameter_m", "  diameter", jets.diameter, "mm"),
+            ("jet_velocity_m_s", "  velocity", jets.velocity, "m/s"),
         ]
         words += [f"{advice[0].upper()}{advice[1:]}." for advice in jets.advice]
     return Rating(
@@ -258,8 +254,7 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
         source=gear_oil.SOURCE,
         columns=("computed",),
         figures=tuple(
-            RatedFigure(key, label, (value,), scale, unit)
-            for key, label, value, scale, unit in figures
+            RatedFigure(key, label, (value,), unit) for key, label, value, unit in figures
         ),
         words=tuple(words),
     )

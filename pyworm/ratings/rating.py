@@ -14,6 +14,12 @@ Value = float | int | str | None
 NOT_RATED = "not rated"
 """Cell of a figure that has no value, and a reason."""
 
+SCALES = {
+    **{"kN m": 1e-3, "kW": 1e-3, "MPa": 1e-6, "GPa": 1e-9, "mm": 1e3, "µm": 1e6, "mm²/s": 1e6},
+    **{"l/min": 6e4, "%": 100.0, "Mrev": 1e-6},
+}
+"""Unit shown -> its number over that in SI, or in revolutions."""
+
 DIGITS = 4
 """Of values shown, and more where they would else look like the bound that they miss."""
 
@@ -34,14 +40,17 @@ class RatedFigure:
     """Its name for people."""
     values: tuple[Value, ...]
     """One for each column of the rating, in the unit of the key; None where a column has none."""
-    scale: float = 1.0
-    """From that unit to the one shown."""
     unit: str = ""
     """Unit shown."""
     bars: tuple[tuple[float, float | None] | None, ...] = ()
     """Numerical and model error bars of each column, in the unit of the key; None where a column has none."""
     why: str = ""
     """Why it has no value, a clause; empty where it has."""
+
+    @property
+    def scale(self) -> float:
+        """From the unit of the key to the one shown."""
+        return SCALES.get(self.unit, 1.0)
 
     def shown(self, column: int) -> str:
         """The value of a column as text."""

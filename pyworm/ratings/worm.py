@@ -137,7 +137,7 @@ def _figures(
     gear_set: RatedWormGear, simulated: dict[str, float | str], result: Result | None
 ) -> Iterator[RatedFigure]:
     """Every row with the standard's value, or why it has none, and the simulated one."""
-    for key, label, compute, scale, unit in _rows(gear_set):
+    for key, label, compute, unit in _rows(gear_set):
         value = attempt(compute)
         if value is None and key not in simulated:
             continue
@@ -145,11 +145,11 @@ def _figures(
         why = value.why if isinstance(value, Unknown) else ""
         if result is not None and key in simulated:
             label = with_missing(key, label, result)
-        yield RatedFigure(key, label, (or_none(value), *others), scale, unit, why=why)
+        yield RatedFigure(key, label, (or_none(value), *others), unit, why=why)
 
 
 def _rows(gear_set: RatedWormGear) -> list[tuple]:
-    """Key, label, how the standard's value is computed, scale and unit of every row."""
+    """Key, label, how the standard's value is computed, and unit of every row."""
     worst, duty, gear = gear_set.hardest, gear_set.duty, gear_set.duty.gear
     rated = worst.rated
     thin, central, specific, highest = (
@@ -164,34 +164,27 @@ def _rows(gear_set: RatedWormGear) -> list[tuple]:
         return None if given else gear_set.total_wear
 
     return [
-        ("wheel_torque_Nm", "Wheel torque T2", lambda: worst.torque, 1e-3, "kN m"),
-        ("sliding_speed_m_s", "Sliding speed v_g", lambda: rated.sliding_speed, 1.0, "m/s"),
-        ("film_parameter", "Film parameter h*", lambda: gear.film_parameter, 1.0, ""),
-        ("film_m", f"Mean {thin.words()} h_min,m", lambda: rated.film, thin.scale, thin.shown),
-        (central.key, central.title(), lambda: None, central.scale, central.shown),
-        (specific.key, specific.title(), ratio, specific.scale, specific.shown),
-        ("regime", "Lubrication", lambda: regime(ratio()), 1.0, ""),
-        (
-            "mean_pressure_Pa",
-            "Mean contact stress sigma_Hm",
-            lambda: rated.mean_pressure,
-            1e-6,
-            "MPa",
-        ),
-        (highest.key, highest.title(), lambda: None, highest.scale, highest.shown),
+        ("wheel_torque_Nm", "Wheel torque T2", lambda: worst.torque, "kN m"),
+        ("sliding_speed_m_s", "Sliding speed v_g", lambda: rated.sliding_speed, "m/s"),
+        ("film_parameter", "Film parameter h*", lambda: gear.film_parameter, ""),
+        ("film_m", f"Mean {thin.words()} h_min,m", lambda: rated.film, thin.shown),
+        (central.key, central.title(), lambda: None, central.shown),
+        (specific.key, specific.title(), ratio, specific.shown),
+        ("regime", "Lubrication", lambda: regime(ratio()), ""),
+        ("mean_pressure_Pa", "Mean contact stress sigma_Hm", lambda: rated.mean_pressure, "MPa"),
+        (highest.key, highest.title(), lambda: None, highest.shown),
         *_friction_rows(rated),
         (
             "bulk_temperature_C",
             "Wheel bulk temperature",
             lambda: rated.bulk_temperature - ZERO_CELSIUS,
-            1.0,
             "°C",
         ),
         *_material_rows(duty),
-        ("surface_temperature_max_C", "Largest flank temperature", lambda: None, 1.0, "°C"),
-        ("wear_depth_m", "Wear over service life", worn, 1e6, "µm"),
-        ("wear_limit_m", "Permissible wear", lambda: worn() and gear.wear_limit, 1e6, "µm"),
-        ("shaft_deflection_m", "Deflection of the worm shaft", lambda: duty.deflection, 1e6, "µm"),
+        ("surface_temperature_max_C", "Largest flank temperature", lambda: None, "°C"),
+        ("wear_depth_m", "Wear over service life", worn, "µm"),
+        ("wear_limit_m", "Permissible wear", lambda: worn() and gear.wear_limit, "µm"),
+        ("shaft_deflection_m", "Deflection of the worm shaft", lambda: duty.deflection, "µm"),
         *_gearbox_rows(rated),
     ]
 
@@ -206,45 +199,35 @@ def _material_rows(duty: WormDuty) -> list[tuple]:
             "wheel_temperature_limit_C",
             "Temperature limit of the wheel's material",
             lambda: limit - ZERO_CELSIUS,
-            1.0,
             "°C",
         ),
-        ("wheel_modulus_Pa", "Young's modulus of the wheel", lambda: modulus, 1e-9, "GPa"),
+        ("wheel_modulus_Pa", "Young's modulus of the wheel", lambda: modulus, "GPa"),
     ]
 
 
 def _friction_rows(rated: WormRating) -> list[tuple]:
     """Rows about the friction of the teeth and what follows from it."""
     return [
-        ("friction", "Tooth friction mu_zm", lambda: rated.friction, 1.0, ""),
-        ("efficiency", "Efficiency, worm driving", lambda: rated.forward_efficiency, 100.0, "%"),
+        ("friction", "Tooth friction mu_zm", lambda: rated.friction, ""),
+        ("efficiency", "Efficiency, worm driving", lambda: rated.forward_efficiency, "%"),
         (
             "efficiency_back",
             "Efficiency, wheel driving",
             lambda: _driven_back(rated.backward_efficiency),
-            100.0,
             "%",
         ),
-        (
-            "locking",
-            "mu/tan gamma (teeth lock above 1)",
-            lambda: rated.self_locking_margin,
-            1.0,
-            "",
-        ),
-        ("friction_rest", "Static tooth friction", lambda: rated.static_friction, 1.0, ""),
+        ("locking", "mu/tan gamma (teeth lock above 1)", lambda: rated.self_locking_margin, ""),
+        ("friction_rest", "Static tooth friction", lambda: rated.static_friction, ""),
         (
             "locking_rest",
             "mu/tan gamma at rest (teeth lock above 1)",
             lambda: rated.static_locking_margin,
-            1.0,
             "",
         ),
         (
             "loss_W",
             f"Power loss of the teeth, {rated.under.driver} driving",
             lambda: rated.tooth_loss,
-            1e-3,
             "kW",
         ),
     ]
@@ -264,40 +247,29 @@ def _gearbox_rows(rated: WormRating) -> list[tuple]:
         ("seals", "Seal loss"),
     )
     parts: list[tuple] = [
-        (
-            f"loss_{name}_W",
-            label,
-            lambda part=name: getattr(rated.standard_losses, part),
-            1e-3,
-            "kW",
-        )
+        (f"loss_{name}_W", label, lambda part=name: getattr(rated.standard_losses, part), "kW")
         for name, label in by_standard
     ]
     if given:
-        parts = [
-            ("loss_other_W", "Losses besides the teeth", lambda: rated.other_power, 1e-3, "kW")
-        ]
+        parts = [("loss_other_W", "Losses besides the teeth", lambda: rated.other_power, "kW")]
     return [
         *parts,
         (
             "loss_gearbox_W",
             f"Power loss of the gearbox, {rated.under.driver} driving",
             lambda: rated.loss,
-            1e-3,
             "kW",
         ),
         (
             "efficiency_gearbox",
             "Efficiency of the gearbox, worm driving",
             lambda: rated.gearbox_efficiency,
-            100.0,
             "%",
         ),
         (
             "efficiency_gearbox_back",
             "Efficiency of the gearbox, wheel driving",
             lambda: _driven_back(rated.gearbox_efficiency_back),
-            100.0,
             "%",
         ),
     ]
