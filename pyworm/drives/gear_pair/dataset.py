@@ -1,11 +1,11 @@
 """Dataset of a gear pair for pictures: its line of action with the closed forms there."""
 
 import json
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from pyworm.drives.gear_pair.mesh import GearPairMesh
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.quantities import describe
 
@@ -32,18 +32,27 @@ _RATING = (
 )
 
 
-def line_of_action_data(
-    contacts: Any, rating: Any, marks: Mapping[str, float], driver: str
-) -> "xr.Dataset":
-    """The contacts along a line of action, and closed forms where known, as a dataset over phase.
-
-    `marks` has the phases of points of the line of action by their names.
-    """
+def line_of_action_data(mesh: GearPairMesh) -> "xr.Dataset":
+    """The contacts along the line of action, and closed forms where known, as a dataset over phase."""
+    contacts, teeth = mesh.contacts(mesh.cycle_phases()), mesh.teeth
+    rating = mesh.rating(contacts)
     columns = {name: getattr(contacts, name) for name in _CONTACTS}
     columns |= {f"closed_form_{name}": getattr(rating, name) for name in _RATING}
-    attributes = {"drive": KIND, "driver": driver, "marks": json.dumps(dict(marks))}
+    marks = {
+        "SAP": 0.0,
+        "LPSTC": mesh.phase_of(teeth.lowest_single),
+        "P": mesh.phase_of(teeth.pitch_point),
+        "HPSTC": mesh.phase_of(teeth.highest_single),
+        "EAP": 1.0,
+    }
+    attributes: dict[str, Any] = {"drive": KIND, "driver": mesh.driver, "marks": json.dumps(marks)}
     if rating.scuffing_temperature is not None:
         attributes["scuffing_temperature_K"] = rating.scuffing_temperature
+    attributes["loss_factor"] = mesh.loss_factor
+    if mesh.surfaces is not None:
+        friction = mesh.surfaces.friction_coefficient
+        columns["friction_load_factor"] = mesh.friction_load_factor(contacts, friction)
+        attributes["friction_coefficient"] = friction
     return describe(
         xr.Dataset(
             {
@@ -55,9 +64,3 @@ def line_of_action_data(
             attrs=attributes,
         )
     )
-
-
-def with_friction(data: "xr.Dataset", friction: float, load_factor: np.ndarray) -> "xr.Dataset":
-    """Add a coefficient of friction, and what it does to the normal load, to `line_of_action_data`."""
-    data = data.assign(friction_load_factor=("phase", load_factor))
-    return describe(data.assign_attrs(friction_coefficient=friction))
