@@ -5,6 +5,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
+import scipy
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
@@ -12,7 +13,6 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import FuncFormatter, NullLocator
-from scipy.ndimage import distance_transform_edt
 
 from pyworm.formulas.arrays import Values
 from pyworm.formulas.film import LineGroups, radii_at_angle
@@ -184,7 +184,7 @@ def _roomiest(area: np.ndarray) -> tuple[int, int]:
     padded[: int(LEGEND[1] * len(padded)), : int(LEGEND[0] * len(padded))] = False
     side = int(SIDE_CLEARANCE * len(padded))
     padded[:, :side] = padded[:, -side:] = False
-    distance = distance_transform_edt(padded, sampling=(1.0, 0.5))
+    distance = scipy.ndimage.distance_transform_edt(padded, sampling=(1.0, 0.5))
     row, column = np.unravel_index(int(np.argmax(distance)), padded.shape)
     return int(row) - 1, int(column) - 1
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from scipy.ndimage import map_coordinates
+import scipy
 
 from pyworm.formulas.arrays import Array
 from pyworm.materials.oil_layer import OilLayer
@@ -125,7 +125,8 @@ def _at(level: Level, field: Array, places: tuple[Array, ...]) -> Array:
     nodes = [
         (place - axis[0]) / (axis[1] - axis[0]) for place, axis in zip(places, axes, strict=True)
     ]
-    return map_coordinates(field, nodes, order=1, mode="nearest")
+    values: Array = scipy.ndimage.map_coordinates(field, nodes, order=1, mode="nearest")
+    return values
 
 
 def _reach(level: Level, sign: float) -> float:

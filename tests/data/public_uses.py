@@ -1,4 +1,6 @@
 """Twenty public uses as a script has them; `test_public_types.py` has mypy read it, nobody runs it."""
+# mypy: check-untyped-defs, disallow-any-generics, disallow-incomplete-defs, extra-checks
+# mypy: disallow-subclassing-any, disallow-untyped-decorators, strict-equality
 
 import pyworm
 

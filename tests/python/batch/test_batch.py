@@ -61,7 +61,9 @@ def reference(tmp_path_factory):
     return tasks, bits(store, tasks)
 
 
-@pytest.mark.parametrize("processes", [1, pytest.param(2, marks=pytest.mark.long), 3])
+@pytest.mark.parametrize(
+    "processes", [2, *(pytest.param(of, marks=pytest.mark.long) for of in (1, 3))]
+)
 def test_order_and_number_of_processes_do_not_change_a_bit(reference, tmp_path, processes):
     tasks, expected = reference
     store = Store(tmp_path / "scenes", fields=True)
@@ -289,7 +291,7 @@ def test_a_worker_killed_in_mid_run_costs_its_own_scene(tmp_path, capsys, whole_
     assert reason == "its process was ended by SIGKILL, as when memory runs out"
     assert process.returncode == NOT_CONVERGED
     assert len(partly.solutions) == 9
-    assert main([*RUN, "--out", str(tmp_path), "-j", "2"]) == CONVERGED
+    assert main([*RUN, "--out", str(tmp_path)]) == CONVERGED
     assert "9 of 10 contacts were solved before" in capsys.readouterr().err
     assert_same_scenes(open_result(tmp_path / "result.nc"), whole_run)
 

@@ -1,5 +1,8 @@
 """Expected cost of a run: what is shared counts once, what a case leaves open is searched for before."""
 
+import pytest
+from zi_drives import coarse_springs
+
 import pyworm
 from pyworm.batch.expected_run import expected_run
 from pyworm.batch.task import Task
@@ -11,6 +14,14 @@ def of_run(path, accuracy, effects, **places):
     """Expected cost of contacts of a case."""
     case = pyworm.load(path)
     return expected_run(case, [Task(case, at, accuracy, effects) for at in case.places(**places)])
+
+
+@pytest.fixture(autouse=True, scope="module")
+def coarse_teeth():
+    """Fewer phases and loads of tooth springs: what is counted are solves."""
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_springs(patch)
+        yield
 
 
 def test_phases_of_one_life_share_its_transient_solves():
