@@ -77,7 +77,6 @@ class Drive(Lubricated, ABC):
 
     @property
     def _softening_warnings(self) -> tuple[str, ...]:
-        """Moduli of bodies that soften, at their bulk temperatures."""
         pairs = zip(self.body_names, self.bodies, strict=True)
         return tuple(
             sentence for name, body in pairs if (sentence := _softening_warnings(name, body))
@@ -124,17 +123,14 @@ class Drive(Lubricated, ABC):
     def hob_setup(self, wanted: dict[str, float]) -> HobSetup | None:
         """The hob's set-up and the one for a wanted contact pattern; None where no hob cuts a wheel.
 
-        Args:
-            wanted: `face`, the middle of the marked part [m], `size`, the part of the flank [-], both or
-                none.
+        Wanted may be `face`, the middle of the marked part [m], and `size`, the part of the flank [-].
         """
         return None
 
     def wheel_shim(self, wanted: float | None) -> Shim | None:
-        """The shift of the wheel for a place of the contact pattern; None where that is not known.
+        """The shift of the wheel for a wanted middle of the mark along the face [m]; None where not known.
 
-        Args:
-            wanted: Middle of the marked part along the face [m]; None for that without errors of assembly.
+        Without one it is that for no errors of assembly.
         """
         return None
 

@@ -187,7 +187,6 @@ def _by_jets(jets: Jets, teeth: LubricatedTeeth, oil: Oil) -> OilSupply:
 
 
 def _flow_warnings(flow: float, power: float) -> list[str]:
-    """The warning about a flow below what is usual in industry."""
     least = oil_flow(power, "adequate")
     if flow >= least:
         return []
@@ -199,7 +198,6 @@ def _flow_warnings(flow: float, power: float) -> list[str]:
 
 
 def _side_warnings(side: Side, teeth: LubricatedTeeth) -> list[str]:
-    """The warning about jets at the side where practice has none."""
     velocity = max(body.velocity for body in teeth.bodies.values())
     slow = velocity <= INCOMING_SPEED
     if slow == (side == "incoming"):

@@ -47,11 +47,9 @@ class ToothLife:
         return Past(life, (self.before + passed) / rate)
 
     def _scene_then(self, seconds: float) -> Scene | LineScene:
-        """The scene at a time since its life began [s]."""
         return self.scene_at(self._phase(seconds))
 
     def _axes_then(self, seconds: float) -> np.ndarray:
-        """Its axes then."""
         return self.axes_at(self._phase(seconds))
 
     def _phase(self, seconds: float) -> float:

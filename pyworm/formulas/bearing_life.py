@@ -118,19 +118,12 @@ def contamination_factor(
 ) -> float:
     """e_C [-] = a (1 - b/D^(1/3)), a = c kappa^0.68 D^0.55, at most 1, D in mm; not below zero.
 
-    Source: ISO 281:2007, Annex A; constants as found in two codes, the form from memory, checked by its
-    limits (grows with kappa and D, 1 in a large clean bearing).
-
-    Args:
-        lubrication: "inline filter" (circulating oil filtered before the bearing), "oil bath" (or filtered
-            off-line), "grease".
-        cleanliness: ISO 4406 code such as "-/17/14"; of grease "high", "normal", "slight", "severe" or "very
-            severe".
-        kappa: Viscosity ratio [-]; 0.1 and more, taken as 4 at most.
-        mean_diameter: [m].
-
-    Raises:
-        ValueError: Another word or code, or a ratio or diameter outside the standard.
+    Lubrication is by "inline filter" (circulating oil filtered before the bearing), "oil bath" (or filtered
+    off-line) or "grease"; cleanliness an ISO 4406 code such as "-/17/14", of grease "high", "normal",
+    "slight", "severe" or "very severe". kappa, the viscosity ratio, is 0.1 or more and taken as 4 at most.
+    ValueError for another word, code, ratio or mean diameter [m]. Source: ISO 281:2007, Annex A; constants as
+    found in two codes, the form from memory, checked by its limits (grows with kappa and D, 1 in a large
+    clean bearing).
     """
     one_of("lubrication", lubrication, _CLEANLINESS)
     classes = _CLEANLINESS[lubrication]
@@ -175,30 +168,20 @@ def life_modification(
     additives: bool = False,
     contamination: float = 1.0,
 ) -> float:
-    """Life modification factor a_ISO [-].
+    """Life modification factor a_ISO [-] at a viscosity ratio kappa and a load ratio e_C C_u/P.
 
         ball     0.1 [1 - (2.5671 - k1/kappa^k2)^0.83 x^(1/3)]^-9.3
         roller   0.1 [1 - (1.5859 - k1/kappa^k2) x^0.4]^-9.185
 
-    with x = e_C C_u/P of radial bearings, a third of it for thrust ball and 1/2.5 for thrust roller
-    bearings; k1 and k2 by range of kappa. At most 50, which also holds where the bracket is not
-    positive; kappa above 4 counts as 4.
+    with x = e_C C_u/P of radial bearings, a third of it for thrust ball and 1/2.5 for thrust roller bearings;
+    k1 and k2 by range of kappa. At most 50, which also holds where the bracket is not positive; kappa above 4
+    counts as 4. Additives of proven effect allow kappa = 1 instead of a smaller one where the contamination
+    e_C is 0.2 or more, a_ISO then being 3 at most, never less than without. ValueError for kappa below 0.1, a
+    negative load ratio, or another word.
 
-    Source: ISO 281:2007, equations 31 to 42. k2 = 0.19087 between 0.4 and 1 (0.019087 in circulation)
-    follows from continuity at 0.4; a code independent of the others has the same constants. The fractions
-    of thrust bearings are from memory.
-
-    Args:
-        kappa: Viscosity ratio [-]; 0.1 and more.
-        load_ratio: e_C C_u/P [-].
-        elements: "ball" or "roller".
-        direction: "radial" or "thrust".
-        additives: Whether additives of proven effect allow kappa = 1 instead of a smaller one, a_ISO then
-            being 3 at most; never less than without.
-        contamination: e_C [-], on which that clause depends (0.2 and more).
-
-    Raises:
-        ValueError: kappa below 0.1, a negative load ratio, or another word.
+    Source: ISO 281:2007, equations 31 to 42. k2 = 0.19087 between 0.4 and 1 (0.019087 in circulation) follows
+    from continuity at 0.4; a code independent of the others has the same constants. The fractions of thrust
+    bearings are from memory.
     """
     one_of("elements", elements, _LIFE_EXPONENT)
     one_of("direction", direction, ("radial", "thrust"))

@@ -41,9 +41,7 @@ class Film:
     @property
     def minimum_number(self) -> float:
         """Minimum film of one contact [m], by a formula that gives it."""
-        if self.minimum is None:
-            raise ValueError("the formula gives no minimum film thickness")
-        return float(self.minimum)
+        return float(self.minima)
 
 
 @dataclass(frozen=True)
@@ -126,16 +124,10 @@ def point_groups(
     viscosity: float,
     alpha: float,
 ) -> PointGroups:
-    """Groups of a point contact.
+    """Groups of a point contact, its radii along and across the entrainment [m] (`radii_at_angle`).
 
-    Args:
-        radius_along, radius_across: Relative radii of curvature along and across the entrainment [m]; see
-            `radii_at_angle`.
-        load: Normal load [N].
-        reduced_modulus: E' [Pa].
-        speed: Mean surface speed um = |u1 + u2| / 2 [m/s].
-        viscosity: Viscosity of the inlet oil at ambient pressure [Pa s].
-        alpha: Pressure-viscosity coefficient [1/Pa]; 0 for an isoviscous oil.
+    E' in Pa, speed um = |u1 + u2| / 2, viscosity of the inlet's oil at ambient pressure; alpha is 0 of an
+    isoviscous oil.
     """
     return PointGroups(
         radius=radius_along,

@@ -476,7 +476,6 @@ def _gauss() -> tuple[Array, Array]:
 
 @cache
 def _constants() -> AtlasConstants:
-    """The constants of the fit."""
     content = json.loads(files("pyworm.formulas").joinpath("film_atlas.json").read_text("utf-8"))
     arrays = {
         name: {key: np.asarray(values) for key, values in content[name].items()}

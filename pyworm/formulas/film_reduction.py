@@ -177,7 +177,6 @@ def exponents(kept: Array, constants: Mapping[str, Array]) -> Array:
 
 @cache
 def _constants() -> HeatConstants:
-    """The constants of the fit."""
     content = json.loads(
         files("pyworm.formulas").joinpath("film_reduction.json").read_text("utf-8")
     )

@@ -61,9 +61,6 @@ def nearest_grade(viscosity_40: float) -> int:
     return min(ISO_GRADES, key=lambda grade: abs(log(viscosity_40 * 1e6 / grade)))
 
 
-# --------------------------------------------------------------------------------------- tables
-
-
 @dataclass(frozen=True)
 class TableAdvice:
     """Recommendation of a table of practice."""
@@ -197,8 +194,6 @@ def worm_table(
             return TableAdvice(grades, row.words, WORM_TABLE_SOURCE)
     return None
 
-
-# ---------------------------------------------------------------------------------- application
 
 FLOWS = {
     "copious": (200, "general industrial"),

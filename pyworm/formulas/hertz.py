@@ -57,21 +57,17 @@ class HertzLine:
 
 
 def hertz(radius_x: float, radius_y: float, load: float, reduced_modulus: float) -> HertzContact:
-    """Elliptic contact of an undeformed gap x^2 / 2 Rx + y^2 / 2 Ry.
+    """Elliptic contact of an undeformed gap x^2 / 2 Rx + y^2 / 2 Ry under a load F [N].
 
-    With a >= b the semi-axes, m = 1 - (b/a)^2 and the complete elliptic integrals K(m),
-    D(m) = (K - E) / m and B(m) = K - D, all of them regular at m = 0:
+    With a >= b the semi-axes, m = 1 - (b/a)^2 and the complete elliptic integrals K(m), D(m) = (K - E) / m
+    and B(m) = K - D, all of them regular at m = 0:
 
         R_long / R_short = (a/b)^2 B / D,   a^3 = 6 F R_long D / (pi E'),
         p_max = 3 F / (2 pi a b),           approach = 2 p_max b K / E'.
 
-    Args:
-        radius_x, radius_y: Relative radii of curvature along x and y [m], positive and finite.
-        load: Normal load F [N], positive.
-        reduced_modulus: E' [Pa] with 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2.
-
-    Source: K. L. Johnson, Contact Mechanics (1985), equations 4.24 to 4.26, whose E* is E'/2 and
-    whose A and B are 1/2R. Valid while the contact is small against both radii.
+    Radii and load are positive; 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2 [Pa]. Source: K. L. Johnson, Contact
+    Mechanics (1985), equations 4.24 to 4.26, whose E* is E'/2 and whose A and B are 1/2R. Valid while the
+    contact is small against both radii.
     """
     _require_positive(radius_x=radius_x, radius_y=radius_y, load=load)
     _require_positive(reduced_modulus=reduced_modulus)

@@ -108,16 +108,13 @@ def mean_friction(
 def micropitting_films(
     flanks: Flanks, oil: GearOil, oil_temperature: float, bulk_temperature: float
 ) -> MicropittingFilms:
-    """Local films and specific films by the standard.
+    """Local films and specific films by the standard, at temperatures of oil as fed and of flanks [K].
 
         h_Y = 1600 rho G^0.6 U^0.7 W^-0.13 S^0.22
 
     of the oil at the flanks' bulk temperature: Dowson and Higginson's 1.6 G^0.6 U^0.7 W^-0.13 of 1966, since
     2 pi (p/E')^2 is w/(E' rho). S is alpha eta at the local contact temperature over that at the bulk's; the
     flash temperature is Blok's (`scuffing.flash_temperature`) with the mean friction.
-
-    Args:
-        oil_temperature, bulk_temperature: Of the oil as it is fed, and of the flanks [K].
     """
     within("bulk temperature", bulk_temperature, 200, 700, "K")
     pitch = int(np.argmin(np.abs(flanks.speed_1 - flanks.speed_2)))

@@ -26,9 +26,6 @@ ROELANDS_POLE_LOG, ROELANDS_POLE_TEMPERATURE = 9.67, 138.0
 """-ln of viscosity [Pa s] and temperature [K] of Roelands' pole (Sharif et al. 2001, eq. 20)."""
 
 
-# ------------------------------------------------------------------------ viscosity and temperature
-
-
 def walther_viscosity(m: float, n: float, temperature: Values) -> Values:
     """Kinematic viscosity [m2/s] by log10 log10(nu + 0.7) = m - n log10 T, nu in mm2/s, T in K.
 
@@ -137,9 +134,6 @@ def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
     return viscosity_100_of_index
 
 
-# ------------------------------------------------------------------------------ density and heat
-
-
 def density(density_15: float, coefficient: float, temperature: Values) -> Values:
     """Density [kg/m3] at a temperature [K] by that at 15 degC, rho15 [1 - c (T - 15 degC)], c in 1/K."""
     within("density at 15 degC", density_15, 600, 2000, "kg/m3")
@@ -168,9 +162,6 @@ def conductivity(density_15: float, temperature: Values) -> Values:
     return 120 / density_15 * (1 - 0.0005 * (np.asarray(temperature) - ZERO_CELSIUS) / 3)
 
 
-# ------------------------------------------------------------------------- viscosity and pressure
-
-
 def gold_alpha(viscosity: Values, s: float, t: float) -> Values:
     """Gold's pressure-viscosity coefficient [1/Pa], s nu^t 1e-9 with nu in mm2/s.
 
@@ -195,26 +186,6 @@ def agma_alpha(viscosity: Values, k: float, s: float) -> Values:
     within("k of AGMA's law", k, 1e-3, 0.1, "mm2/N")
     within("s of AGMA's law", s, 0.01, 0.5, "")
     return k * (np.asarray(viscosity) * 1e3) ** s * 1e-6
-
-
-def roelands_exponent(
-    viscosity_1: float, temperature_1: float, viscosity_2: float, temperature_2: float
-) -> float:
-    """Exponent s0 [-] of temperature in Roelands' law.
-
-    From dynamic viscosities [Pa s] at two temperatures [K].
-
-    (ln eta + 9.67) falls as (T - 138 K)^-s0. Source: C. J. A. Roelands, thesis, Delft (1966), in the form of
-    equation 20 of Sharif et al. (2001). The exponent of pressure z follows from alpha
-    (`pyworm.materials.viscosity_density.Roelands.from_alpha`).
-    """
-    within("dynamic viscosity", [viscosity_1, viscosity_2], 1e-4, 1e3, "Pa s")
-    within("temperature", [temperature_1, temperature_2], COLDEST, HOTTEST, "K")
-    if temperature_1 == temperature_2:
-        raise ValueError(f"temperatures of {temperature_1:g} K both: must differ")
-    fall = (log(viscosity_1) + ROELANDS_POLE_LOG) / (log(viscosity_2) + ROELANDS_POLE_LOG)
-    rise = (temperature_2 - ROELANDS_POLE_TEMPERATURE) / (temperature_1 - ROELANDS_POLE_TEMPERATURE)
-    return log(fall) / log(rise)
 
 
 def eyring_stress(alpha: Values, limit: float) -> Values:

@@ -3,12 +3,10 @@
 Temperatures are in kelvin, all else in SI; formulas fitted in degrees Celsius or Fahrenheit convert inside.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 import scipy
 
-from pyworm.formulas.arrays import Array, Values
+from pyworm.formulas.arrays import Values
 from pyworm.formulas.ranges import positive, within
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 
@@ -51,21 +49,15 @@ def flash_temperature(
 
         0.80 mu w |v1 - v2| / [(B1 sqrt v1 + B2 sqrt v2) sqrt b]
 
-    for equal B the same as AGMA 925's 0.80 mu w |sqrt v1 - sqrt v2|/(B sqrt b). All heat goes into the
-    two bodies, so shared that their largest temperatures agree.
+    with b the half-width of Hertz's contact and speeds across it above zero, in SI; for equal B
+    (`effusivity`) the same as AGMA 925's 0.80 mu w |sqrt v1 - sqrt v2|/(B sqrt b). All heat goes into the two
+    bodies, so shared that their largest temperatures agree.
 
-    Source: H. Blok, IMechE General Discussion on Lubrication 2 (1937) 222-235. Verified by dimension,
-    and by integrating the heat of a semi-elliptic source, whose constant is 0.786. Two forms in
-    circulation do not agree with it: one with |sqrt v1 - sqrt v2| and different B over B1 sqrt v1 + B2
-    sqrt v2 lacks a root of a speed, and 0.62 before w/sqrt b belongs before w^(3/4) (E'/R)^(1/4)
-    instead. Range: fast bodies, b v/(2 diffusivity) above about 5.
-
-    Args:
-        friction: Coefficient of friction [-].
-        load_per_length: w [N/m].
-        speed_1, speed_2: Speeds of the surfaces across the contact line [m/s], both above zero.
-        effusivity_1, effusivity_2: B of the bodies, `effusivity`.
-        half_width: Half-width b of the Hertz contact [m].
+    Source: H. Blok, IMechE General Discussion on Lubrication 2 (1937) 222-235. Verified by dimension, and by
+    integrating the heat of a semi-elliptic source, whose constant is 0.786. Two forms in circulation do not
+    agree with it: one with |sqrt v1 - sqrt v2| and different B over B1 sqrt v1 + B2 sqrt v2 lacks a root of a
+    speed, and 0.62 before w/sqrt b belongs before w^(3/4) (E'/R)^(1/4) instead. Range: fast bodies, b v/(2
+    diffusivity) above about 5.
     """
     within("friction coefficient", friction, 0, 1, "")
     within("load per length", load_per_length, 0, 1e8, "N/m")
@@ -76,13 +68,6 @@ def flash_temperature(
     heat = friction * load_per_length * np.abs(np.subtract(speed_1, speed_2))
     drain = effusivity_1 * np.sqrt(speed_1) + effusivity_2 * np.sqrt(speed_2)
     return FLASH_CONSTANT * heat / (drain * np.sqrt(half_width))
-
-
-def contact_temperature(bulk_temperature: Values, flash: Values) -> Values:
-    """Largest temperature of the surfaces [K], bulk plus flash (Blok); both in kelvin."""
-    within("bulk temperature", bulk_temperature, 200, 700, "K")
-    within("flash temperature", flash, 0, 5000, "K")
-    return np.add(bulk_temperature, flash)
 
 
 def scuffing_temperature(viscosity_40: Values, anti_scuff: bool) -> Values:
@@ -100,20 +85,16 @@ def scuffing_temperature(viscosity_40: Values, anti_scuff: bool) -> Values:
 def scuffing_temperature_of_stage(
     stage: int, viscosity: float, friction_factor: float = 1.0, structure_factor: float = 1.0
 ) -> float:
-    """Scuffing temperature of an oil by its load stage in the FZG scuffing test A/8.3/90 [K].
+    """Scuffing temperature [K] of an oil that fails at a load stage S, 1 to 14, of the FZG test A/8.3/90.
 
         80 degC + (0.85 + 1.4 X_W) X_L S^2,  X_L = f (1000 eta)^-0.05
 
-    Source: ISO/TS 6336-20 (before, ISO/TR 13989-1), equations 99 and 27, by a public program that gives
-    equation numbers (Iso13989FlashTemperature.cs, mekanika.org), whose scuffing temperatures are told to be
-    within 0.2 % of two reports of a commercial one. Range: steel on steel.
-
-    Args:
-        stage: Failure load stage S, 1 to 14; not of other tests such as A/16.6/90.
-        viscosity: eta of the oil as it is fed [Pa s].
-        friction_factor: f of the oil's kind, `micropitting.FRICTION_FACTORS` [-].
-        structure_factor: X_W [-]: 1 of case carburised steel with 10 to 20 % of austenite and of through
-            hardened steel, 1.15 with less, 0.85 with more, 1.25 phosphated, 1.5 nitrided or copper plated.
+    eta is that of the oil as it is fed [Pa s], f that of its kind (`micropitting.FRICTION_FACTORS`). X_W is 1
+    of case carburised steel with 10 to 20 % of austenite and of through hardened steel, 1.15 with less, 0.85
+    with more, 1.25 phosphated, 1.5 nitrided or copper plated. Source: ISO/TS 6336-20 (before, ISO/TR
+    13989-1), equations 99 and 27, by a public program that gives equation numbers
+    (Iso13989FlashTemperature.cs, mekanika.org), whose scuffing temperatures are told to be within 0.2 % of
+    two reports of a commercial one. Range: steel on steel.
     """
     within("load stage of the scuffing test", stage, 1, 14, "")
     within("viscosity", viscosity, 1e-4, 100, "Pa s")
@@ -156,62 +137,3 @@ def risk(probability: float) -> str:
     if probability <= LOW_RISK:
         return "low"
     return "moderate" if probability <= HIGH_RISK else "high"
-
-
-@dataclass(frozen=True)
-class ScuffingRating:
-    """Scuffing along the line of action of a pair of teeth, or at one contact."""
-
-    flash: Array
-    """Flash temperature at each contact [K]."""
-    contact: Array
-    """Contact temperature at each contact [K]."""
-    contact_max: float
-    """Largest contact temperature [K]."""
-    worst: int
-    """Index of the contact that has it."""
-    scuffing: float
-    """Mean scuffing temperature of the oil [K]."""
-    probability: float
-    """Probability of scuffing [-]."""
-    risk: str
-    """Risk: "low", "moderate" or "high"."""
-    source: str = SOURCE
-    """Source of the method."""
-
-
-def rate_scuffing(
-    *,
-    bulk_temperature: float,
-    friction: Values,
-    load_per_length: Values,
-    speed_1: Values,
-    speed_2: Values,
-    half_width: Values,
-    effusivity_1: float,
-    effusivity_2: float,
-    viscosity_40: float,
-    anti_scuff: bool,
-) -> ScuffingRating:
-    """Rate one contact, or arrays of them along a line of action; arguments as of the functions above.
-
-    ValueError for what lies outside the formulas, in one sentence.
-    """
-    flash = np.atleast_1d(
-        flash_temperature(
-            friction, load_per_length, speed_1, speed_2, effusivity_1, effusivity_2, half_width
-        )
-    )
-    contact = np.asarray(contact_temperature(bulk_temperature, flash))
-    limit = float(scuffing_temperature(viscosity_40, anti_scuff))
-    worst = int(np.argmax(contact))
-    probability = float(scuffing_probability(contact[worst], limit))
-    return ScuffingRating(
-        flash=flash,
-        contact=contact,
-        contact_max=float(contact[worst]),
-        worst=worst,
-        scuffing=limit,
-        probability=probability,
-        risk=risk(probability),
-    )

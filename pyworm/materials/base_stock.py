@@ -81,8 +81,6 @@ def base_stock(name: str) -> BaseStock:
     raise ValueError(f'base "{name}": must be one of {", ".join(BASES)}')
 
 
-# -------------------------------------------------------------------------------------------- files
-
 _AgmaFactor = Annotated[float, units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")]
 Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
 

@@ -324,7 +324,6 @@ def _judged(
     required: frozenset[str],
     excluded: Mapping[str, str] | None,
 ) -> tuple[Judgement, ...]:
-    """The effects judged for `planned`."""
     names = None if asked is None else chosen(scene, asked)
     return judge(scene, accuracy, quantities, prediction, names, required, excluded)
 

@@ -99,7 +99,6 @@ def _both(found: Film) -> tuple[float | None, float | None]:
 
 
 def _groups(prediction: Prediction) -> str:
-    """Dimensionless groups and regime of the contact, as a sentence."""
     groups, regime = prediction.groups, prediction.regime
     sentence = f"Moes' M = {groups.moes_m:.3g}, L = {groups.moes_l:.3g}"
     if isinstance(groups, PointGroups):

@@ -222,7 +222,6 @@ def _surface(solution: Solution) -> float:
 
 
 def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
-    """Viscosity by speed, oil flow and jets."""
     speed = duty.pitch_line_velocity
     wanted = gear_oil.pitch_line_viscosity(speed)
     figures: list[tuple[str, str, float, str]] = [

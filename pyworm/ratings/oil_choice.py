@@ -123,9 +123,6 @@ def page(choice: OilChoice) -> str:
     return "\n".join(lines[:-1]) + "\n"
 
 
-# --------------------------------------------------------------------------------------- words
-
-
 def _practice_steps(duty: OilDuty) -> list[Step]:
     steps = []
     if duty.pitch_line_velocity is not None:

@@ -158,9 +158,6 @@ class GradeRow:
     """Viscosity ratio of the bearing at the sump temperature [-]."""
 
 
-# ------------------------------------------------------------------------------------- numbers
-
-
 def grade_row(duty: OilDuty, grade: int) -> GradeRow:
     """Performance of a viscosity grade under some requirements."""
     oil = named_oil(f"{duty.base} VG {grade}")

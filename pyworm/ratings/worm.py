@@ -206,7 +206,6 @@ def _material_rows(duty: WormDuty) -> list[tuple]:
 
 
 def _friction_rows(rated: WormRating) -> list[tuple]:
-    """Rows about the friction of the teeth and what follows from it."""
     return [
         ("friction", "Tooth friction mu_zm", lambda: rated.friction, ""),
         ("efficiency", "Efficiency, worm driving", lambda: rated.forward_efficiency, "%"),

@@ -123,7 +123,6 @@ def failures(gear_set: RatedWormGear, rated: tuple[Safety, ...]) -> tuple[str, .
 
 
 def _cannot_run(duty: WormDuty, loads: tuple[RatedLoad, ...]) -> tuple[str, ...]:
-    """That a wheel is to drive which cannot."""
     if duty.driver == "worm":
         return ()
     held = [load for load in loads if (or_none(_efficiency_back(load)) or 1.0) <= 0]

@@ -54,7 +54,7 @@ class FormulaFilms(Shown):
     minimum: Array
     """Minimum film thickness [m]."""
     central_error: Array
-    """Relative error of the central film, 95 % outside the fit [-]; infinite outside the atlas."""
+    """Relative error of the central film thickness, 95 % outside the fit [-]; infinite off the atlas."""
     minimum_error: Array
     """Relative error of the minimum film thickness, likewise [-]."""
     inside: Flags

@@ -63,7 +63,6 @@ def _parts(
 
 
 def _described(given: object) -> str:
-    """What a function gave, in words."""
     if isinstance(given, tuple | list):
         return (
             f"{len(given)} values, {' and '.join(_described(value) for value in given) or 'none'}"

@@ -85,12 +85,7 @@ LevelT = TypeVar("LevelT", bound=Level)
 
 
 class ContactSolver(ABC, Generic[ContactT, LevelT]):
-    """Films of one contact on grids of halving spacing.
-
-    Args:
-        plan: The effects that are simulated, and the numerical parameters.
-        transient_term: d(rho h)/dt; without it the film is steady.
-    """
+    """Films of one contact on grids of halving spacing, steady without a transient term."""
 
     kind: ClassVar[Kind]
     """Kind of contact in results: "point" or "line"."""
@@ -463,8 +458,6 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         )
 
     def _warm_between(self, level: LevelT) -> Callable[[tuple[Body, Body], InitialGuess], None]:
-        """Heats a level between other bodies, from a guess."""
-
         def warm(bodies: tuple[Body, Body], guess: InitialGuess) -> None:
             self._heat(level, guess.rise, bodies)
             level.film.start(guess.pressure, guess.rigid_film, guess.oil)

@@ -130,7 +130,6 @@ class Estimate:
         return abs(self.value - float(other)) <= self.bar + bar
 
     def _with(self, other: Any, result: Callable[["Estimate", "Estimate"], Combined]) -> Combined:
-        """A result with a figure or an exact number."""
         if isinstance(other, Estimate):
             return result(self, other)
         try:

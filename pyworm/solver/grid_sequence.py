@@ -67,9 +67,8 @@ MOST_WIDENINGS = 6
 class GridSequence:
     """State of the grid sequence of a contact: its films on grids of halving spacing.
 
-    Args:
-        rates: Rates of change of rho h at present; None of a steady film.
-        progress: Called with a message and the fraction of the work that is done.
+    Its `rates` of change of rho h are None of a steady film; `progress` gets a message and the fraction of
+    the work that is done. Its methods raise `KernelError` as `pyworm.solve` does.
     """
 
     def __init__(
@@ -248,7 +247,6 @@ class GridSequence:
             self._settle_on_grid()
 
     def _solution(self, stop: Stop) -> Solution:
-        """The solution on the last grid."""
         scene, plan, level = self._scene, self._plan, self._level
         solves = 0 if self._rates is None else len(self._rates.found)
         cost = replace(self._stopwatch.cost(level.film), transient_solves=solves)
@@ -375,7 +373,6 @@ class GridSequence:
         return {name: abs(second[name] / first[name]) for name in HEAT_FIGURES if first[name] != 0}
 
     def _in_wider_window(self, grids: Sequence[Grid | LineGrid]) -> tuple[Level, Iteration]:
-        """Solve a wider window on a grid of the same spacing."""
         *_, grid = grids
         for _ in range(self._refinements):
             grid = grid.finer()

@@ -121,7 +121,6 @@ def converge(
 
 
 def _most_steps(level: Level, tolerance: float) -> int:
-    """Largest number of Newton steps on a grid of the figures."""
     return (
         MOST_SLOW_STEPS
         if level.film.balance.worst <= SLOW_BALANCE_RATIO * tolerance

@@ -95,7 +95,6 @@ def _half_length(level: Level) -> float:
 
 
 def _direction(level: Level) -> Array:
-    """Unit vector of the entrainment at the contact point."""
     origin = (np.zeros(()),) * level.gap.ndim
     vector = np.array([float(component) for component in level.scene.entrainment_at(*origin)])
     return vector / np.linalg.norm(vector)

@@ -250,12 +250,10 @@ class Solution(Shown):
 
     @property
     def _sizes(self) -> Mapping[Any, int]:
-        """Sizes of the dimensions of the fields."""
         return self.dataset("fields").sizes
 
     @property
     def _axes(self) -> tuple[str, ...]:
-        """Directions of the grid."""
         return ("x", "y") if self.kind == "point" else ("x",)
 
     def __eq__(self, other: object) -> bool:

@@ -122,7 +122,6 @@ def bound_by_conduction(
 
 
 def _not_met(level: Level, plan: Plan) -> Stop:
-    """Names the equations that are not met."""
     if level.film.unsolved():
         return Ending.NO_SHEAR_STRESS.stop(places=level.film.unsolved())
     worst = level.film.balance.worst

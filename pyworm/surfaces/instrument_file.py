@@ -67,7 +67,6 @@ def _library() -> Any:
 
 
 def _channel(library: Any, reader: Any, most: int) -> Any:
-    """The channel of heights of an open file."""
     if reader.format() in NO_INSTRUMENT:
         raise ValueError("is no file of an instrument that SurfaceTopography knows")
     channel = reader.default_channel

@@ -123,7 +123,6 @@ def _without_form(heights: Array, periodic: bool) -> Array:
 
 
 def _require_most(heights: Array) -> None:
-    """Refuse heights of which too many are missing."""
     missing = float(np.isnan(heights).mean())
     if missing > MOST_MISSING:
         raise ValueError(

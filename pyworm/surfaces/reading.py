@@ -68,7 +68,6 @@ def read_heights(
 
 
 def _metres(unit: str) -> float:
-    """Metres of a unit of length that was given."""
     metres = metres_of(unit)
     if metres is None:
         raise ValueError(f'height_unit = "{unit}" is no unit of length, such as "um"')

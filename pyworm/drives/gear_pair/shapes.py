@@ -119,7 +119,6 @@ def _pitch_angle(teeth: InvolutePair, number: int, centre: Array) -> float:
 
 
 def _turned(points: Array, angle: float) -> Array:
-    """Points (n, 2) turned about the origin."""
     return points @ np.array([[cos(angle), sin(angle)], [-sin(angle), cos(angle)]])
 
 

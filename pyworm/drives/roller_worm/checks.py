@@ -23,7 +23,6 @@ def check_gears(gears: RollerGears) -> None:
 
 
 def _check_sizes(gears: RollerGears) -> None:
-    """Refuse sizes that do not fit each other."""
     worm, rollers, profile = gears.worm, gears.rollers, gears.rollers.profile
     if not 0 < worm.throat_coefficient < 2:
         raise ValueError(

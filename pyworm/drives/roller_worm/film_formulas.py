@@ -89,7 +89,6 @@ def closed_films(
 
 
 def _specific_film(film: Array, bodies: tuple[Body, Body]) -> Array:
-    """Films over the composite roughness."""
     roughness = composite_roughness(*bodies)
     return (
         np.full(film.shape, np.nan)

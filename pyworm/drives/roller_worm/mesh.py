@@ -146,7 +146,6 @@ class RollerMesh(RollerGears, Lubricated):
         return self._station(section, phase, station)
 
     def _station(self, section: str, phase: float, station: float) -> LineScene:
-        """The line contact at a fraction of a contact line."""
         state = self.state(section, phase, [station])
         load = float(state.load[0])
         if not load > 0:
@@ -218,5 +217,4 @@ class RollerMesh(RollerGears, Lubricated):
 
 
 def _only(contact: LineContact) -> LineContact:
-    """The single contact of an array of one."""
     return LineContact(**{name: part[..., 0] for name, part in vars(contact).items()})

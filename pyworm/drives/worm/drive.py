@@ -110,7 +110,6 @@ class WormDrive(WormMesh, Drive):
 
     @property
     def _bending(self) -> str:
-        """What bends, as an assumption."""
         if self.shaft_deflection is None:
             return (
                 "Contacts are those of the unloaded mesh: shafts, bearings and teeth do not bend, but for "

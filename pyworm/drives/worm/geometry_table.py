@@ -27,7 +27,6 @@ SIGNED = (
 
 
 def _geometry(mesh: WormMesh) -> Described:
-    """Geometry of worm and wheel as designed."""
     ratio: Described = {"contact_ratio": mesh.mean_teeth_in_contact}
     return _gear(mesh) | _worm(mesh) | _wheel(mesh) | _clearances(mesh) | ratio
 
@@ -161,7 +160,6 @@ def _mesh(mesh: WormMesh) -> Described:
 
 
 def _shaft(mesh: WormMesh) -> Described:
-    """The bent shaft of the worm and the forces of its bearings."""
     bent = mesh.shaft_deflection
     if bent is None:
         return {}

@@ -18,7 +18,6 @@ inlet feels a part of it, more where asperities carry load."""
 
 
 def _curves(scene: AnyContact) -> GapCurves:
-    """Averages over the gap of both rough surfaces."""
     return present(scene.rough_pair, "roughness").curves()
 
 

@@ -96,14 +96,10 @@ def _understood(text: str) -> tuple[str, ...]:
 def chosen(scene: AnyContact, text: str) -> frozenset[str]:
     """Names of the effects that a choice selects.
 
-    Args:
-        text: With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for
-            a steady Newtonian film of one temperature between smooth surfaces), names of effects, and names
-            after a minus, which are taken away.
-
-    Raises:
-        ValueError: For a word that means nothing, and for an effect that is not simulated or that the contact
-            has not.
+    With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for a steady
+    Newtonian film of one temperature between smooth surfaces), names of effects, and names after a minus,
+    which are taken away. ValueError for a word that means nothing, and for an effect that is not simulated or
+    that the contact has not.
     """
     whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
     groups = {"all": whole, "isothermal": whole - BEYOND_ISOTHERMAL}
@@ -130,5 +126,4 @@ def require(scene: AnyContact, name: str, text: str) -> None:
 
 
 def _with_dependents(name: str) -> set[str]:
-    """An effect and those that depend on it."""
     return {name, *(effect.name for effect in EFFECTS if name in effect.together)}

@@ -152,7 +152,6 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
         return level, steps
 
     def _at(self, fraction: float) -> LineScene:
-        """The contact at a fraction of its velocities."""
         first, second = self._scene.velocities
         velocities = fraction * first, fraction * second
         return replace(self._scene, velocities=velocities)

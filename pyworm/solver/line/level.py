@@ -106,7 +106,6 @@ def _supplied(
     beyond: LineFarField,
     term: TransientTerm | None,
 ) -> LineLevel:
-    """A grid with the film of an initial guess and a far field."""
     # of the strip about the inlet node, half lies beyond the grid but counts with its pressure
     load = scene.load - beyond.load + beyond.pressure * grid.dx / 2
     level = _level(scene, size, grid, load, term)

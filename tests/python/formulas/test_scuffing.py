@@ -10,10 +10,8 @@ from scipy.optimize import minimize_scalar
 from pyworm.formulas.hertz import hertz_line
 from pyworm.formulas.scuffing import (
     FLASH_CONSTANT,
-    contact_temperature,
     effusivity,
     flash_temperature,
-    rate_scuffing,
     risk,
     scuffing_probability,
     scuffing_temperature,
@@ -117,36 +115,11 @@ def test_the_risk_of_scuffing_in_words():
     ]  # fmt: skip
 
 
-def test_rating_along_a_line_of_action():
-    speeds = np.linspace(1, 3, 9)
-    rating = rate_scuffing(
-        bulk_temperature=383.0,
-        friction=0.08,
-        load_per_length=6e5,
-        speed_1=speeds,
-        speed_2=4 - speeds,
-        half_width=3e-4,
-        effusivity_1=STEEL,
-        effusivity_2=STEEL,
-        viscosity_40=100e-6,
-        anti_scuff=False,
-    )
-    assert rating.flash.shape == rating.contact.shape == (9,)
-    assert rating.flash[4] == 0 and rating.worst in (0, 8)
-    assert (
-        rating.contact_max
-        == rating.contact[rating.worst]
-        == contact_temperature(383.0, rating.flash.max())
-    )
-    assert rating.risk == risk(rating.probability)
-
-
 @pytest.mark.parametrize(
     ("call", "sentence"),
     [
         (lambda: scuffing_temperature(100, False), "kinematic viscosity at 40 degC = 100 m2/s"),
         (lambda: scuffing_probability(439, 145), "scuffing temperature = 145 K"),
-        (lambda: contact_temperature(110, 50), "bulk temperature = 110 K"),
         (lambda: flash_temperature(0.05, 5e5, 4, 0, STEEL, STEEL, 3e-4), "speed of surface 2 = 0"),
         (lambda: flash_temperature(0.05, 5e5, 4, 1, STEEL, STEEL, 0.3), "half-width.* = 0.3 m"),
         (lambda: flash_temperature(50, 5e5, 4, 1, STEEL, STEEL, 3e-4), "friction coefficient = 50"),

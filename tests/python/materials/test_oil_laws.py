@@ -182,18 +182,6 @@ def test_the_oil_of_a_contact_is_the_named_one_at_its_inlet(name, kelvin):
     )
 
 
-def test_roelands_exponent_goes_through_both_viscosities():
-    oil = named_oil("mineral VG 220")
-    cold, hot = 40 + C, 100 + C
-    s0 = oil_properties.roelands_exponent(oil.viscosity(cold), cold, oil.viscosity(hot), hot)
-    pole = (hot - 138) / (cold - 138)
-    assert (log(oil.viscosity(cold)) + 9.67) * pole**-s0 - 9.67 == pytest.approx(
-        log(oil.viscosity(hot))
-    )
-    local = oil.oil(70 + C).heat.viscosity_exponent
-    assert s0 == pytest.approx(local, rel=0.05)
-
-
 def test_eyring_stress_of_arana():
     """A paraffinic oil of 20 /GPa: 2 0.040 / 20e-9 = 4 MPa."""
     assert oil_properties.eyring_stress(20e-9, 0.040) == pytest.approx(4e6)
@@ -351,7 +339,6 @@ def test_unknown_oils_are_refused_with_a_list_of_known_ones(name):
             "kinematic viscosity at 40 degC = 220",
         ),
         (lambda: named_oil("ester VG 320").agma_alpha(333.0), "AGMA 925 has no .* ester"),
-        (lambda: oil_properties.roelands_exponent(0.1, 300, 0.1, 300), "must differ"),
     ],
 )
 def test_values_in_wrong_units_are_refused(call, sentence):

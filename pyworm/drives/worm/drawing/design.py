@@ -161,7 +161,6 @@ class Design:
 
 
 def _mirrored(body: Body) -> Body:
-    """A body with the mirror image of its roughness."""
     heights, waves = body.topography, body.long_waves
     return replace(
         body,

@@ -119,5 +119,4 @@ def _fitting(drawing: Drawing) -> tuple[float, float]:
 
 
 def _shown(name: str, value: float) -> str:
-    """A number of a drawing in the unit of drawings."""
     return f"{degrees(value):.5g} deg" if name.endswith("angle") else f"{value * 1e3:.5g} mm"

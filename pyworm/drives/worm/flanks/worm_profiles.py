@@ -98,7 +98,6 @@ def generator_of(profile: Profile, thread: Thread) -> ScrewGenerator | None:
 
 
 def _straight_blade(thread: Thread) -> ScrewGenerator:
-    """The straight line of a ZN blade."""
     apex = thread.reference_radius - thread.space / 2 / tan(thread.pressure_angle)
     return straight_normal(thread.lead, thread.lead_angle, thread.pressure_angle, apex)
 

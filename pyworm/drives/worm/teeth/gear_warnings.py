@@ -24,7 +24,6 @@ def gear_warnings(gears: WormGears) -> tuple[str, ...]:
 
 
 def _shift_warnings(gears: WormGears) -> tuple[str, ...]:
-    """The warning about a large profile shift."""
     if abs(gears.profile_shift) <= USUAL_SHIFT or gears.worm.reference_radius is None:
         return ()
     return (
@@ -34,7 +33,6 @@ def _shift_warnings(gears: WormGears) -> tuple[str, ...]:
 
 
 def _ratio_warnings(gears: WormGears) -> tuple[str, ...]:
-    """The warning about a contact ratio below 1."""
     if gears.pitch <= 1:
         return ()
     return (
@@ -45,7 +43,6 @@ def _ratio_warnings(gears: WormGears) -> tuple[str, ...]:
 
 
 def _pitch_warnings(gears: WormGears) -> tuple[str, ...]:
-    """The warning about a hob of another base pitch than the worm's."""
     worm, hob = gears.base_pitches
     apart = hob - worm
     if abs(apart) <= PITCH_WARNED or gears.worm.generator is not None:

@@ -123,7 +123,6 @@ class WormGears:
         return self._worm_with(self.assembly_under_load)
 
     def _worm_with(self, errors: Assembly) -> WormSurface:
-        """The worm's helicoid with errors of the assembly."""
         distance = self.centre_distance + errors.centre_distance
         seat = distance, errors.shaft_angle, errors.axial_shift
         return worm_of(self.worm, self.reference_radius, seat)
@@ -139,7 +138,6 @@ class WormGears:
         return self._thread_of(self.worm_flank)
 
     def _thread_of(self, flank: WormSurface) -> WormTooth:
-        """Boundaries of the thread with a flank."""
         worm = self.worm
         form = form_radius(flank, worm.root_radius, worm.fillet_radius, worm.tip_radius)
         size = form, worm.tip_radius
