@@ -260,3 +260,25 @@ def test_a_finer_request_ends_no_worse_than_a_coarser_one(film, monkeypatch):
         assert solution.converged
         assert solution.stop_reason.startswith("less accurate than requested, ")
         assert solution.stop_reason.endswith("requested 1 %, films depend on surfaces far out")
+
+
+def test_pressure_of_a_lost_outer_film_is_none_of_the_next_window(monkeypatch):
+    """Beyond that window it may exceed the load, and none would be left for the contact."""
+    scene = ball()
+    plan = pyworm.plan(scene, ACCURACY, effects="isothermal")
+    found, _ = PointContactSolver(scene, plan).begin(plan.grids)
+    step, shapes = Film.step, []
+
+    def lost(film, forcing):
+        if film.pressure.shape != plan.grids[0].shape:
+            return step(film, forcing)
+        shapes.append(film.pressure.shape)
+        film.pressure[1:-1, 1:-1] = scene.load / 1e-8
+        film.balance = Balance(1e3, 0.0)
+        raise KernelError(NOT_CONVERGED)
+
+    monkeypatch.setattr(Film, "step", lost)
+    again, _ = PointContactSolver(scene, plan).begin(plan.grids)
+    assert shapes and 0 < again.load <= 1.1 * scene.load
+    first, second = settled(found, again)
+    assert second == pytest.approx(first, rel=0.02)

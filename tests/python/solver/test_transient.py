@@ -11,6 +11,7 @@ from plan_scenes import STEEL, mineral, point
 
 import pyworm
 from pyworm.io.quantity_text import percent
+from pyworm.planning import error_budget
 from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.planning.prediction import predicted
@@ -235,10 +236,10 @@ def test_temperatures_of_no_use_do_not_widen_the_bars_of_films():
     known = transient_module.Transient(None, level, {}, "a flaw", film_error=0.07, heat_error=0.9)
     assert known.usable
     attainable = known.attainable(plan)
-    assert attainable.accuracy == pytest.approx(0.1)
+    assert attainable.accuracy == pytest.approx(0.07 / error_budget.TIME)
     assert not set(HEAT_FIGURES) & set(attainable.target.figures)
     all_of_use = replace(known, heat_error=0.14).attainable(plan)
-    assert all_of_use.accuracy == pytest.approx(0.2)
+    assert all_of_use.accuracy == pytest.approx(0.14 / error_budget.TIME)
     assert set(HEAT_FIGURES) <= set(all_of_use.target.figures)
 
 
