@@ -1,6 +1,7 @@
 """`[bodies]`: the solids of a contact."""
 
-from typing import Annotated, Any, Self
+from collections.abc import Iterator
+from typing import Annotated, Any
 
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
@@ -57,13 +58,6 @@ class BodyTable(Table, SolidConstants):
     boundary_friction_factor: Annotated[float, Field(strict=True, ge=0.2, le=5)] | None = None
     surface: SurfaceTable | None = None
 
-    @model_validator(mode="after")
-    def _surface_alone(self) -> Self:
-        for name in (*_ROUGHNESSES, *_OF_HEIGHTS, "lay"):
-            if self.surface is not None and getattr(self, name) is not None:
-                raise ValueError(f"{name} has no effect with surface, whose heights give it")
-        return self
-
     @model_validator(mode="before")
     @classmethod
     def _by_name(cls, given: Any, info: ValidationInfo) -> Any:
@@ -85,33 +79,26 @@ class BodyTable(Table, SolidConstants):
             whole["roughness_ra"] = solids.usual_roughness(finish)
         return whole
 
-    @model_validator(mode="after")
-    def _softens(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Heights beside a surface, two kinds of them, or what says nothing without others."""
+        heights = self.given(*_ROUGHNESSES, *_OF_HEIGHTS, "lay")
+        for name in heights if self.surface is not None else ():
+            yield f"{name} has no effect with surface, whose heights give it"
         check_points("modulus_by_temperature", self.modulus_by_temperature)
-        return self
-
-    @model_validator(mode="after")
-    def _roughness_complete(self) -> Self:
-        known = [name for name in _ROUGHNESSES if getattr(self, name) is not None]
+        known = self.given(*_ROUGHNESSES)
         if len(known) > 1:
-            raise ValueError(
-                "give either roughness (Rq), roughness_ra (Ra) or roughness_rz (Rz), one of them"
-            )
-        for name in _OF_HEIGHTS:
-            if getattr(self, name) is not None and not known:
-                raise ValueError(f"{name} needs roughness (Rq) or roughness_ra (Ra) with it")
+            yield "give either roughness (Rq), roughness_ra (Ra) or roughness_rz (Rz), one of them"
+        for name in self.given(*_OF_HEIGHTS) if not known else ():
+            yield f"{name} needs roughness (Rq) or roughness_ra (Ra) with it"
         if self.asperity_sharpness is not None and self.roughness_slope is not None:
-            raise ValueError(
+            yield (
                 "give either roughness_slope (rough on all scales) or asperity_sharpness (asperities of one "
                 "radius), one of the two"
             )
         if self.asperity_density is not None and self.asperity_sharpness is None:
-            raise ValueError("asperity_density needs asperity_sharpness with it, such as 0.01")
+            yield "asperity_density needs asperity_sharpness with it, such as 0.01"
         if self.lay is not None and self.roughness_aspect is None:
-            raise ValueError(
-                "lay needs roughness_aspect with it, such as 3: without it there is no lay"
-            )
-        return self
+            yield "lay needs roughness_aspect with it, such as 3: without it there is no lay"
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""

@@ -1,6 +1,7 @@
 """Tables and keys that all case files share."""
 
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, model_validator
 
@@ -65,12 +66,11 @@ class FileTable(Table):
     published: Published = Field(default_factory=dict)
     assumed: Annotated[dict[str, Text], BeforeValidator(_by_key)] = Field(default_factory=dict)
 
-    @model_validator(mode="after")
-    def _only_what_is_given_is_assumed(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """What is assumed and not given."""
         for key in self.assumed:
             if self.at(key) is None:
-                raise ValueError(f"assumed.{key} means nothing: the file does not give {key}")
-        return self
+                yield f"assumed.{key} means nothing: the file does not give {key}"
 
     def at(self, key: str) -> Any:
         """The value at a dotted key; None where it is not given."""
@@ -102,15 +102,13 @@ class CaseTable(FileTable):
     quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
     oil: OilTable
 
-    @model_validator(mode="after")
-    def _bodies_take_heat_with_the_oil(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Bodies that do not take heat with the oil."""
+        yield from super().flaws()
         named = "" if self.oil.temperature is None else f" of {self.oil.name}"
         for name, body in self.bodies:
             for key in ("density", "conductivity", "specific_heat"):
                 if self.oil.heat is not None and getattr(body, key) is None:
-                    raise ValueError(
-                        f"bodies.{name}.{key} is missing; [oil.heat]{named} asks for it"
-                    )
+                    yield f"bodies.{name}.{key} is missing; [oil.heat]{named} asks for it"
             if self.oil.heat is None and body.bulk_temperature is not None:
-                raise ValueError(f"bodies.{name}.bulk_temperature has no effect without [oil.heat]")
-        return self
+                yield f"bodies.{name}.bulk_temperature has no effect without [oil.heat]"

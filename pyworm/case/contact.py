@@ -1,10 +1,10 @@
 """`[contact]` and `[motion]`: a contact written directly."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, field_validator
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.case_file import CaseTable
@@ -79,18 +79,11 @@ class MotionTable(Table):
             raise ValueError("must not name a ratio twice")
         return ratios
 
-    @model_validator(mode="after")
-    def _one_of_both_forms(self) -> Self:
-        given = {
-            name
-            for name in ("velocity_1", "velocity_2", "mean_velocity", "slide_roll_ratios")
-            if getattr(self, name) is not None
-        }
-        if given not in ({"velocity_1", "velocity_2"}, {"mean_velocity", "slide_roll_ratios"}):
-            raise ValueError(
-                "give either velocity_1 and velocity_2, or mean_velocity and slide_roll_ratios"
-            )
-        return self
+    def flaws(self) -> Iterator[str]:
+        """Not one of both forms."""
+        forms = ["velocity_1", "velocity_2"], ["mean_velocity", "slide_roll_ratios"]
+        if self.given(*forms[0], *forms[1]) not in forms:
+            yield "give either velocity_1 and velocity_2, or mean_velocity and slide_roll_ratios"
 
     def motions(self, slide_roll_ratio: float | None = None) -> tuple[RigidMotion, RigidMotion]:
         """Velocity fields of both bodies; of a mean velocity at a slide-roll ratio, (u_1 - u_2)/u_m [-]."""

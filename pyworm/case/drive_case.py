@@ -1,9 +1,10 @@
 """What case files about a drive have in common, `[lubrication]` among it: how oil comes to the teeth."""
 
 from abc import abstractmethod
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from pyworm.case.case_file import CaseTable
 from pyworm.case.table import Table, plain
@@ -39,20 +40,14 @@ class DriveCase(CaseTable):
 
     lubrication: LubricationTable | None = None
 
-    @model_validator(mode="after")
-    def _one_supply(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Two supplies, or a bath for a body that there is not."""
+        yield from super().flaws()
         if self.lubrication is not None and self.oil.supply is not None:
-            raise ValueError("give either oil.supply or [lubrication], from which it follows")
-        return self
-
-    @model_validator(mode="after")
-    def _a_body_dips(self) -> Self:
+            yield "give either oil.supply or [lubrication], from which it follows"
         names = tuple(type(self.bodies).model_fields)
         if isinstance(self.lubrication, BathTable) and self.lubrication.body not in names:
-            raise ValueError(
-                f'lubrication.body = "{self.lubrication.body}": must be one of {", ".join(names)}'
-            )
-        return self
+            yield f'lubrication.body = "{self.lubrication.body}": must be one of {", ".join(names)}'
 
     @property
     def brought_by(self) -> Bath | Jets | None:

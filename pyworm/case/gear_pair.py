@@ -1,8 +1,9 @@
 """A case about a pair of involute gears on parallel axes."""
 
-from typing import Annotated, Literal, Self
+from collections.abc import Iterator
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.ratings import GearRatingTable, RatedCase
@@ -68,11 +69,11 @@ class GearPairCase(RatedCase):
     surfaces: SurfacesTable | None = None
     gear_rating: GearRatingTable = Field(default_factory=GearRatingTable)
 
-    @model_validator(mode="after")
-    def _scuffing_with_heat(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Scuffing without heat."""
+        yield from super().flaws()
         if self.oil.heat is None and self.surfaces and self.surfaces.scuffing_temperature:
-            raise ValueError("surfaces.scuffing_temperature has no effect without [oil.heat]")
-        return self
+            yield "surfaces.scuffing_temperature has no effect without [oil.heat]"
 
     def make_drive(self) -> GearPairDrive:
         """The drive of a case file about a pair of gears."""

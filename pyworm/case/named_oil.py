@@ -11,30 +11,16 @@ from pydantic import AfterValidator, ConfigDict, ValidationInfo, field_validator
 
 from pyworm.case.table import Table
 from pyworm.io import units
+from pyworm.io.given import quantities
+from pyworm.materials.flow_laws import LimitingStress, ThinningStress
 from pyworm.materials.library import NamedOil, named_oil
+from pyworm.materials.thermal_properties import OilHeat
+from pyworm.materials.viscosity_density import Density, Roelands
 
-_UNITS = {
-    "eta0": "Pa s",
-    "alpha": "1/Pa",
-    "rho0": "kg/m^3",
-    "d1": "1/Pa",
-    "d2": "1/Pa",
-    "stress": "Pa",
-    "limit": "Pa",
-    "inlet_temperature": "K",
-    "beta": "1/K",
-    "conductivity": "W/(m K)",
-    "specific_heat": "J/(kg K)",
-    "expansivity": "1/K",
-    "expansivity_decay": "1/Pa",
-    "conductivity_c1": "1/Pa",
-    "conductivity_c2": "1/Pa",
-    "heat_capacity_b0": "1/K",
-    "heat_capacity_b1": "1/Pa",
-    "heat_capacity_b2": "1/Pa^2",
-    "heat_capacity_k1": "1/Pa",
-    "heat_capacity_k2": "1/Pa",
-}
+_LAWS: tuple[type, ...] = (Roelands, Density, ThinningStress, LimitingStress, OilHeat)
+
+_UNITS = {name: kind.unit for law in _LAWS for name, (kind, _) in quantities(law).items()}
+_UNITS |= {"alpha": "1/Pa", "beta": "1/K"}
 """Key of a constant -> its SI unit; a key that is not here is a plain number."""
 
 _INSTEAD = {"z": "alpha", "s0": "beta"}

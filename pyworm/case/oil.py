@@ -1,5 +1,6 @@
 """`[oil]`: the lubricant of a case."""
 
+from collections.abc import Iterator
 from math import exp
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Literal, Self, TypeAlias, TypeVar, Union
 
@@ -86,13 +87,10 @@ class RoelandsTable(ViscosityTable):
             )
         return viscosity
 
-    @model_validator(mode="after")
-    def _one_of_each(self) -> Self:
-        if (self.z is None) == (self.alpha is None):
-            raise ValueError("give either z or alpha, one of the two")
-        if self.pole_pressure is not None and self.pole_coefficient is not None:
-            raise ValueError("give either pole_pressure or pole_coefficient, one of the two")
-        return self
+    def flaws(self) -> Iterator[str]:
+        """Not one exponent, or two poles."""
+        yield from self.unless_either("z", "alpha")
+        yield from self.unless_either("pole_pressure", "pole_coefficient", needed=False)
 
     def viscosity(self, inlet: float, density: Any) -> Roelands:
         """The law."""
@@ -287,23 +285,19 @@ class OilTable(Table):
         bare = table.keys() == {"name"} and table["name"] in names()
         return spelled_out(table) if "temperature" in table or bare else table
 
-    @model_validator(mode="after")
-    def _one_exponent_of_temperature(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Not one exponent of temperature, or tables that make no law."""
+        exponents = [] if self.heat is None else self.heat.given("s0", "beta")
         if not isinstance(self.viscosity, ViscosityTable):
-            if self.heat is not None and not self.heat.s0 is self.heat.beta is None:
-                raise ValueError(
-                    f"heat needs neither s0 nor beta, which {self.viscosity.law} has itself"
-                )
-            self.oil()  # tables that make no law are refused here
-            return self
-        if self.heat is None:
-            return self
-        law = self.viscosity.LAW
-        if not law.THINNING.has_s0 and (self.heat.beta is None or self.heat.s0 is not None):
-            raise ValueError(f"heat needs beta, and no s0, where viscosity.law is {law.CASE_NAME}")
-        if (self.heat.s0 is None) == (self.heat.beta is None):
-            raise ValueError("heat needs either s0 or beta, one of the two")
-        return self
+            if exponents:
+                yield f"heat needs neither s0 nor beta, which {self.viscosity.law} has itself"
+            self.oil()  # raises where they make no law
+        elif self.heat is not None:
+            law = self.viscosity.LAW
+            if not law.THINNING.has_s0 and exponents != ["beta"]:
+                yield f"heat needs beta, and no s0, where viscosity.law is {law.CASE_NAME}"
+            if len(exponents) != 1:
+                yield "heat needs either s0 or beta, one of the two"
 
     @property
     def _inlet(self) -> float:

@@ -1,6 +1,6 @@
 """One oil in one file: the tables that name the oil of a drive's sump must not contradict each other."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from math import exp, log
 
 from pyworm.case.oil import OilTable
@@ -11,8 +11,8 @@ ONE_GRADE = 1.5
 """Ratio of viscosities from which two oils are not the same: that of neighbouring grades of ISO 3448."""
 
 
-def check_one_oil(oil: OilTable | None, others: Mapping[str, str]) -> None:
-    """Refuse a second oil: another one than that of `[oil]` in a table that names one.
+def second_oil(oil: OilTable | None, others: Mapping[str, str]) -> Iterator[str]:
+    """Sentences on a second oil: another one than that of `[oil]` in a table that names one.
 
     `others` has the oil by the key that names it, a file's name if it ends in .toml. ValueError if two tables
     name different oils, or one names an oil that is not as thick as `[oil]`.
@@ -24,12 +24,12 @@ def check_one_oil(oil: OilTable | None, others: Mapping[str, str]) -> None:
     first = next(iter(named), "")
     for key, name in named.items():
         if name != named[first]:
-            raise ValueError(
+            yield (
                 f'{key} = "{name}", but {first} = "{named[first]}": one sump holds one oil, name the '
                 "same in both"
             )
     if oil is not None and oil.temperature is None:
-        _check_thickness(oil, named)
+        yield from _other_thickness(oil, named)
 
 
 def _canonical(name: str) -> str | None:
@@ -40,8 +40,8 @@ def _canonical(name: str) -> str | None:
         return None
 
 
-def _check_thickness(oil: OilTable, named: Mapping[str, str]) -> None:
-    """Refuse an oil given in `[oil]` whose viscosity at the inlet contradicts the named one."""
+def _other_thickness(oil: OilTable, named: Mapping[str, str]) -> Iterator[str]:
+    """Sentences on an oil given in `[oil]` whose viscosity at the inlet contradicts the named one."""
     if oil.heat is None:
         return
     kelvin = oil.heat.inlet_temperature
@@ -52,7 +52,7 @@ def _check_thickness(oil: OilTable, named: Mapping[str, str]) -> None:
         expected = float(named_oil(name).viscosity(kelvin))
         ratio = exp(abs(log(stated / expected)))
         if ratio > ONE_GRADE:
-            raise ValueError(
+            yield (
                 f'{key} = "{name}" has {expected:.3g} Pa s at {kelvin - ZERO_CELSIUS:.0f} degC, but '
                 f"oil.viscosity is {stated:.3g} Pa s: one sump holds one oil"
             )

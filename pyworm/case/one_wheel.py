@@ -1,5 +1,6 @@
 """One wheel, one sump and one cooling in one file: a rating states nothing that the drive contradicts."""
 
+from collections.abc import Iterator
 from math import exp, log
 
 from pyworm.case.bodies import BodyTable
@@ -17,8 +18,8 @@ ONE_TEMPERATURE = 0.5
 """Difference below which two temperatures are the same [K]."""
 
 
-def check_rated_material(rating: WormRatingTable, wheel: BodyTable) -> None:
-    """Refuse a second material of the wheel; ValueError.
+def other_material(rating: WormRatingTable, wheel: BodyTable) -> Iterator[str]:
+    """Sentences on a second material of the wheel.
 
     Another casting of the same alloy has other strengths and the same contacts: the rating says so.
     """
@@ -26,14 +27,14 @@ def check_rated_material(rating: WormRatingTable, wheel: BodyTable) -> None:
     if rated is None:
         return
     if body is not None and alloy(rated) != alloy(body):
-        raise ValueError(
+        yield (
             f'worm_rating.wheel_material = "{rated}", but bodies.wheel.material = "{body}": one wheel is of '
             "one material; leave the first out, and change the second to compare materials"
         )
     softest, stiffest = _moduli(named_body(rated))
     modulus = min(max(wheel.youngs_modulus, softest), stiffest)
     if exp(abs(log(wheel.youngs_modulus / modulus))) > ONE_MODULUS:
-        raise ValueError(
+        yield (
             f'worm_rating.wheel_material = "{rated}" has {modulus / 1e9:.4g} GPa, but '
             f"bodies.wheel.youngs_modulus is {wheel.youngs_modulus / 1e9:.4g} GPa: one wheel is of one "
             "material"
@@ -46,26 +47,24 @@ def _moduli(body: Body) -> tuple[float, float]:
     return min(moduli), max(moduli)
 
 
-def check_rated_temperature(rating: WormRatingTable, oil: OilTable, cooled: bool) -> None:
-    """Refuse a second temperature of the oil in the sump; ValueError."""
+def other_temperature(rating: WormRatingTable, oil: OilTable, cooled: bool) -> Iterator[str]:
+    """Sentences on a second temperature of the oil in the sump."""
     sump = rating.sump_temperature
     if sump is None or oil.heat is None:
         return
     if cooled:
-        raise ValueError(
-            "worm_rating.sump_temperature has no effect with [cooling], which finds it"
-        )
+        yield "worm_rating.sump_temperature has no effect with [cooling], which finds it"
     inlet = oil.heat.inlet_temperature
     if abs(sump - inlet) > ONE_TEMPERATURE:
-        raise ValueError(
+        yield (
             f"worm_rating.sump_temperature = {sump - ZERO_CELSIUS:.4g} degC, but the oil enters at "
             f"{inlet - ZERO_CELSIUS:.4g} degC (oil.temperature or oil.heat.inlet_temperature): one sump has "
             "one temperature; leave the first out"
         )
 
 
-def check_one_cooling(rating: WormRatingTable, cooling: CoolingTable) -> None:
-    """Refuse a second statement about what cools the drive, or about its bearings; ValueError."""
+def other_cooling(rating: WormRatingTable, cooling: CoolingTable) -> Iterator[str]:
+    """Sentences on a second statement about what cools the drive, or about its bearings."""
     pairs = {
         "ambient_temperature": ("ambient_temperature", ONE_TEMPERATURE),
         "immersion_factor": ("immersion", 0.0),
@@ -76,7 +75,7 @@ def check_one_cooling(rating: WormRatingTable, cooling: CoolingTable) -> None:
         if rated is None or rated == balanced:
             continue
         if apart is None or abs(rated - balanced) > apart:
-            raise ValueError(
+            yield (
                 f"worm_rating.{key} = {rated!r} differs from cooling.{name} = {balanced!r}: leave the "
                 "first out"
             )

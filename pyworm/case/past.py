@@ -1,10 +1,11 @@
 """`[past]`: loads and speeds that a contact written directly had before."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
-from typing import Annotated, Self
+from typing import Annotated
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from pyworm.case.table import Table
 from pyworm.io import units
@@ -32,46 +33,43 @@ class PastTable(Table):
     separation: Annotated[tuple[units.Separation, ...], Field(min_length=2)] | None = None
     """Distances of the undeformed surfaces [m], which hold where the factor of the load is zero."""
 
-    @model_validator(mode="after")
-    def _a_course_that_ends_at_present(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """What makes no course that ends at present."""
         if self.times[0] != 0 or any(after <= before for before, after in pairwise(self.times)):
-            raise ValueError('times begin at "0 s" and rise')
+            yield 'times begin at "0 s" and rise'
         given = {
             key: factors for key in ("load", "speed") if (factors := getattr(self, key)) is not None
         }
         if not given:
-            raise ValueError("give the factors of load, of speed, or both")
+            yield "give the factors of load, of speed, or both"
         for key, factors in given.items():
             if len(factors) != len(self.times):
-                raise ValueError(
+                yield (
                     f"{key} has {len(factors)} factors and times {len(self.times)}; "
                     "one factor per time required"
                 )
             if factors[-1] != 1:
-                raise ValueError(
+                yield (
                     f"{key} ends with {factors[-1]:g}; the last time is the present, whose factor is 1"
                 )
-        self._check_separation()
+        if self.separation is not None:
+            yield from self._flaws_of_separation(self.separation)
         if self.load is not None and min(self.load) < 0:
-            raise ValueError(f"load has a factor of {min(self.load):g}; load must not be negative")
-        return self
+            yield f"load has a factor of {min(self.load):g}; load must not be negative"
 
-    def _check_separation(self) -> None:
-        """Refuse a separation without a time at which it holds, or one that is none."""
-        if self.separation is None:
-            return
-        if len(self.separation) != len(self.times):
-            raise ValueError(
-                f"separation has {len(self.separation)} lengths and times {len(self.times)}; "
+    def _flaws_of_separation(self, lengths: tuple[float, ...]) -> Iterator[str]:
+        """A separation without a time at which it holds, or one that is none."""
+        if len(lengths) != len(self.times):
+            yield (
+                f"separation has {len(lengths)} lengths and times {len(self.times)}; "
                 "one factor per time required"
             )
         if self.load is None or min(self.load) > 0:
-            raise ValueError(
-                "separation holds where the factor of load is 0; give load such factors"
-            )
-        apart = [gap for gap, load in zip(self.separation, self.load, strict=True) if load == 0]
+            yield "separation holds where the factor of load is 0; give load such factors"
+            return
+        apart = [gap for gap, load in zip(lengths, self.load, strict=True) if load == 0]
         if not min(apart) > 0:
-            raise ValueError(
+            yield (
                 f"separation is {min(apart):g} m where the load is zero; surfaces that are apart have one "
                 "above zero"
             )

@@ -1,12 +1,13 @@
 """Tables of ratings, with or without a drive: bearings, worm gear, gear pair, oil."""
 
-from typing import Annotated, Any, Literal, Self, get_args
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal, get_args
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, Field
 
 from pyworm.case.case_file import FileTable, Published
 from pyworm.case.drive_case import DriveCase
-from pyworm.case.one_oil import check_one_oil
+from pyworm.case.one_oil import second_oil
 from pyworm.case.table import Table
 from pyworm.formulas.bearing_life import LoadedBearing
 from pyworm.formulas.fzg_test_gears import TEST_TEMPERATURE
@@ -42,19 +43,15 @@ class BearingTable(Table, LoadedBearing):
     cleanliness: Text | None = None
     published: Published = Field(default_factory=dict)
 
-    @model_validator(mode="after")
-    def _one_way_each(self) -> Self:
-        if None not in (self.fatigue_load_limit, self.static_rating):
-            raise ValueError("give either fatigue_load_limit or static_rating, one of the two")
+    def flaws(self) -> Iterator[str]:
+        """Two statements about one thing, or half of one."""
+        yield from self.unless_either("fatigue_load_limit", "static_rating", needed=False)
         if None not in (self.viscosity, self.oil):
-            raise ValueError("give either viscosity or oil with temperature, one of the two")
-        if (self.oil is None) != (self.temperature is None):
-            raise ValueError("give oil and temperature together")
+            yield "give either viscosity or oil with temperature, one of the two"
+        yield from self.unless_together("oil", "temperature")
         if None not in (self.contamination, self.lubrication):
-            raise ValueError("give either contamination or lubrication with cleanliness")
-        if (self.lubrication is None) != (self.cleanliness is None):
-            raise ValueError("give lubrication and cleanliness together")
-        return self
+            yield "give either contamination or lubrication with cleanliness"
+        yield from self.unless_together("lubrication", "cleanliness")
 
 
 class OilChoiceTable(Table, OilRequirements):
@@ -92,13 +89,10 @@ class DamageLimits(Table):
     permissible_specific_film: PositiveNumber | None = None
     required_micropitting: PositiveNumber = 1.0
 
-    @model_validator(mode="after")
-    def _one_permissible_film(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Two permissible films."""
         if None not in (self.permissible_specific_film, self.micropitting_load_stage):
-            raise ValueError(
-                "give either permissible_specific_film or micropitting_load_stage, of which it is made"
-            )
-        return self
+            yield "give either permissible_specific_film or micropitting_load_stage, of which it is made"
 
 
 USUAL_AMBIENT = 293.15
@@ -139,11 +133,10 @@ class WormRatingTable(Table):
         stated = {key: value for key, value in others.items() if value is not None}
         return CompletedRating.model_construct(**stated | given)
 
-    @model_validator(mode="after")
-    def _one_life(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Two lives."""
         if self.spectrum and self.life is not None:
-            raise ValueError("give either life or spectrum, whose durations make it up")
-        return self
+            yield "give either life or spectrum, whose durations make it up"
 
 
 class CompletedRating(WormRatingTable):
@@ -168,12 +161,10 @@ class GearRatingTable(DamageLimits):
     feed_pressure: units.Pressure | None = None
     jets: Count | None = None
 
-    @model_validator(mode="after")
-    def _jets_in_full(self) -> Self:
-        given = [part is not None for part in (self.flow, self.feed_pressure, self.jets)]
-        if any(given) and not all(given):
-            raise ValueError("give flow, feed_pressure and jets together")
-        return self
+    def flaws(self) -> Iterator[str]:
+        """Jets in part."""
+        yield from super().flaws()
+        yield from self.unless_together("flow", "feed_pressure", "jets")
 
 
 class WormGearTable(Table, WormGearSizes):
@@ -202,11 +193,11 @@ class RatedCase(DriveCase):
     bearings: dict[str, BearingTable] = Field(default_factory=dict)
     oil_choice: OilChoiceTable | None = None
 
-    @model_validator(mode="after")
-    def _one_oil(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """A second oil."""
+        yield from super().flaws()
         worm = getattr(self, "worm_rating", None)
-        check_one_oil(self.oil, _oils_named(worm, self.bearings))
-        return self
+        yield from second_oil(self.oil, _oils_named(worm, self.bearings))
 
 
 class RatingCase(FileTable):
@@ -217,24 +208,15 @@ class RatingCase(FileTable):
     worm_rating: WormRatingTable | None = None
     oil_choice: OilChoiceTable | None = None
 
-    @model_validator(mode="after")
-    def _worm_gear_where_needed(self) -> Self:
-        for key in ("worm_rating", "oil_choice"):
-            if getattr(self, key) is not None and self.worm_gear is None:
-                raise ValueError(f"[{key}] needs a [worm_gear] or a [drive]")
-        return self
-
-    @model_validator(mode="after")
-    def _an_oil_to_rate(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Ratings without a worm gear or an oil, or with a second oil."""
+        yield from super().flaws()
+        for key in self.given("worm_rating", "oil_choice") if self.worm_gear is None else ():
+            yield f"[{key}] needs a [worm_gear] or a [drive]"
         if self.worm_rating is not None and self.worm_rating.oil is None:
-            raise ValueError('worm_rating.oil is missing, such as "PAG VG 220"')
-        return self
-
-    @model_validator(mode="after")
-    def _one_oil_of_a_worm_gear(self) -> Self:
+            yield 'worm_rating.oil is missing, such as "PAG VG 220"'
         if self.worm_gear is not None:
-            check_one_oil(None, _oils_named(self.worm_rating, self.bearings))
-        return self
+            yield from second_oil(None, _oils_named(self.worm_rating, self.bearings))
 
 
 RATING_TABLES = ("bearings", "worm_gear", "worm_rating", "gear_rating", "oil_choice")

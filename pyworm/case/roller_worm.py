@@ -1,9 +1,10 @@
 """A case about a roller enveloping worm drive."""
 
+from collections.abc import Iterator
 from math import inf
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.ratings import RatedCase
@@ -45,13 +46,12 @@ class RollersTable(Table, RollerProfile):
     pin: PinTable | None = None
     stiffness: units.Stiffness | None = None
 
-    @model_validator(mode="after")
-    def _shape_has_what_it_needs(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """A shape without what it needs."""
         if (self.shape == "cone") != (self.half_angle != 0):
-            raise ValueError("give a half_angle other than zero to a cone, and to a cone only")
+            yield "give a half_angle other than zero to a cone, and to a cone only"
         if self.shape == "ball" and not self.length < 2 * self.radius:
-            raise ValueError("a ball's length must be less than twice its radius")
-        return self
+            yield "a ball's length must be less than twice its radius"
 
 
 class RollerWormTable(Table, RollerWorm):
@@ -89,22 +89,14 @@ class RollerOperationTable(Table):
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
     stations: Annotated[tuple[Phase, ...], Field(min_length=1)] | None = None
 
-    @model_validator(mode="after")
-    def _one_power(self) -> Self:
-        given = [name for name in POWERS if getattr(self, name) is not None]
-        if len(given) != 1:
-            but = f", not {' and '.join(given)}" if given else ""
-            raise ValueError(f"give one of {', '.join(POWERS)}{but}")
-        return self
-
-    @model_validator(mode="after")
-    def _loaded_sections(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Not one power, or a section without load."""
+        yield from self.unless_one(*POWERS)
         if self.preload == 0 and "right" in self.sections:
-            raise ValueError(
+            yield (
                 'sections has "right", the idling section, which carries no load where preload is 0; give '
                 'sections = ["left"], or a preload'
             )
-        return self
 
     def torque(self, ratio: float) -> float:
         """Torque of the worm [N m]; of the wheel's without friction, by rollers over threads."""
@@ -122,23 +114,19 @@ class RollerWormCase(RatedCase):
     operation: RollerOperationTable
     bodies: RollerBodies
 
-    @model_validator(mode="after")
-    def _free_rollers_need_a_flow_law(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Free rollers without a flow law, or sharp ends that are solved."""
+        yield from super().flaws()
         if self.operation.rolling == "free" and self.oil.shear is None:
-            raise ValueError(
+            yield (
                 "[oil.shear] is missing: free rollers are driven by the film's shear; give it, or "
                 'operation.rolling = "rolling" or "locked"'
             )
-        return self
-
-    @model_validator(mode="after")
-    def _crown_where_the_ends_are_solved(self) -> Self:
         if self.operation.stations is None and self.drive.rollers.crown is None:
-            raise ValueError(
+            yield (
                 "drive.rollers.crown is missing: sharp ends press without bound, no film with ends can "
                 "be solved; give a crown, or operation.stations for line contacts"
             )
-        return self
 
     def make_drive(self) -> RollerWormDrive:
         """The drive of a case file about a roller enveloping worm."""

@@ -1,5 +1,6 @@
 """`[bodies.NAME.surface]`: the topography of a body's surface, from a file or generated."""
 
+from collections.abc import Iterator
 from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
@@ -83,14 +84,11 @@ class SurfaceTable(Table):
     x_direction: units.AngleOrZero = 0.0
     _directory: Path | None = PrivateAttr(default=None)
 
-    @model_validator(mode="after")
-    def _one_source(self) -> Self:
-        if (self.file is None) == (self.generated is None):
-            raise ValueError("give either file or generated, one of the two")
-        for name in ("spacing", "height_unit"):
-            if self.file is None and getattr(self, name) is not None:
-                raise ValueError(f"{name} has no effect without file")
-        return self
+    def flaws(self) -> Iterator[str]:
+        """Not one source, or keys of a file without one."""
+        yield from self.unless_either("file", "generated")
+        for name in self.given("spacing", "height_unit") if self.file is None else ():
+            yield f"{name} has no effect without file"
 
     def lie_in(self, directory: Path) -> None:
         """Tell where the file lies; without, there is none to read (`case.case_again`)."""

@@ -5,12 +5,12 @@ round numbers and a value is the same on every machine.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from hashlib import sha256
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, Tag
 
 from pyworm.case.table import Table
 from pyworm.io.number_with_unit import parse_in
@@ -33,15 +33,18 @@ class _Interval(Table):
         first, unit = parse_in(low)
         return first, parse_in(high, unit)[0], unit
 
-    def _check(self, low: Value, high: Value, names: str, logarithmic: bool) -> None:
+    def _without_range(
+        self, low: Value, high: Value, names: str, logarithmic: bool
+    ) -> Iterator[str]:
         try:
             first, last, _ = self._ends(low, high)
         except ValueError as error:
-            raise ValueError(f"{names} = {low}, {high}: {error}") from None
+            yield f"{names} = {low}, {high}: {error}"
+            return
         if not (math.isfinite(first) and math.isfinite(last)):
-            raise ValueError(f"{names} must be finite")
+            yield f"{names} must be finite"
         if logarithmic and min(first, last) <= 0:
-            raise ValueError(f"{names} must be greater than zero on a logarithmic scale")
+            yield f"{names} must be greater than zero on a logarithmic scale"
 
     def _written(self, numbers: Sequence[float], unit: str | None, whole: bool) -> list[Value]:
         """Numbers as a case file has them."""
@@ -60,10 +63,9 @@ class RangeTable(_Interval):
     stop: Value
     scale: Literal["linear", "log"] = "linear"
 
-    @model_validator(mode="after")
-    def _has_ends(self) -> Self:
-        self._check(self.start, self.stop, "start, stop", self.scale == "log")
-        return self
+    def flaws(self) -> Iterator[str]:
+        """Ends of which no range can be made."""
+        return self._without_range(self.start, self.stop, "start, stop", self.scale == "log")
 
     def values(self, key: str, seed: int | None) -> list[Value]:
         """The values, as a case file has them."""
@@ -84,10 +86,9 @@ class DrawTable(_Interval):
     low: Value
     high: Value
 
-    @model_validator(mode="after")
-    def _has_ends(self) -> Self:
-        self._check(self.low, self.high, "low, high", self.draw == "log-uniform")
-        return self
+    def flaws(self) -> Iterator[str]:
+        """Ends between which nothing can be drawn."""
+        return self._without_range(self.low, self.high, "low, high", self.draw == "log-uniform")
 
     def values(self, key: str, seed: int | None) -> list[Value]:
         """The values, as a case file has them."""
@@ -132,35 +133,24 @@ class SweepTable(Table):
     fixed: dict[str, Value] = Field(default_factory=dict)
     vary: Annotated[list[Annotated[dict[str, Values], Field(min_length=1)]], Field(min_length=1)]
 
-    @model_validator(mode="after")
-    def _draws_have_a_seed(self) -> Self:
-        for table in self.vary:
-            for key, values in table.items():
-                if isinstance(values, DrawTable) and self.seed is None:
-                    raise ValueError(f"seed is missing; {key} is drawn, give one such as seed = 1")
-        return self
-
-    @model_validator(mode="after")
-    def _each_key_once(self) -> Self:
-        keys = [*self.fixed, *(key for table in self.vary for key in table)]
+    def flaws(self) -> Iterator[str]:
+        """Draws without a seed, keys given twice, and keys that do not go together."""
+        varied = [(key, values) for table in self.vary for key, values in table.items()]
+        for key, values in varied:
+            if isinstance(values, DrawTable) and self.seed is None:
+                yield f"seed is missing; {key} is drawn, give one such as seed = 1"
+        keys = [*self.fixed, *(key for key, _ in varied)]
         for key in keys:
             if keys.count(key) > 1:
-                raise ValueError(
-                    f"{key} is given twice, in vary and fixed or in two tables of vary"
-                )
-        return self
-
-    @model_validator(mode="after")
-    def _keys_of_a_table_go_together(self) -> Self:
+                yield f"{key} is given twice, in vary and fixed or in two tables of vary"
         for number, axis in enumerate(self.axes()):
             counts = {key: len(values) for key, values in axis.items()}
             if len(set(counts.values())) > 1:
                 listed = ", ".join(f"{key} has {count} values" for key, count in counts.items())
-                raise ValueError(
+                yield (
                     f"vary[{number}]: {listed}; the keys of one table go together, "
                     "give the same number or a [[vary]] of its own"
                 )
-        return self
 
     def axes(self) -> list[dict[str, list[Value]]]:
         """The values of each key, by table of `vary`."""

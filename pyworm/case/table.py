@@ -1,10 +1,10 @@
 """Base of all tables of a case file, those of dataclasses, and dotted keys."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import fields
-from typing import Any, ClassVar, TypeVar
+from typing import Any, ClassVar, Self, TypeVar
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, ConfigDict, model_validator
 
 
 class Table(BaseModel):
@@ -14,6 +14,37 @@ class Table(BaseModel):
 
     also_called: ClassVar[Mapping[str, str]] = {}
     """What a key is called elsewhere -> the key, with its table where it stands in another one."""
+
+    @model_validator(mode="after")
+    def _sound(self) -> Self:
+        for flaw in self.flaws():
+            raise ValueError(flaw)
+        return self
+
+    def flaws(self) -> Iterator[str]:
+        """Sentences on values that do not go together, of which the first refuses the table."""
+        yield from ()
+
+    def given(self, *keys: str) -> list[str]:
+        """Those of some keys that the table gives."""
+        return [key for key in keys if getattr(self, key) is not None]
+
+    def unless_one(self, *keys: str) -> Iterator[str]:
+        """A sentence where not one of some keys is given."""
+        given = self.given(*keys)
+        if len(given) != 1:
+            but = f", not {' and '.join(given)}" if given else ""
+            yield f"give one of {', '.join(keys)}{but}"
+
+    def unless_either(self, first: str, other: str, needed: bool = True) -> Iterator[str]:
+        """A sentence where two keys are given, or none of them and one is needed."""
+        if len(self.given(first, other)) not in ((1,) if needed else (0, 1)):
+            yield f"give either {first} or {other}, one of the two"
+
+    def unless_together(self, *keys: str) -> Iterator[str]:
+        """A sentence where some of keys are given without the others."""
+        if 0 < len(self.given(*keys)) < len(keys):
+            yield f"give {', '.join(keys[:-1])} and {keys[-1]} together"
 
 
 TableT = TypeVar("TableT")

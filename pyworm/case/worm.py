@@ -1,23 +1,20 @@
 """A case about a worm drive."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 from math import inf, pi
 from pathlib import Path
-from typing import Annotated, Any, Self
+from typing import Annotated, Any
 
 import numpy as np
-from pydantic import Field, model_validator
+from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.cooling import CoolingTable
 from pyworm.case.drive_case import LOADS
 from pyworm.case.fitted_friction import with_fitted_friction
-from pyworm.case.one_wheel import (
-    check_one_cooling,
-    check_rated_material,
-    check_rated_temperature,
-)
+from pyworm.case.one_wheel import other_cooling, other_material, other_temperature
 from pyworm.case.ratings import CompletedRating, RatedCase, WormRatingTable
 from pyworm.case.table import Table, plain
 from pyworm.case.worm_conditions import conditions, standard_oil
@@ -80,38 +77,22 @@ class OperationTable(Table):
     lifts: Annotated[tuple[tuple[Phase, units.Film], ...], Field(min_length=1)] | None = None
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
 
-    @model_validator(mode="after")
-    def _one_speed(self) -> Self:
-        if (self.worm_speed is None) == (self.wheel_speed is None):
-            raise ValueError("give either worm_speed or wheel_speed, one of the two")
-        return self
-
-    @model_validator(mode="after")
-    def _one_load(self) -> Self:
-        given = [name for name in LOADS if getattr(self, name) is not None]
-        if len(given) != 1:
-            but = f", not {' and '.join(given)}" if given else ""
-            raise ValueError(f"give one of {', '.join(LOADS)}{but}")
+    def flaws(self) -> Iterator[str]:
+        """Not one speed and one load, what has no effect with it, and lifts that are none."""
+        yield from self.unless_either("worm_speed", "wheel_speed")
+        yield from self.unless_one(*LOADS)
         if self.load is not None:
-            for name in ("sharing", "friction", "lifts"):
-                if getattr(self, name) is not None:
-                    raise ValueError(
-                        f"{name} has no effect with the load of one tooth, give a torque or a power instead "
-                        "of load"
-                    )
-        return self
-
-    @model_validator(mode="after")
-    def _lifts_of_elastic_teeth(self) -> Self:
-        if self.lifts is None:
-            return self
-        if self.sharing == "equal":
-            raise ValueError("lifts has no effect with sharing = equal, by which no tooth yields")
-        phases = [phase for phase, _ in self.lifts]
+            for name in self.given("sharing", "friction", "lifts"):
+                yield (
+                    f"{name} has no effect with the load of one tooth, give a torque or a power instead "
+                    "of load"
+                )
+        phases = [phase for phase, _ in self.lifts or ()]
+        if self.sharing == "equal" and phases:
+            yield "lifts has no effect with sharing = equal, by which no tooth yields"
         if any(after <= before for before, after in pairwise(phases)):
             listed = ", ".join(f"{phase:g}" for phase in phases)
-            raise ValueError(f"lifts has the phases {listed}; they must rise")
-        return self
+            yield f"lifts has the phases {listed}; they must rise"
 
 
 class WormCase(RatedCase):
@@ -123,18 +104,38 @@ class WormCase(RatedCase):
     worm_rating: WormRatingTable | None = None
     cooling: CoolingTable | None = None
 
-    @model_validator(mode="after")
-    def _cooling_of_what_warms(self) -> Self:
-        if self.cooling is None:
-            return self
-        if self.oil.heat is None or self.operation.load is not None:
-            raise ValueError(
-                "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of load"
+    def flaws(self) -> Iterator[str]:
+        """Cooling of what does not warm, a rating of another drive, stiffness of one tooth."""
+        yield from super().flaws()
+        if self.cooling is not None:
+            if self.oil.heat is None or self.operation.load is not None:
+                yield (
+                    "[cooling] asks for [oil.heat] and for a torque or a power in [operation], instead of "
+                    "load"
+                )
+            for name, body in self.bodies:
+                if body.bulk_temperature is not None:
+                    yield f"bodies.{name}.bulk_temperature has no effect with [cooling]"
+        if self.worm_rating is not None:
+            yield from self._flaws_of_rating(self.worm_rating)
+        if self.drive.stiffness is not None and self.operation.load is not None:
+            yield (
+                "drive.stiffness has no effect with operation.load, the load of one tooth; give a torque "
+                "or a power instead"
             )
-        for name, body in self.bodies:
-            if body.bulk_temperature is not None:
-                raise ValueError(f"bodies.{name}.bulk_temperature has no effect with [cooling]")
-        return self
+
+    def _flaws_of_rating(self, rating: WormRatingTable) -> Iterator[str]:
+        """What a rating says otherwise than the rest of the file."""
+        lubricated = self._rated_lubrication
+        if self.lubrication is not None and rating.lubrication not in (lubricated, None):
+            yield (
+                f'worm_rating.lubrication = "{rating.lubrication}" contradicts '
+                f'lubrication.method = "{self.lubrication.method}"; give "{lubricated}"'
+            )
+        yield from other_material(rating, self.bodies.wheel)
+        yield from other_temperature(rating, self.oil, cooled=self.cooling is not None)
+        if self.cooling is not None:
+            yield from other_cooling(rating, self.cooling)
 
     @property
     def _rated_lubrication(self) -> Lubrication | None:
@@ -142,36 +143,6 @@ class WormCase(RatedCase):
         if self.lubrication is None:
             return None
         return "bath" if self.lubrication.method == "bath" else "injection"
-
-    @model_validator(mode="after")
-    def _rated_as_lubricated(self) -> Self:
-        if self.lubrication is None or self.worm_rating is None:
-            return self
-        rated = self._rated_lubrication
-        if self.worm_rating.lubrication not in (rated, None):
-            raise ValueError(
-                f'worm_rating.lubrication = "{self.worm_rating.lubrication}" contradicts '
-                f'lubrication.method = "{self.lubrication.method}"; give "{rated}"'
-            )
-        return self
-
-    @model_validator(mode="after")
-    def _rated_as_simulated(self) -> Self:
-        if self.worm_rating is not None:
-            check_rated_material(self.worm_rating, self.bodies.wheel)
-            check_rated_temperature(self.worm_rating, self.oil, cooled=self.cooling is not None)
-            if self.cooling is not None:
-                check_one_cooling(self.worm_rating, self.cooling)
-        return self
-
-    @model_validator(mode="after")
-    def _stiffness_with_sharing(self) -> Self:
-        if self.drive.stiffness is not None and self.operation.load is not None:
-            raise ValueError(
-                "drive.stiffness has no effect with operation.load, the load of one tooth; give a torque "
-                "or a power instead"
-            )
-        return self
 
     @property
     def left_open(self) -> dict[str, tuple[str, ...]]:

@@ -3,9 +3,10 @@
 The flanks are those of a module, or of the base cylinders of worm and hob.
 """
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import degrees, pi
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, model_validator
 
@@ -185,33 +186,28 @@ class WormDriveTable(Table):
                 )
         return given
 
-    @model_validator(mode="after")
-    def _right_angle(self) -> Self:
+    def flaws(self) -> Iterator[str]:
+        """Another shaft angle than a right one, and no size of the worm."""
         if self.shaft_angle is not None and abs(self.shaft_angle - RIGHT_ANGLE) > 1e-9:
-            raise ValueError(
+            yield (
                 f"shaft_angle is {degrees(self.shaft_angle):.6g} deg; axes at 90 deg are computed; an "
                 "error of that angle goes into assembly.shaft_angle"
             )
-        return self
-
-    @model_validator(mode="after")
-    def _one_size_of_the_worm(self) -> Self:
         if self.module is None:
-            return self  # all sizes are given, which `base_cylinder_design` asks for
+            return  # all sizes are given, which `base_cylinder_design` asks for
         sizes = self.diameter_factor, self.worm.reference_diameter, self.profile_shift
         if all(size is None for size in sizes):
-            raise ValueError(
+            yield (
                 "diameter_factor is missing (q, reference diameter of the worm over module); or give "
                 "worm.reference_diameter or profile_shift"
             )
         if self.centre_distance is None and (
             self.profile_shift is None or self._given_factor is None
         ):
-            raise ValueError(
+            yield (
                 "centre_distance is missing (a); or give profile_shift, of which it follows with "
                 "diameter_factor or worm.reference_diameter"
             )
-        return self
 
     def design(self) -> Design:
         """Worm, wheel and hob of the drawing; ValueError with the key at fault if none can be made so."""

@@ -1,9 +1,9 @@
 """Base stocks of the oil library: their typical properties and how these vary with temperature."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from functools import cache
 from pathlib import Path
-from typing import Annotated, Any, Literal, Self, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, model_validator
 
@@ -29,42 +29,52 @@ GRADE_TOLERANCE = 0.11
 _TABLE = Path(__file__).with_name("oils.toml")
 
 
-@dataclass(frozen=True)
-class BaseStock:
-    """Common properties of the oils of one base stock."""
+_AgmaFactor = Annotated[float, units.Quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")]
+Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class StockProperties:
+    """Properties of the oils of one base stock, which an oil file may replace."""
+
+    density_15: units.OilDensity
+    """Density at 15 degC [kg/m3]."""
+    density_coefficient: units.TemperatureCoefficient
+    """Relative fall of the density with temperature [1/K]."""
+    specific_heat: units.SpecificHeat
+    """Specific heat [J/(kg K)]."""
+    gold_s: Positive
+    """Constant s of Gold's law of the pressure-viscosity coefficient (`oil_laws.gold_alpha`)."""
+    gold_t: Fraction
+    """Constant t of Gold's law of that coefficient."""
+    alpha_spread: Annotated[float, Field(strict=True, ge=0, lt=1)] = 0.0
+    """Relative uncertainty of that coefficient [-]."""
+    density_d1: units.PressureCoefficientOrZero = 0.6e-9
+    """d1 of the rise of the density with pressure [1/Pa] (`pyworm.materials.viscosity_density.Density`)."""
+    density_d2: units.PressureCoefficientOrZero = 1.7e-9
+    """d2 of the rise of the density with pressure [1/Pa]."""
+    conductivity: units.OilConductivity | None = None
+    """Thermal conductivity [W/(m K)]; None where Cragoe's formula gives it."""
+    agma_k: _AgmaFactor | None = None
+    """Constant k of AGMA's law, in mm2/N (`oil_laws.agma_alpha`); None where it has none."""
+    agma_s: Fraction | None = None
+    """Constant s of AGMA's law; None where it has none."""
+    limiting_coefficient: Fraction | None = None
+    """Limiting stress over pressure [-], which gives Eyring's, too; None where stresses are given."""
+    eyring_stress: units.Stress | None = None
+    """Constant Eyring stress [Pa]; None where the coefficient gives it."""
+    limiting_stress: units.Stress | None = None
+    """Constant limiting stress [Pa]; None where the coefficient gives it."""
+    boundary_friction: Annotated[float, Field(strict=True, gt=0, le=1)] = BOUNDARY_FRICTION
+    """Friction coefficient of asperities of steel on steel or tin bronze [-]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class BaseStock(StockProperties):
+    """A base stock of the list with its oils."""
 
     name: Base
     """Base stock."""
-    density_15: float
-    """Density at 15 degC [kg/m3]."""
-    density_coefficient: float
-    """Relative fall of the density with temperature [1/K]."""
-    specific_heat: float
-    """Specific heat [J/(kg K)]."""
-    gold_s: float
-    """Constant s of Gold's law of the pressure-viscosity coefficient (`oil_laws.gold_alpha`)."""
-    gold_t: float
-    """Constant t of Gold's law of that coefficient."""
-    alpha_spread: float = 0.0
-    """Relative uncertainty of that coefficient [-]."""
-    density_d1: float = 0.6e-9
-    """d1 of the rise of the density with pressure [1/Pa] (`pyworm.materials.viscosity_density.Density`)."""
-    density_d2: float = 1.7e-9
-    """d2 of the rise of the density with pressure [1/Pa]."""
-    conductivity: float | None = None
-    """Thermal conductivity [W/(m K)]; None where Cragoe's formula gives it."""
-    agma_k: float | None = None
-    """Constant k of AGMA's law, in mm2/N (`oil_laws.agma_alpha`); None where it has none."""
-    agma_s: float | None = None
-    """Constant s of AGMA's law; None where it has none."""
-    limiting_coefficient: float | None = None
-    """Limiting stress over pressure [-], which gives Eyring's, too; None where stresses are given."""
-    eyring_stress: float | None = None
-    """Constant Eyring stress [Pa]; None where the coefficient gives it."""
-    limiting_stress: float | None = None
-    """Constant limiting stress [Pa]; None where the coefficient gives it."""
-    boundary_friction: float = BOUNDARY_FRICTION
-    """Friction coefficient of asperities of steel on steel or tin bronze [-]."""
     heat: dict[str, float] = field(default_factory=dict)
     """Further constants of `pyworm.materials.thermal_properties.OilHeat`."""
     grades: dict[int, tuple[float, float]] = field(default_factory=dict)
@@ -81,10 +91,6 @@ def base_stock(name: str) -> BaseStock:
     raise ValueError(f'base "{name}": must be one of {", ".join(BASES)}')
 
 
-_AgmaFactor = Annotated[float, units.quantity("a pressure coefficient", "1/Pa", "0.0105 mm^2/N")]
-Positive = Annotated[float, Field(strict=True, gt=0, allow_inf_nan=False)]
-
-
 class _Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
@@ -94,24 +100,14 @@ class HeatCourseTable(_Table, HeatCourse):
 
 
 class StockTable(_Table):
-    """Properties of a base stock that an oil file may replace."""
+    """Base of tables of files that are derived from `StockProperties`, too."""
 
-    density_15: units.OilDensity | None = None
-    density_coefficient: units.TemperatureCoefficient | None = None
-    density_d1: units.PressureCoefficientOrZero = 0.6e-9
-    density_d2: units.PressureCoefficientOrZero = 1.7e-9
-    specific_heat: units.SpecificHeat | None = None
-    conductivity: units.OilConductivity | None = None
-    gold_s: Positive | None = None
-    gold_t: Fraction | None = None
-    alpha_spread: Annotated[float, Field(strict=True, ge=0, lt=1)] = 0.0
-    agma_k: _AgmaFactor | None = None
-    agma_s: Fraction | None = None
-    limiting_coefficient: Fraction | None = None
-    eyring_stress: units.Stress | None = None
-    limiting_stress: units.Stress | None = None
-    boundary_friction: Annotated[float, Field(strict=True, gt=0, le=1)] = BOUNDARY_FRICTION
     heat: HeatCourseTable = HeatCourseTable()
+
+    if TYPE_CHECKING:
+        limiting_coefficient: float | None
+        eyring_stress: float | None
+        limiting_stress: float | None
 
     @model_validator(mode="after")
     def _stresses_in_pairs(self) -> Self:
@@ -123,7 +119,8 @@ class StockTable(_Table):
 
     def own(self) -> dict[str, Any]:
         """The given properties under the names of `BaseStock`."""
-        given = self.model_dump(exclude_unset=True, include=set(StockTable.model_fields))
+        names = {part.name for part in fields(StockProperties)}
+        given = self.model_dump(exclude_unset=True, include={"heat", *names})
         if {"gold_s", "gold_t"} & given.keys():
             given.setdefault("alpha_spread", 0.0)  # measured by whoever gives it
         if "agma_k" in given:
@@ -135,14 +132,9 @@ class StockTable(_Table):
         return given
 
 
-class _BaseStockTable(StockTable):
+class _BaseStockTable(StockTable, StockProperties):
     """One base stock of the table: all properties, each with its source."""
 
-    density_15: units.OilDensity
-    density_coefficient: units.TemperatureCoefficient
-    specific_heat: units.SpecificHeat
-    gold_s: Positive
-    gold_t: Fraction
     alpha_spread: Annotated[float, Field(strict=True, gt=0, lt=1)]
     grades: dict[int, tuple[Positive, Positive]]
     sources: dict[str, str]
@@ -161,7 +153,7 @@ def _stocks() -> dict[Base, BaseStock]:
     stocks = {}
     for base in BASES:
         table = _BaseStockTable.model_validate(data[base])
-        stock = BaseStock(base, **table.own(), grades=table.grades, sources=table.sources)
+        stock = BaseStock(name=base, **table.own(), grades=table.grades, sources=table.sources)
         for grade, (m, n) in stock.grades.items():
             nu = oil_properties.walther_viscosity(m, n, DEGREES_40) / SQUARE_MILLIMETRE
             if grade not in ISO_GRADES or abs(float(nu) / grade - 1) > GRADE_TOLERANCE:

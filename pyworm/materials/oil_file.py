@@ -8,9 +8,10 @@ from pydantic import Field, ValidationError, model_validator
 
 from pyworm.io import units
 from pyworm.io.input_error import CaseError, sentence
+from pyworm.io.plain_values import Fraction
 from pyworm.io.present import present
 from pyworm.io.toml import read_toml
-from pyworm.materials.base_stock import Base, Positive, StockTable
+from pyworm.materials.base_stock import Base, Positive, StockProperties, StockTable
 from pyworm.materials.library import NamedOil, named_oil, oil_from_index, oil_from_viscosities
 
 
@@ -53,9 +54,14 @@ def read_oil(path: str | Path) -> NamedOil:
     return replace(oil, source=table.source, stock=replace(oil.stock, **given, sources=sources))
 
 
-class _OilTable(StockTable):
-    """Table of a user's oil."""
+class _OilTable(StockTable, StockProperties):
+    """Table of a user's oil; what it does not give is its base stock's."""
 
+    density_15: units.OilDensity | None = None  # type: ignore[assignment]  # may be left out here
+    density_coefficient: units.TemperatureCoefficient | None = None  # type: ignore[assignment]  # so
+    specific_heat: units.SpecificHeat | None = None  # type: ignore[assignment]  # so
+    gold_s: Positive | None = None  # type: ignore[assignment]  # so
+    gold_t: Fraction | None = None  # type: ignore[assignment]  # so
     name: Annotated[str, Field(min_length=1)]
     source: Annotated[str, Field(min_length=1)]
     base: Base

@@ -18,6 +18,9 @@ from pyworm.result.result import Result
 from pyworm.scene.index import ContactIndex
 from pyworm.solver.solution import Solution
 
+Style = dict[str, Any]
+"""How something looks, as arguments of matplotlib."""
+
 MILLI, MICRO, KILO, MEGA = 1e3, 1e6, 1e-3, 1e-6
 """From SI to what the axes show: mm, um, kN and MPa."""
 
@@ -57,13 +60,9 @@ class Window:
     """A rectangle of the tangent plane [mm]."""
 
     left: float
-    """Its left side."""
     right: float
-    """Its right side."""
     bottom: float
-    """Its lower side."""
     top: float
-    """Its upper side."""
 
     @property
     def width(self) -> float:
@@ -90,6 +89,11 @@ class Window:
         size = LONG_SIDE if ratio >= 1.3 else 0.75 * LONG_SIDE
         return (size, size / ratio) if ratio >= 1 else (max(size * ratio, SHORTEST_SIDE), size)
 
+    def with_margins(self, along_x: float, along_y: float) -> "Window":
+        """The window with margins [mm] on both sides along each direction."""
+        left, right = self.left - along_x, self.right + along_x
+        return Window(left, right, self.bottom - along_y, self.top + along_y)
+
 
 def whole_window(fields: AnyDataset) -> Window:
     """The grid and, where given, the outline of the tooth, with a narrow margin."""
@@ -98,49 +102,49 @@ def whole_window(fields: AnyDataset) -> Window:
         x = np.append(x, fields["tooth_outline_x"].values)
         y = np.append(y, fields["tooth_outline_y"].values)
     window = _window(x, y)
-    margin_x, margin_y = 0.02 * window.width, 0.02 * window.height
-    return Window(
-        window.left - margin_x,
-        window.right + margin_x,
-        window.bottom - margin_y,
-        window.top + margin_y,
-    )
+    return window.with_margins(0.02 * window.width, 0.02 * window.height)
 
 
 def contact_window(fields: AnyDataset) -> Window:
     """The dry contact with margins that show its inlet and outlet, within the grid."""
     x, y = fields["x"].values, fields["y"].values
-    loaded = fields["dry_pressure"].transpose("y", "x").values > 0
+    loaded = field(fields, "dry_pressure") > 0
     columns, rows = loaded.any(axis=0), loaded.any(axis=1)
     if min(columns.sum(), rows.sum()) < 2:
         return _window(x, y)
     contact = _window(x[columns], y[rows])
     short = min(contact.width, contact.height)
-    margin_x = max(0.08 * contact.width, 0.4 * short)
-    margin_y = max(0.08 * contact.height, 0.4 * short)
-    grid = _window(x, y)
+    sides = (max(0.08 * side, 0.4 * short) for side in (contact.width, contact.height))
+    grid, shown = _window(x, y), contact.with_margins(*sides)
     return Window(
-        max(grid.left, contact.left - margin_x),
-        min(grid.right, contact.right + margin_x),
-        max(grid.bottom, contact.bottom - margin_y),
-        min(grid.top, contact.top + margin_y),
+        max(grid.left, shown.left),
+        min(grid.right, shown.right),
+        max(grid.bottom, shown.bottom),
+        min(grid.top, shown.top),
     )
 
 
 def _window(x: np.ndarray, y: np.ndarray) -> Window:
-    return Window(
-        float(np.nanmin(x)) * MILLI,
-        float(np.nanmax(x)) * MILLI,
-        float(np.nanmin(y)) * MILLI,
-        float(np.nanmax(y)) * MILLI,
-    )
+    sides = (float(end(axis)) * MILLI for axis in (x, y) for end in (np.nanmin, np.nanmax))
+    return Window(*sides)
+
+
+def nodes(fields: AnyDataset) -> tuple[np.ndarray, np.ndarray]:
+    """Places of the nodes of fields along x and y [mm]."""
+    return fields["x"].values * MILLI, fields["y"].values * MILLI
+
+
+def field(fields: AnyDataset, name: str) -> np.ndarray:
+    """A field over (y, x) in SI."""
+    values: np.ndarray = fields[name].transpose("y", "x").values
+    return values
 
 
 def in_window(fields: AnyDataset, window: Window) -> AnyDataset:
     """The part of the fields inside the window, with one more grid line on each side."""
+    x, y = nodes(fields)
     return fields.isel(
-        x=_slice(fields["x"].values * MILLI, window.left, window.right),
-        y=_slice(fields["y"].values * MILLI, window.bottom, window.top),
+        x=_slice(x, window.left, window.right), y=_slice(y, window.bottom, window.top)
     )
 
 
@@ -172,16 +176,9 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
     panels = []
     for number, title in enumerate(titles):
         row, column = divmod(number, columns)
-        left = column * cell_width + LEFT_ROOM
-        bottom = (rows - 1 - row) * cell_height + BOTTOM_ROOM
-        panel = figure.add_axes(
-            (
-                left / total_width,
-                bottom / total_height,
-                width / total_width,
-                height / total_height,
-            )
-        )
+        left = (column * cell_width + LEFT_ROOM) / total_width
+        bottom = ((rows - 1 - row) * cell_height + BOTTOM_ROOM) / total_height
+        panel = figure.add_axes((left, bottom, width / total_width, height / total_height))
         panel.set_title(title, fontsize="medium", y=1)  # given, or it is sought among the ticks
         panel.set_xlim(window.left, window.right)
         panel.set_ylim(window.bottom, window.top)
@@ -223,12 +220,18 @@ def new_figure(width: float, height: float, heading: str) -> Figure:
 
 
 def placed_panels(
-    size: tuple[float, float], heading: str, room: tuple[float, float, float, float], **kind: Any
-) -> tuple[Figure, Any]:
+    size: tuple[float, float],
+    heading: str,
+    room: tuple[float, float, float, float],
+    rows: int = 1,
+    columns: int = 1,
+    space: float = 0.0,
+    **share: bool,
+) -> tuple[Figure, list[Axes]]:
     """A figure [inch] and its panels by hand, as to find their places takes as long as drawing them.
 
-    `room` is left of the panels, right of them, below, and between them and the heading [inch]; `kind` is
-    what `Figure.subplots` takes, its spaces in fractions of a panel.
+    `room` is left of the panels, right of them, below, and between them and the heading [inch]; `space` is
+    between panels, in parts of one; `share` are axes that they share, as of `Figure.subplots`.
     """
     (width, height), (left, right, below, above) = size, room
     heading = fill(heading, int(LETTERS_PER_INCH * width))
@@ -236,7 +239,15 @@ def placed_panels(
     figure = Figure(figsize=size)
     figure.suptitle(heading, y=1 - 0.03 / height, verticalalignment="top")
     figure.subplots_adjust(left / width, below / height, 1 - right / width, 1 - above / height)
-    return figure, figure.subplots(**kind)
+    kind: Style = {"gridspec_kw": {"hspace": space, "wspace": space}, **share}
+    panels = figure.subplots(rows, columns, squeeze=False, **kind)
+    return figure, list(panels.flat)
+
+
+def add_grids(panels: Sequence[Axes]) -> None:
+    """Pale lines at the ticks of panels."""
+    for panel in panels:
+        panel.grid(True, color="0.9")
 
 
 def power_of_ten(value: float, _: int) -> str:
@@ -280,11 +291,6 @@ def broken(label: str) -> str:
     halves = [(" ".join(words[:n]), " ".join(words[n:])) for n in range(1, len(words))]
     fitting = [half for half in halves if not half[0].endswith("/")]
     return "\n".join(min(fitting, key=lambda half: max(map(len, half)))) if fitting else label
-
-
-def with_gaps(solutions: Sequence[Solution], values: Sequence[float]) -> np.ndarray:
-    """Values of a curve over solutions: NaN, and so a gap, where one did not converge."""
-    return np.where([solution.converged for solution in solutions], values, np.nan)
 
 
 def mark_gaps(

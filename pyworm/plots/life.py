@@ -7,14 +7,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.io.quantities import QUANTITIES
-from pyworm.plots.layout import (
-    KILO,
-    LOAD_UNITS,
-    MILLI,
-    broken,
-    joined,
-    placed_panels,
-)
+from pyworm.plots.error_bars import BODY_COLOURS, TEMPERATURES, estimates_of
+from pyworm.plots.layout import KILO, LOAD_UNITS, MILLI, add_grids, broken, joined, placed_panels
 from pyworm.result.headline import of_all
 from pyworm.result.life import ContactLife
 from pyworm.result.result import Result
@@ -42,22 +36,15 @@ def draw_life(result: Result, life: ContactLife) -> Figure:
     size = 9, PANEL * len(drawn) + 1.2
     words = "one mesh engagement" if life.phases is not None else "load history"
     what = joined(result.case_name, f"{life.place} {words}".strip(), of_all(life.solutions).note)
-    spaced = {
-        "nrows": len(drawn),
-        "sharex": True,
-        "squeeze": False,
-        "gridspec_kw": {"hspace": 0.08},
-    }
-    figure, panels = placed_panels(size, what, (0.95, 0.25, 0.5, 0.12), **spaced)
-    abscissa = life.seconds / MILLI_SECOND if life.phases is None else life.phases
-    for panel, draw in zip(panels[:, 0], drawn, strict=True):
+    room = (0.95, 0.25, 0.5, 0.12)
+    figure, panels = placed_panels(size, what, room, len(drawn), space=0.08, sharex=True)
+    abscissa, label = life.seconds / MILLI_SECOND, "time / ms"
+    if life.phases is not None:
+        abscissa, label = life.phases, f"mesh phase (cycle duration {life.span * MILLI:.3g} ms)"
+    for panel, draw in zip(panels, drawn, strict=True):
         draw(panel, result, life, abscissa)
-        panel.grid(True, color="0.9")
-    panels[-1, 0].set_xlabel(
-        "time / ms"
-        if life.phases is None
-        else f"mesh phase (cycle duration {life.span * MILLI:.3g} ms)"
-    )
+    add_grids(panels)
+    panels[-1].set_xlabel(label)
     return figure
 
 
@@ -103,12 +90,8 @@ def _draw_friction(axes: Axes, result: Result, life: ContactLife, abscissa: Arra
 
 
 def _draw_temperatures(axes: Axes, result: Result, life: ContactLife, abscissa: Array) -> None:
-    first, second = result.body_names
-    for name, label, colour in (
-        ("temperature_max_body_1", first, "tab:blue"),
-        ("temperature_max_body_2", second, "tab:orange"),
-        ("temperature_max_film", "film", "tab:red"),
-    ):
+    labels = *result.body_names, "film"
+    for name, label, colour in zip(TEMPERATURES, labels, BODY_COLOURS, strict=True):
         _draw(axes, life, abscissa, name, colour, label)
     low, high = axes.get_ylim()
     axes.set_ylim(low, high + 0.3 * (high - low))
@@ -128,47 +111,21 @@ PANELS: dict[str, Callable[[Axes, Result, ContactLife, Array], None]] = {
 
 
 def _draw(
-    axes: Axes,
-    life: ContactLife,
-    abscissa: Array,
-    name: str,
-    colour: str,
-    label: str = "",
+    axes: Axes, life: ContactLife, abscissa: Array, name: str, colour: str, label: str = ""
 ) -> None:
     """A figure over the life with a band of its error bars, and that of the contacts solved finer."""
     quantity = QUANTITIES[name]
     values, errors = quantity.number(life.figures[name]), life.errors[name] * quantity.scale
     words = label or quantity.words()
     axes.plot(abscissa, _broken(life, values), color=colour, label=words, linewidth=1.4)
-    axes.fill_between(
-        abscissa,
-        _broken(life, values - errors),
-        _broken(life, values + errors),
-        color=colour,
-        alpha=0.25,
-    )
+    low, high = (_broken(life, values + sign * errors) for sign in (-1, 1))
+    axes.fill_between(abscissa, low, high, color=colour, alpha=0.25)
     good = [solution for solution in life.solutions if solution.converged]
-    estimates = [getattr(solution.figures, name) for solution in good]
-    heat = name.startswith("temperature")
-    sizes = [
-        solution.rise(estimate) if heat else estimate.value
-        for estimate, solution in zip(estimates, good, strict=True)
-    ]
-    axes.errorbar(
-        [
-            life.seconds[-1] / MILLI_SECOND if solution.phase is None else solution.phase
-            for solution in good
-        ],
-        [quantity.number(estimate.value) for estimate in estimates],
-        [
-            estimate.error * abs(size) * quantity.scale
-            for estimate, size in zip(estimates, sizes, strict=True)
-        ],
-        fmt="o",
-        color=colour,
-        markersize=4,
-        capsize=3,
-    )
+    end = life.seconds[-1] / MILLI_SECOND
+    places = [end if solution.phase is None else solution.phase for solution in good]
+    estimates, finer, sizes = estimates_of(good, name)
+    bars = sizes * [estimate.error for estimate in estimates]
+    axes.errorbar(places, finer, bars, fmt="o", color=colour, markersize=4, capsize=3)
 
 
 def _broken(life: ContactLife, values: Array) -> Array:

@@ -64,20 +64,18 @@ class Points:
         self._film = _thickest(life)
         left, right, low, high = _window(life)
         wide = (right - left) > 1.3 * (high - low)
-        size = (8, 6.4) if wide else (9, 5.2)
-        grid = {"nrows": 2, "ncols": 1} if wide else {"nrows": 1, "ncols": 2}
-        spaced = {"hspace": 0.3, "wspace": 0.4}
+        size, rows, columns, space = ((8, 6.4), 2, 1, 0.3) if wide else ((9, 5.2), 1, 2, 0.4)
+        room = (0.85, 0.4, 0.85, 0.3)
         self.figure, panels = placed_panels(
-            size, _heading(result, life), (0.85, 0.4, 0.85, 0.3), **grid, gridspec_kw=spaced
+            size, _heading(result, life), room, rows, columns, space
         )
-        self._panels = list(np.ravel(panels))
         self._note = self.figure.text(0.02, 0.01, "")
         self._maps = []
         labels = (
             (PRESSURE.axis(), PRESSURE.colours, self._pressure),
             (FILM.axis(), FILM.colours, self._film),
         )
-        for panel, (label, colours, top) in zip(self._panels, labels, strict=True):
+        for panel, (label, colours, top) in zip(panels, labels, strict=True):
             panel.set_xlim(left, right)
             panel.set_ylim(low, high)
             panel.set_xlabel("x / mm")
@@ -122,7 +120,8 @@ class Lines:
     def __init__(self, result: Result, life: ContactLife):
         self._life = life
         left, right, _, _ = _window(life)
-        self.figure, axes = placed_panels((8, 4.5), _heading(result, life), (0.8, 0.8, 0.85, 0.1))
+        room = (0.8, 0.8, 0.85, 0.1)
+        self.figure, (axes,) = placed_panels((8, 4.5), _heading(result, life), room)
         axes.set_xlim(left, right)
         axes.set_xlabel("x / mm")
         axes.set_ylabel(PRESSURE.axis(), color="tab:red")

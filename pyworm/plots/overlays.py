@@ -1,35 +1,28 @@
 """Overlays of a contact's fields: dry outline, tooth edges, arrows, marked points; fields between nodes."""
 
-from collections.abc import Sequence
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.whole_numbers import whole
 from pyworm.io.plain_dataset import AnyDataset
-from pyworm.io.quantities import QUANTITIES
-from pyworm.plots.error_bars import draw_estimates
-from pyworm.plots.layout import MILLI, broken, mark_gaps, panel_size, with_gaps
-from pyworm.solver.solution import Solution
+from pyworm.plots.layout import MILLI, Style, field, nodes, panel_size
 
 
 def draw_dry_outline(axes: Axes, fields: AnyDataset, colour: str) -> None:
     """The boundary of the dry contact."""
-    pressure = fields["dry_pressure"].transpose("y", "x").values
+    pressure = field(fields, "dry_pressure")
     if pressure.max() > 0:
-        x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
-        axes.contour(x, y, signed_square(pressure), levels=[0], colors=colour, linewidths=1.2)
+        squares = *nodes(fields), signed_square(pressure)
+        axes.contour(*squares, levels=[0], colors=colour, linewidths=1.2)
 
 
 def dry_outline(fields: AnyDataset) -> list[np.ndarray]:
     """Lines of the boundary of the dry contact, each over point and axis [mm]; none without a contact."""
-    pressure = fields["dry_pressure"].transpose("y", "x").values
+    pressure = field(fields, "dry_pressure")
     if not pressure.max() > 0:
         return []
-    x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
-    drawn = Figure().add_subplot().contour(x, y, signed_square(pressure), levels=[0])
+    drawn = Figure().add_subplot().contour(*nodes(fields), signed_square(pressure), levels=[0])
     return list(drawn.allsegs[0])
 
 
@@ -54,35 +47,28 @@ def signed_square(pressure: np.ndarray) -> np.ndarray:
             # The continuation may still be positive where the pressure is not that of a parabola.
             total[reached] += np.minimum(continued, -1e-3 * first)
             count[reached] += 1
-    field: np.ndarray = np.where(square > 0, square, -square.max())
+    signed: np.ndarray = np.where(square > 0, square, -square.max())
     beside = count > 0
-    field[beside] = total[beside] / count[beside]
-    return field
+    signed[beside] = total[beside] / count[beside]
+    return signed
 
 
 def draw_tooth(axes: Axes, fields: AnyDataset) -> None:
     """Where a surface is missing, hatched, and the outline and contact path where given."""
-    covered = fields["covered"].transpose("y", "x").values
-    if covered.min() < 0.5:
-        x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
-        axes.contourf(
-            x, y, covered, levels=[-0.5, 0.5], colors="0.85", hatches=["////"], alpha=0.75
-        )
+    covered = *nodes(fields), field(fields, "covered")
+    if covered[-1].min() < 0.5:
+        look: Style = {"colors": "0.85", "hatches": ["////"], "alpha": 0.75}
+        axes.contourf(*covered, levels=[-0.5, 0.5], **look)
         if "tooth_outline_x" not in fields:
-            axes.contour(x, y, covered, levels=[0.5], colors="0.25", linewidths=1.0)
+            axes.contour(*covered, levels=[0.5], colors="0.25", linewidths=1.0)
     if "tooth_outline_x" in fields:
-        axes.plot(
-            fields["tooth_outline_x"].values * MILLI,
-            fields["tooth_outline_y"].values * MILLI,
-            color="0.25",
-            linewidth=1.5,
-        )
-        _name_sides(axes, fields)
+        outline = [fields[f"tooth_outline_{axis}"].values * MILLI for axis in "xy"]
+        axes.plot(*outline, color="0.25", linewidth=1.5)
+        _name_sides(axes, outline)
 
 
-def _name_sides(axes: Axes, fields: AnyDataset) -> None:
+def _name_sides(axes: Axes, outline: list[np.ndarray]) -> None:
     """Names of the sides of a wheel's tooth; at the panel's edges where it shows a part of the tooth."""
-    outline = [fields[f"tooth_outline_{axis}"].values * MILLI for axis in "xy"]
     side = (outline[0].size - 1) / len(TOOTH_SIDES)
     middles: dict[str, tuple[float, float]] = {}
     for number, name in enumerate(TOOTH_SIDES):
@@ -145,8 +131,8 @@ def draw_arrows(axes: Axes, fields: AnyDataset, u: np.ndarray, v: np.ndarray) ->
         low + (high - low) * (np.arange(count) + 0.5) / count
         for (low, high), count in ((limits, max(1, round(side / step))) for limits, side in sides)
     )
-    covered = fields["covered"].transpose("y", "x").values > 0.5
-    u, v = (_at(fields, np.where(covered, part, np.nan), x, y).ravel() for part in (u, v))
+    covered = field(fields, "covered") > 0.5
+    u, v = (at_places(fields, np.where(covered, part, np.nan), x, y).ravel() for part in (u, v))
     size = np.hypot(u, v)
     moving = size > STANDSTILL * np.nanmax(size, initial=0)
     # As long as this looks where the panel is stretched along y.
@@ -166,11 +152,11 @@ def draw_arrows(axes: Axes, fields: AnyDataset, u: np.ndarray, v: np.ndarray) ->
     )
 
 
-def _at(fields: AnyDataset, part: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """A field (y, x) at places x and y [mm] between the nodes."""
-    for axis, (name, places) in enumerate((("y", y), ("x", x))):
-        part = between_nodes(fields[name].values * MILLI, part, places, axis)
-    return part
+def at_places(fields: AnyDataset, values: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Values over the nodes of fields, (y, x), at places x and y [mm] between them."""
+    for axis, (known, places) in enumerate(zip(nodes(fields)[::-1], (y, x), strict=True)):
+        values = _between_nodes(known, values, places, axis)
+    return values
 
 
 def draw_contact_point(axes: Axes) -> None:
@@ -179,40 +165,12 @@ def draw_contact_point(axes: Axes) -> None:
     axes.plot(0, 0, "+", color="white", markersize=8, markeredgewidth=1.2)
 
 
-def draw_largest_temperatures(
-    axes: Axes, places: Sequence[float], solutions: Sequence[Solution], bodies: tuple[str, str]
-) -> None:
-    """Largest temperatures of heated solutions over a sweep, with their error bars, and the inlet's."""
-    for name, label, colour in (
-        ("temperature_max_body_1", bodies[0], "tab:blue"),
-        ("temperature_max_body_2", bodies[1], "tab:orange"),
-        ("temperature_max_film", "film", "tab:red"),
-    ):
-        estimates = [getattr(solution.figures, name) for solution in solutions]
-        hottest = with_gaps(solutions, [estimate.value for estimate in estimates])
-        style = {"fmt": "o-", "color": colour, "capsize": 3, "label": label}
-        rises = np.array(
-            [
-                solution.rise(estimate)
-                for solution, estimate in zip(solutions, estimates, strict=True)
-            ]
-        )
-        draw_estimates(axes, places, hottest - ZERO_CELSIUS, rises, estimates, **style)
-    inlet = np.array([solution.inlet_temperature for solution in solutions])
-    axes.plot(places, inlet - ZERO_CELSIUS, "--", color="0.4", label="inlet")
-    mark_gaps(axes, places, solutions)
-    low, high = axes.get_ylim()
-    axes.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
-    axes.set_ylabel(broken(QUANTITIES["temperature_max"].axis()))
-    axes.legend(frameon=False, ncols=4, loc="upper left")
-
-
-def between_nodes(
-    nodes: np.ndarray, field: np.ndarray, places: np.ndarray, axis: int
+def _between_nodes(
+    known: np.ndarray, values: np.ndarray, places: np.ndarray, axis: int
 ) -> np.ndarray:
-    """A field along one of its axes at places between nodes, linearly; the outermost values beyond them."""
-    position = np.interp(places, nodes, np.arange(nodes.size))
-    first = np.minimum(whole(position), nodes.size - 2)
+    """Values along one of their axes at places between nodes, linearly; the outermost beyond them."""
+    position = np.interp(places, known, np.arange(known.size))
+    first = np.minimum(whole(position), known.size - 2)
     weight = (position - first).reshape(-1, *[1] * (1 - axis))
-    before, behind = (np.take(field, first + step, axis) for step in (0, 1))
+    before, behind = (np.take(values, first + step, axis) for step in (0, 1))
     return before + weight * (behind - before)

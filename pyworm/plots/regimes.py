@@ -83,14 +83,11 @@ NODES = 181
 def draw_regimes(result: Result) -> Figure:
     """Every contact of a result on the chart of its kind, one for lines and one for points."""
     regimes = [solution.regime for solution in result.solutions]
-    kinds = [
-        kind for kind in (False, True) if any((regime.ratio is None) == kind for regime in regimes)
-    ]
+    kinds = sorted({regime.ratio is None for regime in regimes})
     size, room = (6.4 * len(kinds), 5.4), (0.8, 0.1, 0.6, 0.5)
-    spaced = {"ncols": len(kinds), "squeeze": False, "gridspec_kw": {"wspace": 0.17}}
     words = result_heading(result, "regimes of lubrication")
-    figure, panels = placed_panels(size, words, room, **spaced)
-    for axes, line in zip(panels[0], kinds, strict=True):
+    figure, panels = placed_panels(size, words, room, columns=len(kinds), space=0.17)
+    for axes, line in zip(panels, kinds, strict=True):
         shown = [
             (str(ContactIndex.of(solution)) or solution.name, solution.regime)
             for solution in result.solutions
@@ -194,12 +191,8 @@ def _shade(axes: Axes, number: np.ndarray) -> None:
     shades: dict[str, Any] = {"cmap": ListedColormap(SHADES), "vmin": 0, "vmax": 3}
     # places are even on both scales, as those of an image, whose outermost stand on the sides of the panel
     low, high = -0.5 / (len(number) - 1), 1 + 0.5 / (len(number) - 1)
-    place: dict[str, Any] = {
-        "extent": (low, high) * 2,
-        "transform": axes.transAxes,
-        "aspect": "auto",
-    }
-    axes.imshow(number, origin="lower", interpolation="nearest", **place, **shades)
+    place: dict[str, Any] = {"extent": (low, high) * 2, "transform": axes.transAxes}
+    axes.imshow(number, origin="lower", interpolation="nearest", aspect="auto", **place, **shades)
 
 
 def _draw_published(axes: Axes, middle: Regime, m: np.ndarray, el: np.ndarray) -> list[Line2D]:
@@ -250,25 +243,15 @@ def _draw_contacts(axes: Axes, shown: Sequence[tuple[str, Regime]]) -> None:
     numbers = np.array([REGIMES.index(regime.name) for _, regime in shown])
     for number in np.unique(numbers):
         which = numbers == number
-        look: dict[str, Any] = {
-            "ls": "",
-            "marker": "o",
-            "mfc": DOTS[number],
-            "mec": "tab:red",
-            "ms": 7,
-        }
+        look: dict[str, Any] = {"ls": "", "marker": "o", "mec": "tab:red", "ms": 7}
+        look["mfc"] = DOTS[number]
         axes.plot(m[which], el[which], **look)
         entries.append(Line2D([], [], label=REGIMES[number], **look))
     for end in {0, len(shown) - 1}:
         right = axes.transLimits.transform(np.log10((m[end], el[end])))[0] > RIGHT_PART
-        axes.annotate(
-            shown[end][0],
-            (m[end], el[end]),
-            xytext=(-8 if right else 8, -12),
-            ha="right" if right else "left",
-            textcoords="offset points",
-            fontsize=9,
-        )
+        offset, ha = ((-8, -12), "right") if right else ((8, -12), "left")
+        place: dict[str, Any] = {"xytext": offset, "textcoords": "offset points", "ha": ha}
+        axes.annotate(shown[end][0], (m[end], el[end]), fontsize=9, **place)
     axes.legend(handles=entries, fontsize=7, loc="lower left", framealpha=0.8)
     axes.set_title(_title(middle, len(shown)), fontsize=9, y=1)
 

@@ -6,9 +6,8 @@ from matplotlib.figure import Figure
 
 from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
-from pyworm.plots.error_bars import draw_estimates
-from pyworm.plots.layout import mark_gaps, placed_panels, result_heading, with_gaps
-from pyworm.plots.overlays import draw_largest_temperatures
+from pyworm.plots.error_bars import draw_figure, draw_largest_temperatures
+from pyworm.plots.layout import add_grids, mark_gaps, placed_panels, result_heading
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
@@ -20,15 +19,13 @@ def draw_traction(result: Result) -> Figure:
     heated = [solution for solution in swept if solution.figures.temperature_max_film is not None]
     rows = 2 if heated else 1
     size, room = (8, 3.2 * rows + 0.6), (0.9, 0.1, 0.5, 0.1)
-    spaced = {"nrows": rows, "sharex": True, "squeeze": False, "gridspec_kw": {"hspace": 0.06}}
-    figure, panels = placed_panels(size, result_heading(result, "traction curve"), room, **spaced)
-    axes = panels[:, 0]
+    words = result_heading(result, "traction curve")
+    figure, axes = placed_panels(size, words, room, rows, space=0.06, sharex=True)
     _draw_friction(axes[0], swept)
     if heated:
         ratios = [_slide_roll_ratio(solution) for solution in heated]
         draw_largest_temperatures(axes[1], ratios, heated, result.body_names)
-    for panel in axes:
-        panel.grid(True, color="0.9")
+    add_grids(axes)
     axes[-1].set_xlabel("slide-roll ratio")
     return figure
 
@@ -50,12 +47,9 @@ def traction_curve(result: Result) -> list[Solution]:
 def _draw_friction(axes: Axes, swept: list[Solution]) -> None:
     """The friction coefficient takes the sign of the sliding."""
     ratios = [_slide_roll_ratio(solution) for solution in swept]
-    estimates = [present(solution.figures.friction_coefficient, "friction") for solution in swept]
-    friction = with_gaps(swept, [estimate.value for estimate in estimates])
-    signed = np.sign(ratios) * friction
-    style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}
-    draw_estimates(axes, ratios, signed, friction, estimates, **style)
+    name, style = "friction_coefficient", {"fmt": "o-", "color": "tab:purple", "capsize": 3}
+    draw_figure(axes, ratios, swept, name, style, np.sign(ratios))
     mark_gaps(axes, ratios, swept)
     if not all(solution.converged for solution in swept):
         axes.legend(frameon=False)
-    axes.set_ylabel(of_all(swept).qualified(QUANTITIES["friction_coefficient"].axis()))
+    axes.set_ylabel(of_all(swept).qualified(QUANTITIES[name].axis()))

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.io.quantities import QUANTITIES
-from pyworm.plots.layout import MICRO, MILLI, new_figure
+from pyworm.plots.layout import MICRO, MILLI, add_grids, new_figure
 
 if TYPE_CHECKING:
     from pyworm.batch.wear_run import WearFigures, WearRun
@@ -20,8 +20,8 @@ def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
     panels = figure.subplots(2, 3)
     steps = run.steps
     _draw_depth(panels[0, 0], steps, limit)
-    _draw_running_in(panels[0, 1], steps)
-    _draw_pattern(panels[0, 2], steps)
+    for axes, pair in zip(panels[0, 1:], _PAIRS, strict=True):
+        _draw_pair(axes, steps, pair)
     chosen = sorted({min(1, len(steps) - 1), len(steps) // 2, len(steps) - 1})
     deepest = max(float(run.depths[-1].max()) * MICRO, 1e-3)
     for axes, index in zip(panels[1][: len(chosen)], chosen, strict=True):
@@ -40,41 +40,39 @@ def draw_wear(name: str, run: "WearRun", limit: float) -> Figure:
 
 def _draw_depth(axes: Axes, steps: Sequence["WearFigures"], limit: float) -> None:
     hours = [step.hours for step in steps]
-    axes.plot(hours, [step.depth_max_m * MICRO for step in steps], "o-", label="maximum")
-    axes.plot(
-        hours, [step.depth_mean_m * MICRO for step in steps], "s-", label="mean in the pattern"
-    )
-    axes.plot(
-        hours, [step.backlash_m * MICRO for step in steps], "^--", color="0.4", label="backlash"
-    )
+    for name, style, label, colour in (
+        ("depth_max_m", "o-", "maximum", "tab:blue"),
+        ("depth_mean_m", "s-", "mean in the pattern", "tab:orange"),
+        ("backlash_m", "^--", "backlash", "0.4"),
+    ):
+        depths = [getattr(step, name) * MICRO for step in steps]
+        axes.plot(hours, depths, style, label=label, color=colour)
     if steps[-1].depth_max_m > 0.3 * limit:
         axes.axhline(limit * MICRO, color="tab:red", linestyle=":", label="permissible")
     axes.set_xlabel("time / h")
     axes.set_ylabel("wear depth / µm")
     axes.legend(frameon=False, fontsize="small")
-    axes.grid(True, color="0.9")
+    add_grids([axes])
 
 
-def _draw_running_in(axes: Axes, steps: Sequence["WearFigures"]) -> None:
-    hours = [step.hours for step in steps]
-    axes.plot(hours, [step.friction for step in steps], "o-", color="tab:purple")
-    axes.set_ylim(0, 1.15 * max(step.friction for step in steps))
+_PAIRS = (
+    (
+        ("friction", 1.0, QUANTITIES["friction_coefficient"].axis(), "o-", "tab:purple"),
+        ("asperity_share", 100.0, QUANTITIES["asperity_load_fraction"].axis(), "s--", "tab:brown"),
+    ),
+    (
+        ("pattern_m2", 1e6, "contact pattern / mm²", "o-", "tab:blue"),
+        ("film_min_m", MICRO, QUANTITIES["film_min"].axis(), "s--", "tab:green"),
+    ),
+)
+"""Figure on the left and on the right of each panel: factor to the unit shown, label, style and colour."""
+
+
+def _draw_pair(axes: Axes, steps: Sequence["WearFigures"], pair: tuple) -> None:
+    """Two figures over time, each on a scale from zero of its own."""
     axes.set_xlabel("time / h")
-    axes.set_ylabel(QUANTITIES["friction_coefficient"].axis(), color="tab:purple")
-    shared = axes.twinx()
-    shared.plot(hours, [100 * step.asperity_share for step in steps], "s--", color="tab:brown")
-    shared.set_ylim(0, 115 * max(step.asperity_share for step in steps))
-    shared.set_ylabel(QUANTITIES["asperity_load_fraction"].axis(), color="tab:brown")
-
-
-def _draw_pattern(axes: Axes, steps: Sequence["WearFigures"]) -> None:
-    hours = [step.hours for step in steps]
-    axes.plot(hours, [step.pattern_m2 * 1e6 for step in steps], "o-", color="tab:blue")
-    axes.set_ylim(0, 1.15 * max(step.pattern_m2 for step in steps) * 1e6)
-    axes.set_xlabel("time / h")
-    axes.set_ylabel("contact pattern / mm²", color="tab:blue")
-    films = np.array([step.film_min_m for step in steps]) * MICRO
-    axes_film = axes.twinx()
-    axes_film.plot(hours, films, "s--", color="tab:green")
-    axes_film.set_ylim(0, 1.15 * films.max())
-    axes_film.set_ylabel(QUANTITIES["film_min"].axis(), color="tab:green")
+    for panel, (name, scale, label, style, colour) in zip((axes, axes.twinx()), pair, strict=True):
+        values = scale * np.array([getattr(step, name) for step in steps])
+        panel.plot([step.hours for step in steps], values, style, color=colour)
+        panel.set_ylim(0, 1.15 * values.max())
+        panel.set_ylabel(label, color=colour)

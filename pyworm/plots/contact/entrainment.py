@@ -3,7 +3,15 @@
 import numpy as np
 from matplotlib.figure import Figure
 
-from pyworm.plots.layout import MILLI, colour_bar, contact_window, heading, in_window, panels
+from pyworm.plots.layout import (
+    colour_bar,
+    contact_window,
+    field,
+    heading,
+    in_window,
+    nodes,
+    panels,
+)
 from pyworm.plots.overlays import draw_contact_point, draw_dry_outline, draw_tooth
 from pyworm.solver.solution import Solution
 
@@ -21,13 +29,12 @@ def draw_entrainment(case_name: str, solution: Solution) -> Figure:
     """
     window = contact_window(solution.fields)
     fields = in_window(solution.fields, window)
-    u = fields["entrainment_x"].transpose("y", "x").values
-    v = fields["entrainment_y"].transpose("y", "x").values
+    u, v = (field(fields, f"entrainment_{axis}") for axis in "xy")
     speed = np.hypot(u, v)
     uniform = np.ptp(speed) <= UNIFORM * speed.max()
     title = f"entrainment, {speed.mean():.3g} m/s all over" if uniform else "entrainment"
     figure, (axes,) = panels(window, [title], heading(case_name, solution))
-    x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
+    x, y = nodes(fields)
     if not uniform:
         bands = axes.contourf(x, y, speed, levels=24, cmap="cividis")
         colour_bar(axes, bands, "entrainment speed / (m/s)")
@@ -65,9 +72,8 @@ def inflow_points(x: np.ndarray, y: np.ndarray, u: np.ndarray, v: np.ndarray) ->
     inflow = np.maximum(inward, 0)
     flow = np.append(0, np.cumsum(length * (inflow[1:] + inflow[:-1]) / 2))
     fraction = flow[-1] * (np.arange(LINES) + 0.5) / LINES
-    points = np.stack(
-        [np.interp(fraction, flow, around_x), np.interp(fraction, flow, around_y)], axis=1
-    )
+    around = (np.interp(fraction, flow, side) for side in (around_x, around_y))
+    points = np.stack([*around], axis=1)
     # A hair inside, since rounding would put some of them outside.
     centre = np.array([x[0] + x[-1], y[0] + y[-1]]) / 2
     return points + 1e-6 * (centre - points)

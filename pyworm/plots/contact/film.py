@@ -11,11 +11,13 @@ from pyworm.plots.layout import (
     Window,
     colour_bar,
     contact_window,
+    field,
     heading,
     in_window,
+    nodes,
     panels,
 )
-from pyworm.plots.overlays import between_nodes, draw_dry_outline, draw_tooth
+from pyworm.plots.overlays import at_places, draw_dry_outline, draw_tooth
 from pyworm.solver.solution import Solution
 
 CLIP = 3.0
@@ -47,25 +49,18 @@ def draw_film(case_name: str, solution: Solution) -> Figure:
     ]
     figure, (film_axes, light_axes) = panels(window, titles, heading(case_name, solution))
 
-    film = quantity.number(fields["film"].transpose("y", "x").values)
+    film = *nodes(fields), quantity.number(field(fields, "film"))
     top = quantity.number(thickest_shown(solution))
-    x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
     levels = np.linspace(0, top, 41)
-    bands = film_axes.contourf(x, y, film, levels=levels, cmap=quantity.colours, extend="max")
+    bands = film_axes.contourf(*film, levels=levels, cmap=quantity.colours, extend="max")
     lines = np.asarray(MaxNLocator(12).tick_values(0, top))
     lines = lines[lines <= top]
-    film_axes.contour(x, y, film, levels=lines, colors="white", linewidths=0.5, alpha=0.8)
+    film_axes.contour(*film, levels=lines, colors="white", linewidths=0.5, alpha=0.8)
     draw_tooth(film_axes, fields)
     draw_dry_outline(film_axes, fields, "black")
     if solution.converged:
-        film_axes.plot(
-            figures.film_min_at[0] * MILLI,
-            figures.film_min_at[1] * MILLI,
-            "o",
-            markerfacecolor="none",
-            markeredgecolor="tab:red",
-            markeredgewidth=1.5,
-        )
+        place = [coordinate * MILLI for coordinate in figures.film_min_at]
+        film_axes.plot(*place, "o", mfc="none", mec="tab:red", mew=1.5)
     colour_bar(film_axes, bands, quantity.axis(), lines)
 
     light_axes.imshow(
@@ -87,11 +82,9 @@ def interferogram(fields: AnyDataset, window: Window) -> np.ndarray:
     therefore fade where the gap opens.
     """
     columns, rows = (round(PIXELS_PER_INCH * side) for side in window.panel_size)
-    x = np.linspace(window.left, window.right, columns) / MILLI
-    y = np.linspace(window.bottom, window.top, rows) / MILLI
-    film = fields["film"].transpose("y", "x").values
-    for axis, (nodes, places) in enumerate(((fields["y"].values, y), (fields["x"].values, x))):
-        film = between_nodes(nodes, film, places, axis)
+    x = np.linspace(window.left, window.right, columns)
+    y = np.linspace(window.bottom, window.top, rows)
+    film = at_places(fields, field(fields, "film"), x, y)
     phase = 4 * np.pi * REFRACTIVE_INDEX * film[..., None] / WAVELENGTHS
     along_y, along_x = np.gradient(phase, axis=(0, 1))
     contrast = _pixel_average(along_x) * _pixel_average(along_y)

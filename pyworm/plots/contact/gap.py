@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 
 from pyworm.io.plain_dataset import AnyDataset
-from pyworm.plots.layout import MICRO, MILLI, heading, panels, whole_window
+from pyworm.plots.layout import MICRO, MILLI, Style, heading, nodes, panels, whole_window
 from pyworm.plots.overlays import draw_contact_point, draw_dry_outline, draw_tooth
 from pyworm.solver.solution import Solution
 
@@ -32,34 +32,17 @@ def draw_gap(case_name: str, solution: Solution) -> Figure:
     draw_dry_outline(axes, fields, "tab:red")
     legend.append(Line2D([], [], color="tab:red", linewidth=1.2, label="dry contact"))
     if "tooth_outline_x" in fields:
-        solved = Rectangle(
-            (fields["x"].values[0] * MILLI, fields["y"].values[0] * MILLI),
-            np.ptp(fields["x"].values) * MILLI,
-            np.ptp(fields["y"].values) * MILLI,
-            fill=False,
-            edgecolor="0.5",
-            linestyle=":",
-            label="grid",
-        )
+        x, y = nodes(fields)
+        look: Style = {"fill": False, "edgecolor": "0.5", "linestyle": ":", "label": "grid"}
+        solved = Rectangle((x[0], y[0]), np.ptp(x), np.ptp(y), **look)
         axes.add_patch(solved)
         legend.append(solved)
     if "contact_path_x" in fields:
-        (path,) = axes.plot(
-            fields["contact_path_x"] * MILLI,
-            fields["contact_path_y"] * MILLI,
-            color="tab:blue",
-            linewidth=1.5,
-            label="path of contact",
-        )
-        legend.append(path)
+        path = (fields[f"contact_path_{axis}"].values * MILLI for axis in "xy")
+        legend += axes.plot(*path, color="tab:blue", linewidth=1.5, label="path of contact")
     draw_contact_point(axes)
-    axes.legend(
-        handles=legend,
-        loc="lower center",
-        bbox_to_anchor=(0.5, 1.0),
-        ncols=len(legend),
-        frameon=False,
-    )
+    place: Style = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "ncols": len(legend)}
+    axes.legend(handles=legend, frameon=False, **place)
     return figure
 
 
@@ -69,12 +52,8 @@ def _draw_contours(axes: Axes, gap: np.ndarray, x: np.ndarray, y: np.ndarray) ->
     levels = _levels(highest)
     colours = colormaps["viridis"](np.linspace(0.1, 0.8, levels.size))
     contours = axes.contour(x, y, gap, levels=levels, colors=colours, linewidths=1.0)
-    axes.clabel(
-        contours,
-        levels[levels >= highest / LABELLED],
-        fmt=lambda value: f"{value:g}",
-        fontsize="small",
-    )
+    labelled = levels[levels >= highest / LABELLED]
+    axes.clabel(contours, labelled, fmt=lambda value: f"{value:g}", fontsize="small")
     colour = colours[levels.size // 2]
     return Line2D([], [], color=colour, linewidth=1.0, label="undeformed gap / µm")
 

@@ -1,7 +1,5 @@
 """Maps of a contact's fields: pressure, temperature, shear stress and frictional power, lubricant supply."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
@@ -16,10 +14,13 @@ from pyworm.io.present import present
 from pyworm.io.quantities import BODIES, QUANTITIES
 from pyworm.plots.layout import (
     MILLI,
+    Style,
     colour_bar,
     contact_window,
+    field,
     heading,
     in_window,
+    nodes,
     panels,
     whole_window,
 )
@@ -94,7 +95,7 @@ def draw_temperature(
         _draw_map(panel, fields, values, bounds, scale, bounds)
         colour_bar(panel, scale, maximum.axis("temperature"), bounds)
     mean, sliding = (
-        [fields[f"{motion}_{axis}"].transpose("y", "x").values for axis in "xy"]
+        [field(fields, f"{motion}_{axis}") for axis in "xy"]
         for motion in ("entrainment", "sliding")
     )
     for panel, sign in zip(axes[:2], (1, -1), strict=True):
@@ -115,7 +116,7 @@ def draw_friction(case_name: str, solution: Solution, bodies: tuple[str, str] = 
     stress, power, coefficient = (
         QUANTITIES[name] for name in ("shear_stress", "friction_power", "friction_coefficient")
     )
-    components = [fields[f"shear_stress_{axis}"].transpose("y", "x").values for axis in "xy"]
+    components = [field(fields, f"shear_stress_{axis}") for axis in "xy"]
     maps = stress.number(np.hypot(*components)), _values(fields, power.name)
     smooth = f" {AS_IF_SMOOTH}" if solution.neglected_effects.as_if_smooth else ""
     most, highest = (
@@ -147,20 +148,16 @@ def draw_supply(case_name: str, solution: Solution) -> Figure:
         f"oil in the gap: {present(figures.supply, 'supply').supply_ratio:.2g} of the flooded film supplied",
     ]
     figure, axes = panels(whole_window(fields), titles, heading(case_name, solution))
-    x, y = (fields[axis].values * MILLI for axis in "xy")
-    fraction = fields["oil_fraction"].transpose("y", "x").values
-    oil = np.minimum(
-        fraction * _values(fields, "film"),
-        thickest := THICKEST * film.number(figures.film_central.value),
-    )
+    fraction = field(fields, "oil_fraction")
+    thickest = THICKEST * film.number(figures.film_central.value)
+    oil = np.minimum(fraction * _values(fields, "film"), thickest)
     maps = (
         (fraction, 1.0, "fraction filled", "cividis"),
         (oil, thickest, film.axis("oil"), film.colours),
     )
-    for panel, (field, top, label, colours) in zip(axes, maps, strict=True):
-        shown = panel.pcolormesh(
-            x, y, field, vmin=0.0, vmax=top, cmap=colours, shading="nearest", rasterized=True
-        )
+    for panel, (values, top, label, colours) in zip(axes, maps, strict=True):
+        look: Style = {"vmin": 0.0, "vmax": top, "cmap": colours, "shading": "nearest"}
+        shown = panel.pcolormesh(*nodes(fields), values, rasterized=True, **look)
         draw_tooth(panel, fields)
         draw_dry_outline(panel, fields, "white")
         colour_bar(panel, shown, label)
@@ -169,7 +166,7 @@ def draw_supply(case_name: str, solution: Solution) -> Figure:
 
 def _values(fields: AnyDataset, name: str) -> np.ndarray:
     """A field (y, x) in the unit in which it is shown."""
-    return QUANTITIES[name].number(fields[name].transpose("y", "x").values)
+    return QUANTITIES[name].number(field(fields, name))
 
 
 def _levels(low: float, high: float, count: int) -> np.ndarray:
@@ -193,11 +190,11 @@ def _draw_map(
     lines: np.ndarray,
 ) -> None:
     """Bands of a field with lines between some of them, the tooth and the outline of the dry contact."""
-    x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
-    axes.contourf(x, y, values, levels=levels, cmap=scale.cmap, norm=scale.norm)
+    places = nodes(fields)
+    axes.contourf(*places, values, levels=levels, cmap=scale.cmap, norm=scale.norm)
     within = lines[(lines > values.min()) & (lines < values.max())]
     if within.size:
-        axes.contour(x, y, values, levels=within, colors="white", linewidths=0.4, alpha=0.6)
+        axes.contour(*places, values, levels=within, colors="white", linewidths=0.4, alpha=0.6)
     draw_tooth(axes, fields)
     draw_dry_outline(axes, fields, "tab:cyan")
 
@@ -206,17 +203,15 @@ def _mark_profile(axes: Axes, solution: Solution) -> None:
     """A circle where the profile across the film is taken."""
     profile = solution.dataset("profile")
     place = [float(profile[f"profile_{axis}"].values) * MILLI for axis in "xy"]
-    style: dict[str, Any] = {"markersize": 8, "markerfacecolor": "none", "markeredgewidth": 1.5}
-    axes.plot(*place, "o", markeredgecolor="tab:cyan", **style)
+    axes.plot(*place, "o", mec="tab:cyan", ms=8, mfc="none", mew=1.5)
 
 
 def _draw_slip(axes: Axes, fields: AnyDataset) -> None:
     """Hatches where the limiting stress is reached at a surface."""
-    slip = fields["slip"].transpose("y", "x").values
+    slip = field(fields, "slip")
     if slip.max() == 0:
         return
-    x, y = fields["x"].values * MILLI, fields["y"].values * MILLI
-    axes.contourf(x, y, slip, levels=[0.5, 3.5], colors="none", hatches=["xxx"])
+    axes.contourf(*nodes(fields), slip, levels=[0.5, 3.5], colors="none", hatches=["xxx"])
     axes.legend(handles=[Patch(facecolor="none", edgecolor="black", hatch="xxx", label="slip")])
 
 

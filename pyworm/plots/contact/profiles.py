@@ -10,7 +10,7 @@ from pyworm.formulas.hertz import HertzContact, hertz
 from pyworm.io.plain_dataset import AnyDataset
 from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.contact.film import thickest_shown
-from pyworm.plots.layout import MEGA, MICRO, MILLI, contact_window, heading, placed_panels
+from pyworm.plots.layout import MEGA, MICRO, MILLI, Style, contact_window, heading, placed_panels
 from pyworm.solver.solution import Solution
 
 PRESSURE_COLOUR, FILM_COLOUR = "tab:red", "tab:blue"
@@ -18,9 +18,8 @@ PRESSURE_COLOUR, FILM_COLOUR = "tab:red", "tab:blue"
 
 def draw_profiles(case_name: str, solution: Solution) -> Figure:
     """Film pressure, dry pressure, Hertz pressure (dashed) and film along x and along y."""
-    room = (0.7, 0.72, 0.85, 0.1)
-    spaced = {"nrows": 2, "gridspec_kw": {"hspace": 0.18}}
-    figure, panels = placed_panels((9, 7.5), heading(case_name, solution), room, **spaced)
+    size, room = (9, 7.5), (0.7, 0.72, 0.85, 0.1)
+    figure, panels = placed_panels(size, heading(case_name, solution), room, rows=2, space=0.18)
     window = contact_window(solution.fields)
     contact = _hertz_of(solution.fields)
     fields = solution.fields[["pressure", "dry_pressure", "film", "covered"]]
@@ -46,46 +45,26 @@ def draw_profile(
     """
     place = line[along].values
     fine = np.linspace(place[0], place[-1], 2001)
-    pressure = axes.plot(
-        place * MILLI, line["pressure"].values * MEGA, color=PRESSURE_COLOUR, label="film pressure"
-    )
-    dry = []
+    place, thin = place * MILLI, Style(linewidth=1.0)
+    pressure = line["pressure"].values * MEGA
+    curves = axes.plot(place, pressure, color=PRESSURE_COLOUR, label="film pressure")
     if "dry_pressure" in line:
-        dry = axes.plot(
-            place * MILLI,
-            line["dry_pressure"].values * MEGA,
-            color="0.4",
-            linewidth=1.0,
-            label="dry pressure",
-        )
-    dashed = axes.plot(
-        fine * MILLI,
-        hertz_pressure(fine) * MEGA,
-        "--",
-        color="black",
-        linewidth=1.0,
-        label="Hertz pressure",
-    )
+        dry = line["dry_pressure"].values * MEGA
+        curves += axes.plot(place, dry, color="0.4", label="dry pressure", **thin)
+    hertz = hertz_pressure(fine) * MEGA
+    curves += axes.plot(fine * MILLI, hertz, "--", color="black", label="Hertz pressure", **thin)
     axes.set_ylim(bottom=0)
     axes.set_ylabel(QUANTITIES["pressure"].axis(), color=PRESSURE_COLOUR)
-    if line["covered"].values.min() < 0.5:
-        axes.fill_between(
-            place * MILLI,
-            0,
-            1,
-            where=line["covered"].values < 0.5,
-            transform=axes.get_xaxis_transform(),
-            color="0.85",
-            hatch="////",
-            edgecolor="0.6",
-        )
-    film_axes = axes.twinx()
-    film = film_axes.plot(
-        place * MILLI, line["film"].values * MICRO, color=FILM_COLOUR, label="film"
-    )
+    missing = line["covered"].values < 0.5
+    if missing.any():
+        look: Style = {"color": "0.85", "hatch": "////", "edgecolor": "0.6"}
+        height = axes.get_xaxis_transform()
+        axes.fill_between(place, 0, 1, where=missing, transform=height, **look)
+    film, film_axes = line["film"].values * MICRO, axes.twinx()
+    curves += film_axes.plot(place, film, color=FILM_COLOUR, label="film")
     film_axes.set_ylim(0, top)
     film_axes.set_ylabel(QUANTITIES["film"].axis(), color=FILM_COLOUR)
-    return [*pressure, *dry, *dashed, *film]
+    return curves
 
 
 def _hertz_of(fields: AnyDataset) -> HertzContact:

@@ -1,12 +1,10 @@
 """The line of action of a pair of gears, over the roll angle of the pinion."""
 
 from collections.abc import Iterable, Sequence
-from functools import partial
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import ArrayLike
 
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.bounded_number import read_json
@@ -14,22 +12,13 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
-from pyworm.plots.error_bars import draw_estimates
-from pyworm.plots.layout import (
-    MEGA,
-    MICRO,
-    MILLI,
-    broken,
-    mark_gaps,
-    new_figure,
-    result_heading,
-    with_gaps,
-)
+from pyworm.plots.error_bars import draw_figure
+from pyworm.plots.layout import MEGA, MICRO, MILLI, broken, mark_gaps, new_figure, result_heading
 from pyworm.ratings.flank_damage import hotter_flank
 from pyworm.result.headline import of_all
 from pyworm.result.mesh_cycle import phase_of
 from pyworm.result.result import Result
-from pyworm.solver.solution import Estimate, Solution
+from pyworm.solver.solution import Solution
 
 ROOM = 0.22
 """Room above the curves for a legend, as a fraction of their height."""
@@ -69,9 +58,8 @@ def draw_line_of_action(result: Result) -> Figure:
     unit_load = cycle["unit_load"] / MILLI
     panels[0].plot(roll, unit_load, color="black", label="without friction")
     if "friction_load_factor" in cycle:
-        friction = (
-            f"with friction {cycle.attrs['friction_coefficient']:g}, same torque of the driver"
-        )
+        coefficient = cycle.attrs["friction_coefficient"]
+        friction = f"with friction {coefficient:g}, same torque of the driver"
         rubbed = unit_load * cycle["friction_load_factor"]
         panels[0].plot(roll, rubbed, color="tab:purple", linestyle="--", label=friction)
     panels[0].set_ylabel("load per length\n/ (N/mm)")
@@ -103,7 +91,9 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution]) -> N
         curve = cycle[f"closed_form_{name}"] * MICRO
         axes.plot(_roll(cycle), curve, color=colour, label=f"{label}, {formula}")
         if solved:
-            _draw_simulated(axes, cycle, solved, name, colour, f"{label}, simulated")
+            style = {"fmt": "o", "color": colour, "capsize": 3, "label": f"{label}, simulated"}
+            draw_figure(axes, _rolls(cycle, solved), solved, name, style)
+    mark_gaps(axes, _rolls(cycle, solved), solved)
     axes.set_ylabel(QUANTITIES["film"].axis())
     axes.set_ylim(bottom=0)
     _legend(axes, 2)
@@ -111,29 +101,13 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution]) -> N
         # a copy of the left axis: film over composite roughness
         film, specific = (cycle[f"closed_form_{name}"] for name in ("film_min", "specific_film"))
         roughness = float((film / specific)[0]) * MICRO
-        right = axes.secondary_yaxis(
-            "right", functions=(partial(_over, roughness), partial(_times, roughness))
+        scales = (
+            lambda values: np.asarray(values) / roughness,
+            lambda values: np.asarray(values) * roughness,
         )
-        right.set_ylabel(QUANTITIES["specific_film"].axis())
-
-
-def _over(scale: float, values: ArrayLike) -> np.ndarray:
-    return np.asarray(values) / scale
-
-
-def _times(scale: float, values: ArrayLike) -> np.ndarray:
-    return np.asarray(values) * scale
-
-
-def _draw_simulated(
-    axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution], name: str, colour: str, label: str
-) -> None:
-    estimates: list[Estimate] = [getattr(solution.figures, name) for solution in solved]
-    film = with_gaps(solved, [estimate.value for estimate in estimates]) * MICRO
-    style = {"fmt": "o", "color": colour, "capsize": 3, "label": label}
-    draw_estimates(axes, _rolls(cycle, solved), film, film, estimates, **style)
-    if name == "film_min":
-        mark_gaps(axes, _rolls(cycle, solved), solved)
+        axes.secondary_yaxis("right", functions=scales).set_ylabel(
+            QUANTITIES["specific_film"].axis()
+        )
 
 
 def _draw_temperature(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution]) -> None:
@@ -151,10 +125,9 @@ def _draw_temperature(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution
             flash = cycle["closed_form_flash_temperature"]
             bulk = float((cycle["closed_form_contact_temperature"] - flash)[0]) - ZERO_CELSIUS
             found = [
-                present(solution.figures.friction_coefficient, "friction").value
-                for solution in heated
+                present(solution.figures.friction_coefficient, "friction") for solution in heated
             ]
-            ratios = np.array(found) / friction
+            ratios = np.array([coefficient.value for coefficient in found]) / friction
             rise = np.interp([phase_of(solution) for solution in heated], cycle["phase"], flash)
             axes.plot(
                 rolls, bulk + ratios * rise, "s", color="tab:red", fillstyle="none", markersize=9,
@@ -162,14 +135,11 @@ def _draw_temperature(axes: Axes, cycle: "xr.Dataset", solved: Sequence[Solution
             )  # fmt: skip
     if heated:
         hottest = [present(hotter_flank(solution), "temperature").value for solution in heated]
-        axes.plot(
-            rolls, np.array(hottest) - ZERO_CELSIUS, "o", color="black", label="simulated surface"
-        )
+        simulated = np.array(hottest) - ZERO_CELSIUS
+        axes.plot(rolls, simulated, "o", color="black", label="simulated surface")
     if "scuffing_temperature_K" in cycle.attrs:
         scuffing = cycle.attrs["scuffing_temperature_K"] - ZERO_CELSIUS
-        axes.axhline(
-            scuffing, color="tab:purple", linestyle="--", label="mean scuffing temperature"
-        )
+        axes.axhline(scuffing, color="tab:purple", ls="--", label="mean scuffing temperature")
     axes.set_ylabel("contact temperature / °C")
     _legend(axes, 2)
 
@@ -233,9 +203,7 @@ def _rolls(cycle: "xr.Dataset", solved: Sequence[Solution]) -> np.ndarray:
 
 CYCLE_PICTURES = {
     "film_and_temperature": CyclePicture(
-        "Film and contact temperature along the line of action",
-        draw_film_and_temperature,
-        signed=True,
+        "Film and contact temperature along the line of action", draw_film_and_temperature, True
     ),
     "line_of_action": CyclePicture(
         "Load, pressure, speeds and sliding along the line of action", draw_line_of_action

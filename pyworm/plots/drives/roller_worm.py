@@ -1,5 +1,7 @@
 """Film, load and motion along a roller's path through both sections, and sensitivities of its film."""
 
+from collections.abc import Iterator
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -11,15 +13,16 @@ from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
-from pyworm.plots.error_bars import draw_estimates
+from pyworm.plots.error_bars import draw_figure
 from pyworm.plots.layout import (
     MICRO,
     MILLI,
+    Style,
+    add_grids,
     broken,
     mark_gaps,
     placed_panels,
     result_heading,
-    with_gaps,
 )
 from pyworm.result.mesh_cycle import phase_of
 from pyworm.result.result import Result
@@ -29,18 +32,21 @@ from pyworm.solver.solution import Solution
 def draw_roller_cycle(result: Result) -> Figure:
     """Film, load, velocities and specific film over the wheel angle of a roller."""
     cycle = result.cycle_data
-    words = result_heading(result, "path of a roller through both sections")
-    spaced = {"nrows": 4, "sharex": True, "gridspec_kw": {"hspace": 0.08}}
-    figure, axes = placed_panels((9, 11), words, (0.8, 0.85, 0.5, 0.1), **spaced)
+    words, room = result_heading(result, "path of a roller through both sections"), ROOM
+    figure, axes = placed_panels((9, 11), words, room, rows=4, space=0.08, sharex=True)
     _draw_film(axes[0], cycle, result.solutions)
     _draw_load(axes[1], cycle)
     _draw_motion(axes[2], cycle)
     _draw_lambda(axes[3], cycle)
+    add_grids(axes)
     for panel in axes:
-        panel.grid(True, color="0.9")
         panel.axvspan(*throat(cycle), color="0.93", zorder=0)
     axes[-1].set_xlabel("wheel angle of the roller / ° (motion from left to right)")
     return figure
+
+
+ROOM = 0.8, 0.85, 0.5, 0.1
+"""Room left of panels with two axes, right of them, below and above [inch]."""
 
 
 def throat(cycle: "xr.Dataset") -> tuple[float, float]:
@@ -49,62 +55,54 @@ def throat(cycle: "xr.Dataset") -> tuple[float, float]:
     return float(angle.sel(section="right")[-1]), float(angle.sel(section="left")[0])
 
 
-def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...]) -> None:
-    """Closed forms as lines, solved films with their error bars, and every roller of one instant."""
+def _sections(cycle: "xr.Dataset") -> Iterator[tuple[str, "xr.Dataset", np.ndarray]]:
+    """Colour of each section, its part of the cycle, and the wheel angles there [deg]."""
     for section, colour in SECTION_COLOURS.items():
         cycle_part = cycle.sel(section=section)
-        angle = np.degrees(cycle_part["wheel_angle"])
+        yield colour, cycle_part, np.degrees(cycle_part["wheel_angle"])
+
+
+def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...]) -> None:
+    """Closed forms as lines, solved films with their error bars, and every roller of one instant."""
+    for colour, cycle_part, angle in _sections(cycle):
         least = cycle_part["formula_film_min"].min("station") * MICRO
         most = cycle_part["formula_film_min"].max("station") * MICRO
         axes.fill_between(angle, least, most, color=colour, alpha=0.25, lw=0)
         middle = cycle_part.isel(station=cycle_part.sizes["station"] // 2)
         axes.plot(angle, middle["formula_film_min"] * MICRO, color=colour, lw=1.5)
         axes.plot(angle, middle["printed_film_min"] * MICRO, color=colour, lw=1.2, ls=":")
-        solved = [solution for solution in solutions if solution.section == section]
-        if solved:
-            angles = [
-                float(np.interp(phase_of(solution), cycle_part["phase"], angle))
-                for solution in solved
-            ]
-            film = (
-                with_gaps(solved, [solution.figures.film_min.value for solution in solved]) * MICRO
-            )
-            errors = {"fmt": "k.", "ms": 5, "capsize": 2, "lw": 0.8}
-            estimates = [solution.figures.film_min for solution in solved]
-            draw_estimates(axes, angles, film, film, estimates, **errors)
+        section = cycle_part["section"].item()
+        if solved := [solution for solution in solutions if solution.section == section]:
+            phases = [phase_of(solution) for solution in solved]
+            angles = np.interp(phases, cycle_part["phase"], angle)
+            style = {"fmt": "k.", "ms": 5, "capsize": 2, "lw": 0.8}
+            draw_figure(axes, angles, solved, "film_min", style)
             mark_gaps(axes, angles, solved)
         pitch = np.degrees(cycle.attrs["roller_pitch"])
         mesh = np.arange(np.ceil(angle[0] / pitch), np.floor(angle[-1] / pitch) + 1) * pitch
         film = np.interp(mesh, angle, middle["formula_film_min"] * MICRO)
         axes.plot(mesh, film, "o", mfc="none", mec=colour, ms=9)
-    for style, label in (
+    for kind, label in (
         ({"color": "0.3", "lw": 1.5}, "Dowson and Higginson, middle of the line"),
         ({"color": "0.3", "lw": 6, "alpha": 0.25}, "all along the line"),
         ({"color": "0.3", "lw": 1.2, "ls": ":"}, "the source's formula"),
         ({"color": "black", "marker": ".", "ls": ""}, "solved"),
         ({"mec": "0.3", "marker": "o", "mfc": "none", "ms": 9, "ls": ""}, "rollers of one instant"),
     ):
-        axes.plot([], [], label=label, **style)
+        axes.plot([], [], label=label, **kind)
     axes.set_ylim(bottom=0)
     axes.set_ylabel(QUANTITIES["film_min"].axis())
     axes.legend(frameon=False, ncols=2, fontsize=8, loc="upper center")
-    for section, place in (("right", 0.02), ("left", 0.98)):
-        axes.text(
-            place,
-            0.06,
-            f"{section} section, " + ("idling" if section == "right" else "driving"),
-            color=SECTION_COLOURS[section],
-            transform=axes.transAxes,
-            ha="left" if section == "right" else "right",
-        )
+    ends = ("right", "idling", 0.02, "left"), ("left", "driving", 0.98, "right")
+    for section, runs, place, ha in ends:
+        look: Style = {"color": SECTION_COLOURS[section], "transform": axes.transAxes, "ha": ha}
+        axes.text(place, 0.06, f"{section} section, {runs}", **look)
 
 
 def _draw_load(axes: Axes, cycle: "xr.Dataset") -> None:
     """Load of the roller, and for each length in the middle of its line."""
     other = axes.twinx()
-    for section, colour in SECTION_COLOURS.items():
-        cycle_part = cycle.sel(section=section)
-        angle = np.degrees(cycle_part["wheel_angle"])
+    for colour, cycle_part, angle in _sections(cycle):
         axes.plot(angle, cycle_part["roller_force"], color=colour)
         middle = cycle_part["load_per_length"].isel(station=cycle_part.sizes["station"] // 2)
         other.plot(angle, middle / 1e3, color=colour, ls="--")
@@ -117,13 +115,10 @@ def _draw_load(axes: Axes, cycle: "xr.Dataset") -> None:
 def _draw_motion(axes: Axes, cycle: "xr.Dataset") -> None:
     """Velocities across the line at its ends and in its middle, and the roller's own speed."""
     other = axes.twinx()
-    for section, colour in SECTION_COLOURS.items():
-        cycle_part = cycle.sel(section=section)
-        angle = np.degrees(cycle_part["wheel_angle"])
+    for colour, cycle_part, angle in _sections(cycle):
         worm, roller = cycle_part["worm_velocity"], cycle_part["roller_velocity"]
-        axes.fill_between(
-            angle, worm.min("station"), worm.max("station"), color=colour, alpha=0.3, lw=0
-        )
+        ends = worm.min("station"), worm.max("station")
+        axes.fill_between(angle, *ends, color=colour, alpha=0.3, lw=0)
         axes.plot(angle, roller.mean("station"), color=colour)
         other.plot(angle, abs(cycle_part["roller_speed"]) * RPM / 1e3, color=colour, ls="--")
     axes.fill_between([], [], [], color="0.3", alpha=0.3, lw=0, label="worm, all along the line")
@@ -138,13 +133,10 @@ def _draw_motion(axes: Axes, cycle: "xr.Dataset") -> None:
 def _draw_lambda(axes: Axes, cycle: "xr.Dataset") -> None:
     """Specific film of the closed form along the whole line, and what heat takes from the film."""
     other = axes.twinx()
-    for section, colour in SECTION_COLOURS.items():
-        cycle_part = cycle.sel(section=section)
-        angle = np.degrees(cycle_part["wheel_angle"])
+    for colour, cycle_part, angle in _sections(cycle):
         ratio = cycle_part["specific_film"]
-        axes.fill_between(
-            angle, ratio.min("station"), ratio.max("station"), color=colour, alpha=0.4, lw=0
-        )
+        ends = ratio.min("station"), ratio.max("station")
+        axes.fill_between(angle, *ends, color=colour, alpha=0.4, lw=0)
         other.plot(angle, cycle_part["heated_share"].mean("station"), color=colour, ls="--")
     if np.isnan(cycle["specific_film"]).all():
         axes.set_yticks([])
@@ -152,15 +144,8 @@ def _draw_lambda(axes: Axes, cycle: "xr.Dataset") -> None:
     else:
         for limit, name in ((FULL_FILM, "full film above"), (BOUNDARY, "boundary below")):
             axes.axhline(limit, color="0.4", lw=0.8)
-            axes.text(
-                0.01,
-                limit,
-                name,
-                size=8,
-                color="0.4",
-                va="bottom",
-                transform=axes.get_yaxis_transform(),
-            )
+            height = axes.get_yaxis_transform()
+            axes.text(0.01, limit, name, size=8, color="0.4", va="bottom", transform=height)
     axes.set_ylim(bottom=0)
     other.set_ylim(0, 1.05)
     axes.set_ylabel(QUANTITIES["specific_film"].words())
@@ -178,9 +163,9 @@ PARAMETERS = (
 def draw_roller_sensitivity(result: Result) -> Figure:
     """Minimum film thickness at entry and exit of both sections over roller radius, throat and tilt."""
     cycle = result.cycle_data
-    words = f"{result.case_name}  ·  sensitivity of the film"
-    spaced = {"ncols": 3, "sharey": True, "gridspec_kw": {"wspace": 0.05}}
-    figure, panels = placed_panels((11, 4.2), words, (0.8, 0.1, 0.55, 0.1), **spaced)
+    words, room = f"{result.case_name}  ·  sensitivity of the film", (0.8, 0.1, 0.55, 0.1)
+    figure, panels = placed_panels((11, 4.2), words, room, columns=3, space=0.05, sharey=True)
+    add_grids(panels)
     for number, axes in enumerate(panels):
         label, factor = PARAMETERS[number]
         value = cycle["varied_value"].isel(parameter=number) * factor
@@ -190,7 +175,6 @@ def draw_roller_sensitivity(result: Result) -> Figure:
                 axes.plot(value, film * MICRO, style, color=colour, label=f"{section}, {end}")
         axes.set_xlabel(label)
         axes.set_ylim(bottom=0)
-        axes.grid(True, color="0.9")
         if number == 0:
             axes.set_ylabel(f"{broken(QUANTITIES['film_min'].axis())}\n(Dowson and Higginson)")
             axes.legend(frameon=False, fontsize=8)

@@ -8,7 +8,7 @@ from pyworm.formulas.regimes import LINE_ERROR, THICKENING_ERROR, Regime
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
-from pyworm.plots.layout import MICRO, placed_panels
+from pyworm.plots.layout import MICRO, add_grids, placed_panels
 from pyworm.plots.regimes import SHORT, draw_chart
 from pyworm.result.result import Result
 
@@ -16,9 +16,8 @@ from pyworm.result.result import Result
 def draw_roller_regimes(result: Result) -> Figure:
     """The chart with the path of the middle of the contact line; beside it the films by the four formulas."""
     cycle = result.cycle_data
-    words = f"{result.case_name}  ·  regimes of lubrication"
-    spaced = {"ncols": 2, "gridspec_kw": {"wspace": 0.17}}
-    figure, (chart, films) = placed_panels((11, 5.2), words, (0.8, 0.1, 0.6, 0.1), **spaced)
+    words, room = f"{result.case_name}  ·  regimes of lubrication", (0.8, 0.1, 0.6, 0.1)
+    figure, (chart, films) = placed_panels((11, 5.2), words, room, columns=2, space=0.17)
     middle = cycle.isel(station=cycle.sizes["station"] // 2)
     _draw_chart(chart, middle)
     _draw_films(films, middle)
@@ -69,7 +68,7 @@ def _draw_films(axes: Axes, middle: "xr.Dataset") -> None:
     axes.set_xlabel("wheel angle of the roller / °")
     film_min = QUANTITIES["film_min"]
     axes.set_ylabel(film_min.axis(f"{film_min.words()} by formula"))
-    axes.grid(True, color="0.9")
+    add_grids([axes])
     axes.legend(frameon=False, ncols=2, fontsize=8)
 
 

@@ -9,24 +9,22 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, NullLocator
 
 from pyworm.io.on_demand import xarray as xr
-from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.worm_flank import draw_flank
 from pyworm.plots.drives.worm_pattern import draw_pattern
-from pyworm.plots.error_bars import draw_estimates
+from pyworm.plots.error_bars import draw_figure, draw_largest_temperatures, estimates_of
 from pyworm.plots.layout import (
     KILO,
     MICRO,
     MILLI,
+    add_grids,
     broken,
     mark_gaps,
     placed_panels,
     result_heading,
     scale_from_zero,
-    with_gaps,
 )
-from pyworm.plots.overlays import draw_largest_temperatures
 from pyworm.ratings.standard_loss import StandardLoss, standard_of_result
 from pyworm.result.headline import of_all
 from pyworm.result.mesh_cycle import phase_of
@@ -41,10 +39,8 @@ DIRECTIONS = {"x": "to the wheel", "y": "along the wheel's axis", "z": "along th
 def draw_cycle(result: Result) -> Figure:
     """Transmission error, radii, contact point, load; what was solved: films, friction, temperatures."""
     cycle = result.cycle_data
-    solved = sorted(
-        (solution for solution in result.solutions if solution.phase is not None),
-        key=phase_of,
-    )
+    in_mesh = [solution for solution in result.solutions if solution.phase is not None]
+    solved = sorted(in_mesh, key=phase_of)
     sheared = [solution for solution in solved if solution.figures.friction_coefficient is not None]
     heated = [solution for solution in solved if solution.figures.temperature_max_film is not None]
     drawn: list[Callable[[Axes], None]] = [
@@ -61,12 +57,11 @@ def draw_cycle(result: Result) -> Figure:
     if heated:
         drawn.append(partial(_draw_temperatures, heated=heated))
     size, room = (8, 2.3 * len(drawn) + 0.6), (1.0, 1.0, 0.5, 0.1)
-    spaced = {"nrows": len(drawn), "sharex": True, "gridspec_kw": {"hspace": 0.07}}
-    figure, axes = placed_panels(size, result_heading(result, "mesh cycle"), room, **spaced)
+    words = result_heading(result, "mesh cycle")
+    figure, axes = placed_panels(size, words, room, len(drawn), space=0.07, sharex=True)
     for panel, draw in zip(axes, drawn, strict=True):
         draw(panel)
-    for panel in axes:
-        panel.grid(True, color="0.9")
+    add_grids(axes)
     axes[-1].set_xlabel("mesh phase (0: first contact, 1: last contact)")
     return figure
 
@@ -95,11 +90,9 @@ def _draw_contact_point(axes: Axes, cycle: "xr.Dataset") -> None:
     mean = cycle["point"].mean("phase")
     for axis in cycle["axis"].values:
         here = mean.sel(axis=axis).item() * MILLI
-        axes.plot(
-            cycle["phase"],
-            cycle["point"].sel(axis=axis) * MILLI - here,
-            label=f"{axis}, {DIRECTIONS[axis]}, from {here:.1f} mm",
-        )
+        place = cycle["point"].sel(axis=axis) * MILLI - here
+        label = f"{axis}, {DIRECTIONS[axis]}, from {here:.1f} mm"
+        axes.plot(cycle["phase"], place, label=label)
     axes.set_ylabel("contact point\n/ mm")
     axes.legend(frameon=False, fontsize="small")
 
@@ -119,32 +112,32 @@ def _draw_tooth_load(axes: Axes, cycle: "xr.Dataset") -> None:
 
 
 def _draw_temperatures(axes: Axes, heated: list[Solution]) -> None:
-    draw_largest_temperatures(
-        axes, [phase_of(solution) for solution in heated], heated, ("worm", "wheel")
-    )
+    phases = [phase_of(solution) for solution in heated]
+    draw_largest_temperatures(axes, phases, heated, ("worm", "wheel"))
 
 
 def _draw_solutions(axes: Axes, solved: list[Solution]) -> None:
     """Films with their error bars, and the largest pressure on its own scale."""
     phase = np.array([phase_of(solution) for solution in solved])
     for name, colour in (("film_central", "tab:blue"), ("film_min", "tab:green")):
-        quantity = QUANTITIES[name]
-        estimates = [getattr(solution.figures, name) for solution in solved]
-        film = quantity.number(with_gaps(solved, [estimate.value for estimate in estimates]))
-        style = {"fmt": "o-", "color": colour, "capsize": 3, "label": quantity.words()}
-        draw_estimates(axes, phase, film, film, estimates, **style)
+        style = {"fmt": "o-", "color": colour, "capsize": 3, "label": QUANTITIES[name].words()}
+        draw_figure(axes, phase, solved, name, style)
     mark_gaps(axes, phase, solved)
     axes.set_ylim(0, 1.25 * axes.get_ylim()[1])  # room for the legend
     axes.set_ylabel(broken(QUANTITIES["film"].axis()))
-    pressure_axes = axes.twinx()
-    maximum = QUANTITIES["pressure_max"]
-    pressure = with_gaps(
-        solved, [maximum.number(solution.figures.pressure_max.value) for solution in solved]
-    )
-    pressure_axes.plot(phase, pressure, "s--", color="tab:red", markersize=4)
-    scale_from_zero(pressure_axes, pressure, 1.3)
-    pressure_axes.set_ylabel(broken(maximum.axis()), color="tab:red")
+    _draw_beside(axes, phase, solved, "pressure_max", broken(QUANTITIES["pressure_max"].axis()))
     axes.legend(frameon=False, ncols=2, loc="upper center")
+
+
+def _draw_beside(
+    axes: Axes, phase: np.ndarray, solved: list[Solution], name: str, label: str
+) -> None:
+    """A figure on its own scale on the right, from zero on."""
+    right = axes.twinx()
+    _, values, _ = estimates_of(solved, name)
+    right.plot(phase, values, "s--", color="tab:red", markersize=4)
+    scale_from_zero(right, values, 1.3)
+    right.set_ylabel(label, color="tab:red")
 
 
 def _beside(result: Result, sheared: list[Solution]) -> StandardLoss | None:
@@ -156,37 +149,25 @@ def _beside(result: Result, sheared: list[Solution]) -> StandardLoss | None:
 def _draw_friction(axes: Axes, sheared: list[Solution], standard: StandardLoss | None) -> None:
     """Friction coefficient with its error bars, and power loss on its own scale; a standard's friction."""
     phase = np.array([phase_of(solution) for solution in sheared])
-    estimates = [present(solution.figures.friction_coefficient, "friction") for solution in sheared]
-    friction = with_gaps(sheared, [estimate.value for estimate in estimates])
     style = {"fmt": "o-", "color": "tab:purple", "capsize": 3}
-    draw_estimates(axes, phase, friction, friction, estimates, **style)
+    scaled = draw_figure(axes, phase, sheared, "friction_coefficient", style)
     mark_gaps(axes, phase, sheared)
-    scaled = friction
     if standard is not None:
         label = f"rough teeth by the standard: {standard.friction:.3g}"
         axes.axhline(standard.friction, color="tab:purple", linestyle=":", label=label)
         axes.legend(frameon=False, loc="upper center")
-        scaled = np.append(friction, standard.friction)
+        scaled = np.append(scaled, standard.friction)
     scale_from_zero(axes, scaled, 1.3)
+    labels = [QUANTITIES[name].axis() for name in ("friction_coefficient", "power_loss")]
     rough = of_all(sheared).as_if_smooth
-    coefficient, loss = (QUANTITIES[name].axis() for name in ("friction_coefficient", "power_loss"))
-    axes.set_ylabel(
-        f"{coefficient}\n{AS_IF_SMOOTH}" if rough else broken(coefficient),
-        color="tab:purple",
-    )
-    power_axes = axes.twinx()
-    losses = [present(solution.figures.power_loss, "power_loss").value for solution in sheared]
-    power = with_gaps(sheared, losses)
-    power_axes.plot(phase, power, "s--", color="tab:red", markersize=4)
-    scale_from_zero(power_axes, power, 1.3)
-    power_axes.set_ylabel(f"{loss}\n{AS_IF_SMOOTH}" if rough else broken(loss), color="tab:red")
+    coefficient, loss = (f"{label}\n{AS_IF_SMOOTH}" if rough else broken(label) for label in labels)
+    axes.set_ylabel(coefficient, color="tab:purple")
+    _draw_beside(axes, phase, sheared, "power_loss", loss)
 
 
 CYCLE_PICTURES = {
     "mesh_cycle": CyclePicture("Mesh cycle", draw_cycle),
     "contact_pattern": CyclePicture("Contact pattern", draw_pattern, signed=True),
-    "mesh_cycle_flank": CyclePicture(
-        "The wheel's flank after a mesh cycle", draw_flank, signed=True
-    ),
+    "mesh_cycle_flank": CyclePicture("The wheel's flank after a mesh cycle", draw_flank, True),
 }
 """File name -> picture of the mesh cycle."""
