@@ -60,6 +60,13 @@ MOST_RETRIES = 2
 """Number of grids of the figures that may be too coarse to show the window error of a thin film."""
 
 
+OF_ONE_SIGN = "pressure_max", "power_loss"
+"""Figures that vanish in no film, asked for or not."""
+
+ANOTHER_FILM = 1.0
+"""Relative error of one of them by the window above which the windows hold different films: an outline may
+bear pressure in one of them, whose flow loses more than all friction does."""
+
 MOST_WIDENINGS = 6
 """Number of times that the window of a heated line is doubled beyond the planned wider one."""
 
@@ -334,8 +341,10 @@ class GridSequence:
             self._level, self._iteration, self._readings = wider, iteration, [iteration.reading]
             return self._compare_windows()
         may_refine = self._level.grid.finer().nodes <= plan.largest_grid
-        if worst_far > plan.accuracy and may_refine and self._refinements < MOST_RETRIES:
-            return None  # to be compared on the next grid, which resolves the film better
+        another = any(far[name].error > ANOTHER_FILM for name in OF_ONE_SIGN if name in far)
+        if (worst_far > plan.accuracy or another) and may_refine:
+            if self._refinements < MOST_RETRIES:
+                return None  # to be compared on the next grid, which resolves the film better
         self._window = near
         if cut_off or worst_near > error_budget.WINDOW * plan.accuracy:
             self._window = far

@@ -82,6 +82,11 @@ def by_warmth(
     return {name: limit if name in HEAT_FIGURES else others for name, limit in limits.items()}
 
 
+MAX_EXTRAPOLATED_CHANGE = 0.5
+"""Largest relative change of a figure from one window to the other that tells of a limit: a larger one is of
+another film, as a first grid too coarse may have in one of them."""
+
+
 def _limits(
     changed: Mapping[str, float],
     convergence: Convergence,
@@ -92,7 +97,7 @@ def _limits(
     limits = {}
     for name, change in changed.items():
         least, most = convergence.window[name]
-        if name in convergence.left:
+        if name in convergence.left and abs(change) <= MAX_EXTRAPOLATED_CHANGE:
             middle, half = (least + most) / 2, (most - least) / 2
             error = half * abs(change) + most * algebra[name]
             limits[name] = WindowLimit((middle - seen) * change, error)

@@ -5,10 +5,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from contacts import ball
 from folders import CASES
 
 import pyworm
 from pyworm.planning.grid import Grid
+from pyworm.solver import grid_sequence
 from pyworm.solver.level import InitialGuess
 from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
@@ -66,3 +68,23 @@ def test_friction_that_a_window_cuts_off_is_that_of_the_contact_beyond_it():
 
     assert solver.cut_off(wide, wide) == {}
     assert solver.cut_off(west, west) == {}
+
+
+def test_windows_of_different_films_are_compared_on_the_next_grid(monkeypatch):
+    """The loss is of no target here, but the film of an outline under pressure loses far more."""
+    scene, compared = ball(), []
+    plan = pyworm.plan(scene, 0.1, effects="isothermal,shear-thinning", quantities=("film",))
+    usual = pyworm.solve(scene, plan)
+    limits = grid_sequence.in_wider_window
+
+    def found(here, wider, *rest):
+        compared.append(here)
+        strange = replace(
+            here, further=here.further | {"power_loss": 200 * here.further["power_loss"]}
+        )
+        return limits(strange if len(compared) == 1 else here, wider, *rest)
+
+    monkeypatch.setattr(grid_sequence, "in_wider_window", found)
+    again = pyworm.solve(scene, plan)
+    assert len(compared) == 2
+    assert again.converged and again.figures.power_loss.agrees_with(usual.figures.power_loss)

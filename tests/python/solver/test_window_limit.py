@@ -4,7 +4,13 @@ import pytest
 
 from pyworm.planning.target import FIGURES
 from pyworm.solver.error_estimate import Convergence, Left, Peak, Reading
-from pyworm.solver.window_limit import MAX_CHANGE_RATIO, in_this_window, in_wider_window, with_falls
+from pyworm.solver.window_limit import (
+    MAX_CHANGE_RATIO,
+    MAX_EXTRAPOLATED_CHANGE,
+    in_this_window,
+    in_wider_window,
+    with_falls,
+)
 
 CONVERGENCE = Convergence(
     dict.fromkeys(FIGURES, 2.0), {"film_min": Left(0.5, 0.5)}, dict.fromkeys(FIGURES, (1.5, 2.5))
@@ -42,6 +48,15 @@ def test_a_figure_that_promises_no_limit_keeps_its_value():
     assert near.error == pytest.approx(2.5 * 0.2)
     far = in_wider_window(reading(1.0), reading(1.25), CONVERGENCE, EXACT, {})["film_central"]
     assert far.error == pytest.approx(1.5 * 0.2)
+
+
+@pytest.mark.parametrize("here", [0.4, 180.0])
+def test_a_change_as_large_as_the_figure_tells_of_no_limit(here):
+    """Another film: the power lost at a phase of a gear set was extrapolated from 0.066 W to -8.3 W."""
+    far = in_wider_window(reading(here), reading(1.0), CONVERGENCE, EXACT, {})["film_min"]
+    assert abs(here - 1.0) > MAX_EXTRAPOLATED_CHANGE
+    assert far.rest == 0.0
+    assert far.error == pytest.approx(1.5 * abs(here - 1.0))
 
 
 def test_unfinished_algebra_may_hide_a_change():
