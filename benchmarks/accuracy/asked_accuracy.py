@@ -6,7 +6,6 @@ price is relative to that of the cheapest sufficient grid of that model, both wi
 fields. Solved scenes are saved in results/accuracy/asked.csv, from where the next run continues.
 """
 
-import csv
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
@@ -30,6 +29,7 @@ from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record
+from kept_rows import keep_rows, kept_rows
 
 ACCURACIES = (0.05, 0.01, 0.002)
 
@@ -186,32 +186,8 @@ def table_of(rows: list[dict]) -> list[list[str]]:
     return table
 
 
-def save(rows: list[dict]) -> None:
-    """Write what is known so far."""
-    OUT.parent.mkdir(parents=True, exist_ok=True)
-    with OUT.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
-
-
-def saved() -> list[dict]:
-    """Rows of an earlier run."""
-    if not OUT.exists():
-        return []
-    with OUT.open() as file:
-        rows = list(csv.DictReader(file))
-    numbers = ("accuracy", "error", "unsure", "seconds", "whole_seconds", "cheapest")
-    return [
-        row
-        | {name: float(row[name]) for name in numbers}
-        | {"converged": row["converged"] == "True"}
-        for row in rows
-    ]
-
-
 def main() -> None:
-    rows = saved()
+    rows = kept_rows(OUT, ("kind", "scene", "of", "stop_reason"), {"converged"})
     for kind, scene in scenes():
         if sum(row["scene"] == scene.name for row in rows) == len(ACCURACIES):
             continue
@@ -231,7 +207,7 @@ def main() -> None:
                 f"{'  MISSED' if row['converged'] and row['error'] > accuracy else ''}",
                 flush=True,
             )
-        save(rows)
+        keep_rows(OUT, rows)
     record("asked_accuracy", COLUMNS, table_of(rows))
 
 

@@ -6,9 +6,8 @@ at 1 %, over the processor time of all phases. What was solved is kept in result
 next run goes on from there.
 """
 
-import csv
 import sys
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from math import nan
 from pathlib import Path
 from time import process_time
@@ -25,6 +24,7 @@ from pyworm.plots.layout import write
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record
+from kept_rows import keep_rows, kept_rows
 
 CASE = Path("cases/zi_sharif_2001.toml")
 FIRST, LAST = 0.1, 0.9
@@ -111,7 +111,10 @@ def seconds(found: list[Phase], count: int) -> float:
 def every() -> dict[str, list[Phase]]:
     """Model -> all phases, those solved before not again."""
     case = pyworm.load(CASE)
-    known = {(one.model, round(one.phase, 6)): one for one in kept()}
+    known = {
+        (one.model, round(one.phase, 6)): one
+        for one in (Phase(**row) for row in kept_rows(OUT, {"model"}))
+    }
     found = {}
     for model in MODELS:
         found[model] = []
@@ -119,29 +122,10 @@ def every() -> dict[str, list[Phase]]:
             key = model, round(float(phase), 6)
             if key not in known:
                 known[key] = solved(case, float(phase), model)
-                keep(list(known.values()))
+                keep_rows(OUT, [asdict(phase) for phase in known.values()])
                 print(known[key], flush=True)
             found[model].append(known[key])
     return found
-
-
-def kept() -> list[Phase]:
-    """Phases of an earlier run."""
-    if not OUT.exists():
-        return []
-    with OUT.open() as file:
-        return [
-            Phase(**{name: of if name == "model" else float(of) for name, of in row.items()})
-            for row in csv.DictReader(file)
-        ]
-
-
-def keep(phases: list[Phase]) -> None:
-    OUT.parent.mkdir(parents=True, exist_ok=True)
-    with OUT.open("w", newline="") as file:
-        writer = csv.DictWriter(file, [field.name for field in fields(Phase)])
-        writer.writeheader()
-        writer.writerows(asdict(phase) for phase in phases)
 
 
 def draw(found: dict[str, list[Phase]], whole: tuple[float, float], bars) -> Figure:

@@ -45,6 +45,7 @@ from draws import JUDGED_DRAWS, Drawn
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record
+from kept_rows import keep_rows, kept_rows
 
 ACCURACY = 0.02
 EXACT = 0.1
@@ -242,26 +243,8 @@ def judged(
         }
 
 
-def saved() -> list[dict]:
-    """Rows of earlier runs."""
-    if not OUT.exists():
-        return []
-    with OUT.open() as file:
-        return [
-            row
-            | {name: float(row[name]) for name in ("bar", "error", "unsure")}
-            | {"converged": row["converged"] == "True"}
-            for row in csv.DictReader(file)
-        ]
-
-
-def save(rows: list[dict]) -> None:
-    """Write what is known so far."""
-    OUT.parent.mkdir(parents=True, exist_ok=True)
-    with OUT.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
+TEXTS = "scene", "figure", "reason"
+"""Columns of words."""
 
 
 def saved_truths() -> dict[str, Truth]:
@@ -386,7 +369,7 @@ def main() -> None:
     parser.add_argument("--accuracy", type=float, default=ACCURACY)
     asked = parser.parse_args()
     kinds = asked.kinds.split(",")
-    rows, truths = saved(), saved_truths()
+    rows, truths = kept_rows(OUT, TEXTS, {"converged"}), saved_truths()
     for seed, place, kind in product(asked.seeds, range(asked.count), kinds):
         scene = f"{kind}:{place} of {seed}"
         if asked.accuracy != ACCURACY:
@@ -394,7 +377,7 @@ def main() -> None:
         if any(row["scene"] == scene for row in rows):
             continue
         rows += judged(scene, kind, JUDGED_DRAWS[kind](place, seed), asked.accuracy, truths)
-        save(rows)
+        keep_rows(OUT, rows)
         shown = by_scene([row for row in rows if row["scene"] == scene])
         print(*next(shown), sep="  ", flush=True)
     if asked.accuracy == ACCURACY:

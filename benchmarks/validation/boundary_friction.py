@@ -8,9 +8,7 @@ tests/data/boundary_friction.csv, and the next run goes on from there: without t
 `solve` solves the contacts, `phases` shows how many of them make the mesh mean, `fit` prints the tables.
 """
 
-import csv
 import sys
-from collections.abc import Mapping
 from functools import partial
 from math import hypot, sqrt
 from pathlib import Path
@@ -45,6 +43,7 @@ from pyworm.solver.roughness_uncertainty import (
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record
+from kept_rows import keep_rows
 
 ACCURACY = 0.2
 """Numerical accuracy asked for; friction has less than a tenth of it."""
@@ -106,16 +105,8 @@ def solve(row: Row, phase: float) -> None:
     }
     if not solution.converged:
         raise SystemExit(f"{row}, phase {phase}: {solution.stop_reason}")
-    save([*known, made])
+    keep_rows(TABLE, [*known, made])
     print(row, phase, made["friction"], flush=True)
-
-
-def save(rows: list[Mapping]) -> None:
-    """Write what is known so far."""
-    with TABLE.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 def solve_all() -> None:

@@ -9,7 +9,6 @@ minute to two):
     python benchmarks/validation/mixed_lubrication.py [line] [zi]
 """
 
-import csv
 import sys
 import tomllib
 from collections.abc import Callable
@@ -37,6 +36,7 @@ from pyworm.solver.solution import Solution
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record
+from kept_rows import keep_rows, kept_rows
 
 OUT = Path("results/mixed_lubrication.csv")
 
@@ -208,7 +208,7 @@ def zi_drive(height: float) -> Case:
 
 def solved(name: str, case: Callable[[], Case], phase: float = 0.5) -> dict:
     """Friction at a phase with its parts and bars, solved once."""
-    rows = saved()
+    rows = kept_rows(OUT, {"name"})
     for row in rows:
         if (row["name"], row["phase"]) == (name, phase):
             return row
@@ -226,7 +226,7 @@ def solved(name: str, case: Callable[[], Case], phase: float = 0.5) -> dict:
         "mu_b": scene.boundary_friction,
         "converged": float(solution.converged),
     }
-    save([*rows, row])
+    keep_rows(OUT, [*rows, row])
     return row
 
 
@@ -235,26 +235,6 @@ def over_the_mesh(name: str, case: Callable[[], Case]) -> MeshLoss:
     rows = [solved(name, case, phase) for phase in PHASES]
     names = [field.name for field in fields(ContactLoss)]
     return case().drive.mesh_loss([ContactLoss(**{key: row[key] for key in names}) for row in rows])
-
-
-def saved() -> list[dict]:
-    """Contacts of earlier runs."""
-    if not OUT.exists():
-        return []
-    with OUT.open() as file:
-        return [
-            {key: value if key == "name" else float(value) for key, value in row.items()}
-            for row in csv.DictReader(file)
-        ]
-
-
-def save(rows: list[dict]) -> None:
-    """Write what is known so far."""
-    OUT.parent.mkdir(parents=True, exist_ok=True)
-    with OUT.open("w", newline="") as file:
-        writer = csv.DictWriter(file, list(rows[0]))
-        writer.writeheader()
-        writer.writerows(rows)
 
 
 ZI_COLUMNS = (

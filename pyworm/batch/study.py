@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
-from contextlib import AbstractContextManager, ExitStack, contextmanager, nullcontext
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from itertools import product
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -15,6 +15,7 @@ from pyworm.batch.solve_tasks import solve_all
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.sweep import Sweep, label, load_sweep
 from pyworm.batch.sweep_run import run_sweep
+from pyworm.batch.workers import executor_of
 from pyworm.io import units
 from pyworm.io.console import progress_bar
 from pyworm.io.given import WithUnit, kind_of, number, row, text
@@ -178,17 +179,9 @@ def _accuracy(given: WithUnit) -> float:
 
 def _executor(processes: int, scheduler: str | None) -> AbstractContextManager[Executor | None]:
     """The processes that solve; None for this one."""
-    if scheduler is not None:
-        from pyworm.batch.cluster import cluster
-
-        return cluster(scheduler, print_message)
     if isinstance(processes, bool) or not isinstance(processes, int) or processes < 1:
         raise ValueError(f"processes = {processes!r:.40}: must be a whole number from 1")
-    if processes == 1:
-        return nullcontext()
-    from pyworm.batch.workers import WorkerPool
-
-    return WorkerPool(processes)
+    return executor_of(processes, scheduler)
 
 
 @contextmanager

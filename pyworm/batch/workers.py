@@ -7,12 +7,16 @@ import sys
 import threading
 from collections.abc import Callable
 from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from contextlib import AbstractContextManager, nullcontext
 from functools import partial
 from multiprocessing import get_context, parent_process, resource_tracker
 from multiprocessing.connection import Connection
 from multiprocessing.context import SpawnProcess
 from queue import SimpleQueue
 from typing import Any
+
+from pyworm.batch.cluster import cluster
+from pyworm.io.terminal import print_message
 
 _SPAWN = get_context("spawn")  # a fork after an OpenMP region hangs
 
@@ -22,6 +26,13 @@ _ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
 
 class WorkerDiedError(RuntimeError):
     """A process ended in the middle of a call; the message says how."""
+
+
+def executor_of(processes: int, scheduler: str | None) -> AbstractContextManager[Executor | None]:
+    """What solves: the workers of a scheduler, or some processes; None where this one does."""
+    if scheduler is not None:
+        return cluster(scheduler, print_message)
+    return nullcontext() if processes == 1 else WorkerPool(processes)
 
 
 class WorkerPool(Executor):

@@ -22,33 +22,14 @@ def add_case(command: argparse.ArgumentParser) -> None:
 
 def add_places(command: argparse.ArgumentParser) -> None:
     """Which of a case's contacts are meant."""
-    command.add_argument(
-        "--section",
-        nargs="+",
-        metavar="NAME",
-        help="sections of a roller worm to solve; default: the case's",
-    )
-    command.add_argument(
-        "--station",
-        type=float,
-        nargs="+",
-        metavar="PLACE",
-        help="positions along contact lines, 0 to 1, to solve; default: the case's",
-    )
-    command.add_argument(
-        "--phase",
-        type=float,
-        nargs="+",
-        metavar="PHASE",
-        help="mesh phases, 0 to 1, to solve; default: the case's",
-    )
-    command.add_argument(
-        "--slide-roll-ratio",
-        type=float,
-        nargs="+",
-        metavar="RATIO",
-        help="slide-roll ratios of a traction curve to solve; default: the case's",
-    )
+    for name, kind, metavar, places in (
+        ("--section", str, "NAME", "sections of a roller worm"),
+        ("--station", float, "PLACE", "positions along contact lines, 0 to 1,"),
+        ("--phase", float, "PHASE", "mesh phases, 0 to 1,"),
+        ("--slide-roll-ratio", float, "RATIO", "slide-roll ratios of a traction curve"),
+    ):
+        words = f"{places} to solve; default: the case's"
+        command.add_argument(name, type=kind, nargs="+", metavar=metavar, help=words)
 
 
 def add_accuracy_and_effects(command: argparse.ArgumentParser) -> None:

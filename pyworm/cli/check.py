@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     from pyworm.io.console import Console
 
 
-def add_check(commands: argparse._SubParsersAction) -> None:
-    """Add the command `check`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     check = commands.add_parser("check", help="check a case and show its plan; nothing is solved")
     add_case(check)
     add_accuracy_and_effects(check)

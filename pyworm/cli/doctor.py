@@ -32,8 +32,8 @@ class _UnsoundError(Exception):
     """A failed check; the message has the finding and the remedy."""
 
 
-def add_doctor(commands: argparse._SubParsersAction) -> None:
-    """Add the command `doctor`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     doctor = commands.add_parser("doctor", help="check the installation")
     doctor.set_defaults(command=_doctor)
 

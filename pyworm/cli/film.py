@@ -19,8 +19,8 @@ STEEL = "16MnCr5"
 """Material of the bodies of a contact given by options, if they name none."""
 
 
-def add_film(commands: argparse._SubParsersAction) -> None:
-    """Add the command `film`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     film = commands.add_parser(
         "film", help="film thickness by a regression formula, without a solve"
     )

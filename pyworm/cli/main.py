@@ -8,27 +8,14 @@ marked); 130 and 143 stopped by Ctrl-C and by SIGTERM.
 import argparse
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from typing import Any, NoReturn
 
+from pyworm.batch.cluster import RESUME_HINT
 from pyworm.batch.workers import WorkerDiedError
-from pyworm.cli.check import add_check
-from pyworm.cli.doctor import add_doctor
-from pyworm.cli.examples import add_examples
-from pyworm.cli.explore import add_explore
-from pyworm.cli.film import add_film
-from pyworm.cli.new import add_new
-from pyworm.cli.oil import add_oil
-from pyworm.cli.plot import add_plot
-from pyworm.cli.precision import add_precision
-from pyworm.cli.rate import add_rate
-from pyworm.cli.report import add_report
-from pyworm.cli.run import add_run
-from pyworm.cli.setup import add_setup
+from pyworm.cli.examples import EXAMPLES, add_examples
 from pyworm.cli.shared import BAD_INPUT, FAILED, end_with
 from pyworm.cli.stopping import exit_code
-from pyworm.cli.surface import add_surface
-from pyworm.cli.sweep import add_sweep
-from pyworm.cli.wear import add_wear
 from pyworm.io.input_error import CaseError
 from pyworm.io.stage import long_stages_said
 from pyworm.io.terminal import flush, prepare, print_message, print_result, silence
@@ -74,7 +61,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _stopped(options: argparse.Namespace) -> str:
     if "jobs" in options:
-        return "stopped; contacts already solved are kept, the same command continues from there"
+        return f"stopped; {RESUME_HINT}"
     return "stopped, nothing written"
 
 
@@ -82,24 +69,9 @@ def _parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="pyworm", description="Elastohydrodynamic lubrication of gear contacts")
     parser.add_argument("--version", action=_Version)
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
-    for add in (
-        add_run,
-        add_new,
-        add_check,
-        add_precision,
-        add_film,
-        add_sweep,
-        add_wear,
-        add_plot,
-        add_report,
-        add_explore,
-        add_rate,
-        add_oil,
-        add_setup,
-        add_surface,
-        add_doctor,
-    ):
-        add(commands)
+    for name in EXAMPLES:
+        if " " not in name:  # the others are commands below one
+            import_module(f"pyworm.cli.{name}").add(commands)
     add_examples(parser)
     return parser
 

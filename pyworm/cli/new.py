@@ -14,8 +14,8 @@ from pyworm.io.present import present
 from pyworm.io.terminal import print_message, print_result
 
 
-def add_new(commands: argparse._SubParsersAction) -> None:
-    """Add the command `new`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     new = commands.add_parser("new", help="write the case file of a worm gear set from its drawing")
     new.add_argument("case", type=Path, metavar="CASE.toml", help="file to write")
     new.add_argument("--title", help="default: size of the gear unit")

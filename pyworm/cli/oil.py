@@ -21,8 +21,8 @@ CHARTED_GRADES = (100, 220, 460)
 """Grades of every base stock that are drawn if no oils are named."""
 
 
-def add_oil(commands: argparse._SubParsersAction) -> None:
-    """Add the command `oil` with its subcommands."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     oil = commands.add_parser(
         "oil", help="oils of the library: list, show, chart; choose one for a case"
     )

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from pyworm.result.sweep_result import SweepResult
 
 
-def add_plot(commands: argparse._SubParsersAction) -> None:
-    """Add the command `plot`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     plot = commands.add_parser("plot", help="redraw the pictures of a results file")
     plot.add_argument("result", type=Path, metavar="RESULT")
     plot.add_argument("--out", type=Path, help="directory (default: that of the results file)")

@@ -16,8 +16,8 @@ BUDGET = 300.0
 """Time that a study of precision may take unless another is given [s]."""
 
 
-def add_precision(commands: argparse._SubParsersAction) -> None:
-    """Add the command `precision`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     precision = commands.add_parser("precision", help="error against CPU time for one contact")
     add_case(precision)
     precision.add_argument(

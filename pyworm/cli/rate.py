@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from pyworm.solver.neglected_effects import NeglectedEffects
 
 
-def add_rate(commands: argparse._SubParsersAction) -> None:
-    """Add the command `rate`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     rate = commands.add_parser("rate", help="ratings by standards and closed forms")
     rate.add_argument("case", type=Path, metavar="CASE.toml")
     rate.add_argument(

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pyworm.cli.arguments import add_compared_case
-from pyworm.cli.shared import opened_result
+from pyworm.cli.shared import opened_result, page_file, write_page
 from pyworm.io.input_error import CaseError
 from pyworm.io.stage import stage
 from pyworm.io.terminal import print_result
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from pyworm.result.result import Result
 
 
-def add_report(commands: argparse._SubParsersAction) -> None:
-    """Add the command `report`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     report = commands.add_parser(
         "report", help="write one HTML page of a results file, or of several side by side"
     )
@@ -36,23 +36,16 @@ def add_report(commands: argparse._SubParsersAction) -> None:
 
 
 def _report(options: argparse.Namespace) -> int:
-    from pyworm.io.atomic import check_writable, whole_file
+    from pyworm.io.atomic import whole_file
 
     several = len(options.results) > 1
-    path = options.out or options.results[0].with_name(
-        "variants.html" if several else "report.html"
-    )
-    if path.is_dir():
-        raise CaseError(f"--out {path}: is a directory, a file such as report.html is needed")
-    check_writable(path.parent)
+    name = "variants.html" if several else "report.html"
+    path = page_file(options.out, options.results[0].with_name(name))
     if several:
         _refuse_of_one(options)
     with stage("making the page"):
         page = _variants(options.results) if several else _one(options)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with whole_file(path) as partial:
-        partial.write_text(page, encoding="utf-8")
-    print_result(f"{path}")
+    write_page(path, page)
     if options.pdf:
         from pyworm.report.pdf import print_pdf
 

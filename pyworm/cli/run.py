@@ -33,8 +33,8 @@ from pyworm.cli.shared import (
 LIFE_TABLE = "life.csv"
 
 
-def add_run(commands: argparse._SubParsersAction) -> None:
-    """Add the command `run`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     run = commands.add_parser("run", help="solve a case: tables, results file, pictures")
     add_case(run)
     add_accuracy_and_effects(run)
@@ -128,11 +128,14 @@ def _show_files(
 def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
     """What a run found, under `--json`; `stop_reason` where a contact lacks the accuracy asked for."""
     from pyworm.ratings.heating import heating_of
+    from pyworm.ratings.mesh_loss import mesh_loss
     from pyworm.ratings.standard_loss import standard_loss
+    from pyworm.result.life import lives
     from pyworm.result.mesh_cycle import drive_cycle
 
     cycle, standard = drive_cycle(result), standard_loss(case)
-    heating = heating_of(tasks[0].case, cycle, standard)
+    heating, loss = heating_of(tasks[0].case, cycle, standard), mesh_loss(case.drive, result)
+    lives_found = [life.summary() for life in lives(result)]
     return {
         "case": case.name,
         "scenes": [solution.summary() for solution in result.solutions],
@@ -143,8 +146,8 @@ def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
         **({} if cycle is None else {"cycle": cycle.summary()}),
         **({} if case.drive is None else {"standard_loss": standard.summary()}),
         **({} if heating is None else {"heating_loss": heating.summary()}),
-        **_mesh_loss_summary(case, result),
-        **_lives_summary(result),
+        **({} if loss is None else {"mesh_loss": loss.summary()}),
+        **({"lives": lives_found} if lives_found else {}),
     }
 
 
@@ -158,14 +161,6 @@ def _pictures(
 
     drawing = partial(draw, result, executor=executor, key_only=which == "key")
     return drawn_pictures(directory, drawing, PICTURES)[0]
-
-
-def _mesh_loss_summary(case: Case, result: "Result") -> dict[str, Any]:
-    """Loss between teeth or rollers under `--json`; empty where none is known."""
-    from pyworm.ratings.mesh_loss import mesh_loss
-
-    loss = mesh_loss(case.drive, result)
-    return {} if loss is None else {"mesh_loss": loss.summary()}
 
 
 def _table_of_lives(result: "Result", directory: Path) -> Path | None:
@@ -183,14 +178,6 @@ def _table_of_lives(result: "Result", directory: Path) -> Path | None:
         print_message(f"no table of the life: {error}")
         return None
     return path
-
-
-def _lives_summary(result: "Result") -> dict[str, Any]:
-    """Extremes and work of friction of transient solutions under `--json`; empty without any."""
-    from pyworm.result.life import lives
-
-    found = [life.summary() for life in lives(result)]
-    return {"lives": found} if found else {}
 
 
 NO_LOSS = (

@@ -6,13 +6,13 @@ from pathlib import Path
 
 from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_json
-from pyworm.cli.shared import CONVERGED, NOT_CONVERGED, warn_of_unusual
+from pyworm.cli.shared import CONVERGED, NOT_CONVERGED, option_value, warn_of_unusual
 from pyworm.drives.answers import Row
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
-from pyworm.io.quantity import SHARE_KIND, Kind, parse
+from pyworm.io.quantity import SHARE_KIND, Kind
 from pyworm.io.stage import stage
 from pyworm.io.terminal import print_message, print_result
 
@@ -36,8 +36,8 @@ COLUMNS = {
 """Key -> its words, the factor to the shown unit, and the format."""
 
 
-def add_setup(commands: argparse._SubParsersAction) -> None:
-    """Add the command `setup`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     setup = commands.add_parser(
         "setup",
         help="hob settings for a contact pattern, hob life, and shim of the wheel",
@@ -155,13 +155,8 @@ def _wanted(options: argparse.Namespace) -> dict[str, float]:
         ("size", "size", SHARE_KIND),
         ("shim", "shim", PLACE),
     ):
-        text = getattr(options, option)
-        if not text:
-            continue
-        try:
-            wanted[name] = parse(text, kind)
-        except ValueError as error:
-            raise CaseError(f"--{option} {text}: {error}") from None
+        if text := getattr(options, option):
+            wanted[name] = option_value(option, text, kind)
     if not 0 < wanted.get("size", 0.5) < 1:
         raise CaseError(f"--size {options.size}: must lie between 0 and 100 %")
     return wanted

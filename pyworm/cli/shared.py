@@ -2,17 +2,18 @@
 
 import argparse
 from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pyworm.batch.workers import executor_of
 from pyworm.case.case import Case
-from pyworm.io.atomic import atomic_directory
+from pyworm.io.atomic import atomic_directory, check_writable, whole_file
 from pyworm.io.input_error import CaseError
-from pyworm.io.quantity import SHARE_KIND, parse
+from pyworm.io.quantity import SHARE_KIND, Kind, parse
 from pyworm.io.reason import reason_of
 from pyworm.io.stage import stage
-from pyworm.io.terminal import print_message
+from pyworm.io.terminal import print_message, print_result
 from pyworm.scene.index import INDEX_NAMES
 
 if TYPE_CHECKING:
@@ -55,11 +56,9 @@ def drawn_pictures(
             except PicturesError as error:
                 print_message(f"{error}")
                 drawn, complete = error.drawn, False
-    except OSError as error:
-        print_message(f"no pictures: {error}")
-        return [], False
-    except MemoryError as error:
-        print_message(f"no pictures: {reason_of(error)}")
+    except (OSError, MemoryError) as error:
+        why = reason_of(error) if isinstance(error, MemoryError) else str(error)
+        print_message(f"no pictures: {why}")
         return [], False
     return [path.name for path in drawn], complete
 
@@ -80,6 +79,31 @@ def warn_of_refusals(tasks: Sequence["Task"]) -> None:
         print_message(
             f"warning: {', '.join(names)}: will not reach the requested accuracy: {reason}"
         )
+
+
+def page_file(given: Path | None, default: Path) -> Path:
+    """Where a page is written; CaseError if that is a directory, or not possible."""
+    path = given or default
+    if path.is_dir():
+        raise CaseError(f"--out {path}: is a directory, a file such as {default.name} is needed")
+    check_writable(path.parent)
+    return path
+
+
+def write_page(path: Path, page: str) -> None:
+    """Write a page and print its path."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with whole_file(path) as partial:
+        partial.write_text(page, encoding="utf-8")
+    print_result(f"{path}")
+
+
+def option_value(option: str, text: str, kind: Kind) -> float:
+    """The value in SI of an option with a unit; CaseError of one that is none."""
+    try:
+        return parse(text, kind)
+    except ValueError as error:
+        raise CaseError(f"--{option} {text}: {error}") from None
 
 
 def opened_result(path: Path) -> "Result":
@@ -119,10 +143,7 @@ def planned_tasks(case: Case, options: argparse.Namespace) -> list:
     """The tasks of a case, all planned before the first is solved."""
     accuracy = case.accuracy
     if options.accuracy is not None:
-        try:
-            accuracy = parse(options.accuracy, SHARE_KIND)
-        except ValueError as error:
-            raise CaseError(f"--accuracy {options.accuracy}: {error}") from None
+        accuracy = option_value("accuracy", options.accuracy, SHARE_KIND)
 
     from pyworm.batch.task import Task
 
@@ -142,12 +163,4 @@ def planned_tasks(case: Case, options: argparse.Namespace) -> list:
 
 def batch_executor(options: argparse.Namespace) -> AbstractContextManager:
     """Context manager of the executor of a batch; None where this process solves it."""
-    if options.scheduler is not None:
-        from pyworm.batch.cluster import cluster
-
-        return cluster(options.scheduler, print_message)
-    if options.jobs == 1:
-        return nullcontext()
-    from pyworm.batch.workers import WorkerPool
-
-    return WorkerPool(options.jobs)
+    return executor_of(options.jobs, options.scheduler)

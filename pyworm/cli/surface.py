@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pyworm.cli.arguments import add_json
-from pyworm.cli.shared import CONVERGED, FAILED, drawn_pictures
+from pyworm.cli.shared import CONVERGED, FAILED, drawn_pictures, option_value
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.terminal import print_result
@@ -23,8 +23,8 @@ FILE_KEYS = ("spacing", "height_unit", "nesting_index", "shortest_wave", "outlie
 """Keys of `[bodies.NAME.surface]` that are options beside a file."""
 
 
-def add_surface(commands: argparse._SubParsersAction) -> None:
-    """Add the command `surface`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     surface = commands.add_parser(
         "surface", help="parameters, contact and flow of a measured or generated surface"
     )
@@ -150,18 +150,13 @@ def _of_case(path: Path) -> list[_Shown]:
 
 def _with_bodies(shown: list[_Shown], options: argparse.Namespace) -> list[_Shown]:
     """The surfaces on bodies whose modulus and hardness are those of the options, where given."""
-    from pyworm.io.quantity import Kind, parse
+    from pyworm.io.quantity import Kind
 
     instead: dict[str, Any] = {}
     for name, noun in (("modulus", "a reduced modulus"), ("hardness", "an indentation hardness")):
-        text = getattr(options, name)
-        if text is not None:
-            try:
-                instead[name] = parse(
-                    text, Kind(noun, "Pa", "226 GPa", possible=("0.1 MPa", "1500 GPa"))
-                )
-            except ValueError as error:
-                raise CaseError(f"--{name} {text}: {error}") from None
+        if (text := getattr(options, name)) is not None:
+            kind = Kind(noun, "Pa", "226 GPa", possible=("0.1 MPa", "1500 GPa"))
+            instead[name] = option_value(name, text, kind)
     return [replace(surface, **instead) for surface in shown]
 
 

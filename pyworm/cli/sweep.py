@@ -19,8 +19,8 @@ from pyworm.io.json import print_json
 from pyworm.io.terminal import print_message, print_result
 
 
-def add_sweep(commands: argparse._SubParsersAction) -> None:
-    """Add the command `sweep`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     sweep = commands.add_parser(
         "sweep", help="solve a case over ranges of its values: table, results file, picture"
     )

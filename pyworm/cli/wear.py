@@ -33,8 +33,8 @@ ACCURACY = "10 %"
 """Accuracy of the contacts unless another is asked for: the wear coefficient is known to a factor of 3."""
 
 
-def add_wear(commands: argparse._SubParsersAction) -> None:
-    """Add the command `wear`."""
+def add(commands: argparse._SubParsersAction) -> None:
+    """Add the command to those of the program."""
     wear = commands.add_parser("wear", help="wear of the worm wheel over its service life")
     add_case(wear)
     wear.add_argument(

@@ -1,5 +1,6 @@
 """The work-precision picture: errors of a contact's figures against processor time."""
 
+from collections.abc import Callable, Sequence
 from textwrap import fill
 from typing import Any
 
@@ -12,6 +13,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.quantity_text import percent
+from pyworm.precision.grid_series import Point
 from pyworm.precision.study import Curve, Study
 
 COLOURS = {
@@ -83,18 +85,14 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
     panel.set_yscale("log")
     handles: list[Artist] = []
     for curve in study.curves:
-        drawn = [
-            (point.seconds, max(error, MIN_SHOWN_ERROR))
-            for point in curve.points
-            if point.converged and (error := study.error(point, name)) is not None
-        ]
+        drawn = _drawn(curve, lambda point: study.error(point, name))
         if not drawn:
             continue
         if curve.kind == "formula":
-            marker = _formula_marker(study, curve)
+            marker = _look(study, curve, FORMULA_MARKERS)
             panel.plot(*zip(*drawn, strict=True), marker, color="black", fillstyle="none", zorder=4)
         elif curve.kind == "parameter":
-            colour = _parameter_colour(study, curve)
+            colour = _look(study, curve, PARAMETER_COLOURS)
             panel.plot(
                 *zip(*drawn, strict=True), "--", marker=".", color=colour, linewidth=1, zorder=3
             )
@@ -118,25 +116,26 @@ def _draw_panel(panel: Axes, study: Study, name: str) -> None:
     )
 
 
+def _drawn(curve: Curve, error_of: Callable[[Point], float | None]) -> list[tuple[float, float]]:
+    """Processor time [s] and an error of each converged point that has one."""
+    return [
+        (point.seconds, max(error, MIN_SHOWN_ERROR))
+        for point in curve.points
+        if point.converged and (error := error_of(point)) is not None
+    ]
+
+
 def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list) -> Line2D:
     """One model: its error, the discretisation error, and the plateau."""
     colour = COLOURS[curve.name]
     panel.plot(*zip(*drawn, strict=True), "o-", color=colour, markersize=4.5, zorder=5)
-    limits = [
-        (point.seconds, max(error, MIN_SHOWN_ERROR))
-        for point in curve.points
-        if point.converged and (error := study.limit_error(point, name)) is not None
-    ]
+    limits = _drawn(curve, lambda point: study.limit_error(point, name))
     if limits:
         panel.plot(*zip(*limits, strict=True), "o-.", color=colour, **HOLLOW)
     label = curve.name
     left = study.model_error(curve, name)
     if left is not None:
-        grid = [
-            (point.seconds, max(error, MIN_SHOWN_ERROR))
-            for point in curve.points
-            if point.converged and (error := study.grid_error(curve, point, name)) is not None
-        ]
+        grid = _drawn(curve, lambda point: study.grid_error(curve, point, name))
         panel.plot(*zip(*grid, strict=True), ":", color=colour, linewidth=1.2, zorder=2)
         last = drawn[-1][0]
         panel.plot([last, 6 * last], [max(left, MIN_SHOWN_ERROR)] * 2, color=colour, linewidth=0.8)
@@ -146,14 +145,10 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
     return Line2D([], [], color=colour, marker="o", markersize=4.5, label=label)
 
 
-def _formula_marker(study: Study, curve: Curve) -> str:
-    formulas = [curve.name for curve in study.curves if curve.kind == "formula"]
-    return FORMULA_MARKERS[formulas.index(curve.name)]
-
-
-def _parameter_colour(study: Study, curve: Curve) -> str:
-    parameters = [curve.name for curve in study.curves if curve.kind == "parameter"]
-    return PARAMETER_COLOURS[parameters.index(curve.name)]
+def _look(study: Study, curve: Curve, looks: Sequence[str]) -> str:
+    """The one of some looks that a curve has among those of its kind."""
+    names = [other.name for other in study.curves if other.kind == curve.kind]
+    return looks[names.index(curve.name)]
 
 
 def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> None:
@@ -163,7 +158,7 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
             [],
             [],
             linestyle="none",
-            marker=_formula_marker(study, curve),
+            marker=_look(study, curve, FORMULA_MARKERS),
             color="black",
             fillstyle="none",
             label=curve.name,
@@ -173,21 +168,13 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
     ]
     for curve in study.curves:
         if curve.kind == "parameter":
-            colour = _parameter_colour(study, curve)
+            colour = _look(study, curve, PARAMETER_COLOURS)
             label = f"{curve.name}: {curve.points[0].label} to {curve.points[-1].label}"
             handles.append(
                 Line2D([], [], linestyle="--", marker=".", color=colour, linewidth=1, label=label)
             )
-    handles.append(
-        Line2D(
-            [],
-            [],
-            color="0.3",
-            marker="o",
-            markersize=4.5,
-            label="a model on finer grids",
-        )
-    )
+    model = "a model on finer grids"
+    handles.append(Line2D([], [], color="0.3", marker="o", markersize=4.5, label=model))
     if any(point.limits for curve in study.curves for point in curve.points):
         handles.append(
             Line2D([], [], color="0.3", marker="o", linestyle="-.", label="extrapolated", **HOLLOW)

@@ -87,56 +87,45 @@ def _worst(
     yield label, quantity.text(figure.value), _relative(figure.error), model, remark
 
 
+Errors = tuple[float, float | None]
+"""Relative numerical uncertainty of a quantity, and that of the model of roughness where there is one."""
+
+
 def _loss_of_cycle(cycle: DriveCycle, neglected: NeglectedEffects) -> Iterator[Row]:
     """Mean friction and efficiency over a whole mesh cycle."""
     loss = present(cycle.loss, "loss")
-    share = loss.efficiency
-    yield _of_mesh(
-        "mesh_friction",
-        QUANTITIES["mesh_friction"].text(loss.friction),
-        loss.error / loss.power,
-        None if loss.model_error is None else loss.model_error / loss.power,
-        "",
-        neglected,
-    )
-    model = loss.efficiency_model_error
-    yield _of_mesh(
-        "mesh_efficiency",
-        f"{share * 100:.2f} %",
-        loss.efficiency_error / share,
-        None if model is None else model / share,
-        cycle.missing,
-        neglected,
-    )
+    share, model, of_share = loss.efficiency, loss.model_error, loss.efficiency_model_error
+    friction = loss.error / loss.power, None if model is None else model / loss.power
+    efficiency = loss.efficiency_error / share, None if of_share is None else of_share / share
+    return _mesh_rows(loss.friction, friction, share, efficiency, cycle.missing, neglected)
 
 
 def _loss(loss: MeshLoss, neglected: NeglectedEffects) -> Iterator[Row]:
     """Mean friction and efficiency of a drive without a table of its cycle's loss."""
-    friction = QUANTITIES["mesh_friction"].text(loss.friction)
-    yield _of_mesh("mesh_friction", friction, loss.error, loss.model, "", neglected)
     share = loss.loss / loss.power / loss.efficiency
-    yield _of_mesh(
-        "mesh_efficiency",
-        f"{loss.efficiency * 100:.2f} %",
-        share * loss.error,
-        None if loss.model is None else share * loss.model,
-        loss.missing,
-        neglected,
-    )
+    friction = loss.error, loss.model
+    efficiency = share * loss.error, None if loss.model is None else share * loss.model
+    return _mesh_rows(loss.friction, friction, loss.efficiency, efficiency, loss.missing, neglected)
 
 
-def _of_mesh(
-    name: str,
-    value: str,
-    error: float,
-    model: float | None,
+def _mesh_rows(
+    friction: float,
+    friction_errors: Errors,
+    efficiency: float,
+    efficiency_errors: Errors,
     missing: str,
     neglected: NeglectedEffects,
-) -> Row:
-    """A quantity of the whole mesh with its relative uncertainties."""
-    remark = ", ".join(filter(None, (AS_IF_SMOOTH if neglected.as_if_smooth else "", missing)))
-    label = QUANTITIES[name].title().removesuffix(" of the teeth")
-    return label, value, _relative(error), "" if model is None else _relative(model), remark
+) -> Iterator[Row]:
+    """Mean friction and efficiency of the whole mesh; contacts that the latter lacks are named."""
+    smooth = AS_IF_SMOOTH if neglected.as_if_smooth else ""
+    coefficient, share = QUANTITIES["mesh_friction"], QUANTITIES["mesh_efficiency"]
+    for quantity, value, (error, model), lacking in (
+        (coefficient, coefficient.text(friction), friction_errors, ""),
+        (share, f"{efficiency * 100:.2f} %", efficiency_errors, missing),
+    ):
+        label = quantity.title().removesuffix(" of the teeth")
+        by_model = "" if model is None else _relative(model)
+        yield label, value, _relative(error), by_model, ", ".join(filter(None, (smooth, lacking)))
 
 
 def _neglected(neglected: NeglectedEffects, accuracy: float) -> Iterator[Row]:
