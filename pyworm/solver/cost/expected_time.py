@@ -28,6 +28,10 @@ FIELDS = 3
 """Number of times that velocities are sampled for the fields of a solution."""
 
 
+SCENES_A_STEP = 3
+"""Contacts of its life that a time step makes: its own, and those by which the axes and the grid move on."""
+
+
 @dataclass(frozen=True)
 class Expectation:
     """Expected cost of a solve."""
@@ -64,7 +68,8 @@ def expectation(
     making = _making(scene)
 
     def taken(steps: Sequence[TimeSteps]) -> float:
-        sampled = sum(step.count * (step.nodes * times + making) for step in steps)
+        each = SCENES_A_STEP * making
+        sampled = sum(step.count * (step.nodes * times + each) for step in steps)
         return pace.motion_seconds(plan.work.kind, plan.model, steps) + sampled
 
     film += moving.chance * taken(moving.further)
