@@ -88,3 +88,10 @@ def coarse_springs(monkeypatch) -> None:
     monkeypatch.setattr(tooth_compliance, "LOAD_SHARES", np.array([0.02, 0.3, 1.0]))
     # a cache of its own: these must not be taken for others
     monkeypatch.setattr(mesh, "mesh_springs", lru_cache(maxsize=2)(mesh_springs.__wrapped__))
+
+
+def quickly_described(monkeypatch) -> None:
+    """Coarse patterns and springs and no allowed errors, in tests of what is said of a drive and how."""
+    without_allowed_errors(monkeypatch)
+    coarse_patterns(monkeypatch)
+    coarse_springs(monkeypatch)

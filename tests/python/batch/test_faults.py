@@ -7,8 +7,10 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import redirect_stdout
 from dataclasses import replace
 from functools import cache, partial
+from io import StringIO
 
 import fuzz
 import fuzz_results
@@ -402,7 +404,7 @@ class Interrupted:
         return kind is KeyboardInterrupt
 
 
-@pytest.mark.parametrize(("effects", "delays"), [("isothermal", (1.5, 4)), ("all", (5,))])
+@pytest.mark.parametrize(("effects", "delays"), [("isothermal", (1.0, 2.5)), ("all", (3,))])
 def test_an_interrupt_ends_a_large_solve_at_once(effects, delays):
     """Within 2 s on the largest grids; a kernel call there may take many times as long."""
     scene = pyworm.load(TRACTION).scene(slide_roll_ratio=0.5)
@@ -471,7 +473,10 @@ def test_run_to_run_and_one_or_two_threads_give_the_same_bits():
             text=True,
             check=True,
         ).stdout
-        for threads in ("1", "1", "2")
+        for threads in ("1", "2")
     ]
+    with redirect_stdout(StringIO()) as printed, pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sys, "argv", ["-c", str(TRACTION)])
+        exec(BITS, {})
     assert said[0].count("\n") > 8
-    assert said[0] == said[1] == said[2]
+    assert said[0] == said[1] == printed.getvalue()

@@ -70,6 +70,7 @@ SOON = tuple(name for name in NAMES if name != "precision")
 """Those that end in a second or so."""
 
 
+@pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize(
     ("name", "room"), [*((name, room) for name in SOON for room in (0, 1000)), ("precision", 0)]
 )
@@ -93,6 +94,7 @@ def test_a_full_disk_leaves_what_was_there_and_nothing_in_part(built, tmp_path, 
         assert after == before
 
 
+@pytest.mark.usefixtures("undrawn")
 @pytest.mark.parametrize("name", SOON)
 def test_a_directory_that_takes_no_files_is_named_in_one_sentence(built, capsys, name):
     nowhere = Path("/proc/pyworm")

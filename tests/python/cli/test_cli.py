@@ -9,7 +9,7 @@ from unittest.mock import Mock
 import pytest
 from folders import CASES
 from synthetic_solution import make_hot_worm
-from zi_drives import without_allowed_errors
+from zi_drives import quickly_described
 
 import pyworm
 import pyworm.batch.task
@@ -57,6 +57,7 @@ def solve_at_once(monkeypatch, solved):
         return [path]
 
     monkeypatch.setattr("pyworm.plots.draw.draw", mark)
+    quickly_described(monkeypatch)
 
     def install(**changes):
         solution = replace(solved[1], **changes)
@@ -323,7 +324,7 @@ def test_plot_draws_the_pictures_again(tmp_path, capsys, solved):
 
 
 def test_check_shows_the_plan_and_solves_nothing(tmp_path, capsys, monkeypatch):
-    without_allowed_errors(monkeypatch)
+    quickly_described(monkeypatch)
     monkeypatch.chdir(tmp_path)
     assert main(["check", DRIVE]) == CONVERGED
     said = capsys.readouterr().out
@@ -338,7 +339,7 @@ def test_check_shows_the_plan_and_solves_nothing(tmp_path, capsys, monkeypatch):
 
 
 def test_check_prints_one_json_object(capsys, monkeypatch):
-    without_allowed_errors(monkeypatch)
+    quickly_described(monkeypatch)
     assert main(["check", DRIVE, "--phase", "0.25", "0.75", "--json"]) == CONVERGED
     content = json.loads(capsys.readouterr().out)
     of_run = {"expected_seconds", "expected_seconds_of_search"}

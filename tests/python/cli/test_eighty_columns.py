@@ -6,6 +6,7 @@ from functools import partial
 
 import pytest
 from swept_cycle import cycle_result
+from zi_drives import quickly_described
 
 from pyworm.batch.wear_run import WearFigures
 from pyworm.cli import wear
@@ -64,6 +65,7 @@ def fits(print_it, monkeypatch, capsys):
     ],
 )
 def test_a_contact(case, options, tmp_path, monkeypatch, capsys, request):
+    quickly_described(monkeypatch)
     arguments = ["run", str(request.config.rootpath / f"cases/{case}.toml"), *options]
     arguments += ["--pictures", "none", "--out", str(tmp_path)]
     said = fits(partial(main, arguments), monkeypatch, capsys)

@@ -67,7 +67,7 @@ def test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with
         raise time_integration.NoFilmError("no film between them")
 
     monkeypatch.setattr(time_integration, "_at_rest", diverged)
-    records = integrated(drive, drive.life)
+    records = integrated(drive, drive.life, 0.04)
     assert 0 <= records[0].phase < 0.02
     assert records[0].load == pytest.approx(drive.normal_load(records[0].phase), rel=2e-3)
 
@@ -78,7 +78,7 @@ def test_oil_is_pressed_out_of_all_of_the_gap_between_flanks_that_come_together(
     films = []
     steady = replace(approach, until=-np.inf)
     for window in (approach, replace(approach, sides=larger), steady):
-        records = integrated(drive, drive.life, approach=window)
+        records = integrated(drive, drive.life, 0.04, approach=window)
         films.append([one.figures["film_min"] for one in records if 0.01 < one.phase < 0.03])
     as_they_are, in_a_larger_window, in_that_of_a_steady_film = np.array(films)
     assert as_they_are == pytest.approx(in_a_larger_window, rel=0.02)
@@ -96,7 +96,7 @@ def test_films_that_form_on_an_edge_hardly_depend_on_the_time_step(monkeypatch):
     for steps, order in ((9, first_order), (9, higher_order), (36, first_order)):
         monkeypatch.setitem(course_module.STEPS_A_TRANSIT, "point", steps)
         monkeypatch.setattr(time_integration, "_differenced", order)
-        records = integrated(drive, drive.life)
+        records = integrated(drive, drive.life, 0.1)
         phases = [one.phase for one in records]
         least = [one.figures["film_min"] for one in records]
         films.append(np.interp([0.02, 0.06, 0.1], phases, least))

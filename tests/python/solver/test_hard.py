@@ -1,7 +1,6 @@
 """A quick part of the suite of hard scenes (tests/hard): seeded draws, and the closest looks at stability."""
 
-import os
-import subprocess
+import runpy
 import sys
 from dataclasses import replace
 from unittest.mock import Mock
@@ -86,13 +85,14 @@ def test_the_promise_holds_for_any_seed(missed, kept):
     assert (complaints("thermal", verdicts, seed=7) == []) == kept
 
 
-def test_results_of_seeds_are_kept_apart(tmp_path):
-    suite = ROOT / "tests" / "hard"
+def test_results_of_seeds_are_kept_apart(tmp_path, capsys, monkeypatch):
     told = {}
     for seed in ("7", "8"):
-        command = [sys.executable, suite, "isothermal:3-3", "--seed", seed, "--out", tmp_path]
-        run = subprocess.run(command, capture_output=True, text=True, env=os.environ, check=True)
-        told[seed] = run.stdout
+        words = ["hard", "isothermal:3-3", "--seed", seed, "--out", str(tmp_path)]
+        monkeypatch.setattr(sys, "argv", words)
+        with pytest.raises(SystemExit, match="0"):
+            runpy.run_path(str(ROOT / "tests" / "hard"), run_name="__main__")
+        told[seed] = capsys.readouterr().out
         assert len(list((tmp_path / f"seed-{seed}" / "scenes").glob("*.json"))) == 1
     rows = [next(row for row in out.splitlines() if "isothermal:3" in row) for out in told.values()]
     assert rows[0] != rows[1]
