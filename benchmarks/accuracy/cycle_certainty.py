@@ -131,7 +131,9 @@ def every() -> dict[str, list[Phase]]:
 def draw(found: dict[str, list[Phase]], whole: tuple[float, float], bars) -> Figure:
     """Errors of the least film and of the mean loss against processor time."""
     figure = Figure(figsize=(11, 4.8), layout="constrained")
-    figure.suptitle(f"{CASE.stem}: a whole mesh cycle, phases {FIRST:g} to {LAST:g}")
+    figure.suptitle(
+        f"Error over a mesh cycle against CPU time: {CASE.stem}, phases {FIRST:g} to {LAST:g}"
+    )
     titles = (
         f"Minimum film thickness of the cycle ({whole[0] * 1e6:.3f} µm)",
         f"Mean power loss ({whole[1]:.0f} W)",

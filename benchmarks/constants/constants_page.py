@@ -41,33 +41,37 @@ TABLE = PAGE.with_suffix(".csv")
 
 INTRODUCTION = """# Constants
 
-All constants of the standards and rules that pyworm rates by, and how well each is verified.
-The table [constants.csv](constants.csv) has one line for each number: its place in the program, value,
+All constants of the standards and rules that pyworm rates by, and the evidence for each.
+The table [constants.csv](constants.csv) has one line for each number: its name in the program, value,
 clause of the standard, provenance, and the smallest change that a check detects. Both files are generated
-from the program by
+by
 
     python benchmarks/constants/constants_page.py
 
 Input ranges and conversions by powers of ten are not listed.
 
-## How the numbers are known
+## Provenance of the numbers
 """
 
 DETECTION = """
-## Which errors the checks detect
+## Errors that the checks detect
 
 No check repeats the constant. The checks use neighbouring rows, monotony, ratios, limits, dimensions, other
 formulas, other standards and printed examples. Each number is changed up and down by 2, 10 and 25 %, by a
-factor of 2 and of 10 (a misplaced decimal point). A column counts the numbers whose smallest detected change
-is that of its head.
+factor of 2 and of 10 (a misplaced decimal point). Entries count the numbers by the smallest change that a
+check detects.
 """
 
 UNDETECTED = """
 ### Numbers whose tenfold change is not detected
 
-A tenfold change of these numbers moves results under usual conditions by the factor in the last column at
-most.
+Under usual conditions a tenfold change of these numbers changes results by at most the factor in the last
+column.
 """
+
+
+HEADS = {MEMORY: "Numbers quoted from memory", TRANSCRIBED: "Numbers seen in one transcription"}
+"""Headings of the lists of numbers that no printed text confirms."""
 
 
 def word_of(seen: Seen) -> str:
@@ -134,7 +138,7 @@ def _detected() -> Iterator[str]:
 
 
 def _undetected() -> Iterator[str]:
-    yield "| place | numbers | factor |\n|---|---|---|"
+    yield "| name | numbers | factor |\n|---|---|---|"
     for chapter in CHAPTERS:
         pairs = zip(chapter.subject.numbers, seen_in(chapter), strict=True)
         blind = [(number, seen.moved) for number, seen in pairs if seen.factor is None]
@@ -152,7 +156,7 @@ def _not_read() -> Iterator[str]:
             for place, clause in chapter.clauses.items()
             if clause.known == known
         )
-        yield f"\n### Places known from {known}\n\n{', '.join(places)}."
+        yield f"\n### {HEADS[known]}\n\n{', '.join(places)}."
 
 
 def page() -> str:

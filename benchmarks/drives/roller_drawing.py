@@ -79,14 +79,14 @@ def draw_plan(axes, drive):
             mutation_scale=16,
         )
     )
-    axes.text(0, 92, "rollers travel", ha="center", size=9)
+    axes.text(-8, 66, "motion of rollers", ha="right", size=9)
     axes.plot([], [], color="tab:red", lw=2.5, label="contact lines at one instant")
     axes.plot([], [], color="0.4", label="thread's tip")
     axes.plot([], [], color="0.4", ls=":", label="thread's root, where rollers end")
     axes.legend(loc="lower center", frameon=False, fontsize=8)
     axes.set_aspect("equal")
     axes.set(xlim=(-155, 155), ylim=(-70, 265), xlabel="x / mm", ylabel="y / mm")
-    axes.set_title("along the wheel's axis; a worm below turns the picture round", fontsize=10)
+    axes.set_title("View along the wheel axis (worm below the wheel: turned by 180°)", fontsize=10)
 
 
 def draw_roller(axes):
@@ -111,7 +111,7 @@ def draw_roller(axes):
     axes.plot(0, 1, "ko", ms=4)
     axes.text(-0.1, 2.15, "d", color="tab:green", ha="right")
     axes.annotate(
-        "height of\nits middle",
+        "height of\nroller centre",
         (0.0, 0.2),
         (0.9, 0.2),
         arrowprops={"arrowstyle": "<->"},
@@ -123,13 +123,13 @@ def draw_roller(axes):
     axes.set(
         xlim=(-1.6, 1.8),
         ylim=(-1.5, 3.2),
-        xlabel="along the wheel's axis",
-        ylabel="along its radius",
+        xlabel="direction of the wheel axis",
+        ylabel="radial direction of the wheel",
     )
     axes.set_xticks([])
     axes.set_yticks([])
     axes.legend(loc="upper left", frameon=False, fontsize=8)
-    axes.set_title("how a roller's axis d may lie", fontsize=10)
+    axes.set_title("Orientations of a roller axis d at the rim of the wheel", fontsize=10)
 
 
 if __name__ == "__main__":

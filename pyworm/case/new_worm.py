@@ -89,7 +89,7 @@ def new_worm_text(
         key, _, rest = choice.partition(" = ")
         value, _, words = rest.partition(", ")
         part, _, name = key.rpartition(".")
-        rows[part].append(f"# {name} = {json.dumps(value)} # as usual: {words}")
+        rows[part].append(f"# {name} = {json.dumps(value)} # default: {words}")
     drive = "\n\n".join(
         "\n".join([f"[drive.{part}]" if part else "[drive]", *lines])
         for part, lines in rows.items()
@@ -152,7 +152,7 @@ title = {title}
 source = "Drawing of the gear unit"
 accuracy = "5 %" # maximum numerical error of films and pressures
 
-# As drawn, in the terms of DIN 3975 and ISO 1122-2. Keys behind a # have the value that is taken as usual:
+# As drawn, in the terms of DIN 3975 and ISO 1122-2. Keys behind a # show their defaults:
 # take the # away where the drawing has another one. pyworm check prints the whole drawing back.
 
 {drive}

@@ -232,7 +232,7 @@ class WormDriveTable(Table):
         return smaller.hob_oversize, self._design(smaller, assumed)
 
     def _drawing(self) -> tuple[Drawing, tuple[str, ...]]:
-        """The complete drawing, and what was taken as usual."""
+        """The complete drawing, and the dimensions assumed by common practice."""
         given = self._numbers() | {
             "centre_distance": self._distance,
             "diameter_factor": self._diameter_factor(),

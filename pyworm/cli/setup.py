@@ -204,5 +204,5 @@ def _print_allowed(allowed: dict[str, dict[str, float | str]]) -> None:
             value = float(row[f"{end}_{unit}"]) * factor
             cells += [f"{value:+.3f} {shown}", str(row[f"{end}_limited_by"])]
         rows.append((f"assembly.{entry}", *cells))
-    head, title = ("", "from", "limited by", "to", "limited by"), "Allowed errors of the assembly"
-    Console().print(Table(head, tuple(rows), f"{title}, each alone", texts=(2, 4)))
+    head = "Parameter", "Lower limit", "set by", "Upper limit", "set by"
+    Console().print(Table(head, tuple(rows), "Allowed assembly errors, each alone", texts=(2, 4)))

@@ -38,7 +38,7 @@ class Drive(Lubricated, ABC):
 
     @property
     def usual_values(self) -> tuple[str, ...]:
-        """Those of its assumptions that are dimensions taken as usual, since the input does not give them."""
+        """Dimensions that the input does not give, assumed by common practice."""
         return ()
 
     @property

@@ -215,8 +215,9 @@ def nijenbanning_venner_moes(groups: PointGroups) -> Film:
     and H_EI/H_RI in s is in circulation and fails that limit.
 
     Source: G. Nijenbanning, C. H. Venner and H. Moes, Wear 176 (1994) 217-229. Range: any load and
-    lubricant parameter; long axis across the entrainment (D <= 1) or a little beyond. Within 11 %
-    of solutions with a compressible Roelands oil for M up to 200 and L up to 10.
+    lubricant parameter; made for the long axis across the entrainment (D <= 1), compared with solutions
+    up to D = 5 (`film_ranges`). Within 11 % of those with a compressible Roelands oil for M up to 200 and
+    L up to 10.
     """
     h = point_asymptotes(groups.moes_m, groups.moes_l, groups.ratio)
     crowned = _soft_min(h.elastic_isoviscous, 1.8 / groups.ratio, 4)

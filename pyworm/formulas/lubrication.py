@@ -2,7 +2,7 @@
 
 The bounds 3 and 1 are the field's (T. E. Tallian, ASLE Trans. 10 (1967) 418-439; B. J. Hamrock, S. R. Schmid
 and B. O. Jacobson, Fundamentals of Fluid Film Lubrication (2004)), from memory. They are rough: by a fit to
-the partial elastohydrodynamic films of Patir and Cheng, exp(-1.8 lambda^1.2), asperities carry 0.1 % of the
+the partial elastohydrodynamic films of Patir and Cheng, exp(-1.8 lambda^1.2), asperities carry 0.12 % of the
 load at a central lambda of 3, 1.6 % at 2 and 17 % at 1; D. Zhu and Q. J. Wang, Proc. IMechE J 226 (2012)
 1010-1022, find such bounds quantitatively wrong.
 """

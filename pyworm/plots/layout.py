@@ -183,19 +183,23 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
         panel.set_xlim(window.left, window.right)
         panel.set_ylim(window.bottom, window.top)
         panel.set_aspect(window.stretch)
-        panel.set_xlabel(f"x / mm{_stretch_note(1 / window.stretch)}")
-        panel.set_ylabel(f"y / mm{_stretch_note(window.stretch)}")
+        panel.set_xlabel(f"x / mm{_stretch_note('y', window.stretch)}")
+        panel.set_ylabel(f"y / mm{_stretch_note('x', 1 / window.stretch)}")
         panels.append(panel)
     return figure, panels
 
 
 def colour_bar(
-    axes: Axes, mappable: ScalarMappable, label: str, ticks: np.ndarray | None = None
+    axes: Axes,
+    mappable: ScalarMappable,
+    label: str,
+    ticks: np.ndarray | None = None,
+    extend: str | None = None,
 ) -> None:
-    """A colour bar beside a panel, as tall as it."""
+    """A colour bar beside a panel, as tall as it; `extend` names ends beyond which there are values."""
     width, _ = panel_size(axes)
     bar_axes = axes.inset_axes((1 + 0.1 / width, 0, 0.18 / width, 1))
-    figure_of(axes).colorbar(mappable, cax=bar_axes, label=label, ticks=ticks)
+    figure_of(axes).colorbar(mappable, cax=bar_axes, label=label, ticks=ticks, extend=extend)
 
 
 def figure_of(axes: Axes) -> Figure:
@@ -255,8 +259,9 @@ def power_of_ten(value: float, _: int) -> str:
     return "10" + str(round(log10(value))).translate(SUPERSCRIPTS)
 
 
-def _stretch_note(stretch: float) -> str:
-    return f"  (stretched {stretch:.0f} times)" if stretch > 1 else ""
+def _stretch_note(axis: str, stretch: float) -> str:
+    """On the long axis, where there is room: by how much the scale of the other is stretched."""
+    return f"  (scales differ: {axis} stretched {stretch:.0f} times)" if stretch > 1 else ""
 
 
 def heading(case_name: str, solution: Solution) -> str:

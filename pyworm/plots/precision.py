@@ -26,7 +26,7 @@ COLOURS = {
     "+ roughness": "black",
 }
 
-FORMULA_MARKERS = "^v<>D"
+FORMULA_MARKERS = "^v<>Dsp"
 
 PARAMETER_COLOURS = "0.35", "tab:purple", "tab:cyan"
 
@@ -58,7 +58,9 @@ def draw_precision(study: Study, heading: str) -> Figure:
     bottom = 1.15 + 0.17 * footer.count("\n")
     height = PANEL_HEIGHT * rows + 0.5 + bottom
     figure = Figure(figsize=(width, height))
-    figure.suptitle(heading, y=1 - 0.12 / height, verticalalignment="top")
+    figure.suptitle(
+        f"Error against CPU time: {heading}", y=1 - 0.12 / height, verticalalignment="top"
+    )
     panels = figure.subplots(rows, columns, squeeze=False).flat
     figure.subplots_adjust(
         left=1.05 / width,
@@ -140,8 +142,8 @@ def _draw_model(panel: Axes, study: Study, curve: Curve, name: str, drawn: list)
         last = drawn[-1][0]
         panel.plot([last, 6 * last], [max(left, MIN_SHOWN_ERROR)] * 2, color=colour, linewidth=0.8)
         order = curve.limits[name].order
-        observed = "no order seen" if order is None else f"order {order:.1f}"
-        label += f"\n   {observed}, then {percent(left)} left"
+        observed = "no order observed" if order is None else f"order {order:.1f}"
+        label += f"\n   {observed}, model error {percent(left)}"
     return Line2D([], [], color=colour, marker="o", markersize=4.5, label=label)
 
 
@@ -173,13 +175,13 @@ def _common_legend(figure: Figure, study: Study, place: tuple[float, float]) -> 
             handles.append(
                 Line2D([], [], linestyle="--", marker=".", color=colour, linewidth=1, label=label)
             )
-    model = "a model on finer grids"
+    model = "model on finer and finer grids"
     handles.append(Line2D([], [], color="0.3", marker="o", markersize=4.5, label=model))
     if any(point.limits for curve in study.curves for point in curve.points):
         handles.append(
             Line2D([], [], color="0.3", marker="o", linestyle="-.", label="extrapolated", **HOLLOW)
         )
-    handles.append(Line2D([], [], color="0.3", linestyle=":", label="grid-refinement part"))
+    handles.append(Line2D([], [], color="0.3", linestyle=":", label="discretisation part"))
     figure.legend(
         handles=handles,
         loc="upper center",

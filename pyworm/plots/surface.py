@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
 from pyworm.materials.rough_surfaces import RoughPair, RoughSurface
 from pyworm.materials.topography import Topography
-from pyworm.plots.layout import MEGA, MICRO, new_figure
+from pyworm.plots.layout import MEGA, MICRO, joined, new_figure
 from pyworm.surfaces.cell_table import CellTable
 from pyworm.surfaces.parameters import Texture, abbott
 
@@ -21,7 +21,7 @@ EXTREME_FRACTION = 0.001
 def draw_heights(name: str, surface: Topography, texture: Texture) -> Figure:
     """Map of heights, and the Abbott curve with its core."""
     heading = (
-        f"{name}  ·  Rq {texture.rq * MICRO:.3g} µm, slope {texture.slope:.3g}, "
+        f"Heights of {name}  ·  Rq {texture.rq * MICRO:.3g} µm, slope {texture.slope:.3g}, "
         f"Peklenik number {texture.aspect:.3g}"
     )
     figure = new_figure(11, 5, heading)
@@ -41,7 +41,7 @@ def draw_heights(name: str, surface: Topography, texture: Texture) -> Figure:
     figure.colorbar(mapped, ax=map_axes, label="height / µm", extend="both", shrink=0.9)
     map_axes.set_xlabel("x / µm")
     map_axes.set_ylabel("y / µm")
-    stretched = "" if map_axes.get_aspect() == 1 else ", sides not to scale"
+    stretched = "" if map_axes.get_aspect() == 1 else ", scales of x and y differ"
     map_axes.set_title(f"heights{stretched}", fontsize="medium")
     _draw_abbott(curve_axes, surface, texture)
     return figure
@@ -71,7 +71,7 @@ def _draw_abbott(axes: Axes, surface: Topography, texture: Texture) -> None:
     for edge in (top, bottom):
         axes.axhline(edge, color="tab:red", lw=0.8, ls=":")
     axes.set_xlim(0, 100)
-    axes.set_xlabel("part of the area / %")
+    axes.set_xlabel("material ratio / %")
     axes.set_ylabel("height / µm")
     axes.set_title("Abbott curve", fontsize="medium")
     axes.legend(frameon=False, fontsize="small")
@@ -85,9 +85,11 @@ def draw_curves(
     `modulus` is E' [Pa], `hardness` the largest pressure [Pa], None of a surface that does not yield.
     """
     yields = "elastic" if hardness is None else f"hardness {hardness * MEGA:.4g} MPa"
-    figure = new_figure(
-        13, 4.6, f"{name} against a smooth surface  ·  E' {modulus / 1e9:.4g} GPa, {yields}"
-    )
+    given = f"E' {modulus / 1e9:.4g} GPa, {yields}"
+    heading = f"Contact and flow factors of {name} against a smooth surface"
+    figure = new_figure(13.6, 4.8, joined(heading, given))
+    # room beside the first panel, whose axis on the right is its own
+    figure.set_layout_engine("constrained", w_pad=0.15)
     contact, flow, shear = figure.subplots(1, 3)
     gap = table.separation / table.height
     rough = RoughSurface(table.height, texture.slope, hardness=hardness)
@@ -106,10 +108,12 @@ def draw_curves(
             fitted, pressure_flow_factor(fitted, aspect), "--", color=colour, lw=1, label=label
         )
         shear.plot(fitted, shear_flow_factor(fitted, aspect), "--", color=colour, lw=1, label=label)
-    flow.set_title("pressure flow factors (of h_T³)", fontsize="medium")
-    shear.set_title("shear flow factors", fontsize="medium")
+    flow.set_title("pressure flow", fontsize="medium")
+    shear.set_title("shear flow", fontsize="medium")
+    flow.set_ylabel(r"pressure flow factor (of $h_T^3$)")
+    shear.set_ylabel(r"shear flow factor $\phi_s$")
     for axes in (contact, flow, shear):
-        axes.set_xlabel("gap between mean planes / Rq")
+        axes.set_xlabel("gap between mean planes $h/R_q$")
         axes.set_xlim(min(0.0, gap.min()) if axes is contact else 0, 6)
         axes.grid(True, color="0.9")
     for axes in (flow, shear):
@@ -124,13 +128,13 @@ def _draw_contact(
     touched = table.area > 0
     axes.semilogy(gap[touched], table.pressure[touched] * MEGA, "o-", ms=3, label="pressure")
     axes.semilogy(gap, closed * MEGA, "--", color="tab:blue", lw=1, label="closed form")
-    axes.set_ylabel("pressure of asperities / MPa")
+    axes.set_ylabel("asperity pressure $p_a$ / MPa")
     axes.set_ylim(table.pressure[touched].min() * MEGA / 3, table.pressure.max() * MEGA * 3)
-    axes.set_title("contact", fontsize="medium")
+    axes.set_title("asperity contact", fontsize="medium")
     right = axes.twinx()
     right.plot(gap, 100 * table.area, "o-", ms=3, color="tab:green", label="real area")
     right.plot(gap, 100 * area, "--", color="tab:green", lw=1)
-    right.set_ylabel("real area of contact / %")
+    right.set_ylabel("real area of contact / %", color="tab:green")
     right.set_ylim(0, 100)
     handles, labels = (
         a + b

@@ -124,7 +124,7 @@ class _Study:
                 f"that is some {duration(self._wanted(complete))}"
             )
         if len(converged_row(complete.points)) < 2:
-            raise NoReferenceError(f"{complete.name}: the film settles on too few grids")
+            raise NoReferenceError(f"{complete.name}: the film converges on too few grids")
         window = self._window(complete)
         references = self._references(complete, window)
         others = [] if complete_only else self._others()
@@ -180,7 +180,9 @@ class _Study:
                 if _fine_enough(taken, model.plan.target.figures):
                     break
                 if len(taken) > LEAST_GRIDS and not (taken[-2].converged or point.converged):
-                    self._omitted.append(f"{name}: grids beyond {point.label} (it does not settle)")
+                    self._omitted.append(
+                        f"{name}: grids beyond {point.label} (it does not converge)"
+                    )
                     break
                 last = taken[-2].seconds if len(taken) > 1 else 0.0
                 growth = step_of(model.plan)

@@ -76,9 +76,9 @@ def _gear(teeth: InvolutePair, number: int, turns: Array) -> Shape:
     polar = np.hypot(*outline.T)[:, None]
     rim = size.root - RIM * teeth.system.module
     inner = [outline / polar * np.minimum(polar, radius) for radius in (rim, size.root)]
-    # the faces of the gear lie between its outline and the inside of the rim
+    # the faces of the gear lie between its outline and the inside of the rim, which closes the body
     rows = [(points, 0) for points in inner] + [(outline, layer) for layer in range(SLICES)]
-    rows += [(points, -1) for points in reversed(inner)]
+    rows += [(points, -1) for points in reversed(inner)] + [(inner[0], 0)]
     section = np.stack([_turned(points, twist[layer]) for points, layer in rows]) + centre
     heights = np.broadcast_to(z[[layer for _, layer in rows], None, None], (*section.shape[:2], 1))
     others = [tooth for tooth in range(-TEETH, TEETH + 1) if tooth]

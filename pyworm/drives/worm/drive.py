@@ -81,7 +81,7 @@ class WormDrive(WormMesh, Drive):
     @property
     def usual_values(self) -> tuple[str, ...]:
         """Dimensions that the drawing does not give."""
-        return tuple(f"Taken as usual: drive.{entry}." for entry in self.assumed)
+        return tuple(f"Assumed by common practice: drive.{entry}." for entry in self.assumed)
 
     @property
     def assumptions(self) -> tuple[str, ...]:

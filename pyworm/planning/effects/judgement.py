@@ -53,7 +53,9 @@ def judge(
             on, reason = decided
         elif effect.name in required:
             on = True
-            reason = _needed(allowed) if worst > allowed else f"though within {_percent(allowed)}"
+            reason = (
+                _needed(allowed) if worst > allowed else f"requested; within {_percent(allowed)}"
+            )
         else:
             on = not worst <= allowed
             reason = _needed(allowed) if on else f"within {_percent(allowed)}"

@@ -144,23 +144,23 @@ def draw_supply(case_name: str, solution: Solution) -> Figure:
     fields = solution.dataset("fields")
     figures, film = solution.figures, QUANTITIES["film"]
     titles = [
-        "oil over gap: 1 where the gap is full",
-        f"oil in the gap: {present(figures.supply, 'supply').supply_ratio:.2g} of the flooded film supplied",
+        "fraction of the gap that oil fills",
+        f"oil thickness; supplied: {present(figures.supply, 'supply').supply_ratio:.2g} of the flooded film",
     ]
     figure, axes = panels(whole_window(fields), titles, heading(case_name, solution))
     fraction = field(fields, "oil_fraction")
     thickest = THICKEST * film.number(figures.film_central.value)
     oil = np.minimum(fraction * _values(fields, "film"), thickest)
     maps = (
-        (fraction, 1.0, "fraction filled", "cividis"),
-        (oil, thickest, film.axis("oil"), film.colours),
+        (fraction, 1.0, "fraction filled", "cividis", "neither"),
+        (oil, thickest, film.axis("oil thickness"), film.colours, "max"),
     )
-    for panel, (values, top, label, colours) in zip(axes, maps, strict=True):
+    for panel, (values, top, label, colours, extend) in zip(axes, maps, strict=True):
         look: Style = {"vmin": 0.0, "vmax": top, "cmap": colours, "shading": "nearest"}
         shown = panel.pcolormesh(*nodes(fields), values, rasterized=True, **look)
         draw_tooth(panel, fields)
         draw_dry_outline(panel, fields, "white")
-        colour_bar(panel, shown, label)
+        colour_bar(panel, shown, label, extend=extend)
     return figure
 
 

@@ -3,7 +3,7 @@
 
 const page = JSON.parse(document.getElementById("data").textContent);
 const state = { scene: 0, field: Object.keys(page.fields)[0], range: "all", picked: null,
-  flankField: Object.keys(page.maps)[0], turn: [0.6, 0.4], near: 1 };
+  flankField: Object.keys(page.maps)[0], turn: [-0.6, 0.4], near: 1 };
 const element = (id) => document.getElementById(id);
 
 /** Numbers of `packed` (packed.py); kept with what they came from. */
@@ -62,6 +62,12 @@ function ticks(low, high, count) {
   return found;
 }
 
+/** Least side of a panel with equal scales [pixels]. */
+const SHORTEST_SIDE = 110;
+
+/** Note of a label: scales of x and y are equal unless it says so. */
+const scalesOf = (panel) => panel.even ? "" : " (scales of x and y differ)";
+
 /** A canvas with its frame: scales of two axes, labels, and the way back from a pointer. */
 class Panel {
   constructor(id, height, right = 16) {
@@ -70,21 +76,22 @@ class Panel {
     this.margin = { left: 64, right, top: 10, bottom: 38 };
   }
 
-  /** Empty it at its present width; x and y are [low, high]; `even` keeps the scales of both equal. */
-  begin(x, y, even = false) {
+  /** Empty it at its present width; x and y are [low, high]. Up to a height their scales are equal (`even`), unless
+   * a side would get too short to read. */
+  begin(x, y, highest = 0) {
     const ratio = window.devicePixelRatio || 1, width = this.canvas.clientWidth, margin = this.margin;
-    let height = this.height;
-    if (even) {
-      const scale = (width - margin.left - margin.right) / (x[1] - x[0]);
-      height = Math.min(520, (y[1] - y[0]) * scale + margin.top + margin.bottom);
-    }
+    const room = width - margin.left - margin.right, spans = [x[1] - x[0], y[1] - y[0]];
+    const scale = Math.min(room / spans[0], (highest - margin.top - margin.bottom) / spans[1]);
+    this.even = Math.min(...spans) * scale >= SHORTEST_SIDE;
+    const side = this.even ? spans[0] * scale : room;
+    const height = this.even ? spans[1] * scale + margin.top + margin.bottom : this.height;
     this.canvas.width = width * ratio;
     this.canvas.height = height * ratio;
     this.canvas.style.height = `${height}px`;
     this.pen = this.canvas.getContext("2d");
     this.pen.scale(ratio, ratio);
     this.pen.font = "12px system-ui, 'DejaVu Sans', sans-serif";
-    this.box = [margin.left, margin.top, width - margin.left - margin.right, height - margin.top - margin.bottom];
+    this.box = [margin.left + (room - side) / 2, margin.top, side, height - margin.top - margin.bottom];
     this.x = x;
     this.y = y;
     return this.pen;
@@ -118,7 +125,7 @@ class Panel {
       pen.fillText(at, left - 7, this.down(at) + 4);
     }
     pen.save();
-    pen.translate(13, top + height / 2);
+    pen.translate(left - 51, top + height / 2);
     pen.rotate(-Math.PI / 2);
     pen.textAlign = "center";
     pen.fillText(labelY, 0, 0);

@@ -8,12 +8,12 @@ function drawFlank() {
   if (!flank) return;
   const of = page.maps[state.flankField], values = unpacked(flank.fields[state.flankField]);
   const [low, high] = limits(of, [values]);
-  flankPanel.begin(grown(span([flank.rim[0]]), 0.03), grown(span([flank.rim[1]]), 0.06), true);
+  flankPanel.begin(grown(span([flank.rim[0]]), 0.03), grown(span([flank.rim[1]]), 0.06), 520);
   flankPanel.image(values, flank.face, flank.radius, of, low, high);
   drawContact(flank);
   flankPanel.line(...flank.rim, "#343a40", 1.5);
   flankPanel.line(...flank.path, "#868e96", 1, [4, 3]);
-  flankPanel.frame("along the face / mm", "from the axis / mm");
+  flankPanel.frame(`face width coordinate / mm${scalesOf(flankPanel)}`, "radius / mm");
   flankPanel.bar(of, low, high);
   const at = onFlank(scene(), state.scene);
   if (at) flankPanel.mark(...at, "#e03131");

@@ -7,10 +7,10 @@ function drawMap() {
   element("field-title").textContent = `${label(of)}, ${one.name}${one.converged ? "" : ` - NOT CONVERGED: ${one.stopped}`}`;
   if (!one.y) return;
   map.height = Math.max(240, Math.min(420, map.canvas.clientWidth * 0.34));
-  map.begin(one.x.slice(0, 2), one.y.slice(0, 2));
+  map.begin(one.x.slice(0, 2), one.y.slice(0, 2), 420);
   map.image(fieldOf(one), one.x, one.y, of, low, high);
   outline(map, one);
-  map.frame("x / mm (scales of x and y differ)", "y / mm");
+  map.frame(`x / mm${scalesOf(map)}`, "y / mm");
   map.bar(of, low, high);
   map.mark(...one.least, "#fff");
   if (state.picked) {

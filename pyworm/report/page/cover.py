@@ -113,6 +113,8 @@ def overleaf_of(found: Findings, pictures: tuple[Picture | str, ...]) -> Overlea
     decisive = tuple(sentence for sentence in assumed if sentence not in usual)
     more = len(assumed) - len(decisive)
     if more:
-        decisive += (f'{more} dimensions taken as usual, listed under "What was assumed".',)
+        decisive += (
+            f'{more} dimensions assumed by common practice, listed under "What was assumed".',
+        )
     rows = (*key_result_rows(found), *life_rows(found.case, found.ratings))
     return Overleaf(Table(("", "Value", "Where"), rows), pictures, decisive)

@@ -154,7 +154,7 @@ def test_check_prints_the_computed_drawing_back(tmp_path, capsys):
         ("Hob swivel", "0.4404 °"), ("Backlash", "0.12 mm"), ("Profile shift", "-0.5"),
     ):  # fmt: skip
         assert re.search(rf"│ {label} +│ +{re.escape(value)} │", printed), label
-    assert "Taken as usual: drive.worm.tip_diameter = 48 mm" in printed
+    assert "Assumed by common practice: drive.worm.tip_diameter = 48 mm" in printed
 
 
 def test_check_gives_the_drawing_in_si_units_as_json(tmp_path, capsys):

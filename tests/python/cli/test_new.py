@@ -109,7 +109,7 @@ def test_a_profile_may_be_asked_for(tmp_path, capsys):
     assert main(words(path, profile="ZK")) == 0
     text = path.read_text()
     assert 'profile = "ZK" # ground by a cone' in text
-    assert '# disc_diameter = "500 mm" # as usual: as of new grinding wheels' in text
+    assert '# disc_diameter = "500 mm" # default: as of new grinding wheels' in text
     capsys.readouterr()
     said = refusal(words(tmp_path / "other.toml", profile="ZX"), tmp_path, capsys)
     assert 'drive.profile = "ZX"' in said and '"ZC"' in said
@@ -135,7 +135,7 @@ def test_what_is_taken_as_usual_stands_there_as_a_comment_and_means_what_it_says
     (tmp_path / "open.toml").write_text(open_text)
     usual, written = (pyworm.load(tmp_path / f"{name}.toml").drive for name in ("unit", "open"))
     assert written.assumed == ()
-    assert len(usual.assumed) == len(re.findall(r"as usual: ", text))
+    assert len(usual.assumed) == len(re.findall(r"default: ", text))
     mine, other = usual.geometry_table(), written.geometry_table()
     for key, value in mine.items():
         expected = value if isinstance(value, str) else pytest.approx(value, rel=2e-3, abs=2e-5)

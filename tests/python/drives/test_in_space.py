@@ -53,8 +53,8 @@ def test_gears_touch_on_their_line_of_contact_and_nowhere_overlap(name):
         line = found.lines[number]
         assert len(line) > 20
         for row in range(
-            2, found.shapes[0].surface.shape[0] - 2
-        ):  # sections, without the gears' faces
+            2, found.shapes[0].surface.shape[0] - 3
+        ):  # sections, without the faces of the gears and the bore
             pinion, gear = (
                 [turned(of.surface[row], of, of.turns[number] + copy) for copy in (0, *of.copies)]
                 for of in found.shapes

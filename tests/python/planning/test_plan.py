@@ -399,7 +399,7 @@ def test_squeeze_is_simulated_where_the_accuracy_needs_it_or_it_is_named():
     for scene, effects, on, why in (
         (changed, "auto", True, "more than 5 %"),
         (same, "auto", False, "within 5 %"),
-        (same, "auto,squeeze", True, "though within 5 %"),
+        (same, "auto,squeeze", True, "requested; within 5 %"),
         (changed, "auto,-squeeze", False, "neglected as requested"),
         (changed, "all", True, "requested"),
         (changed, "isothermal", False, "not requested"),

@@ -283,7 +283,7 @@ def test_heading_names_case_phase_load_and_failure(worm):
 
 def test_slender_windows_say_how_much_they_are_stretched(worm):
     assert contact_window(worm.fields).stretch == 2.0
-    assert "y / mm  (stretched 2 times)" in texts(draw_film("case", worm))
+    assert "x / mm  (scales differ: y stretched 2 times)" in texts(draw_film("case", worm))
     assert "stretched" not in texts(draw_film("case", make_solution()))
     assert Window(0, 1, 0, 20).stretch == 1 / 5
 

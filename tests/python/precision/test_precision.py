@@ -17,12 +17,12 @@ from pyworm.cli.shared import BAD_INPUT
 from pyworm.planning.effects.selection import chosen
 from pyworm.planning.expected_work import Stage, Work, expected_work, first_change
 from pyworm.planning.model import Model
-from pyworm.plots.precision import COLOURS
+from pyworm.plots.precision import COLOURS, FORMULA_MARKERS
 from pyworm.precision.extrapolation import limit, observed_order
 from pyworm.precision.grid_series import Point, converged_row
 from pyworm.precision.models import fidelities
 from pyworm.precision.study import Curve, Reference, Study
-from pyworm.precision.survey import BudgetError, study
+from pyworm.precision.survey import BudgetError, closed_forms, study
 from pyworm.solver.cost import calibration
 from pyworm.solver.cost.calibration import Calibration, Pace
 
@@ -89,6 +89,10 @@ def test_rough_surfaces_are_the_last_model_and_every_model_has_a_colour():
     assert models[-1].name == "+ roughness" and models[-1].plan.model.rough
     assert not any(model.plan.model.rough for model in models[:-1])
     assert {model.name for model in models} <= COLOURS.keys()
+
+
+def test_every_formula_of_a_heated_point_contact_has_a_marker():
+    assert 5 < len(closed_forms(scene("ball_pag_460"))) <= len(set(FORMULA_MARKERS))
 
 
 def test_models_that_a_contact_does_not_have_are_listed_with_reasons():
