@@ -14,7 +14,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-from pyworm.plots.layout import joined, new_figure
+from pyworm.plots.layout import new_figure
 from pyworm.result.sweep_result import SweepResult, open_sweep
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
@@ -64,15 +64,15 @@ def draw(result: SweepResult) -> Figure:
     order = np.argsort(result.table[SPEED].values)
     columns = {str(name): column.values[order] for name, column in result.table.items()}
     speed, good = columns[SPEED], columns["converged"] == 1
-    figure = new_figure(
-        8, 8.5, joined(result.title, "model uncertainty; thick: numerical uncertainty")
-    )
+    figure = new_figure(8, 8.5, result.title)
     friction, share, film = figure.subplots(3, sharex=True, height_ratios=(3, 2, 2))
     _with_bars(friction, speed, columns, "friction_coefficient", "tab:purple", "friction")
-    friction.plot(speed, columns["friction_boundary"], "--", color="tab:red", label="asperities")
-    friction.plot(speed, columns["friction_fluid"], "--", color="tab:blue", label="oil")
+    friction.plot(
+        speed, columns["friction_boundary"], "--", color="tab:red", label="part of asperities"
+    )
+    friction.plot(speed, columns["friction_fluid"], "--", color="tab:blue", label="part of the oil")
     friction.set_ylabel("friction coefficient")
-    _with_bars(share, speed, columns, "asperity_load_fraction", "tab:red", "asperities")
+    _with_bars(share, speed, columns, "asperity_load_fraction", "tab:red", "asperity load ratio")
     share.set_ylabel("asperity load ratio")
     for name, label in zip(
         LAMBDAS, ("central film thickness", "minimum film thickness"), strict=True
@@ -96,7 +96,7 @@ def draw(result: SweepResult) -> Figure:
         axes.xaxis.set_minor_formatter(NullFormatter())
         axes.grid(True, color="0.9")
         axes.legend(frameon=False)
-    film.set_xlabel("speed of the worm / (r/min)")
+    film.set_xlabel("worm speed / rpm")
     return figure
 
 
@@ -120,9 +120,12 @@ def _with_bars(
         capsize=5,
         elinewidth=0.8,
         markersize=4,
-        label=label,
+        label=f"{label}, model uncertainty",
     )
-    axes.errorbar(speed, value, error, fmt="none", ecolor="black", elinewidth=3, zorder=4)
+    numerical = "numerical uncertainty"
+    axes.errorbar(
+        speed, value, error, fmt="none", ecolor="black", elinewidth=3, zorder=4, label=numerical
+    )
 
 
 def main() -> None:

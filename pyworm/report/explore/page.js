@@ -10,7 +10,7 @@ function update() {
   drawProfiles();
   drawFlank();
   drawSpace();
-  element("figures-title").textContent = `Figures, ${one.name}`;
+  element("figures-title").textContent = `Results, ${one.name}`;
   const rows = one.rows.map(([name, value]) => {
     const row = document.createElement("tr");
     for (const text of [name, value]) row.appendChild(document.createElement("td")).textContent = text;
@@ -22,7 +22,7 @@ function update() {
 
 function options(id, quantities, chosen, change) {
   const select = element(id);
-  for (const [name, of] of Object.entries(quantities)) select.add(new Option(of.label, name, false, name === chosen));
+  for (const [name, of] of Object.entries(quantities)) select.add(new Option(label(of), name, false, name === chosen));
   select.addEventListener("change", () => { change(select.value); update(); });
 }
 

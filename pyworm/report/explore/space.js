@@ -117,7 +117,7 @@ function drawShape(buffer, shape, points, pressures, most, to) {
 
 function drawSpace() {
   const canvas = element("space");
-  if (!page.space) return;
+  if (!page.space || !canvas.clientWidth) return;  // nothing is seen before the page has a width
   const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = 420;
   [canvas.width, canvas.height] = [width * ratio, height * ratio];
   canvas.style.height = `${height}px`;
