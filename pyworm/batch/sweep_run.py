@@ -45,7 +45,8 @@ def run_sweep(
 
     def row(task: Task) -> dict:
         if task.key in reasons:
-            return _unsolved(task, reasons[task.key])
+            unsolved = {"converged": False, "accurate": False, "stop_reason": reasons[task.key]}
+            return asdict(task.place) | unsolved
         # each file is read once more only if it was solved just now
         return found.get(task.key) or store.summary(task)
 
@@ -101,7 +102,3 @@ def _by_formula(tasks: Iterable[Task]) -> dict[str, dict]:
             summary = formula_summary(task.scene, task.plan, films)
             found[task.key] = {**summary, **_ACCURATE}
     return found
-
-
-def _unsolved(task: Task, reason: str) -> dict:
-    return {**asdict(task.place), "converged": False, "accurate": False, "stop_reason": reason}

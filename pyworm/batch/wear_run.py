@@ -150,13 +150,8 @@ class WearRun:
         print_message: Callable[[str], None] = lambda message: None,
         **how: Any,
     ) -> None:
-        self.case, self.plan, self.directory, self.print_message, self.how = (
-            case,
-            plan,
-            directory,
-            print_message,
-            how,
-        )
+        self.case, self.plan, self.directory = case, plan, directory
+        self.print_message, self.how = print_message, how
         self.tasks = [replace(task, effects=EFFECTS, wider_window=False) for task in tasks]
         self.duty = worm_duty(case)
         worm, wheel = self.duty.roughness
@@ -399,6 +394,7 @@ def _state_of(held: dict[str, np.ndarray]) -> dict[str, Any]:
     ):
         raise ValueError("depths of another grid")
     roughness = last.worm_roughness_m, last.wheel_roughness_m
+    rates = held["rate"], held["worm_rate"]
     return {
         "_grids": (grid, thread),
         "worm_depth": held["worm_depth"],
@@ -408,14 +404,7 @@ def _state_of(held: dict[str, np.ndarray]) -> dict[str, Any]:
         "loads": loads,
         "turn": turn,
         "coefficient": float(held["coefficient"]),
-        "_state": _Solved(
-            held["rate"],
-            held["worm_rate"],
-            float(held["volume_rate"]),
-            roughness,
-            last_turn,
-            None,
-        ),
+        "_state": _Solved(*rates, float(held["volume_rate"]), roughness, last_turn, None),
     }
 
 

@@ -319,7 +319,8 @@ class OilTable(Table):
 
     def oil(self) -> Oil:
         """The oil as the kernel sees it."""
-        inlet = self._inlet
+        inlet, shear = self._inlet, self.shear
+        constants = shear.constants if isinstance(shear, CarreauYasudaTable) else dict(shear or ())
         viscosity = self.viscosity.viscosity(inlet, self.density)
         density: Density | TabulatedDensity
         if isinstance(self.density, TaitTable):
@@ -329,17 +330,12 @@ class OilTable(Table):
         return Oil(
             viscosity=viscosity,
             density=density,
-            flow=None if self.shear is None else FlowLaw(**_constants(self.shear)),
+            flow=None if shear is None else FlowLaw(**constants),
             heat=None if self.heat is None else self.heat.heat(viscosity),
             supply=self.supply.layer() if isinstance(self.supply, OilLayerTable) else self.supply,
             boundary_friction=self.boundary_friction,
             alpha_spread=self.alpha_spread,
         )
-
-
-def _constants(shear: ShearTable) -> dict[str, Any]:
-    """A shear table as arguments of `FlowLaw`."""
-    return shear.constants if isinstance(shear, CarreauYasudaTable) else dict(shear)
 
 
 def _of_liquid(table: dict[str, Any]) -> dict[str, Any]:

@@ -41,10 +41,10 @@ def add(commands: argparse._SubParsersAction) -> None:
 def _doctor(options: argparse.Namespace) -> int:
     """Run all checks and print a line for each; 0 if all is well, 1 otherwise."""
     checks: tuple[tuple[str, Callable[[], str]], ...] = (
-        ("Python", _python),
-        ("pyworm", _pyworm),
-        ("packages", _packages),
-        ("kernel", _kernel),
+        ("Python", lambda: f"{platform.python_version()} at {sys.executable}"),
+        ("pyworm", lambda: _version("pyworm")),
+        ("packages", lambda: ", ".join(f"{package} {_version(package)}" for package in PACKAGES)),
+        ("kernel", lambda: str(_core_path())),
         ("processor", _processor),
         ("FFTW", _fftw),
         ("self-check", _self_check),
@@ -61,23 +61,11 @@ def _doctor(options: argparse.Namespace) -> int:
     return 0 if sound else 1
 
 
-def _python() -> str:
-    return f"{platform.python_version()} at {sys.executable}"
-
-
 def _version(package: str) -> str:
     try:
         return version(package)
     except PackageNotFoundError:
         raise _UnsoundError(f"{package} is not installed; run make install") from None
-
-
-def _pyworm() -> str:
-    return _version("pyworm")
-
-
-def _packages() -> str:
-    return ", ".join(f"{package} {_version(package)}" for package in PACKAGES)
 
 
 def _core_path() -> Path:
@@ -86,10 +74,6 @@ def _core_path() -> Path:
     except ImportError as error:
         raise _UnsoundError(f"not built ({error}); run make install") from None
     return EXTENSION
-
-
-def _kernel() -> str:
-    return str(_core_path())
 
 
 _STEP = """

@@ -14,7 +14,7 @@ def print_json(content: dict[str, Any]) -> None:
 
 def as_json(content: dict[str, Any]) -> str:
     """An object as JSON; NaN and infinity become null."""
-    return json.dumps(finite(content), indent=2, default=_plain)
+    return json.dumps(finite(content), indent=2, default=lambda scalar: scalar.item())  # numpy's
 
 
 def finite(content: Any) -> Any:
@@ -26,8 +26,3 @@ def finite(content: Any) -> Any:
     if isinstance(content, float) and not math.isfinite(content):
         return None
     return content
-
-
-def _plain(value: Any) -> Any:
-    """Turn numpy scalars into numbers."""
-    return value.item()

@@ -1,6 +1,6 @@
 """Numbers, durations, shares and quantities as text."""
 
-from math import isinf
+from math import isfinite, isinf
 
 from pyworm.io.number_with_unit import converted, parse_in
 from pyworm.io.quantity import Kind
@@ -51,6 +51,11 @@ def with_bars(
 def bars(error: float, model: float | None, scale: float = 100.0, unit: str = " %") -> str:
     """Error bars as text, relative ones in per cent: the numerical one and, if there is one, the model's."""
     return f"± {rough(error * scale)}{unit}{model_bar(model, scale, unit)}"
+
+
+def uncertainty_label(error: float) -> str:
+    """What an unusual uncertainty is called, before its reason."""
+    return "numerical uncertainty" if isfinite(error) else "no upper bound"
 
 
 def model_bar(model: float | None, scale: float = 100.0, unit: str = " %") -> str:

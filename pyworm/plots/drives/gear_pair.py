@@ -39,7 +39,7 @@ STEEP_SLIDING = 5.0
 def draw_film_and_temperature(result: Result) -> Figure:
     """Film and contact temperature by closed forms, with what was simulated, along the line of action."""
     cycle = result.cycle_data
-    solved = _solved(result)
+    solved = sorted(result.solutions, key=phase_of)
     hot = "closed_form_contact_temperature" in cycle or any(map(_heated, solved))
     figure = new_figure(8, 3.7 * (1 + hot) + 1.0, _heading(result))
     panels = np.atleast_1d(figure.subplots(1 + hot, sharex=True))
@@ -176,10 +176,6 @@ def _finished(figure: Figure, panels: Iterable[Axes], cycle: "xr.Dataset") -> Fi
 
 def _heading(result: Result) -> str:
     return result_heading(result, DIRECTIONS[result.cycle_data.attrs["driver"]])
-
-
-def _solved(result: Result) -> list[Solution]:
-    return sorted(result.solutions, key=phase_of)
 
 
 def _heated(solution: Solution) -> bool:

@@ -9,7 +9,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
 from pyworm.io.quantities import BODIES, QUANTITIES, Quantity
-from pyworm.io.quantity_text import UNKNOWN, model_bar
+from pyworm.io.quantity_text import UNKNOWN, model_bar, uncertainty_label
 from pyworm.ratings.heating import Heating
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
 from pyworm.report.table import Table
@@ -87,8 +87,8 @@ def _reason(quantity: Quantity, extreme: Extreme, bodies: tuple[str, str]) -> st
     """Why the uncertainty of an extreme is unusual; empty where it is not."""
     if extreme.reason is None:
         return ""
-    what = "numerical uncertainty" if isfinite(extreme.error) else "no upper bound"
-    return f"{quantity.worst_title(bodies)}: {what}, {extreme.reason}."
+    label = uncertainty_label(extreme.error)
+    return f"{quantity.worst_title(bodies)}: {label}, {extreme.reason}."
 
 
 def loss_table(
@@ -135,17 +135,14 @@ def loss_table(
     return Table(
         head=("Quantity", heading, *(["Rough, by\nthe standard"] if beside else [])),
         rows=tuple(
-            (row, value) if isinstance(row, str) else (row.title(), value, *_beside(row, beside))
+            (row, value)
+            if isinstance(row, str)
+            else (row.title(), value, *filter(None, [beside.get(row.name)]))
             for row, value in rows
         ),
         title=neglected_effects.titled("Power loss of all teeth"),
         note="" if heating is None else heating.words,
     )
-
-
-def _beside(quantity: Quantity, beside: dict[str, str]) -> tuple[str, ...]:
-    """The standard's value in the column beside the simulation, where it has one."""
-    return (beside[quantity.name],) if quantity.name in beside else ()
 
 
 def loss_sentence(loss: MeshLoss) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 from pyworm.case.case_file import PublishedValue
 from pyworm.io.quantities import BODIES, QUANTITIES, Quantity, listed
-from pyworm.io.quantity_text import UNKNOWN, duration, rough
+from pyworm.io.quantity_text import UNKNOWN, duration, rough, uncertainty_label
 from pyworm.planning.effects.judgement import Judgement
 from pyworm.planning.no_friction import no_friction
 from pyworm.planning.plan import Plan
@@ -57,7 +57,7 @@ def figures_table(
         yield tuple(row) if beside is None else (*row, beside.text)
         reason = figures.get(f"{quantity.error_key}_reason")
         if error is not None and reason is not None and not unknown:
-            reasons.append(f"{label}: {_reason_label(error)}, {reason}.")
+            reasons.append(f"{label}: {uncertainty_label(error)}, {reason}.")
 
     reasons: list[str] = []
     known = [quantity for quantity in listed("figures") if figures.get(quantity.key) is not None]
@@ -120,7 +120,7 @@ def scenes_table(
         if values["converged"]:
             cells = [
                 dry.digits(dry.by_key(_dry_pressure(scene, values))),
-                _at_least(values[pressure.error_key]) + _number(pressure, values),
+                "≥ " * (not isfinite(values[pressure.error_key])) + _number(pressure, values),
                 _number(central, values),
                 _percent(values, central.error_key),
                 _number(thin, values),
@@ -343,16 +343,6 @@ def _value(quantity: Quantity, value: Any, error: float | None = None) -> str:
 def _directions(value: Any) -> str:
     """Directions of a vector, to be shown behind its label; empty for a scalar."""
     return " along x, y" if isinstance(value, Sequence) and len(value) > 1 else ""
-
-
-def _reason_label(error: float) -> str:
-    """What the reason of an unusual uncertainty is the reason of."""
-    return "numerical uncertainty" if isfinite(error) else "no upper bound"
-
-
-def _at_least(error: float) -> str:
-    """Mark of a lower bound before a value whose error has no bound."""
-    return "" if isfinite(error) else "≥ "
 
 
 def _bar(quantity: Quantity, error: float | None) -> str:

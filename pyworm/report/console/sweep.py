@@ -69,7 +69,8 @@ def rows_table(result: SweepResult) -> Table:
     rows: list[tuple[str, ...]] = []
     for number in range(data.sizes["scene"]):
         row = data.isel(scene=number)
-        cells = [_cell(row[key].item()) for key in varied]
+        values = [row[key].item() for key in varied]
+        cells = [value if isinstance(value, str) else f"{value:.4g}" for value in values]
         for quantity in shown:
             cells += _figure(row, quantity)
         accurate = "yes" if row["accurate"] == 1 else "less accurate"
@@ -98,7 +99,3 @@ def _figure(row: "xr.Dataset", quantity: Quantity) -> list[str]:
     unbounded = quantity.name == "pressure_max" and not np.isfinite(row[quantity.error_key])
     error = [f"{row[quantity.error_key].item() * 100:.2g}"] * bars
     return [f"≥ {text}" if unbounded else text, *error]
-
-
-def _cell(value: float | str) -> str:
-    return value if isinstance(value, str) else f"{value:.4g}"
