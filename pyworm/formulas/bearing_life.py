@@ -94,10 +94,8 @@ def reference_viscosity(speed: float, mean_diameter: float) -> float:
     within("mean diameter of the bearing", mean_diameter, 5e-3, 5, "m")
     millimetres = mean_diameter * 1e3
     if rpm < 1000 * (1 - 1e-9):  # 1000 rpm may come back from rad/s as a little less
-        reference_viscosity: float = 45000 * rpm**-0.83 * millimetres**-0.5 * 1e-6
-        return reference_viscosity
-    reference_viscosity = 4500 * rpm**-0.5 * millimetres**-0.5 * 1e-6
-    return reference_viscosity
+        return float(45000 * rpm**-0.83 * millimetres**-0.5 * 1e-6)
+    return float(4500 * rpm**-0.5 * millimetres**-0.5 * 1e-6)
 
 
 def viscosity_ratio(viscosity: float, speed: float, mean_diameter: float) -> float:
@@ -136,8 +134,7 @@ def contamination_factor(
         b = _LARGE_SLIGHT_GREASE
     millimetres = mean_diameter * 1e3
     a = min(c * min(kappa, LARGEST_RATIO) ** 0.68 * millimetres**0.55, 1.0)
-    contamination_factor: float = max(a * (1 - b / millimetres ** (1 / 3)), 0.0)
-    return contamination_factor
+    return float(max(a * (1 - b / millimetres ** (1 / 3)), 0.0))
 
 
 def fatigue_load_limit(static_rating: float, elements: Elements, mean_diameter: float) -> float:
@@ -156,8 +153,7 @@ def fatigue_load_limit(static_rating: float, elements: Elements, mean_diameter: 
                 "up to 0.1 m; take it from the catalogue"
             )
         return static_rating / 8.2
-    fatigue_load_limit: float = static_rating / 22 * min(1.0, (0.1 / mean_diameter) ** 0.5)
-    return fatigue_load_limit
+    return float(static_rating / 22 * min(1.0, (0.1 / mean_diameter) ** 0.5))
 
 
 def life_modification(
@@ -205,8 +201,7 @@ def _modification(kappa: float, x: float, elements: Elements) -> float:
         bracket, power = 1 - (1.5859 - k1 / kappa**k2) * x**0.4, -9.185
     if bracket <= 0:
         return LARGEST_MODIFICATION
-    modification: float = min(0.1 * bracket**power, LARGEST_MODIFICATION)
-    return modification
+    return float(min(0.1 * bracket**power, LARGEST_MODIFICATION))
 
 
 def reliability_factor(reliability: float) -> float:
@@ -217,8 +212,7 @@ def reliability_factor(reliability: float) -> float:
     90 to 99.95 %.
     """
     within("reliability", reliability, 0.9, 0.9995, "")
-    reliability_factor: float = 0.95 * (log(1 / reliability) / log(1 / 0.9)) ** (2 / 3) + 0.05
-    return reliability_factor
+    return float(0.95 * (log(1 / reliability) / log(1 / 0.9)) ** (2 / 3) + 0.05)
 
 
 def basic_life(dynamic_rating: float, load: float, elements: Elements) -> float:
@@ -235,8 +229,7 @@ def basic_life(dynamic_rating: float, load: float, elements: Elements) -> float:
             f"equivalent load = {load:g} N: ISO 281 holds up to half of the dynamic load rating, "
             f"{dynamic_rating / 2:g} N"
         )
-    basic_life: float = REVOLUTIONS * (dynamic_rating / load) ** _LIFE_EXPONENT[elements]
-    return basic_life
+    return float(REVOLUTIONS * (dynamic_rating / load) ** _LIFE_EXPONENT[elements])
 
 
 @dataclass(frozen=True, kw_only=True)

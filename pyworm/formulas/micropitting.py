@@ -101,8 +101,7 @@ def mean_friction(
     radius_mm, roughness_um = radius * 1e3, roughness * 1e6
     rough = 2.2 * (roughness_um / radius_mm) ** 0.25
     loaded = (unit_load * 1e-3 / (sum_speed * radius_mm)) ** 0.2
-    mean_friction: float = 0.045 * loaded * (1e3 * viscosity) ** -0.05 * rough * friction_factor
-    return mean_friction
+    return float(0.045 * loaded * (1e3 * viscosity) ** -0.05 * rough * friction_factor)
 
 
 def micropitting_films(
@@ -161,8 +160,7 @@ def bulk_rise(
     within("face width", face_width, 1e-4, 10, "m")
     positive("power", power, "W")
     specific_loss = power * 1e-3 * friction * loss_factor / (centre_distance * face_width * 1e6)
-    bulk_rise: float = 7400 * specific_loss**0.72
-    return bulk_rise
+    return float(7400 * specific_loss**0.72)
 
 
 def permissible_specific_film(tested: float, material_factor: float = 1.0) -> float:

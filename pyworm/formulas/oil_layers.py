@@ -25,8 +25,7 @@ def dragged_layer(viscosity: float, density: float, speed: float) -> float:
     positive("speed", speed, "m/s")
     capillary_number = viscosity * speed / SURFACE_TENSION
     part = min(0.944 * capillary_number ** (1 / 6), MAX_LAYER_RATIO)
-    dragged_layer: float = part * sqrt(viscosity * speed / (density * GRAVITY))
-    return dragged_layer
+    return float(part * sqrt(viscosity * speed / (density * GRAVITY)))
 
 
 def drained_layer(

@@ -128,10 +128,14 @@ def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
     """Kinematic viscosity at 100 degC from that at 40 degC [m2/s] and the viscosity index, 0 to 400."""
     within("viscosity index", index, 0, 400, "")
     within("kinematic viscosity at 40 degC", viscosity_40, 6e-6, 1e-2, "m2/s")
-    viscosity_100_of_index: float = scipy.optimize.brentq(
-        lambda hot: viscosity_index(viscosity_40, hot) - index, 2e-6, 0.9 * viscosity_40, xtol=1e-12
+    return float(
+        scipy.optimize.brentq(
+            lambda hot: viscosity_index(viscosity_40, hot) - index,
+            2e-6,
+            0.9 * viscosity_40,
+            xtol=1e-12,
+        )
     )
-    return viscosity_100_of_index
 
 
 def density(density_15: float, coefficient: float, temperature: Values) -> Values:

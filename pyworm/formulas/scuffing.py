@@ -101,10 +101,7 @@ def scuffing_temperature_of_stage(
     within("lubricant factor", friction_factor, 0.1, 3, "")
     within("structure factor", structure_factor, 0.1, 3, "")
     lubricant = friction_factor * (1e3 * viscosity) ** -0.05
-    scuffing_temperature_of_stage: float = (
-        80 + (0.85 + 1.4 * structure_factor) * lubricant * stage**2 + ZERO_CELSIUS
-    )
-    return scuffing_temperature_of_stage
+    return float(80 + (0.85 + 1.4 * structure_factor) * lubricant * stage**2 + ZERO_CELSIUS)
 
 
 def scuffing_safety(contact: Values, oil: float, scuffing: float) -> Values:

@@ -17,8 +17,7 @@ def film_over_flooded(supply_ratio: float, exponent: float) -> float:
         return min(1.0, supply_ratio)
     if not supply_ratio > 0:
         return 0.0
-    film_over_flooded: float = (1 + supply_ratio**-exponent) ** (-1 / exponent)
-    return film_over_flooded
+    return float((1 + supply_ratio**-exponent) ** (-1 / exponent))
 
 
 def supply_after_passes(supply_ratio: float, passes: int, exponent: float) -> float:
@@ -28,5 +27,4 @@ def supply_after_passes(supply_ratio: float, passes: int, exponent: float) -> fl
     """
     if not supply_ratio > 0:
         return 0.0
-    supply_after_passes: float = (supply_ratio**-exponent + passes) ** (-1 / exponent)
-    return supply_after_passes
+    return float((supply_ratio**-exponent + passes) ** (-1 / exponent))

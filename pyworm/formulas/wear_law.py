@@ -49,8 +49,7 @@ def harder_ratio(hardness: float, softer: float, exponent: float = HARDNESS_EXPO
     positive("hardness", softer, "Pa")
     within("hardness of the harder surface", hardness, softer, 1e11, "Pa")
     within("exponent of the hardness", exponent, 0, 4, "")
-    harder_ratio: float = (softer / hardness) ** exponent
-    return harder_ratio
+    return float((softer / hardness) ** exponent)
 
 
 def energy_coefficient(energy: float, friction: float) -> float:
@@ -90,5 +89,4 @@ def _density(level: float) -> float:
 
 def _removed(level: float) -> float:
     """Mean of what of a normal height lies above a level, over its deviation [-]."""
-    removed: float = _density(level) - level * scipy.special.ndtr(-level)
-    return removed
+    return float(_density(level) - level * scipy.special.ndtr(-level))

@@ -80,8 +80,7 @@ def base_friction(
     within("sliding speed", sliding_speed, *SLIDING_RANGE, "m/s")
     iron = family == "cast iron"
     a, b, c, d, largest = _FRICTION_OF_IRON[oil] if iron else _FRICTION[lubrication, oil]
-    base_friction: float = min(a + b / (sliding_speed + c) ** d, largest)
-    return base_friction
+    return float(min(a + b / (sliding_speed + c) ** d, largest))
 
 
 def wear_exponent(
@@ -106,8 +105,7 @@ def base_wear(
     positive("K_W", parameter, "")
     factor, exponent, largest = _wear_curve(oil, lubrication, family)
     worn = factor * parameter**exponent
-    base_wear: float = worn if largest is None else min(worn, largest)
-    return base_wear
+    return float(worn if largest is None else min(worn, largest))
 
 
 def _wear_curve(

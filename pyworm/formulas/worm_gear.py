@@ -134,10 +134,7 @@ class WormGear(WormGearSizes):
         shape *= (7.947e-7 * self.profile_shift + 5.927e-5) * ((1 - 0.038 * q) * q + 65.576)
         shape *= (108.8547 * lead - 1) * lead - 3294.921
         shape *= (0.003291 * width + 1) * width - 13064.58
-        film_parameter: float = (
-            -0.511 + 3.7904e-6 * shape if self.concave else -0.393 + 2.9157e-6 * shape
-        )
-        return film_parameter
+        return float(-0.511 + 3.7904e-6 * shape if self.concave else -0.393 + 2.9157e-6 * shape)
 
     @property
     def pressure_parameter(self) -> float:
@@ -154,13 +151,9 @@ class WormGear(WormGearSizes):
         bent, lead = x * abs(x) ** 3.18, (x + 0.005657) / self.teeth * self.tan_lead**2.6872
         if self.concave:
             straight = 0.1401 + 0.1866 * slender + 0.0595 * bent + 0.0419 * q
-            pressure_parameter: float = (
-                straight - 0.00288 * self.teeth - 0.0089 * angle + 35.1417 * lead
-            )
-            return pressure_parameter
+            return float(straight - 0.00288 * self.teeth - 0.0089 * angle + 35.1417 * lead)
         straight = 0.1794 + 0.2389 * slender + 0.0761 * bent + 0.0536 * q
-        pressure_parameter = straight - 0.00369 * self.teeth - 0.01136 * angle + 44.9814 * lead
-        return pressure_parameter
+        return float(straight - 0.00369 * self.teeth - 0.01136 * angle + 44.9814 * lead)
 
     @property
     def sliding_parameter(self) -> float:

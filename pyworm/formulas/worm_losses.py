@@ -119,8 +119,7 @@ def _rise_without_fan(gear: WormGear, second: float, torque: float, thick: float
     idle *= (distance + 22.36) ** 0.915
     loaded = 0.034 * (second + 0.22) ** 0.43 * (10.8 - thick) ** -0.0636
     loaded *= gear.ratio**-0.18 * (distance - 20.4) ** 0.26
-    rise_without_fan: float = loaded * torque / (distance / REFERENCE_SIZE) ** 3 + idle
-    return rise_without_fan
+    return float(loaded * torque / (distance / REFERENCE_SIZE) ** 3 + idle)
 
 
 def _rise_with_fan(gear: WormGear, second: float, torque: float, thick: float) -> float:
@@ -129,5 +128,4 @@ def _rise_with_fan(gear: WormGear, second: float, torque: float, thick: float) -
     idle = 0.081 * (second - 0.23) ** 0.7 * thick**0.41 * (distance + 32) ** 0.63
     loaded = 0.039 * (second + 2) ** 0.34 * thick**-0.17
     loaded *= gear.ratio**-0.22 * (distance - 48) ** 0.34
-    rise_with_fan: float = loaded * torque / (distance / REFERENCE_SIZE) ** 3 + idle
-    return rise_with_fan
+    return float(loaded * torque / (distance / REFERENCE_SIZE) ** 3 + idle)

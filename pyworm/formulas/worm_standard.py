@@ -76,8 +76,7 @@ def minimum_film(
         * (reduced_modulus * 1e-6) ** 0.03
         / torque**0.13
     )
-    minimum_film: float = micrometres * 1e-6
-    return minimum_film
+    return float(micrometres * 1e-6)
 
 
 def mean_pressure(
@@ -134,8 +133,7 @@ def _rubbing(roughness: float, material_factor: float) -> float:
     """Y_W Y_R [-]."""
     within("roughness Ra", roughness, 1e-8, 1e-5, "m")
     within("Y_W", material_factor, 0.5, 2, "")
-    rubbing: float = material_factor * (roughness / 0.5e-6) ** 0.25
-    return rubbing
+    return float(material_factor * (roughness / 0.5e-6) ** 0.25)
 
 
 def static_friction(
@@ -208,10 +206,7 @@ def pitting_safety(
     speed = sqrt(5 / (4 + sliding_speed))
     size = sqrt(3000 / (2900 + centre_distance * 1e3))
     turns = min(ratio / _REFERENCE_RATIO, 1.0) ** (1 / 6)
-    pitting_safety: float = (
-        strength * lasting * speed * size * turns * _OIL_LIFE[oil] / mean_pressure
-    )
-    return pitting_safety
+    return float(strength * lasting * speed * size * turns * _OIL_LIFE[oil] / mean_pressure)
 
 
 def bulk_temperature(
@@ -255,10 +250,7 @@ def injected_bulk_temperature(
     speed = (72.5 * gear.ratio / max(worm_speed * RPM, 150)) ** 0.35
     thick = (kinematic_viscosity / 55e-6) ** 0.35
     size = (0.16 / gear.centre_distance) ** 0.6
-    injected_bulk_temperature: float = (
-        oil_temperature + 16 * speed * thick * size * tooth_loss * 1e-3
-    )
-    return injected_bulk_temperature
+    return float(oil_temperature + 16 * speed * thick * size * tooth_loss * 1e-3)
 
 
 def temperature_safety(sump_temperature: float, limit: float) -> float:

@@ -20,8 +20,7 @@ def structure_factor(oil: OilKind, viscosity: float, family: Family = "tin bronz
     within("dynamic viscosity", viscosity, 1e-4, 10, "Pa s")
     if oil == "mineral" or (oil == "PAO" and family == "cast iron"):
         return 1.0
-    structure_factor: float = viscosity**-0.35
-    return structure_factor
+    return float(viscosity**-0.35)
 
 
 def pressure_factor(mean_pressure: float, family: Family = "tin bronze") -> float:
@@ -31,10 +30,8 @@ def pressure_factor(mean_pressure: float, family: Family = "tin bronze") -> floa
     """
     within("mean contact stress", mean_pressure, 1e6, 1e10, "Pa")
     if family == "cast iron":
-        pressure_factor: float = (300e6 / mean_pressure) ** 1.4
-        return pressure_factor
-    pressure_factor = min((450e6 / mean_pressure) ** 4.5, 1.0)
-    return pressure_factor
+        return float((300e6 / mean_pressure) ** 1.4)
+    return float(min((450e6 / mean_pressure) ** 4.5, 1.0))
 
 
 def start_factor(starts_per_hour: float) -> float:

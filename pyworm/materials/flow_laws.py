@@ -232,8 +232,7 @@ class FlowLaw(ShownFields, ThinningStress, LimitingStress):
         low, high = excess(0.0), excess(highest)
         if low * high > 0:
             return onset * float(self.shape_at(np.array(newtonian / onset)))
-        shaped_stress: float = scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit)
-        return shaped_stress
+        return float(scipy.optimize.brentq(excess, 0.0, highest, xtol=1e-9 * limit))
 
     @property
     def thins(self) -> bool:

@@ -135,11 +135,12 @@ def sharpness(
     spacing: Sequence[float], half_widths: Sequence[float], radii: Sequence[float], film: float
 ) -> float:
     """Largest spacing over the length of the film's rise [-]; arguments as of `first_change`."""
-    sharpness: float = max(
-        step / (half * (film * radius / half**2) ** (2 / 3))
-        for step, half, radius in zip(spacing, half_widths, radii, strict=True)
+    return float(
+        max(
+            step / (half * (film * radius / half**2) ** (2 / 3))
+            for step, half, radius in zip(spacing, half_widths, radii, strict=True)
+        )
     )
-    return sharpness
 
 
 def first_change(
@@ -159,8 +160,7 @@ def first_change(
     lobes = max(slenderness, 1.0) ** LOBES_POWER
     sharp = sharpness(spacing, half_widths, radii, film)
     change = CHANGE * sharp**SHARPNESS_POWER * lubricant**LUBRICANT_POWER * lobes
-    first_change: float = max(LEAST_CHANGE, change)
-    return first_change
+    return float(max(LEAST_CHANGE, change))
 
 
 def first_refinement(change: float, accuracy: float, heated: bool, rough: bool) -> float:
@@ -188,8 +188,7 @@ def solves_of_life(accuracy: float) -> int:
 def stiffness(heated: bool, moes_l: float) -> float:
     """Factor by which the Newton steps of a film exceed the usual number."""
     least, power = (STIFF, STIFF_POWER) if heated else (THICKENING, THICKENING_POWER)
-    stiffness: float = max(1.0, moes_l / least) ** power
-    return stiffness
+    return float(max(1.0, moes_l / least) ** power)
 
 
 def expected_work(

@@ -163,8 +163,7 @@ class Prediction:
 
         if not excess(cold) > 0:
             return cold
-        hot_stress: float = scipy.optimize.brentq(excess, 0.0, cold, xtol=1e-6 * cold)
-        return hot_stress
+        return float(scipy.optimize.brentq(excess, 0.0, cold, xtol=1e-6 * cold))
 
     @cached_property
     def own_hot_stress(self) -> float:
