@@ -80,12 +80,18 @@ class LineOfAction:
     """Velocity of the gear's surface across the contact line [m/s]."""
     hertz_pressure: Array
     """Largest pressure of the dry contact [Pa]."""
+    film_central: Array
+    """Central film by Dowson and Toyoda, as in AGMA 925-A03 [m]."""
     film_min: Array
-    """Least film by Dowson and Higginson [m]."""
+    """Minimum film by Dowson and Higginson [m]."""
+    specific_film: Array | None = None
+    """Minimum film over composite roughness [-]; None if the roughness is not known."""
     flash_temperature: Array | None = None
     """Blok's rise over the mean bulk temperature [K]; None without friction or heat."""
     contact_temperature: Array | None = None
     """Mean bulk temperature and Blok's rise together [K]; None without friction or heat."""
+    scuffing_temperature: float | None = None
+    """Mean scuffing temperature of the oil [K]; None if not known."""
 
     @property
     def entrainment(self) -> Array:

@@ -7,7 +7,7 @@ import numpy as np
 
 from pyworm.drives.answers import Misalignment, MountingError, Space
 from pyworm.drives.drive import Drive
-from pyworm.drives.duty import GearPairDuty, LineOfAction
+from pyworm.drives.duty import GearPairDuty
 from pyworm.drives.gear_pair.checks import check_gears, check_mesh
 from pyworm.drives.gear_pair.dataset import line_of_action_data
 from pyworm.drives.gear_pair.film_formulas import contact_coefficient, mean_bulk_temperature
@@ -109,9 +109,7 @@ class GearPairDrive(GearPairMesh, Drive):
 
     def duty(self) -> GearPairDuty:
         """The gears as input of ratings by standards."""
-        contacts = self.contacts(self.cycle_phases())
-        rated, surfaces = self.rating(contacts), self.surfaces
-        pinion, gear = self.bodies
+        surfaces, (pinion, gear) = self.surfaces, self.bodies
         cold, rough = self.oil.heat is None, None
         if pinion.roughness is not None and gear.roughness is not None:
             rough = pinion.roughness, gear.roughness
@@ -122,17 +120,7 @@ class GearPairDrive(GearPairMesh, Drive):
             loss_factor=self.loss_factor,
             reduced_modulus=self.reduced_modulus,
             oil=self.oil,
-            line_of_action=LineOfAction(
-                phase=contacts.phase,
-                radius=contacts.radius,
-                unit_load=contacts.unit_load,
-                pinion_velocity=contacts.pinion_velocity,
-                gear_velocity=contacts.gear_velocity,
-                hertz_pressure=rated.hertz_pressure,
-                film_min=rated.film_min,
-                flash_temperature=rated.flash_temperature,
-                contact_temperature=rated.contact_temperature,
-            ),
+            line_of_action=self.rating(self.contacts(self.cycle_phases())),
             bulk_temperature=None if cold else mean_bulk_temperature(self.bodies),
             effusivities=None if cold else (contact_coefficient(pinion), contact_coefficient(gear)),
             roughness=rough,

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pyworm.drives.duty import LineOfAction
 from pyworm.formulas.film import dowson_higginson, dowson_toyoda, line_groups
 from pyworm.formulas.scuffing import effusivity, flash_temperature
 from pyworm.formulas.wear_distress import specific_film
@@ -31,28 +32,6 @@ class Surfaces:
     """Mean scuffing temperature of the oil [K]; None if not known."""
 
 
-@dataclass(frozen=True)
-class GearRating:
-    """Closed forms at contacts along the line of action; numbers or arrays of their shape."""
-
-    hertz_pressure: Array
-    """Largest pressure of the dry contact [Pa]."""
-    hertz_half_width: Array
-    """Half width of the dry contact [m]."""
-    film_central: Array
-    """Central film by Dowson and Toyoda, as in AGMA 925-A03 [m]."""
-    film_min: Array
-    """Least film by Dowson and Higginson [m]."""
-    specific_film: Array | None = None
-    """Least film over composite roughness [-]; None if the roughness is not known."""
-    flash_temperature: Array | None = None
-    """Blok's rise of the surfaces over their bulk temperature [K]; None without surfaces or heat."""
-    contact_temperature: Array | None = None
-    """Mean bulk temperature of both gears plus that rise [K]."""
-    scuffing_temperature: units.ScuffingTemperature | None = None
-    """Mean scuffing temperature of the oil [K]."""
-
-
 def contact_coefficient(body: Body) -> float:
     """Thermal contact coefficient of a body with heat [N/(m s^0.5 K)]."""
     return float(
@@ -72,8 +51,8 @@ def mean_bulk_temperature(bodies: tuple[Body, Body]) -> float:
 
 def rate(
     contacts: Any, bodies: tuple[Body, Body], oil: Oil, surfaces: Surfaces | None
-) -> GearRating:
-    """Evaluate the closed forms at contacts, by the oil as it enters them."""
+) -> LineOfAction:
+    """The closed forms at contacts, by the oil as it enters them."""
     modulus = reduced_modulus(*bodies)
     half_width = np.sqrt(8 * contacts.unit_load * contacts.radius / (np.pi * modulus))
     groups = line_groups(
@@ -86,8 +65,10 @@ def rate(
     )
     least = dowson_higginson(groups).minima
     rating = {
+        name: getattr(contacts, name)
+        for name in ("phase", "radius", "unit_load", "pinion_velocity", "gear_velocity")
+    } | {
         "hertz_pressure": 2 * contacts.unit_load / (np.pi * half_width),
-        "hertz_half_width": half_width,
         "film_central": dowson_toyoda(groups).central,
         "film_min": least,
     }
@@ -95,7 +76,7 @@ def rate(
     if roughness is not None:
         rating["specific_film"] = specific_film(least, roughness)
     if surfaces is None:
-        return GearRating(**rating)
+        return LineOfAction(**rating)
     rating["scuffing_temperature"] = surfaces.scuffing_temperature
     if oil.heat is not None:
         effusivity_1, effusivity_2 = map(contact_coefficient, bodies)
@@ -110,4 +91,4 @@ def rate(
         )
         bulk = mean_bulk_temperature(bodies)
         rating |= {"flash_temperature": flash, "contact_temperature": bulk + flash}
-    return GearRating(**rating)
+    return LineOfAction(**rating)

@@ -12,8 +12,9 @@ from math import cos, pi, sin
 
 import numpy as np
 
+from pyworm.drives.duty import LineOfAction
 from pyworm.drives.gear_pair.design import ContactKind, Driver, LinearRelief
-from pyworm.drives.gear_pair.film_formulas import GearRating, Surfaces, rate
+from pyworm.drives.gear_pair.film_formulas import Surfaces, rate
 from pyworm.drives.gear_pair.gap import Flank, GearGap, GearSection
 from pyworm.drives.gear_pair.gears import InvolutePair
 from pyworm.drives.gear_pair.load_sharing import LoadSharing, SharingRule
@@ -309,7 +310,7 @@ class GearPairMesh(Lubricated):
         arm = length / (base * cos(self.teeth.system.base_helix_angle))
         return 1 / (1 - friction * arm * np.where(contacts.approach, 1.0, -1.0))
 
-    def rating(self, contacts: ToothContacts) -> GearRating:
+    def rating(self, contacts: ToothContacts) -> LineOfAction:
         """Film, specific film and contact temperature by closed forms at these contacts."""
         return rate(contacts, self.bodies, self.oil, self.surfaces)
 
