@@ -28,6 +28,8 @@ class Drive(Lubricated, ABC):
     """Names of body 1 and body 2 of its contacts."""
     rated_as: ClassVar[type[Duty] | None] = None
     """Type of its `duty`, by which standards rate it; None where no standard covers such a drive."""
+    cycle_seconds: ClassVar[float] = 0.0
+    """Usual processor time of `cycle_data` [s]."""
     bodies: tuple[Body, Body]
     """Body 1 and body 2."""
 

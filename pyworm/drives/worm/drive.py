@@ -51,6 +51,7 @@ class WormDrive(WormMesh, Drive):
 
     body_names = "worm", "wheel"
     rated_as = WormDuty
+    cycle_seconds = 6.0  # patterns of both flanks and a gear set for each error: 4 to 9 s
 
     assumed: tuple[str, ...] = ()
     """Usual values that were taken where none was given, a sentence each that begins with the key."""
