@@ -149,14 +149,14 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
             steps += iterate(level, COARSE_TOLERANCE)
             if level.grid is grids[0]:
                 steps += self._lifted_off(level, begun)
-            lost = level.diverged()
-            if lost:  # what it bears beyond the next window may exceed the load
+            diverged = level.diverged()
+            if diverged:  # what it bears beyond the next window may exceed the load
                 restart(scene, size, level)
             guess = guess_on(level, grid)
             if level.film.fed:
                 guess = mostly_full(guess, level, level.grid.window_of(grid))
             level = next_level(scene, size, level, grid, guess)
-            if lost:
+            if diverged:
                 restart(scene, size, level)
         return level, steps
 
