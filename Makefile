@@ -9,6 +9,7 @@ DOCS := $(VENV)/.docs-installed
 PREFIX ?= $(CURDIR)/build/installed
 WHEEL_PYTHONS ?= $(shell $(PYTHON) tools/pythons.py)
 BARE ?= $(CURDIR)/build/bare
+MARCH ?=
 CLUSTER := $(VENV)/.cluster-installed
 CONTACT := zi_sharif_2001
 DRIVE := zi_drive
@@ -19,11 +20,12 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install wheel try-wheel test-cluster fortran-library fortran-docs demo test test-long test-fortran test-python browser sanitized hard mutants docs evidence lint tested release clean
+.PHONY: help install wheel try-wheel test-cluster fortran-library try-library fortran-docs demo test test-long test-fortran test-python browser sanitized hard mutants docs evidence lint tested release clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
 	@echo "make fortran-library  install the kernel for Fortran and C programs under PREFIX ($(PREFIX)), without Python"
+	@echo "make try-library  install it apart, run the kernel's tests against it, build the examples by meson, CMake and fpm"
 	@echo "make wheel    wheels that need no compiler, in dist/, for every Python found (WHEEL_PYTHONS for others)"
 	@echo "make try-wheel  as root: install each of them in a bare Debian without compiler, and run it"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
@@ -50,10 +52,15 @@ $(INSTALLED): pyproject.toml meson.build tools/setup.sh
 	@touch $@
 
 # Needs meson, ninja, gfortran, FFTW and OpenBLAS alone; its own build, since the package's has the interpreter in it.
+# MARCH=native is a library for this processor alone.
 fortran-library:
 	tools/setup.sh $(PYTHON) $(VENV) library
-	meson setup build/library -Dpython=false --prefix=$(abspath $(PREFIX)) --libdir=lib --reconfigure
+	meson setup build/library -Dpython=false -Dmarch=$(MARCH) --prefix=$(abspath $(PREFIX)) --libdir=lib --reconfigure
 	meson install -C build/library
+
+try-library:
+	tools/setup.sh $(PYTHON) $(VENV) library
+	tools/try_library.sh $(PYTHON) build/try-library
 
 wheel: $(INSTALLED)
 	set -e; for python in $(WHEEL_PYTHONS); do tools/wheel.sh $$python dist; done
@@ -130,7 +137,7 @@ lint: $(INSTALLED)
 	ruff format --check .
 	mypy
 	basedpyright
-	fortitude check fortran tests/fortran
+	fortitude check fortran pyworm/kernel examples/fortran tests/fortran
 
 # What .ci/run ends with, and make release asks for.
 tested: $(INSTALLED)

@@ -20,6 +20,8 @@ PLACES = {
     "README.md": r"version (\d\S*), software",
     "docs/how-to/install.md": r"pyworm-(\d[^-]*)-cp",
     "tools/conda-forge/recipe.yaml": r'^  version: "(.*)"$',
+    "fpm.toml": r'^version = "(.*)"$',
+    "fortran/base/version_number.f90": r"pyworm_version = '(.*)'$",
 }
 """File -> where it names the version, which is that of meson.build."""
 

@@ -110,4 +110,5 @@ fi
 # An editable install rebuilds itself on import, for which what it was built with must stay: no isolation.
 build_requirements '' >"$venv/build-requirements.txt"
 pip install --requirement "$venv/build-requirements.txt"
-pip install --no-build-isolation --editable ".[dev]"
+# The kernel is for this machine alone.
+pip install --no-build-isolation --editable ".[dev]" --config-settings=setup-args=-Dmarch=native

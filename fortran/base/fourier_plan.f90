@@ -3,12 +3,12 @@
 !> Plans are made here alone, one at a time: FFTW's planner shares state between threads. They are estimated and not measured, so
 !> that every run has the same plan and the same rounding. Arrays are of any rank, x changing fastest.
 module pyworm_fourier_plan
-  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_float, c_float_complex, c_int, c_null_ptr, &
-    c_ptr, c_size_t
+  use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_float, c_float_complex, c_int, c_loc, &
+    c_null_ptr, c_ptr, c_size_t
   use pyworm_fftw, only: fftw_alloc_complex, fftw_destroy_plan, fftw_execute_dft, fftw_execute_dft_c2r, fftw_execute_dft_r2c, &
     fftw_execute_r2r, fftw_free, fftw_plan_dft_c2r, fftw_plan_dft_r2c, fftw_plan_many_dft, fftw_plan_r2r, &
     fftwf_alloc_complex, fftwf_destroy_plan, fftwf_execute_dft, fftwf_execute_dft_c2r, fftwf_execute_dft_r2c, &
-    fftwf_plan_dft_c2r, fftwf_plan_dft_r2c, fftwf_plan_many_dft, FFTW_BACKWARD, FFTW_ESTIMATE, FFTW_FORWARD, FFTW_REDFT00
+    fftwf_plan_dft_c2r, fftwf_plan_dft_r2c, fftwf_plan_many_dft, fftw_backward, fftw_estimate, fftw_forward, fftw_redft00
   implicit none(type, external)
   private
 
@@ -52,8 +52,8 @@ contains
 
     slowest_first = shape(size(shape):1:-1)
     !$omp critical (fftw_planner)
-    forward%plan = fftw_plan_dft_r2c(size(shape), slowest_first, field, spectrum, FFTW_ESTIMATE)
-    backward%plan = fftw_plan_dft_c2r(size(shape), slowest_first, spectrum, field, FFTW_ESTIMATE)
+    forward%plan = fftw_plan_dft_r2c(size(shape), slowest_first, field, spectrum, fftw_estimate)
+    backward%plan = fftw_plan_dft_c2r(size(shape), slowest_first, spectrum, field, fftw_estimate)
     !$omp end critical (fftw_planner)
   end subroutine plan_field
 
@@ -69,38 +69,42 @@ contains
     forward%single = .true.
     backward%single = .true.
     !$omp critical (fftw_planner)
-    forward%plan = fftwf_plan_dft_r2c(size(shape), slowest_first, field, spectrum, FFTW_ESTIMATE)
-    backward%plan = fftwf_plan_dft_c2r(size(shape), slowest_first, spectrum, field, FFTW_ESTIMATE)
+    forward%plan = fftwf_plan_dft_r2c(size(shape), slowest_first, field, spectrum, fftw_estimate)
+    backward%plan = fftwf_plan_dft_c2r(size(shape), slowest_first, spectrum, field, fftw_estimate)
     !$omp end critical (fftw_planner)
   end subroutine plan_field_single
 
   !> Plans of `count` columns of `length` points, one after another in memory, in place.
   subroutine plan_columns(length, count, columns, forward, backward)
     integer, intent(in) :: length, count
-    complex(c_double_complex), intent(inout) :: columns(*)
+    complex(c_double_complex), target, intent(inout) :: columns(*)
     type(fourier_plan), intent(inout) :: forward, backward
+    type(c_ptr) :: memory
     integer(c_int) :: n(1)
 
     n = length
+    memory = c_loc(columns)
     !$omp critical (fftw_planner)
-    forward%plan = fftw_plan_many_dft(1, n, count, columns, n, 1, length, columns, n, 1, length, FFTW_FORWARD, FFTW_ESTIMATE)
-    backward%plan = fftw_plan_many_dft(1, n, count, columns, n, 1, length, columns, n, 1, length, FFTW_BACKWARD, FFTW_ESTIMATE)
+    forward%plan = fftw_plan_many_dft(1, n, count, memory, n, 1, length, memory, n, 1, length, fftw_forward, fftw_estimate)
+    backward%plan = fftw_plan_many_dft(1, n, count, memory, n, 1, length, memory, n, 1, length, fftw_backward, fftw_estimate)
     !$omp end critical (fftw_planner)
   end subroutine plan_columns
 
   !> Plans of `plan_columns` in single precision.
   subroutine plan_columns_single(length, count, columns, forward, backward)
     integer, intent(in) :: length, count
-    complex(c_float_complex), intent(inout) :: columns(*)
+    complex(c_float_complex), target, intent(inout) :: columns(*)
     type(fourier_plan), intent(inout) :: forward, backward
+    type(c_ptr) :: memory
     integer(c_int) :: n(1)
 
     n = length
+    memory = c_loc(columns)
     forward%single = .true.
     backward%single = .true.
     !$omp critical (fftw_planner)
-    forward%plan = fftwf_plan_many_dft(1, n, count, columns, n, 1, length, columns, n, 1, length, FFTW_FORWARD, FFTW_ESTIMATE)
-    backward%plan = fftwf_plan_many_dft(1, n, count, columns, n, 1, length, columns, n, 1, length, FFTW_BACKWARD, FFTW_ESTIMATE)
+    forward%plan = fftwf_plan_many_dft(1, n, count, memory, n, 1, length, memory, n, 1, length, fftw_forward, fftw_estimate)
+    backward%plan = fftwf_plan_many_dft(1, n, count, memory, n, 1, length, memory, n, 1, length, fftw_backward, fftw_estimate)
     !$omp end critical (fftw_planner)
   end subroutine plan_columns_single
 
@@ -112,9 +116,9 @@ contains
     integer(c_int) :: slowest_first(size(shape)), kinds(size(shape))
 
     slowest_first = shape(size(shape):1:-1)
-    kinds = FFTW_REDFT00
+    kinds = fftw_redft00
     !$omp critical (fftw_planner)
-    plan%plan = fftw_plan_r2r(size(shape), slowest_first, from, to, kinds, FFTW_ESTIMATE)
+    plan%plan = fftw_plan_r2r(size(shape), slowest_first, from, to, kinds, fftw_estimate)
     !$omp end critical (fftw_planner)
   end subroutine plan_cosine
 
@@ -146,9 +150,9 @@ contains
   !> Transforms complex columns in place.
   subroutine in_place(self, columns)
     class(fourier_plan), intent(in) :: self
-    complex(c_double_complex), intent(inout) :: columns(*)
+    complex(c_double_complex), target, intent(inout) :: columns(*)
 
-    call fftw_execute_dft(self%plan, columns, columns)
+    call fftw_execute_dft(self%plan, c_loc(columns), c_loc(columns))
   end subroutine in_place
 
   !> Makes the cosine transform.
@@ -180,9 +184,9 @@ contains
   !> Transforms complex columns in place, in single precision.
   subroutine in_place_single(self, columns)
     class(fourier_plan), intent(in) :: self
-    complex(c_float_complex), intent(inout) :: columns(*)
+    complex(c_float_complex), target, intent(inout) :: columns(*)
 
-    call fftwf_execute_dft(self%plan, columns, columns)
+    call fftwf_execute_dft(self%plan, c_loc(columns), c_loc(columns))
   end subroutine in_place_single
 
   !> Destroys a plan.

@@ -49,7 +49,8 @@ contains
     if (.not. (ieee_is_finite(load) .and. all(ieee_is_finite(p)))) return
     if (.not. all(ieee_is_finite(gap) .or. .not. covered)) return
     stat = status_bad_argument
-    if (load <= 0 .or. total(p) <= 0) return
+    if (load <= 0) return
+    if (total(p) <= 0) return
 
     ! beyond a body its gap is arbitrary and may not be finite
     solid_gap = merge(gap, 0.0_wp, covered)
@@ -74,7 +75,7 @@ contains
     integer :: iterations
 
     stat = status_ok
-    coarse_covered = covered(::2, ::2)
+    allocate (coarse_covered, source=covered(::2, ::2)) ! assigned, gfortran warns of bounds that it does not use
     if (minval(shape(coarse_covered)) >= fewest_nodes .and. any(coarse_covered)) then
       coarse_gap = gap(::2, ::2)
       coarse_p = merge(p(::2, ::2), 0.0_wp, coarse_covered)

@@ -26,7 +26,7 @@ contains
     real(pp), intent(out) :: leave(:), enter(:)
     type(rough_film), intent(in), optional :: rough
     real(wp) :: mobility, before, after, film_before, film_after, diffusion
-    integer :: k, s, i, j
+    integer :: first(2), last(2), k, s, i, j
 
     do k = 1, size(leave)
       mobility = 0
@@ -34,9 +34,11 @@ contains
       after = 0
       film_before = 0
       film_after = 0
+      first = 1 + stride*(start - 1 + (k - 1)*step)
+      last = first + (stride - 1)*along
       do s = 0, stride - 1
-        i = 1 + stride*(start(1) - 1 + (k - 1)*step(1)) + s*along(1)
-        j = 1 + stride*(start(2) - 1 + (k - 1)*step(2)) + s*along(2)
+        i = first(1) + s*along(1)
+        j = first(2) + s*along(2)
         mobility = mobility + faces%mobility(i, j)
         before = before + faces%before(i, j)
         after = after + faces%after(i, j)
@@ -48,10 +50,8 @@ contains
       before = mobility - before
       after = mobility + after
       if (present(rough)) then
-        after = after*(1 + compliance*rough%stiffness(i + along(1), j + along(2)))
-        i = i - (stride - 1)*along(1)
-        j = j - (stride - 1)*along(2)
-        before = before*(1 + compliance*rough%stiffness(i, j))
+        after = after*(1 + compliance*rough%stiffness(last(1) + along(1), last(2) + along(2)))
+        before = before*(1 + compliance*rough%stiffness(first(1), first(2)))
       end if
       before = before - compliance*film_before
       after = after + compliance*film_after

@@ -166,6 +166,7 @@ contains
     integer :: err
 
     x = 0
+    iterations = 0
     stat = status_no_memory
     allocate (r(size(b, 1), size(b, 2)), source=b, stat=err)
     if (err == 0) allocate (z, d, q, mold=r, stat=err)

@@ -44,7 +44,7 @@ module pyworm_thermal_step
     procedure(sweep), deferred :: sweep_columns
     procedure(storage), deferred :: change_with_time
     procedure(reset), deferred :: cool
-    procedure(count), deferred :: unsolved
+    procedure(unsolved_columns), deferred :: unsolved
     procedure(convection), deferred :: carried_heat
   end type film_heat
 
@@ -84,11 +84,11 @@ module pyworm_thermal_step
     end subroutine reset
 
     !> Number of columns whose shear stress did not converge in the last sweep.
-    pure integer function count(self)
+    pure integer function unsolved_columns(self)
       import :: film_heat
       implicit none(type, external)
       class(film_heat), intent(in) :: self
-    end function count
+    end function unsolved_columns
 
     !> Heat convected or stored by the oil, less that of its compression, at the nodes at the last sweep [W/m2].
     subroutine convection(self, carried)

@@ -18,22 +18,12 @@ else:
 _core: ModuleType = _compiled
 
 bindings: Any = _core.bindings
-"""The kernel's procedures (`fortran/bindings.f90`)."""
+"""The kernel's procedures (`bindings.f90`)."""
 
 bindings.watch_signals()
 
 EXTENSION = Path(str(_core.__file__))
 """File of the compiled extension; `LEVEL` is the level of x86-64 of a wheel that it is for."""
-
-_MESSAGES = {
-    1: "a size, a spacing, a load or a first guess makes no sense",
-    2: "a field holds a value that is not finite",
-    3: "the FFT library made no plan",
-    4: "the iteration ended before its tolerance was met",
-    5: "no step along the Newton direction lowers the residual",
-    6: "there is not enough memory",
-    7: "it was interrupted",
-}
 
 NO_SENSE = 1
 NOT_FINITE = 2
@@ -46,7 +36,7 @@ class KernelError(RuntimeError):
     """A kernel procedure failed."""
 
     def __init__(self, status: int):
-        super().__init__(_MESSAGES[status])
+        super().__init__(bindings.status_text(status).decode().strip())
         self.status = status
         """The kernel's status number (`fortran/base/status.f90`)."""
 

@@ -4,6 +4,7 @@ import signal
 
 import pytest
 from hypothesis import HealthCheck, settings
+from linked_programs import LIBRARY, Linker
 
 from pyworm.report.page.content import Picture
 
@@ -32,3 +33,11 @@ def undrawn(monkeypatch):
     monkeypatch.setattr(
         "pyworm.report.page.pictures._drawn", lambda caption, draw: Picture(caption, b"")
     )
+
+
+@pytest.fixture(scope="session")
+def linked(tmp_path_factory):
+    """What compiles and runs a program with the library of the package's own build."""
+    if not LIBRARY.is_file():
+        pytest.skip("an installed package has no library beside its extension")
+    return Linker(tmp_path_factory.mktemp("programs"))

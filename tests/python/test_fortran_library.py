@@ -1,6 +1,8 @@
-"""The kernel in Fortran and C programs: the examples, built with the compilers and without Python."""
+"""The kernel in Fortran and C programs: the examples, built with the compilers and without Python.
 
-import os
+Their films are those of the package within errors; on the same grid to rounding (`test_same_grid.py`).
+"""
+
 import re
 import shutil
 import subprocess
@@ -9,44 +11,15 @@ from functools import cache
 
 import pytest
 from folders import ROOT
+from linked_programs import EXAMPLES, LIBRARY, ONE_THREAD, run
 
 import pyworm
-from pyworm.kernel.core import EXTENSION
 
-EXAMPLES = ROOT / "fortran/examples"
-BUILT = EXTENSION.parent
-ONE = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
-FLAGS = ["-lfftw3", "-lfftw3f", "-lopenblas", "-fopenmp", "-lm"]
-
-
-def run(*command, **how):
-    return subprocess.run(
-        list(map(str, command)), capture_output=True, text=True, check=True, env=ONE, **how
-    ).stdout
+IN_C = ROOT / "examples/c/point_from_c.c"
 
 
 def numbers(text):
     return [float(number) for number in re.findall(r"\d+\.\d+", text)]
-
-
-@pytest.fixture(scope="module")
-def linked(tmp_path_factory):
-    """What compiles an example with the library of the package's own build."""
-    if not (BUILT / "libworm.a").is_file():
-        pytest.skip("an installed package has no library beside its extension")
-    folder = tmp_path_factory.mktemp("examples")
-
-    def program(source, *arguments):
-        built = folder / source.stem
-        compiler = "gfortran" if source.suffix == ".f90" else "gcc"
-        runtime = [] if compiler == "gfortran" else ["-lgfortran"]
-        include = [f"-I{BUILT / 'libworm.a.p'}", f"-I{ROOT / 'fortran/library'}"]
-        folders = run("pkg-config", "--libs-only-L", "fftw3", "openblas").split()
-        library = [BUILT / "libworm.a", *folders, *FLAGS, *runtime]
-        run(compiler, "-O2", "-Wall", "-Werror", source, *include, *library, "-o", built)
-        return run(built, *arguments)
-
-    return program
 
 
 def test_the_dry_contact_is_hertz(linked):
@@ -66,7 +39,7 @@ def test_a_thermal_point_contact_is_that_of_python(linked):
 
 
 def test_a_c_program_solves_the_film_of_python(linked):
-    film, pressure, by_grid, by_window = numbers(linked(EXAMPLES / "point_from_c.c"))
+    film, pressure, by_grid, by_window = numbers(linked(IN_C))
     figures = in_python(sliding=0.0, stress=None)
     assert film == pytest.approx(figures.film_min.value * 1e9, rel=0.05)
     assert 0 < by_grid + by_window < 10
@@ -147,22 +120,45 @@ def in_python(sliding, stress):
 
 
 def test_examples_have_forty_lines_at_most():
-    for source in EXAMPLES.iterdir():
+    sources = [*EXAMPLES.iterdir(), IN_C]
+    assert len(sources) > 8
+    for source in sources:
         assert len(source.read_text().splitlines()) <= 40, source.name
 
 
+def test_uses_and_refusals(linked):
+    lines = linked(ROOT / "tests/fortran/library/uses.f90").splitlines()
+    assert len(lines) == 14
+    assert not [line for line in lines if not line.startswith("ok ")]
+
+
+def test_oils_by_table_and_function_are_those_by_constants_in_c(linked):
+    lines = linked(ROOT / "tests/fortran/library/oils.c").splitlines()
+    barus, table, function, later, starved = (float(line.split()[-1]) for line in lines)
+    assert table == pytest.approx(barus, rel=1e-5)
+    assert function == pytest.approx(barus, rel=1e-5)
+    assert later != pytest.approx(barus, rel=1e-3)
+    assert starved < 0.9 * barus
+
+
+def test_the_version_is_the_same_everywhere():
+    texts = {
+        name: (ROOT / name).read_text()
+        for name in ("meson.build", "fpm.toml", "fortran/base/version_number.f90")
+    }
+    found = {name: re.findall(r"\d+\.\d+\.\d+", text)[0] for name, text in texts.items()}
+    assert len(set(found.values())) == 1, found
+
+
 def test_no_library_object_knows_python():
-    if not (BUILT / "libworm.a").is_file():
+    if not LIBRARY.is_file():
         pytest.skip("an installed package has no library beside its extension")
-    assert not re.findall(r" U (Py\w+)", run("nm", BUILT / "libworm.a"))
+    assert not re.findall(r" U (Py\w+)", run("nm", LIBRARY))
 
 
 def test_modules_have_the_prefix():
     """Module files of other programs are not taken for the kernel's, nor their symbols."""
-    outside = {"bindings.f90", "python_interruption.f90"}
     for source in (ROOT / "fortran").rglob("*.f90"):
-        if source.name in outside or "examples" in source.parts:
-            continue
         (name,) = re.findall(r"^module (\w+)\s*$", source.read_text(), re.M)
         assert name == "pyworm_" + source.stem.removeprefix("pyworm_")
 
@@ -191,33 +187,38 @@ def test_without_compilers_it_says_what_to_install(tmp_path):
     assert "then run make again" in built.stderr
 
 
+def documented_lines():
+    """The lines that the documentation has a program compiled by."""
+    text = (ROOT / "docs/reference/fortran.md").read_text()
+    block = text.partition("To compile a program:\n\n")[2].partition("\n\n")[0]
+    return [line.removeprefix("    ") for line in block.splitlines()]
+
+
 @pytest.mark.long
 def test_the_library_is_built_from_a_bare_clone(tmp_path):
-    """make fortran-library, and a program that asks pkg-config alone."""
+    """make fortran-library, and a program by the documented lines alone."""
     run("git", "clone", "--quiet", ROOT, tmp_path / "clone")
-    bare = {**ONE, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}  # what no virtual environment has added
+    # without what a virtual environment has added
+    bare = {**ONE_THREAD, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin"}
+    bare.pop("LD_LIBRARY_PATH", None)
+    installed = tmp_path / "installed"
     built = subprocess.run(
-        ["make", "fortran-library", f"PREFIX={tmp_path}/installed"],
+        ["make", "fortran-library", f"PREFIX={installed}"],
         capture_output=True,
         text=True,
         env=bare,
         cwd=tmp_path / "clone",
     )
     assert built.returncode == 0, built.stderr
-    installed = tmp_path / "installed"
-    found = {
-        path.relative_to(installed).as_posix() for path in installed.rglob("*") if path.is_file()
-    }
-    assert {"lib/libpyworm.a", "include/pyworm_contact.mod", "include/pyworm_contact.h"} <= found
     assert not re.findall(r" U (Py\w+)", run("nm", "-D", installed / "lib/libpyworm.so"))
-    ask = {**ONE, "PKG_CONFIG_PATH": str(installed / "lib/pkgconfig")}
-    flags = subprocess.run(
-        ["pkg-config", "--cflags", "--libs", "pyworm"],
-        capture_output=True,
-        text=True,
-        check=True,
-        env=ask,
-    ).stdout.split()
-    built = tmp_path / "dry_hertz"
-    run("gfortran", EXAMPLES / "dry_hertz.f90", *flags, f"-Wl,-rpath,{installed}/lib", "-o", built)
-    assert numbers(run(built))[0] == pytest.approx(1085.65, rel=1e-3)
+    exported = {
+        line.split()[-1]
+        for line in run("nm", "-D", "--defined-only", installed / "lib/libpyworm.so").splitlines()
+    }
+    interface = re.compile("pyworm_|__pyworm_contact_(MOD_pyworm_|description_MOD_)")
+    assert not [name for name in exported if not interface.match(name)]
+    shutil.copy(EXAMPLES / "dry_hertz.f90", tmp_path / "program.f90")
+    lines = [line.replace("/opt/pyworm", str(installed)) for line in documented_lines()]
+    assert len(lines) == 3
+    printed = run("sh", "-euc", "\n".join(lines), env=bare, cwd=tmp_path)
+    assert numbers(printed)[0] == pytest.approx(1085.65, rel=1e-3)

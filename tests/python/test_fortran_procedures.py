@@ -9,8 +9,8 @@ from folders import ROOT
 
 KERNEL = ROOT / "fortran"
 
-OTHER_LANGUAGES = {"bindings.f90", "pyworm_contact_c.f90", "lapack.f90"}
-"""Files whose procedures are called from Python or C, or are LAPACK's: they take numbers and arrays alone."""
+OTHER_LANGUAGES = {"pyworm_contact_c.f90", "lapack.f90", "fftw.f90"}
+"""Files whose procedures are called from C, or are LAPACK's or FFTW's: they take numbers and arrays alone."""
 
 MAX_ARGUMENTS = 10
 """Arguments of a procedure."""

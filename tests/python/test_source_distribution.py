@@ -82,6 +82,6 @@ def test_it_builds_the_fortran_library(unpacked, tmp_path):
     run("make", "fortran-library", f"PREFIX={prefix}", cwd=unpacked)
     found = {"PKG_CONFIG_PATH": str(prefix / "lib/pkgconfig")}
     flags = run("pkg-config", "--cflags", "--libs", "pyworm", env=found).split()
-    example = unpacked / "fortran/examples/dry_hertz.f90"
+    example = unpacked / "examples/fortran/dry_hertz.f90"
     run("gfortran", example, *flags, f"-Wl,-rpath,{prefix / 'lib'}", "-o", tmp_path / "dry")
     assert "nan" not in run(tmp_path / "dry").lower()

@@ -23,7 +23,7 @@ module bindings
     film_heat_fields, film_profile
   public :: cell_press, cell_conduct
   public :: prolong_cubic, integrate_remembered_flux, level_positions
-  public :: compiled_with, watch_signals
+  public :: compiled_with, status_text, watch_signals
 
 contains
 
@@ -731,6 +731,15 @@ contains
 
     call heed_python()
   end subroutine watch_signals
+
+  !> Text of a status, padded with blanks.
+  subroutine status_text(stat, text)
+    use pyworm_status, only: status_message
+    integer(c_int), intent(in) :: stat
+    character(len=100), intent(out) :: text
+
+    text = status_message(stat)
+  end subroutine status_text
 
   !> The compiler of the kernel and its options, padded with blanks.
   subroutine compiled_with(compiler, options)

@@ -1,0 +1,149 @@
+"""Examples of the Fortran library on their grids: to rounding the films of the kernel called from Python.
+
+Both are solved to 1e-10 from initial guesses of their own, which leaves some 1e-9 of a film.
+"""
+
+import re
+from math import pi, sin, sqrt
+
+import numpy as np
+import pytest
+from linked_programs import EXAMPLES
+
+import pyworm
+from pyworm import kernel
+from pyworm.kernel.core import KernelError
+from pyworm.materials.rough_surfaces import RoughPair, RoughSurface
+from pyworm.materials.tabulated import TabulatedViscosity
+from pyworm.solver.transient.differences import backward_weights
+
+TOLERANCE = 1e-10
+CLOSE = 1e-7
+"""What the tolerance leaves of figures, with a margin of some tens for those of single nodes."""
+
+RADIUS, MODULUS = 0.01, 230e9
+DENSITY = pyworm.Density.dowson_higginson(850.0)
+
+
+def numbers(text):
+    return [float(number) for number in re.findall(r"\d\.\d+E[-+]\d+", text)]
+
+
+def solved(film):
+    """A film after Newton's iteration to the tolerance, or until rounding alone is left."""
+    for _ in range(60):
+        if film.balance.within(TOLERANCE):
+            break
+        try:
+            film.step(1e-3)
+        except KernelError:
+            break
+    assert film.balance.worst < 1e-8
+    return film
+
+
+class Roller:
+    """The line contact of the examples on a grid: 5 half-widths of inlet, 1.5 of outlet."""
+
+    load = 1e5
+
+    def __init__(self, nodes):
+        half_width = sqrt(8 * self.load * RADIUS / (pi * MODULUS))
+        self.dx = 6.5 * half_width / (nodes - 1)
+        self.x = -5 * half_width + self.dx * np.arange(nodes)
+        self.dry = np.sqrt(np.maximum(1 - (self.x / half_width) ** 2, 0))
+        for _ in range(2):
+            self.dry[1:-1] = (self.dry[:-2] + 2 * self.dry[1:-1] + self.dry[2:]) / 4
+        self.dry *= self.load / (self.dry.sum() * self.dx)
+
+    def film(self, oil, supply=None):
+        """The Newtonian film, from the dry contact lifted by the expected film."""
+        film = kernel.LineFilm(
+            self.x**2 / (2 * RADIUS),
+            np.ones(self.x.size, bool),
+            np.ones(self.x.size),
+            self.dx,
+            MODULUS,
+            self.load,
+            oil,
+            1e-10,
+        )
+        if supply is not None:
+            film.feed(np.full(self.x.size, supply))
+        film.start(self.dry, 0.0)
+        deflected = film.thickness()[self.dry.argmax()]
+        pressure = self.dry + 1e-6 * self.dry.max()
+        pressure[[0, -1]] = 0
+        film.start(pressure, 3.2e-7 - deflected)
+        return film
+
+
+def test_a_roller_in_an_oil_of_ones_own(linked):
+    printed = linked(EXAMPLES / "line_film.f90", parts=[EXAMPLES / "own_viscosity.f90"])
+    found = numbers(printed)
+
+    def viscosity(pressure, temperature):
+        warmth = 3500 * (1 / temperature - 1 / 333.15)
+        return 0.04 * np.exp(20e-9 * pressure / (1 + pressure / 4e9) + warmth)
+
+    oil = pyworm.Oil(TabulatedViscosity.of(viscosity, 333.15), DENSITY)
+    film = solved(Roller(33).film(oil))
+    for nodes in (65, 129, 257, 513, 1025):
+        finer = Roller(nodes).film(oil)
+        finer.start(np.maximum(kernel.prolong(film.pressure), 0), film.rigid_film)
+        film = solved(finer)
+    thickness = film.thickness()
+    least = 32 * np.abs(Roller(33).x).argmin()  # a node of all grids
+    expected = [thickness.min(), thickness[least], film.pressure.max()]
+    assert found == pytest.approx(expected, rel=CLOSE)
+
+
+def test_a_rough_roller_with_little_oil(linked):
+    found = numbers(linked(EXAMPLES / "rough_line.f90"))
+    roller = Roller(513)
+    oil = pyworm.Oil(pyworm.Roelands(0.04, 0.6), DENSITY)
+    film = solved(roller.film(oil, supply=0.6e-6))
+    smooth, rigid_film = film.pressure, film.rigid_film
+    surface = RoughSurface(0.15e-6, 0.03, hardness=7e9)
+    curves = RoughPair((surface, surface), MODULUS / 2).curves()
+    lift = curves.gap_under(smooth.max()) - film.thickness()[smooth.argmax()]
+    film.shear(pyworm.FlowLaw("newtonian"), 7, [np.full(roller.x.size, 0.2)])
+    film.roughen(curves, 0.1)
+    film.start(smooth, rigid_film + max(lift, 0), smooth)
+    solved(film)
+    borne = film.asperities().pressure.sum() * roller.dx / roller.load
+    assert found == pytest.approx([film.thickness().min(), film.pressure.max(), borne], rel=CLOSE)
+
+
+def test_a_ball_under_a_pulse_of_load(linked):
+    steps, nodes, load = 8, 65, 6.3
+    found = np.reshape(numbers(linked(EXAMPLES / "load_pulse.f90")), (steps, 2))
+    a = (3 * load * RADIUS / (2 * MODULUS)) ** (1 / 3)
+    dx, dy = 6 * a / (nodes - 1), 5 * a / (nodes - 1)
+    x, y = -4.2 * a + dx * np.arange(nodes), -2.5 * a + dy * np.arange(nodes)
+    gap = (x[:, None] ** 2 + y[None, :] ** 2) / (2 * RADIUS)
+    oil = pyworm.Oil(pyworm.Barus(0.04, 16e-9), pyworm.Density(850.0, 0.0, 0.0))
+    everywhere, motion = np.ones(gap.shape, bool), (np.ones(gap.shape), np.zeros(gap.shape))
+
+    def film_under(factor):
+        return kernel.PointFilm(gap, everywhere, motion, dx, dy, MODULUS, factor * load, oil, 1e-10)
+
+    dry = kernel.dry_contact(gap, everywhere, dx, dy, MODULUS, load, np.ones(gap.shape), 1e-3)
+    pressure = np.zeros(gap.shape)
+    pressure[1:-1, 1:-1] = dry.pressure[1:-1, 1:-1] + 1e-6 * dry.pressure.max()
+    film = film_under(1.0)
+    film.start(pressure, 2.6e-7 - dry.approach)
+    solved(film)
+    # a node of every second grid line, too
+    central = tuple(2 * (np.array(np.unravel_index(gap.argmin(), gap.shape)) // 2))
+    times, contents = [0.0], [film.fields()[0] * film.fields()[1]]
+    for step in range(1, steps + 1):
+        times = [step * 2 * a / steps, *times[:3]]
+        implicit, *earlier = backward_weights(times)
+        rate = sum(weight * content for weight, content in zip(earlier, contents, strict=True))
+        last, film = film, film_under(1 + 0.5 * sin(pi * step / steps))
+        film.set_transient_term(implicit, rate)
+        film.start(last.pressure, last.rigid_film)
+        thickness, density, _ = solved(film).fields()
+        contents = [thickness * density, *contents[:2]]
+        assert found[step - 1] == pytest.approx([thickness.min(), thickness[central]], rel=CLOSE)

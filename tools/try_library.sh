@@ -1,0 +1,71 @@
+#!/bin/sh
+# Try the Fortran library as a program outside finds it: install it, run the tests of the kernel's parts against it, compile as
+# docs/reference/fortran.md says, and build the examples by meson, CMake and fpm, whose numbers must agree.
+# Needs gfortran, pkg-config, FFTW and OpenBLAS; meson, ninja, CMake and fpm come from PyPI. Usage: try_library.sh PYTHON FOLDER
+set -eu
+python=$1
+mkdir -p "$2"
+folder=$(cd "$2" && pwd)
+prefix=$folder/installed
+tools=$folder/tools
+
+[ -x "$tools/bin/fpm" ] || {
+    "$python" -m venv "$tools"
+    "$tools/bin/python" -m pip install --quiet --disable-pip-version-check "meson>=1.4" ninja cmake fpm
+}
+# no other environment's tools, libraries or paths
+[ "${TRIED_ALONE:-}" ] || exec env -i TRIED_ALONE=1 HOME="$folder" LANG=C.UTF-8 OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 \
+    PATH="$tools/bin:/usr/sbin:/usr/bin:/sbin:/bin" sh "$0" "$tools/bin/python" "$folder"
+
+echo "--- the library, without a warning"
+meson setup "$folder/build" -Dpython=false -Dkernel_modules=true --werror --prefix="$prefix" --libdir=lib --reconfigure \
+    >"$folder/library.log"
+meson install -C "$folder/build" >>"$folder/library.log" || { tail -n 40 "$folder/library.log"; exit 1; }
+nm -D --defined-only "$prefix/lib/libpyworm.so" | awk '{ print $3 }' >"$folder/symbols"
+if grep -v '^pyworm_' "$folder/symbols" | grep -v -E '^__pyworm_contact_(MOD_pyworm_|description_MOD_)'; then
+    echo "symbols that are not the interface's" >&2
+    exit 1
+fi
+echo "$(grep -c '^pyworm_' "$folder/symbols") symbols for C, $(grep -c -v '^pyworm_' "$folder/symbols") of the Fortran modules"
+
+echo "--- programs of the kernel's parts"
+meson setup "$folder/tests" tests/fortran/installed --pkg-config-path "$prefix/lib/pkgconfig" --reconfigure >"$folder/tests.log"
+meson test -C "$folder/tests" --print-errorlogs >>"$folder/tests.log" || { tail -n 60 "$folder/tests.log"; exit 1; }
+grep -E '^(Ok|Fail):' "$folder/tests.log"
+
+echo "--- the documented lines"
+rm -rf "$folder/documented"
+mkdir "$folder/documented"
+cp examples/fortran/dry_hertz.f90 "$folder/documented/program.f90"
+awk '/To compile a program:$/ { on = 1; next } on && /^    / { print substr($0, 5); next } on && NF { exit }' \
+    docs/reference/fortran.md | sed "s|/opt/pyworm|$prefix|" >"$folder/documented/lines.sh"
+grep -q gfortran "$folder/documented/lines.sh"
+(cd "$folder/documented" && cat lines.sh && sh -eu lines.sh)
+
+echo "--- the examples"
+mkdir -p "$folder/sources/examples"
+cp -r fpm.toml fortran "$folder/sources"
+cp -r examples/fortran examples/c "$folder/sources/examples"
+cd "$folder/sources/examples/fortran"
+meson setup "$folder/by-meson" --pkg-config-path "$prefix/lib/pkgconfig" --reconfigure >"$folder/examples.log"
+meson compile -C "$folder/by-meson" >>"$folder/examples.log"
+cmake -B "$folder/by-cmake" -D CMAKE_PREFIX_PATH="$prefix" >>"$folder/examples.log"
+cmake --build "$folder/by-cmake" >>"$folder/examples.log"
+FPM_FC=gfortran fpm install --profile release --prefix "$folder/by-fpm" >>"$folder/examples.log" 2>&1 ||
+    { tail -n 40 "$folder/examples.log"; exit 1; }
+for name in line_film rough_line load_pulse thermal_point; do
+    "$folder/by-meson/$name" >"$folder/$name.meson"
+    "$folder/by-cmake/$name" >"$folder/$name.cmake"
+    "$folder/by-fpm/bin/$name" >"$folder/$name.fpm"
+    printf '%s: ' "$name"
+    "$python" -c '
+import re, sys
+first, *others = [list(map(float, re.findall(r"\d+\.\d+(?:E[-+]\d+)?", open(name).read()))) for name in sys.argv[1:]]
+off = max(abs(b / a - 1) for other in others for a, b in zip(first, other, strict=True) if a)
+print(f"{len(first)} numbers differ by {off:.1e} at most")
+raise SystemExit(off > 1e-3)
+' "$folder/$name.meson" "$folder/$name.cmake" "$folder/$name.fpm"
+done
+"$folder/by-meson/point_from_c" >"$folder/c.meson"
+"$folder/by-cmake/point_from_c" | diff "$folder/c.meson" -
+echo "the library can be used"
