@@ -14,7 +14,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from pyworm.io.quantities import listed
 from pyworm.plots.attempts import Attempts
-from pyworm.plots.layout import joined, new_figure
+from pyworm.plots.layout import Style, joined, new_figure
 from pyworm.result.sweep_result import SweepResult, columns, distinguishing
 from pyworm.scene.index import INDEX_NAMES
 
@@ -75,17 +75,16 @@ def draw_sweep(result: SweepResult, path: Path) -> list[Path]:
 def sweep_figure(result: SweepResult) -> Figure:
     """Films, pressure, and friction and temperature where simulated, over all that varies."""
     axes, figures = _axes(result), _shown(result)
-    converged = result.converged
-    if not converged.any():
+    if not result.converged.any():
         raise ValueError("no scene of the sweep converged, there is nothing to draw")
     if len(axes) == 1 and _crossed(axes):
-        return _draw_lines(result, axes[0], None, figures, converged)
+        return _draw_lines(result, axes[0], None, figures)
     if len(axes) == 2 and _crossed(axes):
         few, many = sorted(axes, key=lambda axis: axis.distinct.size)
         if few.distinct.size <= MOST_LINES:
-            return _draw_lines(result, many, few, figures, converged)
-        return _draw_maps(result, many, few, figures, converged)
-    return _draw_clouds(result, axes, figures, converged)
+            return _draw_lines(result, many, few, figures)
+        return _draw_maps(result, many, few, figures)
+    return _draw_clouds(result, axes, figures)
 
 
 def _axes(result: SweepResult) -> list[_Axis]:
@@ -143,11 +142,7 @@ def _crossed(axes: Sequence[_Axis]) -> bool:
 
 
 def _draw_lines(
-    result: SweepResult,
-    along: _Axis,
-    family: _Axis | None,
-    figures: list[_Shown],
-    converged: np.ndarray,
+    result: SweepResult, along: _Axis, family: _Axis | None, figures: list[_Shown]
 ) -> Figure:
     """One panel for each figure, one line for each value of the second axis."""
     picture = new_figure(8, 2.8 * len(figures) + 0.8, _heading(result))
@@ -161,18 +156,11 @@ def _draw_lines(
         for (member, name), colour in zip(members, colours, strict=True):
             chosen = np.ones(along.values.size, bool) if member is None else member
             chosen = np.flatnonzero(chosen)[np.argsort(along.values[chosen])]
-            finite_error = np.where(np.isfinite(figure.errors), figure.errors, 0.0)
-            panel.errorbar(
-                along.values[chosen],
-                figure.values[chosen],
-                finite_error[chosen],
-                fmt="o" if along.names else "o-",
-                color=colour,
-                capsize=3,
-                markersize=4,
-                label=name or None,
-            )
-        _cross_out(panel, along.values, converged)
+            errors = _finite_errors(figure)[chosen]
+            look: Style = {"color": colour, "capsize": 3, "markersize": 4, "label": name or None}
+            look["fmt"] = "o" if along.names else "o-"
+            panel.errorbar(along.values[chosen], figure.values[chosen], errors, **look)
+        _cross_out(panel, along.values, result)
         _scale(panel, along, figure)
         panel.set_ylabel(figure.label)
     panels[-1].set_xlabel(along.label)
@@ -183,17 +171,15 @@ def _draw_lines(
             loc="outside right center",
             frameon=False,
         )
-    elif not converged.all():
+    elif not result.converged.all():
         panels[0].legend(frameon=False)
     return picture
 
 
-def _draw_maps(
-    result: SweepResult, along: _Axis, across: _Axis, figures: list[_Shown], converged: np.ndarray
-) -> Figure:
+def _draw_maps(result: SweepResult, along: _Axis, across: _Axis, figures: list[_Shown]) -> Figure:
     """One panel for each figure, one cell for each scene."""
-    rows = -(-len(figures) // 2)
-    note = "" if converged.all() else "  ·  crosses: not converged"
+    rows, failed = -(-len(figures) // 2), ~result.converged
+    note = "  ·  crosses: not converged" if failed.any() else ""
     picture = new_figure(10.5, 3.6 * rows + 0.8, _heading(result) + note)
     panels = picture.subplots(rows, 2, squeeze=False)
     columns_, lines = along.distinct, across.distinct
@@ -211,7 +197,6 @@ def _draw_maps(
         bar = picture.colorbar(mesh, ax=panel, label=figure.label)
         if _is_wide(figure.values):
             _plain_decades(bar.ax.yaxis, figure.values)
-        failed = ~converged
         panel.plot(along.values[failed], across.values[failed], "x", color="red", markersize=7)
         for axis, side in ((along, panel.xaxis), (across, panel.yaxis)):
             if axis.logarithmic:
@@ -224,9 +209,7 @@ def _draw_maps(
     return picture
 
 
-def _draw_clouds(
-    result: SweepResult, axes: list[_Axis], figures: list[_Shown], converged: np.ndarray
-) -> Figure:
+def _draw_clouds(result: SweepResult, axes: list[_Axis], figures: list[_Shown]) -> Figure:
     """One row for each figure, one column for each varied quantity, one dot for each scene."""
     axes = axes[:MOST_COLUMNS]
     picture = new_figure(max(3.0 * len(axes) + 1, 6), 2.5 * len(figures) + 0.8, _heading(result))
@@ -234,30 +217,23 @@ def _draw_clouds(
     for row, figure in zip(panels, figures, strict=True):
         for panel, axis in zip(row, axes, strict=True):
             panel.plot(axis.values, figure.values, "o", color="tab:blue", markersize=4, alpha=0.7)
-            _cross_out(panel, axis.values, converged)
+            _cross_out(panel, axis.values, result)
             _scale(panel, axis, figure)
         row[0].set_ylabel(figure.label)
     for panel, axis in zip(panels[-1], axes, strict=True):
         panel.set_xlabel(axis.label)
-    if not converged.all():
+    if not result.converged.all():
         panels[0, 0].legend(frameon=False)
     return picture
 
 
-def _cross_out(panel: Axes, x: np.ndarray, converged: np.ndarray) -> None:
+def _cross_out(panel: Axes, x: np.ndarray, result: SweepResult) -> None:
     """A cross on the lower edge of the panel where a scene did not converge, which has no value."""
-    if not converged.all():
-        places = x[~converged]
-        panel.plot(
-            places,
-            np.zeros(places.size),
-            "x",
-            transform=panel.get_xaxis_transform(),
-            color="black",
-            markersize=10,
-            label="not converged",
-            clip_on=False,
-        )
+    places = x[~result.converged]
+    if places.size:
+        look: Style = {"color": "black", "markersize": 10, "clip_on": False}
+        look |= {"transform": panel.get_xaxis_transform(), "label": "not converged"}
+        panel.plot(places, np.zeros(places.size), "x", **look)
 
 
 def _scale(panel: Axes, axis: _Axis, figure: _Shown) -> None:
@@ -267,10 +243,14 @@ def _scale(panel: Axes, axis: _Axis, figure: _Shown) -> None:
         panel.set_yscale("log")
         _plain_decades(panel.yaxis, figure.values)
     elif figure.has_zero:
-        errors = np.where(np.isfinite(figure.errors), figure.errors, 0.0)
-        panel.set_ylim(0, 1.05 * np.nanmax(figure.values + errors))
+        panel.set_ylim(0, 1.05 * np.nanmax(figure.values + _finite_errors(figure)))
     _ticks(panel.xaxis, axis)
     panel.grid(True, color="0.9")
+
+
+def _finite_errors(figure: _Shown) -> np.ndarray:
+    """Errors of a figure, zero where they have no bound."""
+    return np.where(np.isfinite(figure.errors), figure.errors, 0.0)
 
 
 def _ticks(side: MatplotlibAxis, axis: _Axis) -> None:
