@@ -4,33 +4,40 @@ module pyworm_linear_interpolation
   implicit none(type, external)
   private
 
-  public :: linear_at
+  public :: add_linear
 
 contains
 
-  !> Value of a field at a place between its nodes, bilinear, and linear along x where it has one row.
+  !> Adds a field's values at some places, (2, nx, ny), times a weight: bilinear, and linear along x where it has one row.
   !>
-  !> `column` and `row` are the place over the spacing, counted from zero at the first node; beyond the grid the value
-  !> is zero.
-  pure function linear_at(field, column, row) result(value)
-    real(wp), intent(in) :: field(:, :), column, row
-    real(wp) :: value
-    real(wp) :: x, y, before, behind
-    integer :: left, below
+  !> `first` is the first node of its grid and `spacing` what lies between two, along each direction; beyond the grid the
+  !> value is zero.
+  pure subroutine add_linear(field, first, spacing, weight, places, total)
+    real(wp), contiguous, intent(in) :: field(:, :), places(:, :, :)
+    real(wp), intent(in) :: first(2), spacing(2), weight
+    real(wp), contiguous, intent(inout) :: total(:, :)
+    real(wp) :: per_node(2), x, y, before, behind
+    integer :: columns, rows, left, below, above, i, j
 
-    value = 0
-    ! in this form places that are not numbers lie beyond, too
-    if (.not. (column >= 0 .and. column <= size(field, 1) - 1)) return
-    if (.not. (row >= 0 .and. row <= size(field, 2) - 1)) return
-    left = max(1, min(int(column) + 1, size(field, 1) - 1))
-    below = max(1, min(int(row) + 1, size(field, 2) - 1))
-    x = column - (left - 1)
-    y = row - (below - 1)
-    before = (1 - x)*field(left, below) + x*field(left + 1, below)
-    value = before
-    if (size(field, 2) == 1) return
-    behind = (1 - x)*field(left, below + 1) + x*field(left + 1, below + 1)
-    value = (1 - y)*before + y*behind
-  end function linear_at
+    columns = size(field, 1)
+    rows = size(field, 2)
+    per_node = 1/spacing
+    do j = 1, size(total, 2)
+      do i = 1, size(total, 1)
+        x = (places(1, i, j) - first(1))*per_node(1)
+        y = (places(2, i, j) - first(2))*per_node(2)
+        ! in this form places that are not numbers lie beyond, too
+        if (.not. (x >= 0 .and. x <= columns - 1 .and. y >= 0 .and. y <= rows - 1)) cycle
+        left = max(1, min(int(x) + 1, columns - 1))
+        below = max(1, min(int(y) + 1, rows - 1))
+        above = min(below + 1, rows) ! the same where there is one row
+        x = x - (left - 1)
+        y = y - (below - 1)
+        before = (1 - x)*field(left, below) + x*field(left + 1, below)
+        behind = (1 - x)*field(left, above) + x*field(left + 1, above)
+        total(i, j) = total(i, j) + weight*((1 - y)*before + y*behind)
+      end do
+    end do
+  end subroutine add_linear
 
 end module pyworm_linear_interpolation

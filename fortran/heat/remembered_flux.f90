@@ -1,7 +1,7 @@
 !> Flux that the places of a surface met on their way through a contact, against the present one along a steady way.
 module pyworm_remembered_flux
   use pyworm_kinds, only: wp
-  use pyworm_linear_interpolation, only: linear_at
+  use pyworm_linear_interpolation, only: add_linear
   implicit none(type, external)
   private
 
@@ -36,52 +36,63 @@ contains
 
   !> Integral over the age s of [q(X(s), t - s) - q(x - u s, t)]/sqrt(s) at each node of a grid [W sqrt(s)/m2].
   !>
-  !> X(s) is the place of the surface a time s ago, in axes that have turned since:
-  !> of the way of the contact point, and of what the velocity there, `at_origin`, differs from that of the node (`motion`). Between
-  !> two times the flux is linear. `flux` has that of each time along its last dimension, the present first, at the nodes of
-  !> a grid with `axes` [W/m2], `present` the present one, on its grid; both as their heat has spread along the surface
-  !> since that time. `x`, `y` are places of the nodes, `u`, `v` the surface's velocity there.
+  !> X(s) is the place of the surface a time s ago, in axes that have turned since: of the way of the contact point, and of
+  !> what the velocity there, `at_origin`, differs from that of the node (`motion`). Between two times the flux is linear.
+  !> `flux` has that of each time along its last dimension, the present first, at the nodes of a grid with `axes` [W/m2],
+  !> `present` the present one, on its grid; both as their heat has spread along the surface since that time. `x`, `y` are
+  !> places of the nodes, `u`, `v` the surface's velocity there.
   pure subroutine remembered_flux(flux, present, axes, readings, motion, x, y, u, v, integral)
-    real(wp), intent(in) :: flux(:, :, :), present(:, :, :)
+    real(wp), contiguous, intent(in) :: flux(:, :, :), present(:, :, :)
     type(moving_axes), intent(in) :: axes(:)
     type(flux_reading), intent(in) :: readings(:)
     type(surface_motion), intent(in) :: motion
     real(wp), intent(in) :: x(:), y(:), u(:, :), v(:, :)
-    real(wp), intent(out) :: integral(:, :)
-    real(wp) :: c, s, place(2), steady(2), then(2), more
-    integer :: i, j, k
+    real(wp), contiguous, intent(out) :: integral(:, :)
+    real(wp), allocatable :: steady(:, :, :), then(:, :, :)
+    integer :: k
 
+    allocate (steady(2, size(x), size(y)), then(2, size(x), size(y)))
     integral = 0
     do k = 1, size(readings)
-      associate (read => readings(k))
-        c = cos(motion%turning*read%age)
-        s = sin(motion%turning*read%age)
-        do j = 1, size(integral, 2)
-          do i = 1, size(integral, 1)
-            steady = [x(i) - u(i, j)*read%age, y(j) - v(i, j)*read%age]
-            place = steady + motion%at_origin*read%age - read%way
-            then = [c*place(1) - s*place(2), s*place(1) + c*place(2)]
-            associate (before => read%interval + 1, after => read%interval)
-              more = read%share*(at(flux(:, :, before), axes(before), then) - at(present(:, :, before), axes(1), steady))
-              if (read%share < 1) more = more + (1 - read%share)*(at(flux(:, :, after), axes(after), then) &
-                - at(present(:, :, after), axes(1), steady))
-            end associate
-            integral(i, j) = integral(i, j) + read%weight*more
-          end do
-        end do
+      call find_places(readings(k), motion, x, y, u, v, steady, then)
+      associate (before => readings(k)%interval + 1, after => readings(k)%interval, share => readings(k)%share, &
+          weight => readings(k)%weight)
+        call add(share*present(:, :, before) + (1 - share)*present(:, :, after), axes(1), -weight, steady, integral)
+        call add(flux(:, :, before), axes(before), weight*share, then, integral)
+        if (share < 1) call add(flux(:, :, after), axes(after), weight*(1 - share), then, integral)
       end associate
     end do
   end subroutine remembered_flux
 
-  !> Flux of a time at a place.
-  pure function at(flux, axes, place) result(met)
-    real(wp), intent(in) :: flux(:, :), place(2)
-    type(moving_axes), intent(in) :: axes
-    real(wp) :: met
-    real(wp) :: node(2)
+  !> Places of the nodes' surface a time ago, by the steady way, and in the axes of that time by the way since then, (2, nx, ny).
+  pure subroutine find_places(reading, motion, x, y, u, v, steady, then)
+    type(flux_reading), intent(in) :: reading
+    type(surface_motion), intent(in) :: motion
+    real(wp), intent(in) :: x(:), y(:), u(:, :), v(:, :)
+    real(wp), contiguous, intent(out) :: steady(:, :, :), then(:, :, :)
+    real(wp) :: c, s, onward(2), place(2)
+    integer :: i, j
 
-    node = (place - axes%first)/axes%spacing
-    met = linear_at(flux, node(1), node(2))
-  end function at
+    c = cos(motion%turning*reading%age)
+    s = sin(motion%turning*reading%age)
+    onward = motion%at_origin*reading%age - reading%way
+    do j = 1, size(y)
+      do i = 1, size(x)
+        steady(:, i, j) = [x(i) - u(i, j)*reading%age, y(j) - v(i, j)*reading%age]
+        place = steady(:, i, j) + onward
+        then(:, i, j) = [c*place(1) - s*place(2), s*place(1) + c*place(2)]
+      end do
+    end do
+  end subroutine find_places
+
+  !> Adds a flux at some places, times a weight.
+  pure subroutine add(flux, axes, weight, places, integral)
+    real(wp), contiguous, intent(in) :: flux(:, :), places(:, :, :)
+    type(moving_axes), intent(in) :: axes
+    real(wp), intent(in) :: weight
+    real(wp), contiguous, intent(inout) :: integral(:, :)
+
+    call add_linear(flux, axes%first, axes%spacing, weight, places, integral)
+  end subroutine add
 
 end module pyworm_remembered_flux

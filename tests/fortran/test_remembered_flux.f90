@@ -2,7 +2,7 @@
 program test_remembered_flux
   use, intrinsic :: ieee_arithmetic, only: ieee_get_halting_mode, ieee_invalid, ieee_quiet_nan, ieee_set_halting_mode, ieee_value
   use pyworm_kinds, only: wp
-  use pyworm_linear_interpolation, only: linear_at
+  use pyworm_linear_interpolation, only: add_linear
   use pyworm_remembered_flux, only: flux_reading, moving_axes, remembered_flux, surface_motion
   use tap, only: check, close_to, done
   implicit none(type, external)
@@ -40,6 +40,16 @@ contains
     call close_to(linear_at(field(:, 1:1), 1.5_wp, 0.0_wp), 4.0_wp, 1e-13_wp, "along a line")
     call check(at_no_number(field) == 0, "not a number")
   end subroutine bilinear
+
+  !> A field at one place, in nodes from the first.
+  real(wp) function linear_at(field, column, row)
+    real(wp), intent(in) :: field(:, :), column, row
+    real(wp) :: value(1, 1)
+
+    value = 0
+    call add_linear(field, [0.0_wp, 0.0_wp], [1.0_wp, 1.0_wp], 1.0_wp, reshape([column, row], [2, 1, 1]), value)
+    linear_at = value(1, 1)
+  end function linear_at
 
   !> A field at a place that is no number; a build that traps such comparisons is not to end by this one.
   real(wp) function at_no_number(field)
