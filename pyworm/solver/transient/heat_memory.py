@@ -185,7 +185,7 @@ def _spread(flux: Array, spacing: Sequence[float], width: float, rims: Sequence[
         ends = (np.arange(1 - nodes - rim, nodes + rim + 1) - 0.5) * step / (sqrt(2) * width)
         shares = np.diff(scipy.special.erf(ends)) / 2  # at offsets from 1 - nodes - rim on
         means = scipy.linalg.toeplitz(shares[nodes - 1 :], shares[nodes - 1 :: -1])
-        spread = np.moveaxis(np.tensordot(means, spread, (1, axis)), 0, axis)
+        spread = means @ spread if axis == 0 else spread @ means.T
     return np.pad(spread, 1)
 
 
