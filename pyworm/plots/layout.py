@@ -60,9 +60,13 @@ class Window:
     """A rectangle of the tangent plane [mm]."""
 
     left: float
+    """Least x [mm]."""
     right: float
+    """Largest x [mm]."""
     bottom: float
+    """Least y [mm]."""
     top: float
+    """Largest y [mm]."""
 
     @property
     def width(self) -> float:
