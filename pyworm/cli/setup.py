@@ -21,12 +21,12 @@ PLACE = Kind("a place along the face", "m", "2 mm", sign="any", possible=("1e-24
 DRY, FILM = QUANTITIES["dry_pressure_max"], QUANTITIES["film_central"]
 
 COLUMNS = {
-    "hob_oversize_m": ("Hob's oversize, mm", 1e3, ".3f"),
-    "hob_swivel_deg": ("Hob's swivel, °", 1.0, ".4f"),
-    "hob_axial_shift_m": ("Hob's shift along the wheel's axis, mm", 1e3, ".3f"),
-    "hob_centre_distance_m": ("Hob's centre distance, mm", 1e3, ".3f"),
-    "marking_face_m": ("Middle of the marked part along the face, mm", 1e3, ".1f"),
-    "marking_fraction": ("Marked part of the flank, %", 100.0, ".1f"),
+    "hob_oversize_m": ("Hob oversize, mm", 1e3, ".3f"),
+    "hob_swivel_deg": ("Hob swivel, °", 1.0, ".4f"),
+    "hob_axial_shift_m": ("Hob axial shift, mm", 1e3, ".3f"),
+    "hob_centre_distance_m": ("Hob centre distance, mm", 1e3, ".3f"),
+    "marking_face_m": ("Pattern centre along the face, mm", 1e3, ".1f"),
+    "marking_fraction": ("Marked share of the flank, %", 100.0, ".1f"),
     "contact_ratio": ("Contact ratio", 1.0, ".2f"),
     "radius_long_m": ("Long radius at mid-mesh, mm", 1e3, ".0f"),
     "radius_short_m": ("Short radius at mid-mesh, mm", 1e3, ".1f"),
@@ -122,7 +122,7 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
                 )
                 continue
             print_result(
-                f"Middle of the marked part of the {flank}: from {before * 1e3:+.2f} mm to "
+                f"Pattern centre on the {flank}: from {before * 1e3:+.2f} mm to "
                 f"{after * 1e3:+.2f} mm along the face, + towards the leaving side."
             )
         print_result(f"Required on the driven flank: {shim.wanted * 1e3:+.2f} mm.")
