@@ -5,8 +5,7 @@ import signal
 import pytest
 from hypothesis import HealthCheck, settings
 from linked_programs import LIBRARY, Linker
-
-from pyworm.report.page.content import Picture
+from undrawn_pages import undrawn_pages
 
 # a busy machine is no failure: examples count, not the time in which they are drawn
 settings.register_profile("pyworm", deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -28,11 +27,10 @@ def unhurried(monkeypatch):
 
 
 @pytest.fixture
-def undrawn(monkeypatch):
+def undrawn():
     """Pictures of report pages are not drawn, for tests of what is written beside them."""
-    monkeypatch.setattr(
-        "pyworm.report.page.pictures._drawn", lambda caption, draw: Picture(caption, b"")
-    )
+    with undrawn_pages():
+        yield
 
 
 @pytest.fixture(scope="session")

@@ -58,7 +58,7 @@ def commands(built, out):
         "sweep": ["sweep", str(built / "two.toml"), "--out", str(out)],
         "oil": ["oil", "chart", "mineral VG 220", "--out", str(out)],
         "surface": ["surface", str(CASES / "surfaces/ground.toml"), "--out", str(out)],
-        "precision": ["precision", str(POINT), "--out", str(out)],
+        "precision": ["precision", str(CASES / "line_m20_l10.toml"), "--out", str(out)],
         "new": ["new", str(out / "worm.toml"), *DRAWING],
     }
 

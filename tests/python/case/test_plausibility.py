@@ -143,6 +143,7 @@ SAID = (
 )
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_warnings_go_to_standard_error_json_result_and_report(tmp_path, capsys):
     text = (CASES / "traction_steel.toml").read_text()
     (tmp_path / "case.toml").write_text(text.replace(*UNUSUAL))

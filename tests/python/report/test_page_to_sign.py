@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from folders import CASES
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
+from undrawn_pages import undrawn_pages
 
 import pyworm
 from pyworm.case.case import case_of
@@ -31,7 +32,8 @@ def page():
     case = pyworm.load(CASES / "zi_sharif_2001.toml")
     result = Result(case.name, case.resolved, (make_hot_worm(0.5),), make_mesh_cycle(), {})
     identity = (("Drawing", "4711-03 <b>"), ("Customer", "Works & Sons"))
-    return render(build_report(result, case, None, identity))
+    with undrawn_pages():
+        return render(build_report(result, case, None, identity))
 
 
 def test_the_page_names_drawing_and_customer_and_every_safety(page):
@@ -74,6 +76,7 @@ def test_the_page_has_the_computed_geometry(page):
     assert float(shown["Profile shift"]) == pytest.approx(-0.42, abs=0.01)
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_drawing_s_backlash_is_on_the_page():
     text = (CASES / "worm_drawing.toml").read_text() + '\n[worm_rating]\nlife = "25000 h"\n'
     case = case_of(tomllib.loads(text), "drawn", CASES)
@@ -113,6 +116,7 @@ def test_words_of_files_are_no_symbols():
         assert typeset(text) == text
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_a_contact_without_safeties_has_no_page_to_sign():
     case = pyworm.load(CASES / "line_thermal.toml")
     built = build_report(Result(case.name, case.resolved, (make_line_solution(),), None, {}))

@@ -21,6 +21,8 @@ from synthetic_solution import (
     make_mesh_cycle,
     make_solution,
 )
+from undrawn_pages import undrawn_pages
+from zi_drives import quickly_described
 
 import pyworm
 from pyworm.case.case import case_again
@@ -85,7 +87,8 @@ def increaser():
         for phase in (0.13, 0.87)
     ]
     result = result_of("errichello_speed_increaser", solutions, case.drive.cycle_data())
-    return result, build_report(result)
+    with undrawn_pages():
+        return result, build_report(result)
 
 
 def section(report, title):
@@ -302,7 +305,8 @@ def test_inputs_are_in_workshop_units(increaser):
 
 
 @pytest.mark.usefixtures("undrawn")
-def test_a_hob_of_another_base_pitch_is_shown_first(tmp_path, capsys):
+def test_a_hob_of_another_base_pitch_is_shown_first(tmp_path, capsys, monkeypatch):
+    quickly_described(monkeypatch)
     text = (CASES / "zi_sharif_2001.toml").read_text()
     for old, new in (
         ('"85.97 mm"', '"86.3 mm"'),
@@ -315,12 +319,11 @@ def test_a_hob_of_another_base_pitch_is_shown_first(tmp_path, capsys):
     path.write_text(text)
     case = pyworm.load(path)
     result = Result(case.name, case.resolved, (make_hot_worm(0.5),), make_mesh_cycle(), {})
-    *_, told = build_report(result).warnings
+    report = build_report(result)
+    *_, told = report.warnings
     assert "um more than the worm's" in told
     # a worm turned by 1 mrad touches this wheel at an edge, for whose film there is no closed form
-    film, change, pressure, note = rows(build_report(result), "Sensitivity")[
-        "shaft angle -1.0 mrad"
-    ]
+    film, change, pressure, note = rows(report, "Sensitivity")["shaft angle -1.0 mrad"]
     assert not film and not change and float(pressure.split()[0]) > 10
     assert note.endswith("; on an edge at phase 0.5")
     assert main(["check", str(path), "--phase", "0.5", "--json"]) == 0

@@ -107,6 +107,7 @@ def test_the_command_names_variants_by_their_folders(files, capsys):
     assert '<th scope="col">b</th>' in out.read_text()
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_simulated_wear_stands_on_the_pages_to_sign(files, capsys, tmp_path):
     out = tmp_path / "report.html"
     assert main(["report", str(files[0]), "--wear", str(tmp_path), "--out", str(out)]) == 2
@@ -122,6 +123,7 @@ def test_options_of_one_result_are_refused_of_several(files, capsys):
     assert "--drawing: is of one result, 2 are given" in capsys.readouterr().err
 
 
+@pytest.mark.usefixtures("undrawn")
 def test_without_a_browser_a_pdf_is_refused_in_a_sentence(files, capsys, monkeypatch):
     monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
     out = files[0].with_name("here.html")
