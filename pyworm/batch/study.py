@@ -1,26 +1,24 @@
 """Studies from Python: many scenes of a script, or a sweep file, to one table."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
-from contextlib import AbstractContextManager, ExitStack, contextmanager
+from contextlib import ExitStack
 from itertools import product
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
 from pyworm.batch.case_run import SCENES
+from pyworm.batch.in_python import executor, messages, progress_of
 from pyworm.batch.provenance import provenance
 from pyworm.batch.scene_task import SceneTask, require_sendable
 from pyworm.batch.solve_tasks import solve_all
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.sweep import Sweep, label, load_sweep
 from pyworm.batch.sweep_run import run_sweep
-from pyworm.batch.workers import executor_of
 from pyworm.io import units
-from pyworm.io.console import progress_bar
 from pyworm.io.given import WithUnit, kind_of, number, row, text
 from pyworm.io.progress import Progress
-from pyworm.io.terminal import print_message
 from pyworm.planning.effects.selection import Effects, as_text
 from pyworm.result.result import Result
 from pyworm.result.sweep_result import SweepResult
@@ -71,8 +69,8 @@ def sweep(
     with ExitStack() as stack:
         where = stack.enter_context(TemporaryDirectory()) if out is None else out
         folder = Path(where).absolute()
-        told = stack.enter_context(_progress(progress))
-        pool = stack.enter_context(_executor(processes, scheduler))
+        told = stack.enter_context(progress_of(progress))
+        pool = stack.enter_context(executor(processes, scheduler))
         if isinstance(make, str | Path):
             study = _of_file(make, vary, pool, told, Store(folder / SCENES, fields))
         else:
@@ -82,7 +80,7 @@ def sweep(
                 largest_grid,
             )
             study = _study(make, title, vary, (_accuracy(accuracy), *how), pool is not None)
-        return run_sweep(study, folder, fields, pool, told, print_message if progress else _silent)
+        return run_sweep(study, folder, fields, pool, told, messages(progress))
 
 
 def traction_curve(
@@ -116,8 +114,8 @@ def traction_curve(
     ]
     with ExitStack() as stack:
         directory = Path(stack.enter_context(TemporaryDirectory()) if out is None else out)
-        told = stack.enter_context(_progress(progress))
-        workers = stack.enter_context(_executor(processes, None))
+        told = stack.enter_context(progress_of(progress))
+        workers = stack.enter_context(executor(processes, None))
         store = Store(directory.absolute() / SCENES, fields=True)
         reasons = solve_all(store.missing(tasks), store, workers, told)
         for task in tasks:
@@ -175,25 +173,3 @@ def _study(
 def _accuracy(given: WithUnit) -> float:
     """An accuracy as a number."""
     return number("accuracy", given, kind_of(units.Share))
-
-
-def _executor(processes: int, scheduler: str | None) -> AbstractContextManager[Executor | None]:
-    """The processes that solve; None for this one."""
-    if isinstance(processes, bool) or not isinstance(processes, int) or processes < 1:
-        raise ValueError(f"processes = {processes!r:.40}: must be a whole number from 1")
-    return executor_of(processes, scheduler)
-
-
-@contextmanager
-def _progress(wanted: bool | Progress) -> Iterator[Progress | None]:
-    if callable(wanted):
-        yield wanted
-    elif wanted:
-        with progress_bar() as bar:
-            yield bar
-    else:
-        yield None
-
-
-def _silent(message: str) -> None:
-    """Where no progress is wanted."""

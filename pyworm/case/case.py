@@ -1,6 +1,6 @@
 """A case: the user's input, checked completely before any work starts."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from hashlib import sha256
@@ -15,6 +15,7 @@ from pyworm.case.contact import GapCase, PointCase, contact_scene
 from pyworm.case.deviation_file import with_deviations
 from pyworm.case.drive_case import DriveCase
 from pyworm.case.kinds import case_model, kind_model
+from pyworm.case.python_input import as_file
 from pyworm.case.ratings import RATING_TABLES
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
@@ -339,16 +340,20 @@ def _without(idle: Sequence[float], phases: Sequence[float]) -> tuple[float, ...
     return tuple(phase for phase in phases if phase not in idle) or tuple(phases)
 
 
-def load(path: str | Path) -> Case:
-    """Read a case file and check it completely.
+def load(source: str | Path | Mapping[str, Any], name: str = "case") -> Case:
+    """Read a case and check it completely.
 
     Args:
-        path (str or Path): A TOML file; `cases/` has one for each kind.
+        source: A TOML file; `pyworm example` lists those that come with pyworm. Or its tables as a
+            dictionary, with texts or numbers in SI, `oil` and `bodies` as of `WormDrive`.
+        name: Name of a case of a dictionary, in tables and pictures.
 
     Raises:
         CaseError: The first error found, as one line.
     """
-    path = Path(path)
+    if isinstance(source, Mapping):
+        return case_of(as_file(source, name, _model(source)), name, Path())
+    path = Path(source)
     data = read_toml(path)
     try:
         with stage(f"checking the contacts of {path}"):
@@ -406,13 +411,23 @@ def _said(table: dict[str, Any]) -> dict[str, Any]:
 
 def _tables(data: dict[str, Any], context: str | None = None) -> CaseTable:
     """The tables of a case file in SI, by its kind; context as of `checked`."""
+    return checked(_model(data), data, context)
+
+
+def _model(data: Mapping[str, Any]) -> type[CaseTable]:
+    """The tables that a case file has, by its kind; CaseError of a content without a kind."""
     if not {"drive", "contact"} & data.keys() and set(RATING_TABLES) & data.keys():
         raise CaseError("gives nothing to be solved, ratings only; pyworm rate shows them")
     if ("drive" in data) == ("contact" in data):
         raise CaseError("give either a [drive] or a [contact], one of the two")
     about = "drive" if "drive" in data else "contact"
-    kind = getattr(checked(kind_model(about), data), about).kind
-    return checked(case_model(about, kind), data, context)
+    return case_model(about, kind_of(data, about))
+
+
+def kind_of(data: Mapping[str, Any], about: str) -> str:
+    """Kind of the subject of a file's content, `drive` or `contact`; CaseError of one that there is not."""
+    kind: str = getattr(checked(kind_model(about), dict(data)), about).kind
+    return kind
 
 
 def checked(model: type[ModelT], data: dict[str, Any], context: str | None = None) -> ModelT:

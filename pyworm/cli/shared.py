@@ -12,11 +12,12 @@ from pyworm.io.atomic import atomic_directory, check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.quantity import SHARE_KIND, Kind, parse
 from pyworm.io.reason import reason_of
-from pyworm.io.stage import stage
 from pyworm.io.terminal import print_message, print_result
 from pyworm.scene.index import INDEX_NAMES
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from pyworm.batch.task import Task
     from pyworm.result.result import Result
     from pyworm.scene.index import ContactIndex
@@ -117,50 +118,31 @@ def opened_result(path: Path) -> "Result":
 
 
 def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[ContactIndex, ...]":
-    """Places that the options ask for; phases without load, which are left out, are named.
+    """Places that the options ask for; phases without load, which are omitted, are named.
 
     CaseError where none of them is under load.
     """
-    phases = options.phase or ()
-    asked = phases or case.mesh_places.get("phase", ())
-    idle = case.idle_phases(asked)
-    words = ", ".join(f"{phase:g}" for phase in idle)
-    if idle and len(idle) == len(asked):
-        key = "--phase" if phases else "operation.phases"
-        loaded = ", ".join(f"{phase:g}" for phase in case.phases_under_load) or "none of its tenths"
-        raise CaseError(
-            f"{case.name}: {key} {words}: neighbouring teeth carry all of the load; "
-            f"the pair carries some at {loaded}"
-        )
-    if phases and idle:
-        print_message(
-            f"warning: --phase {words}: neighbouring teeth carry all of the load; not solved"
-        )
-    return case.places(**{name: getattr(options, name) for name in INDEX_NAMES})
+    from pyworm.batch.in_python import requested_places
+
+    wanted = {name: getattr(options, name) for name in INDEX_NAMES}
+    return requested_places(
+        case, wanted, "--phase", lambda words: print_message(f"warning: {words}")
+    )
 
 
-def planned_tasks(case: Case, options: argparse.Namespace) -> list:
+def planned_tasks(case: Case, options: argparse.Namespace) -> "list[Task]":
     """The tasks of a case, all planned before the first is solved."""
-    accuracy = case.accuracy
+    accuracy = None
     if options.accuracy is not None:
         accuracy = option_value("accuracy", options.accuracy, SHARE_KIND)
 
-    from pyworm.batch.task import Task
+    from pyworm.batch.in_python import planned
 
-    effects = options.effects or case.effects
     words = options.quantities
-    quantities = case.quantities if words is None else tuple(words.split(","))
-    places = wanted_places(case, options)
-    tasks = [Task(case, place, accuracy, effects, quantities) for place in places]
-    try:
-        with stage(f"planning {len(tasks)} contacts"):
-            for task in tasks:
-                _ = task.plan
-    except ValueError as error:
-        raise CaseError(str(error)) from error
-    return tasks
+    quantities = None if words is None else words.split(",")
+    return planned(case, wanted_places(case, options), accuracy, options.effects, quantities)
 
 
-def batch_executor(options: argparse.Namespace) -> AbstractContextManager:
+def batch_executor(options: argparse.Namespace) -> "AbstractContextManager[Executor | None]":
     """Context manager of the executor of a batch; None where this process solves it."""
     return executor_of(options.jobs, options.scheduler)

@@ -2,7 +2,7 @@
 
 import difflib
 import typing
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from pydantic import BaseModel, ValidationError
@@ -50,7 +50,9 @@ def sentence(error: ValidationError, model: type[BaseModel], data: dict[str, Any
     keys, value = _as_written(problem["loc"], data, absent=problem["type"] == "missing")
     name = shortened(dotted(keys))
     if problem["type"] == "extra_forbidden":
-        return f"{name}: no such key; {_right_key(str(keys[-1]), _choices(model, problem['loc'][:-1]))}"
+        return (
+            f"{name}: no such key; {right_key(str(keys[-1]), _choices(model, problem['loc'][:-1]))}"
+        )
     if problem["type"] == "missing":
         return f"{name} is missing"
     if problem["type"] == "union_tag_not_found":
@@ -100,7 +102,7 @@ def _choices(model: type[BaseModel], loc: Location) -> list[type[BaseModel]]:
     for key in loc:
         fields = [table.model_fields[key] for table in choices if key in table.model_fields]
         if fields:
-            choices = [table for field in fields for table in _tables(field.annotation)]
+            choices = [table for field in fields for table in models_of(field.annotation)]
         else:  # the tag of a union, or a key or place that the writer chooses
             tagged = [
                 table
@@ -111,20 +113,20 @@ def _choices(model: type[BaseModel], loc: Location) -> list[type[BaseModel]]:
     return choices
 
 
-def _tables(annotation: Any) -> list[type[BaseModel]]:
+def models_of(annotation: Any) -> list[type[BaseModel]]:
     """The models that a field may hold."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return [annotation]
-    return [table for part in typing.get_args(annotation) for table in _tables(part)]
+    return [table for part in typing.get_args(annotation) for table in models_of(part)]
 
 
-def _right_key(key: str, choices: list[type[BaseModel]]) -> str:
-    """What may be meant by a key that none of some models has."""
+def right_key(key: str, choices: list[type[BaseModel]], further: Iterable[str] = ()) -> str:
+    """What may be meant by a key that none of some models has, nor is among further ones."""
     for table in choices:
         called = getattr(table, "also_called", {})
         if key in called:
             return f"give {called[key]} instead"
-    valid = sorted({key for table in choices for key in table.model_fields})
+    valid = sorted({key for table in choices for key in table.model_fields} | {*further})
     close = difflib.get_close_matches(key, valid, n=3, cutoff=0.6)
     if close:
         return f"did you mean {' or '.join(close)}?"

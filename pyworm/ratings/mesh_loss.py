@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from pyworm.case.case import case_again
 from pyworm.drives.drive import Drive
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.result.contact_loss import contact_losses
@@ -26,3 +27,8 @@ def mesh_loss(drive: Drive | None, result: Result) -> MeshLoss | None:
         return None
     loss = drive.mesh_loss(contact_losses(good))
     return loss and replace(loss, missing=result.missing)
+
+
+def mesh_loss_of(result: Result) -> MeshLoss | None:
+    """Loss between the teeth of the drive that a result is of; None where there is none."""
+    return mesh_loss(case_again(result.case).drive, result) if result.case else None

@@ -26,6 +26,7 @@ from typing import Any
 from pyworm.io.atomic import whole_file
 from pyworm.io.bounded_number import read_json
 from pyworm.io.input_error import CaseError
+from pyworm.io.on_demand import lazy_property
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset, same_data
 from pyworm.io.present import present
@@ -85,6 +86,17 @@ class Result(Shown):
 
     def __hash__(self) -> int:
         return hash((self.case_name, self.solutions))
+
+    cycle = lazy_property(
+        "pyworm.result.mesh_cycle",
+        "drive_cycle",
+        "Extremes of the mesh cycle, loss and efficiency (`DriveCycle`); None unless teeth share the load.",
+    )
+    mesh_loss = lazy_property(
+        "pyworm.ratings.mesh_loss",
+        "mesh_loss_of",
+        "Loss between the teeth, friction and efficiency (`MeshLoss`); None where they are not known.",
+    )
 
     @property
     def cycle_data(self) -> "xr.Dataset":

@@ -1,0 +1,77 @@
+"""Solve a case from Python, as `pyworm run` solves it."""
+
+from collections.abc import Sequence
+from contextlib import ExitStack
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Literal
+from warnings import warn
+
+from pyworm.batch.drive_iteration import run_balanced
+from pyworm.batch.in_python import (
+    CaseLike,
+    as_case,
+    executor,
+    messages,
+    progress_of,
+    requested,
+)
+from pyworm.io.given import WithUnit
+from pyworm.io.progress import Progress
+from pyworm.planning.effects.selection import Effects
+from pyworm.result.result import Result
+from pyworm.scene.plausibility import UnusualWarning
+
+
+def run(
+    case: CaseLike,
+    *,
+    accuracy: WithUnit | None = None,
+    effects: Effects | None = None,
+    quantities: Sequence[str] | None = None,
+    phases: Sequence[float] | None = None,
+    sections: Sequence[str] | None = None,
+    stations: Sequence[float] | None = None,
+    slide_roll_ratios: Sequence[float] | None = None,
+    out: str | Path | None = None,
+    fields: Literal["rounded", "full"] = "rounded",
+    processes: int = 1,
+    scheduler: str | None = None,
+    progress: bool | Progress = True,
+) -> Result:
+    """Solve a case: load sharing with film-induced separation, films, friction, thermal balance.
+
+    The results are those of the command `pyworm run`.
+
+    Args:
+        case: A gear set (`WormDrive`, `GearPair`, `RollerWorm`), what `pyworm.load` made, or a case file.
+        accuracy, effects, quantities: As of `pyworm.plan`; by default the case's.
+        phases, sections, stations, slide_roll_ratios: Contacts to solve; by default the case's.
+        out: Directory of the result file, in which solved contacts are found again; by default none is kept.
+        fields: "rounded" to a tenth of their numerical uncertainty, or "full", all digits.
+        processes: Processes that solve; more than one need a script with `if __name__ == "__main__":`.
+        scheduler: Address of a dask.distributed scheduler whose workers solve instead.
+        progress: Whether a bar shows the progress, or what is called instead.
+
+    Returns:
+        The solutions in order, `cycle` with the extremes of the mesh cycle, `mesh_loss` with loss and
+        efficiency. A contact that cannot be solved is among `without_solution`, with the reason.
+
+    Raises:
+        CaseError: Invalid input, or a contact that cannot be planned.
+        NothingSolvedError: No contact has a solution.
+    """
+    case = as_case(case)
+    places = {"section": sections, "station": stations, "slide_roll_ratio": slide_roll_ratios}
+    tasks = requested(case, accuracy, effects, quantities, phases, **places)
+    for task in tasks:
+        if task.plan.refusal is not None:
+            sentence = f"will not reach the requested accuracy: {task.plan.refusal}"
+            warn(f"{task.scene.name}: {sentence}", UnusualWarning, stacklevel=2)
+    with ExitStack() as stack:
+        kept = stack.enter_context(TemporaryDirectory()) if out is None else out
+        workers = stack.enter_context(executor(processes, scheduler))
+        bar = stack.enter_context(progress_of(progress))
+        how = workers, bar, messages(progress), fields == "full"
+        result, _ = run_balanced(case, tasks, Path(kept), *how)
+    return result
