@@ -1,7 +1,6 @@
 """pyworm rate: rate a case by standards and closed forms, beside its simulated result."""
 
 import argparse
-from collections.abc import Sequence
 from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,16 +9,14 @@ from pyworm.cli.arguments import add_anyway, add_json
 from pyworm.cli.shared import opened_result
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
-from pyworm.io.stage import stage
 from pyworm.io.terminal import print_message
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
     from pyworm.io.console import Console
-    from pyworm.ratings.rated_case import RatingRequest
+    from pyworm.ratings.rate import CaseRatings
     from pyworm.ratings.rating import Rating
     from pyworm.result.result import Result
-    from pyworm.solver.neglected_effects import NeglectedEffects
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -38,14 +35,8 @@ def add(commands: argparse._SubParsersAction) -> None:
 
 
 def _rate(options: argparse.Namespace) -> int:
-    from pyworm.ratings.rated_case import (
-        load_rating_request,
-        neglected_effects,
-        not_rated,
-        rating_request,
-        ratings,
-        unconverged,
-    )
+    from pyworm.ratings.rate import rated
+    from pyworm.ratings.rated_case import load_rating_request, rating_request
     from pyworm.result.result import readable
 
     request, result, differ = load_rating_request(options.case), None, None
@@ -56,65 +47,37 @@ def _rate(options: argparse.Namespace) -> int:
         case, differ = case_for(options.case, result, options.anyway)
         request = rating_request(case)
     with nullcontext() if result is None else readable(options.result):
-        with stage(f"rating {request.name}"):
-            rated = ratings(request, result)
-            lacking = neglected_effects(request, result)
-    if not rated:
-        why = next(iter(not_rated(request, tuple(rated)) if request.rating_is_asked else ()), None)
-        raise CaseError(
-            f"{options.case}: {why}"
-            if why
-            else f"{options.case}: no rating is requested; give [worm_rating] or [bearings.NAME]"
-        )
+        found = rated(request, result, options.case)
     for warning in (*([] if differ is None else [differ]), *request.warnings):
         print_message(f"warning: {warning}")
     if options.json:
-        print_json(
-            {
-                "case": request.name,
-                **lacking.summary(),
-                "ratings": [rating.summary() for rating in rated],
-                "not_rated": not_rated(request, tuple(rated)),
-                "warnings": request.warnings,
-                "beyond_limits": request.beyond_limits,
-                "not_converged": unconverged(result),
-                "assumed": request.tables.assumed,
-            }
-        )
+        print_json(found.summary())
     else:
-        _show(request, result, rated, lacking)
+        _show(found, result)
     return 0
 
 
-def _show(
-    request: "RatingRequest",
-    result: "Result | None",
-    rated: Sequence["Rating"],
-    lacking: "NeglectedEffects",
-) -> None:
+def _show(found: "CaseRatings", result: "Result | None") -> None:
     """The ratings of a case as tables, with what is not rated and what was assumed."""
-    from pyworm.case.workshop_units import assumptions
     from pyworm.io.console import Console
-    from pyworm.ratings.rated_case import not_rated, unconverged
     from pyworm.result.headline import headline
 
-    console = Console()
+    console, request = Console(), found.request
     console.print(f"{request.tables.title}\n{request.tables.source}\n")
-    films = lacking.sentence, headline(result.solutions if result else ())
+    films = found.neglected_effects.sentence, headline(result.solutions if result else ())
     for line in (*request.beyond_limits, *filter(None, films)):
         console.print(f"{line}\n")
-    for sentence in unconverged(result):
+    for sentence in found.not_converged:
         console.print(sentence)
-    for rating in rated:
+    for rating in found:
         _print(console, rating)
-    left = not_rated(request, tuple(rated))
-    if left:
+    if found.not_rated:
         console.print("Not rated:")
-    for sentence in left:
+    for sentence in found.not_rated:
         console.print(f"- {sentence}")
-    if request.tables.assumed:
+    if found.assumptions:
         console.print("Assumed, since the source does not give it:")
-    for what, why in assumptions(request.tables).items():
+    for what, why in found.assumptions.items():
         console.print(f"- {what}: {why}")
 
 

@@ -1,6 +1,7 @@
 """pyworm setup: the hob's set-up for a wanted contact pattern, its regrinding, and the wheel's shim."""
 
 import argparse
+from collections.abc import Sequence
 from math import isfinite, isnan
 from pathlib import Path
 
@@ -10,10 +11,8 @@ from pyworm.cli.shared import CONVERGED, NOT_CONVERGED, option_value, warn_of_un
 from pyworm.drives.answers import Row
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
-from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.quantity import SHARE_KIND, Kind
-from pyworm.io.stage import stage
 from pyworm.io.terminal import print_message, print_result
 
 PLACE = Kind("a place along the face", "m", "2 mm", sign="any", possible=("1e-24 m", "5 m"))
@@ -65,22 +64,17 @@ def _setup(options: argparse.Namespace) -> int:
     case = load(options.case)
     if options.shim is not None:
         return _shim(case, options, wanted.get("shim"))
-    with stage("cutting wheels with other set-ups of the hob"):
-        setup = None if case.drive is None else case.drive.hob_setup(wanted)
-    if setup is None:
-        raise CaseError(f"{options.case}: has no hob that could be set up; give a worm drive")
+
+    from pyworm.case.hob_setup import case_setup
+
+    setup = case_setup(case, wanted, options.case, lambda words: print_message(f"warning: {words}"))
     warn_of_unusual(case)
-    rows = {"now": setup.current} | ({} if setup.proposed is None else {"found": setup.proposed})
-    with stage("finding the errors of the assembly that are allowed"):
-        allowed = present(case.drive, "drive").allowed_errors()
-    with stage("cutting wheels with the reground hob"):
-        life = _life(case)
     if options.json:
-        content = {"case": case.name, "wanted": wanted, "reached": setup.reached, **rows}
-        print_json(content | {"allowed_assembly_errors": allowed, "hob_life": life})
+        print_json({"case": case.name, **setup.summary()})
     else:
-        _print(rows, life)
-        _print_allowed(allowed)
+        found = {} if setup.proposed is None else {"found": setup.proposed}
+        _print({"now": setup.current} | found, setup.hob_life)
+        _print_allowed(setup.allowed_errors or {})
     if not setup.reached:
         print_message(
             "warning: no set-up near the present one has that pattern without the worm cutting into the "
@@ -103,10 +97,9 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
         raise CaseError(
             "--shim moves the wheel that is cut; omit --place and --size, which set the hob"
         )
-    with stage("shifting the wheel"):
-        shim = None if case.drive is None else case.drive.wheel_shim(wanted)
-    if shim is None:
-        raise CaseError(f"{options.case}: has no wheel that a shim could move; give a worm drive")
+    from pyworm.case.hob_setup import case_shim
+
+    shim = case_shim(case, wanted, options.case)
     if options.json:
         content = {f"{key}_m": value for key, value in vars(shim).items() if key != "reached"}
         print_json({"case": case.name, "reached": shim.reached, "shim": content})
@@ -133,20 +126,6 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
     return CONVERGED if shim.reached else NOT_CONVERGED
 
 
-def _life(case: Case) -> list[Row]:
-    """What the hob cuts as it is reground; a part of its oversize that cuts no wheel is told."""
-    rows = []
-    for part in case.tables.hob_life:
-        try:
-            oversize, drive = case.tables.reground_drive(case.drive, part)
-            rows.append(drive.hob_setup({}).current | {"hob_oversize_m": oversize})
-        except ValueError as error:
-            print_message(
-                f"warning: a hob with {part:.0%} of its oversize left is not shown: {error}"
-            )
-    return rows
-
-
 def _wanted(options: argparse.Namespace) -> dict[str, float]:
     """What is asked of the pattern: `face` and `size` as `found_setting` takes them, `shim` a place [m]."""
     wanted = {}
@@ -162,7 +141,7 @@ def _wanted(options: argparse.Namespace) -> dict[str, float]:
     return wanted
 
 
-def _print(rows: dict[str, Row], life: list[Row]) -> None:
+def _print(rows: dict[str, Row], life: Sequence[Row]) -> None:
     """Tables of the set-ups, and of the hob's life."""
     from pyworm.io.console import Console
     from pyworm.report.table import Table

@@ -2,35 +2,21 @@
 
 import argparse
 from collections.abc import Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_case, add_processes
 from pyworm.cli.shared import CONVERGED, FAILED, batch_executor, end_with, planned_tasks
-from pyworm.drives.duty import WormDuty
-from pyworm.formulas.unknown import known
-from pyworm.formulas.wear_law import (
-    WEAR_COEFFICIENT,
-    WEAR_SPREAD,
-    WHEEL_HARDNESS,
-    WORM_HARDNESS,
-    energy_coefficient,
-    harder_ratio,
-)
+from pyworm.formulas.wear_law import WEAR_ACCURACY, WEAR_COEFFICIENT, WEAR_TOLERANCE
 from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
-from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.terminal import print_message, print_result
 
 if TYPE_CHECKING:
     from pyworm.batch.wear_run import WearFigures, WearRun
-
-ACCURACY = "10 %"
-"""Accuracy of the contacts unless another is asked for: the wear coefficient is known to a factor of 3."""
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -62,7 +48,7 @@ def add(commands: argparse._SubParsersAction) -> None:
     wear.add_argument(
         "--tolerance",
         type=float,
-        default=0.25,
+        default=WEAR_TOLERANCE * 1e6,
         metavar="UM",
         help="maximum error of the depth in a step in micrometres, in addition to 2 %% of the maximum depth "
         "(default: %(default)g)",
@@ -75,63 +61,45 @@ def add(commands: argparse._SubParsersAction) -> None:
     )
     wear.add_argument("--out", type=Path, help="directory (default: results/ and the case's name)")
     add_processes(wear)
-    wear.set_defaults(command=_wear, accuracy=ACCURACY, effects=None)
+    wear.set_defaults(command=_wear, accuracy=WEAR_ACCURACY, effects=None)
 
 
 def _wear(options: argparse.Namespace) -> int:
-    for name in ("hours", "coefficient", "energy", "tolerance", "worm_ratio"):
-        value = getattr(options, name)
-        if value is not None and not 0 < value < float("inf"):
-            raise CaseError(f"--{name.replace('_', '-')} = {value:g}: must be above zero")
+    from pyworm.batch.wear import WearInput, require_above_zero, require_worm, worn
+
+    names = ("hours", "coefficient", "energy", "tolerance", "worm_ratio")
+    require_above_zero({name.replace("_", "-"): getattr(options, name) for name in names}, "--")
     case = load(options.case)
     directory = options.out or Path("results") / case.name / "wear"
     check_writable(directory)
-    if case.drive is None or case.drive.rated_as is not WormDuty:
-        raise CaseError(f"{options.case}: wear is simulated of worm drives only")
+    require_worm(case, options.case)
     tasks = planned_tasks(case, options)
 
     from pyworm.batch.case_run import NothingSolvedError
-    from pyworm.batch.wear_run import STATE, WearPlan, WearRun, worm_duty
+    from pyworm.batch.wear_run import WearRun
 
-    found, by = _coefficient(options, case)
-    ratio, on_worm = _worm_ratio(options, case)
-    plan = WearPlan(options.hours, tolerance=options.tolerance * 1e-6, worm_ratio=ratio, **found)
+    given = options.coefficient, options.energy, options.calibrate, options.worm_ratio
+    plan, *words = WearInput(*given, prefix="--").plan(
+        case, options.hours, options.tolerance * 1e-6
+    )
     with batch_executor(options) as executor:
         try:
             run = WearRun(case, tasks, plan, directory, print_message, executor=executor)
-            steps = run.run()
+            found = worn(run, *words)
         except NothingSolvedError as error:
             return end_with(f"{case.name}: {error}", FAILED)
         except ValueError as error:
             raise CaseError(f"{options.case}: {error}") from None
-    limit = worm_duty(case).gear.wear_limit
-    allowed = steps[-1].hours >= plan.hours * (1 - 1e-9)
-    assumed = (
-        f"k = {run.coefficient:.3g} m2/N, {by}; roughness of both falls to {plan.run_in:g} of that as cut; "
-        f"before the first and after the last phase of the case their contacts go on; {on_worm}"
-    )
     if options.json:
-        print_json(
-            {
-                "case": case.name,
-                "steps": [asdict(step) for step in steps],
-                "wear_limit_m": limit,
-                "within_limit": allowed,
-                "hours_allowed": run.hours_allowed,
-                "coefficient_m2_N": run.coefficient,
-                "worm_ratio": plan.worm_ratio,
-                "assumed": assumed,
-                "state": str(directory / STATE),
-            }
-        )
+        print_json(found.summary())
         return CONVERGED
-    _show(steps)
-    verdict = "within" if allowed else f"WORN OUT before {plan.hours:g} h"
+    _show(found.steps)
+    verdict = "within" if found.within_limit else f"WORN OUT before {plan.hours:g} h"
     print_result(
-        f"Allowed: {limit * 1e6:.4g} µm: {verdict}; at the last rate as deep after "
-        f"{run.hours_allowed:.4g} h. {assumed}."
+        f"Allowed: {found.limit * 1e6:.4g} µm: {verdict}; at the last rate as deep after "
+        f"{found.hours_allowed:.4g} h. {found.assumed}."
     )
-    _draw(case, run, limit)
+    _draw(case, found.run, found.limit)
     return CONVERGED
 
 
@@ -151,55 +119,6 @@ def _draw(case: Case, run: "WearRun", limit: float) -> None:
     with whole_file(picture) as partial:
         draw_wear(case.name, run, limit).savefig(partial, format="png", dpi=DOTS_PER_INCH)
     print_result(f"Maps: {run.directory / STATE}, picture: {picture}")
-
-
-def _coefficient(options: argparse.Namespace, case: Case) -> tuple[dict[str, float], str]:
-    """What a plan takes for the wear coefficient, and where it comes from."""
-    if options.energy is not None:
-        friction = present(case.drive, "drive").oil.boundary_friction
-        by = f"{friction:g}/{options.energy:g} J/m3 by the energy form"
-        return {"coefficient": energy_coefficient(options.energy, friction)}, by
-    if options.coefficient is not None:
-        return {"coefficient": options.coefficient}, "as given"
-    if not options.calibrate:
-        if present(case.drive, "drive").bodies[1].temperature_limit is not None:
-            raise CaseError(
-                "--coefficient is missing: none is known of wheels with a temperature limit, such as plastics"
-            )
-        return {"coefficient": WEAR_COEFFICIENT}, f"known to a factor of {WEAR_SPREAD:g}"
-    from pyworm.ratings.worm_loads import RatedWormGear
-
-    if getattr(case.tables, "worm_rating", None) is None:
-        raise CaseError("--calibrate: needs [worm_rating] with wheel_material and life")
-    duty = case.tables.duty(case.drive)
-    loads = RatedWormGear(case.tables.rating_as_run(), duty, case.directory).loads
-    if len(loads) != 1:
-        raise CaseError("--calibrate: needs [worm_rating] with one life, and it gives a spectrum")
-    (load,) = loads
-    try:
-        rate = load.rated.wear.depth / known(load.hours)
-    except ValueError as error:
-        raise CaseError(f"--calibrate: the standard has no wear of this gear: {error}") from error
-    return {"calibrated_to": rate}, (
-        f"by which the run-in flank wears {rate * 1e9:.3g} nm/h in the mean, as by the standard"
-    )
-
-
-def _worm_ratio(options: argparse.Namespace, case: Case) -> tuple[float, str]:
-    """k of the worm over that of the wheel, and what it rests on."""
-    if options.worm_ratio is not None:
-        return (
-            options.worm_ratio,
-            f"the worm's k is {options.worm_ratio:g} of the wheel's, as given",
-        )
-    usual = WORM_HARDNESS, WHEEL_HARDNESS
-    bodies = present(case.drive, "drive").bodies
-    worm, wheel = (body.hardness or hardness for body, hardness in zip(bodies, usual, strict=True))
-    ratio, linear = (harder_ratio(max(worm, wheel), wheel, power) for power in (2.0, 1.0))
-    return ratio, (
-        f"the worm's k is {ratio:.2g} of the wheel's, the square of their hardnesses {wheel * 1e-9:.3g} and "
-        f"{worm * 1e-9:.3g} GPa (Rabinowicz; {linear:.2g} by hardness alone)"
-    )
 
 
 def _show(steps: "Sequence[WearFigures]") -> None:

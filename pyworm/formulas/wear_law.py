@@ -15,6 +15,12 @@ Derived, not measured: the worm standard's base wear of 1e-9 (bath and injected 
 which counts the whole pressure, over asperities that carry half of 300 MPa. Its spread is that of the
 standard's curves and of the share: a factor of `WEAR_SPREAD` either way."""
 
+WEAR_ACCURACY = "10 %"
+"""Accuracy of simulated contacts that is enough for wear, as its coefficient is known to a factor of 3."""
+
+WEAR_TOLERANCE = 0.25e-6
+"""Error of the depth in a time step that is small against the depths that standards allow [m]."""
+
 WEAR_SPREAD = 3.0
 """Factor by which `WEAR_COEFFICIENT` may be too large or too small [-]."""
 

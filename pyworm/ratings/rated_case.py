@@ -1,15 +1,16 @@
 """Ratings that a case file asks for."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Protocol, runtime_checkable
+from typing import Any, Protocol, runtime_checkable
 
-from pyworm.case.case import Case, case_of, checked
+from pyworm.case.case import Case, case_of, checked, load
 from pyworm.case.case_file import PublishedValue
 from pyworm.case.kinds import rated
 from pyworm.case.oil import OilTable
+from pyworm.case.python_input import as_file
 from pyworm.case.ratings import (
     RATING_TABLES,
     BearingTable,
@@ -170,19 +171,28 @@ def neglected_effects(request: RatingRequest, result: Result | None = None) -> N
     return or_none(attempt(lubricated)) or NeglectedEffects()
 
 
-def load_rating_request(path: str | Path) -> RatingRequest:
-    """Read a case file for its ratings; CaseError for whatever is wrong first, in one sentence."""
-    path = Path(path)
+def load_rating_request(source: str | Path | Mapping[str, Any]) -> RatingRequest:
+    """Read a case file, or its tables, for its ratings; CaseError for whatever is wrong first."""
+    if isinstance(source, Mapping):
+        if "drive" in source or "contact" in source:
+            return rating_request(load(source))
+        return _ratings_alone(as_file(source, "case", RatingCase), "case", Path())
+    path = Path(source)
     data = read_toml(path)
     try:
         if "drive" in data or "contact" in data:
             return rating_request(case_of(data, path.stem, path.parent))
-        if not any(name in data for name in RATING_TABLES):
-            raise CaseError("give a [drive], [bearings.NAME] or [worm_gear] to be rated")
-        tables = checked(RatingCase, data)
-        return RatingRequest(path.stem, path.parent, tables, warnings=unusual(tables, data))
+        return _ratings_alone(data, path.stem, path.parent)
     except CaseError as error:
         raise CaseError(f"{path}: {error}") from error
+
+
+def _ratings_alone(data: dict[str, Any], name: str, directory: Path) -> RatingRequest:
+    """The requests of a file without a contact."""
+    if not any(table in data for table in RATING_TABLES):
+        raise CaseError("give a [drive], [bearings.NAME] or [worm_gear] to be rated")
+    tables = checked(RatingCase, data)
+    return RatingRequest(name, directory, tables, warnings=unusual(tables, data))
 
 
 def rating_request(case: Case) -> RatingRequest:

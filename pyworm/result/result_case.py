@@ -62,12 +62,26 @@ def as_solved(case: Case, result: "Result") -> Case:
 
 def case_for(path: Path, result: "Result", anyway: bool) -> tuple[Case, str | None]:
     """The case file of a result, as solved, and differences that `--anyway` accepts; else CaseError."""
-    case = load(path)
+    return as_solved_in(
+        load(path), path, result, anyway, "; solve it again, or take it with --anyway"
+    )
+
+
+def as_solved_in(
+    case: Case, name: object, result: "Result", anyway: bool = False, advice: str = ""
+) -> tuple[Case, str | None]:
+    """A case as it was solved in a result, and differences that are accepted; else CaseError with both.
+
+    Args:
+        name: What the case is called.
+        anyway: Whether differences are accepted.
+        advice: What the error proposes.
+    """
     differ = differences(case, result)
     if not differ:
         return as_solved(case, result), None
     more = f" and {len(differ) - MOST_LISTED} more" if len(differ) > MOST_LISTED else ""
-    sentence = f"the result is of another case than {path}: {'; '.join(differ[:MOST_LISTED])}{more}"
+    sentence = f"the result is of another case than {name}: {'; '.join(differ[:MOST_LISTED])}{more}"
     if not anyway:
-        raise CaseError(f"{sentence}; solve it again, or take it with --anyway")
+        raise CaseError(f"{sentence}{advice}")
     return as_solved(case, result), sentence
