@@ -36,9 +36,22 @@ Solids and oils
     named_oil       an oil of the list of oils
     read_oil        an oil from a file
 
+Gear sets
+    WormDrive, GearPair, RollerWorm     a gear set from its drawing and operation
+    gear_set        a gear set of any kind, those of other packages too
+    load            a case from its file or a dictionary, checked
+    Case            what these give: it makes scenes
+    check           its geometry, contacts, plans and expected time
+    CheckedCase, PlannedContact     what `check` gives
+    run             its solutions, mesh cycle, losses and efficiency, as a Result
+    rate            its safeties and other ratings
+    CaseRatings     what `rate` gives
+    setup, shim     set-up of the hob and shim of the wheel for a contact pattern
+    CaseSetup       what `setup` gives
+    wear            wear of the wheel over its service life
+    CaseWear        what `wear` gives
+
 Solving
-    load            a case file, checked
-    Case            what `load` gives: it makes scenes
     plan            effects, grids and tolerance for an accuracy
     Plan            what `plan` gives
     solve           the film of a scene, to an accuracy or by its plan
@@ -47,6 +60,8 @@ Solving
     film            films of many contacts by a formula, without a solve
     film_of         those of a scene
     FormulaFilms    what they give
+    compare_formulas    films of a scene by every formula, with ranges and deviations
+    FormulaComparison, FormulaFilm      what `compare_formulas` gives
     traction_curve  friction over the slide-roll ratio
     sweep           many scenes to one table
     transient       films while load, speed or radii change

@@ -57,9 +57,9 @@ class CheckedCase(Shown):
     contacts: tuple[PlannedContact, ...]
     """Its contacts, in the order of the mesh cycle."""
     expected_seconds: float
-    """Expected processor time of a run [s]."""
+    """Expected CPU time of a run [s]."""
     search_seconds: float
-    """Expected processor time of the search for loads and temperatures before it [s]."""
+    """Expected CPU time of the search for loads and temperatures before it [s]."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the case in words."""

@@ -183,10 +183,10 @@ def wear(
 
     Args:
         case: A worm gear set, its file or its tables; both bodies have a roughness.
-        hours: Operating hours to simulate [h].
-        coefficient: k of Archard's law [m2/N]; by default that of steel on tin bronze, which is known to a
+        hours: Operating hours to simulate.
+        coefficient: k of Archard's law in m2/N; by default that of steel on tin bronze, which is known to a
             factor of 3. At most one of it, `energy` and `calibrate` is given.
-        energy: Friction energy per worn volume [J/m3], instead of k.
+        energy: Friction energy per worn volume in J/m3, instead of k.
         calibrate: Whether k is fitted to the wear rate of the run-in flank by the standard.
         worm_ratio: k of the worm over that of the wheel [-]; by default by their hardnesses.
         tolerance: Maximum error of the depth in a step [m], in addition to 2 % of the maximum depth.

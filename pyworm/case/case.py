@@ -421,10 +421,10 @@ def _model(data: Mapping[str, Any]) -> type[CaseTable]:
     if ("drive" in data) == ("contact" in data):
         raise CaseError("give either a [drive] or a [contact], one of the two")
     about = "drive" if "drive" in data else "contact"
-    return case_model(about, kind_of(data, about))
+    return case_model(about, subject_kind(data, about))
 
 
-def kind_of(data: Mapping[str, Any], about: str) -> str:
+def subject_kind(data: Mapping[str, Any], about: str) -> str:
     """Kind of the subject of a file's content, `drive` or `contact`; CaseError of one that there is not."""
     kind: str = getattr(checked(kind_model(about), dict(data)), about).kind
     return kind

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from pyworm.case.case import Case, kind_of, load
+from pyworm.case.case import Case, load, subject_kind
 from pyworm.case.kinds import case_model
 from pyworm.io.input_error import CaseError, models_of, right_key
 
@@ -20,13 +20,13 @@ def gear_set(kind: str, *, name: str | None = None, **keys: Any) -> Case:
         kind: Kind of gears, as `drive.kind` of a case file: "worm", "gear-pair", "roller-worm", or that of an
             installed package.
         name: Name in tables and pictures; by default the kind.
-        **keys: Keys of `[drive]` and `[operation]`, and further tables of the case file (`WormDrive`).
+        **keys: Keys of the tables `drive` and `operation`, and further tables of the case file (`WormDrive`).
 
     Raises:
-        CaseError: What is wrong first, in one sentence.
+        CaseError: The first error found, as one line.
     """
-    model = case_model("drive", kind_of({"drive": {"kind": kind}}, "drive"))
-    own = {
+    model = case_model("drive", subject_kind({"drive": {"kind": kind}}, "drive"))
+    tables = {
         key: table
         for table in TABLES
         for inner in models_of(model.model_fields[table].annotation)
@@ -34,16 +34,16 @@ def gear_set(kind: str, *, name: str | None = None, **keys: Any) -> Case:
         if key != "kind"
     }
     content: dict[str, Any] = {"drive": {"kind": kind}, "operation": {}}
-    if "phases" in own:
+    if "phases" in tables:
         content["operation"]["phases"] = PHASES
     for key, value in keys.items():
-        if key in own:
-            content[own[key]][key] = value
+        if key in tables:
+            content[tables[key]][key] = value
         elif key in model.model_fields and key not in TABLES:
             content[key] = value
         else:
             models = models_of(model.model_fields["drive"].annotation)
-            raise CaseError(f"{key}: no such key; {right_key(key, [*models, model], own)}")
+            raise CaseError(f"{key}: no such key; {right_key(key, [*models, model], tables)}")
     return load(content, name or kind)
 
 
@@ -58,13 +58,13 @@ def WormDrive(*, name: str | None = None, **keys: Any) -> Case:  # noqa: N802  a
 
     Args:
         name: Name in tables and pictures.
-        **keys: The keys of `[drive]` and of `[operation]`, then the other tables of a case file: `worm`,
+        **keys: The keys of the tables `drive` and `operation`, then the other tables of a case file: `worm`,
             `wheel`, `hob`, `cooling`, `worm_rating` and more, as dictionaries. Values are texts with units
             or numbers in SI. `oil` is an `Oil` or a table; `bodies` are two, worm and wheel, each a `Body`, a
             material by name or a table. Without `phases` five of the mesh cycle are solved.
 
     Raises:
-        CaseError: What is wrong first, in one sentence.
+        CaseError: The first error found, as one line.
     """
     return gear_set("worm", name=name, **keys)
 
@@ -77,7 +77,7 @@ def GearPair(*, name: str | None = None, **keys: Any) -> Case:  # noqa: N802  a 
         **keys: As of `WormDrive`: `pinion` and `gear` are dictionaries, `bodies` are pinion and gear.
 
     Raises:
-        CaseError: What is wrong first, in one sentence.
+        CaseError: The first error found, as one line.
     """
     return gear_set("gear-pair", name=name, **keys)
 
@@ -90,6 +90,6 @@ def RollerWorm(*, name: str | None = None, **keys: Any) -> Case:  # noqa: N802  
         **keys: As of `WormDrive`: `worm` and `rollers` are dictionaries, `bodies` are worm and rollers.
 
     Raises:
-        CaseError: What is wrong first, in one sentence.
+        CaseError: The first error found, as one line.
     """
     return gear_set("roller-worm", name=name, **keys)

@@ -22,7 +22,7 @@ class CaseSetup(HobSetup):
     """Set-up of the hob of a worm gear set; rows have keys that end in their unit."""
 
     wanted: Mapping[str, float] | None = None
-    """What was asked of the pattern: `face`, its place [m], and `size`, its share of the flank [-]."""
+    """Required pattern: `face`, its place [m], and `size`, its share of the flank [-]."""
     allowed_errors: AllowedErrors | None = None
     """Errors of the assembly that are allowed, each alone, with what limits them."""
     hob_life: tuple[Row, ...] = ()
@@ -76,7 +76,7 @@ def case_setup(
     """The set-up of the hob of a case; hobs that cut no wheel are named.
 
     Args:
-        wanted: What is asked of the pattern, as `Drive.hob_setup` takes it.
+        wanted: Required pattern, as `Drive.hob_setup` takes it.
         name: What the case is called in a CaseError, raised where it has no hob.
     """
     with stage("cutting wheels with other set-ups of the hob"):

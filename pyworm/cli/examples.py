@@ -5,6 +5,7 @@ import argparse
 EXAMPLES = {
     "run": "cases/zi_drive.toml -j 2 --accuracy 5%",
     "new": 'gear.toml --centre-distance "100 mm"',
+    "example": "zi_drive",
     "check": "cases/zi_drive.toml --phase 0.5",
     "precision": "cases/point_m20_l10.toml",
     "film": "cases/zi_drive.toml --phase 0.5",

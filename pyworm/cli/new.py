@@ -1,23 +1,34 @@
-"""pyworm new: write the case file of a worm drive from the numbers of its drawing."""
+"""pyworm new: write the case file of a worm drive from its drawing, or one of another kind to fill in."""
 
 import argparse
+import shutil
 import sys
 import tomllib
 from pathlib import Path
 
 from pyworm.case.case import case_of
 from pyworm.case.new_worm import ASKED, OPTIONAL, loaded_phases, new_worm_text
+from pyworm.case.shipped import KINDS, TEMPLATES
 from pyworm.cli.shared import CONVERGED, warn_of_unusual
 from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
 from pyworm.io.terminal import print_message, print_result
 
+WORM = "worm"
+"""Kind whose file is made from the numbers of its drawing."""
+
 
 def add(commands: argparse._SubParsersAction) -> None:
     """Add the command to those of the program."""
     new = commands.add_parser("new", help="write the case file of a worm gear set from its drawing")
     new.add_argument("case", type=Path, metavar="CASE.toml", help="file to write")
+    new.add_argument(
+        "--kind",
+        choices=(WORM, *KINDS),
+        default=WORM,
+        help="worm (default); other kinds: a file with example values to replace",
+    )
     new.add_argument("--title", help="default: size of the gear unit")
     for key, (what, example) in (ASKED | OPTIONAL).items():
         asked = "prompted for if missing" if key in ASKED else "default: common practice"
@@ -35,6 +46,8 @@ def _new(options: argparse.Namespace) -> int:
         raise CaseError(f"{path}: already exists; choose another name, or remove it first")
     if path.suffix != ".toml":
         raise CaseError(f"{path}: must end in .toml")
+    if options.kind != WORM:
+        return _filled_in(path, options)
     answers = {key: getattr(options, key) for key in OPTIONAL if getattr(options, key) is not None}
     for key, (what, example) in ASKED.items():
         given = getattr(options, key)
@@ -49,6 +62,21 @@ def _new(options: argparse.Namespace) -> int:
         partial.write_text(text, encoding="utf-8")
     warn_of_unusual(case)
     print_result(f"{path}: {title}. Next: pyworm check {path}")
+    return CONVERGED
+
+
+def _filled_in(path: Path, options: argparse.Namespace) -> int:
+    """Write the template of a kind; its values are replaced in the file, and no options."""
+    given = [key for key in ("title", *ASKED, *OPTIONAL) if getattr(options, key) is not None]
+    if given:
+        raise CaseError(
+            f"--{given[0].replace('_', '-')} has no effect with --kind {options.kind}; replace the values "
+            "in the file"
+        )
+    check_writable(path.parent)
+    with whole_file(path) as partial:
+        shutil.copyfile(TEMPLATES / f"{options.kind}.toml", partial)
+    print_result(f"{path}: replace the example values. Next: pyworm check {path}")
     return CONVERGED
 
 

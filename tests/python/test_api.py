@@ -144,7 +144,7 @@ def test_help_reads_as_a_table_of_contents():
         text=True,
         check=True,
     ).stdout
-    head = text[:4000]
+    head = text[:6000]
     for heading in ("A contact", "Solids and oils", "Solving", "Results", "What goes wrong"):
         assert heading in head
 

@@ -7,21 +7,33 @@ is among those without a dimension, or is given once as a number in SI and once 
 import dataclasses
 import inspect
 import re
+from pathlib import Path
+from types import SimpleNamespace
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 from attribute_literals import attribute_literals
 from contacts import ball, roller
+from folders import ROOT
 
 import pyworm
+from pyworm.drives.answers import HobSetup
 
 MADE = (
     "Case",
+    "CaseRatings",
+    "CaseSetup",
+    "CaseWear",
+    "CheckedCase",
     "Comparison",
     "Estimate",
     "Figures",
+    "FormulaComparison",
+    "FormulaFilm",
     "FormulaFilms",
     "Plan",
+    "PlannedContact",
     "Result",
     "Solution",
     "SweepResult",
@@ -69,6 +81,28 @@ def documented(text, name):
         rf"^    (?:\w+, )*\*?\*?{name}(?:, \w+)*(?: \(.*\))?:(.*(?:\n     .*)*)", text, re.M
     )
     return entry[1] if entry else ""
+
+
+WORM = pyworm.Case("worm", Path(), SimpleNamespace(hob_life=()))
+vars(WORM)["drive"] = SimpleNamespace(
+    hob_setup=HobSetup, allowed_errors=dict, wheel_shim=lambda wanted: wanted
+)
+"""A case whose gears answer with what they are asked for."""
+
+
+def tolerance_of_wear(tolerance):
+    """The tolerance that a time integration of wear gets."""
+    integration = {
+        "as_case": lambda case: case,
+        "require_worm": lambda case, name: None,
+        "requested": lambda *request: [],
+        "WearRun": lambda case, tasks, plan, *how, **more: plan,
+        "worn": lambda plan, *words: plan.tolerance,
+    }
+    with patch.multiple("pyworm.batch.wear", **integration):
+        return pyworm.wear(
+            WORM, 1.0, coefficient=1e-16, worm_ratio=0.1, tolerance=tolerance, progress=False
+        )
 
 
 OIL = pyworm.named_oil("PAO VG 220")
@@ -342,6 +376,10 @@ DIMENSIONED = {
     "film(reduced_modulus)": (film(2), 226e9, "226 GPa"),
     "film(velocity)": (film(3, 0), 1.0, "1 m/s"),
     "film(spin)": (lambda v: pyworm.film(*FILMS, spin=v).central, 10.0, "10 rad/s"),
+    "setup(place)": (lambda v: pyworm.setup(WORM, place=v).current, 2e-3, "2 mm"),
+    "setup(size)": (lambda v: pyworm.setup(WORM, size=v).current, 0.3, "30 %"),
+    "shim(place)": (lambda v: pyworm.shim(WORM, v), 2e-3, "2 mm"),
+    "wear(tolerance)": (tolerance_of_wear, 0.5e-6, "0.5 um"),
     "plan(accuracy)": (lambda v: pyworm.plan(ball(), v), 0.2, "20 %"),
     "solve(accuracy)": (
         lambda v: pyworm.solve(ball(), accuracy=v, effects="isothermal").accuracy,
@@ -421,6 +459,21 @@ PLAIN = {
     "Plan.require_of": "scene",
     "Plan.simplified": "scene",
     "Result.save": "path",
+    "GearPair": "name keys",
+    "RollerWorm": "name keys",
+    "WormDrive": "name keys",
+    "gear_set": "kind name keys",
+    "check": ("case accuracy effects quantities phases sections stations slide_roll_ratios"),
+    "run": (
+        "case accuracy effects quantities phases sections stations slide_roll_ratios out fields processes "
+        "scheduler progress"
+    ),
+    "rate": "case result",
+    "setup": "case",
+    "shim": "case",
+    "wear": (
+        "case hours coefficient energy calibrate worm_ratio accuracy phases out processes scheduler progress"
+    ),
     "Solution.held": "part",
     "Solution.dataset": "part",
     "Solution.figure_text": "quantity",
@@ -430,10 +483,11 @@ PLAIN = {
     "SweepResult.save": "path",
     "SweepResult.save_csv": "path",
     "compare": "first second",
+    "compare_formulas": "scene solution",
     "dry_contact": "scene nodes",
     "film": "oil",
     "film_of": "scene reduced",
-    "load": "path",
+    "load": "source name",
     "named_body": "material",
     "named_liquid": "name",
     "named_oil": "name",
@@ -453,8 +507,8 @@ PLAIN = {
     "write_csv": "solution path",
     "write_vtk": "solution path",
 }
-"""Owner -> names of its values without a dimension; of `sweep` and `traction_curve` the accuracy is that of a
-plan (`test_studies_take_an_accuracy_in_per_cent`)."""
+"""Owner -> names of its values without a dimension; of studies and of runs the accuracy is that of a plan
+(`test_studies_take_an_accuracy_in_per_cent`)."""
 
 WITHOUT = {
     f"{owner}.{name}" if owner in dir(pyworm) and dataclasses.is_dataclass(getattr(pyworm, owner))
@@ -526,3 +580,7 @@ def test_studies_take_an_accuracy_in_per_cent():
         pyworm.sweep(ball, load=(20.0, 30.0), accuracy="3 kg")
     with pytest.raises(ValueError, match='accuracy = "3 kg"'):
         pyworm.traction_curve(ball(), (0.1, 0.2), accuracy="3 kg")
+    case = pyworm.load(ROOT / "cases/point_m20_l10.toml")
+    for command in (pyworm.check, pyworm.run):
+        with pytest.raises(ValueError, match='accuracy = "3 kg"'):
+            command(case, accuracy="3 kg")

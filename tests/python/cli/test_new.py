@@ -10,6 +10,7 @@ from zi_drives import coarse_patterns, coarse_springs, without_allowed_errors
 
 import pyworm
 from pyworm.case.new_worm import MIN_LOAD_SHARE, PHASES, loaded_phases
+from pyworm.case.shipped import KINDS
 from pyworm.cli.main import main
 from pyworm.ratings.rated_case import load_rating_request, ratings
 
@@ -176,3 +177,31 @@ def test_a_file_is_not_written_over(tmp_path, capsys):
 
 def test_a_case_file_ends_in_toml(tmp_path, capsys):
     assert "must end in .toml" in refusal(words(tmp_path / "unit.txt"), tmp_path, capsys)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_other_kinds_are_written_to_be_filled_in(kind, tmp_path, capsys):
+    path = tmp_path / "unit.toml"
+    assert main(["new", str(path), "--kind", kind]) == 0
+    case = pyworm.load(path)
+    assert not case.warnings
+    assert case.tables.oil.heat is not None
+    capsys.readouterr()
+    assert "already exists" in refusal(["new", str(path), "--kind", kind], tmp_path, capsys)
+
+
+def test_numbers_of_a_drawing_are_those_of_a_worm(tmp_path, capsys):
+    words = ["new", str(tmp_path / "unit.toml"), "--kind", "ball", "--module", "4 mm"]
+    assert "--module has no effect with --kind ball" in refusal(words, tmp_path, capsys)
+
+
+def test_examples_are_listed_and_written_with_the_files_that_they_name(tmp_path, capsys):
+    assert main(["example"]) == 0
+    listed = capsys.readouterr().out
+    assert "zi_drive" in listed and "traction_steel" in listed
+    assert main(["example", "gap_example", "--out", str(tmp_path)]) == 0
+    assert pyworm.load(tmp_path / "gap_example.toml").name == "gap_example"
+    capsys.readouterr()
+    again = ["example", "gap_example", "--out", str(tmp_path)]
+    assert "already exists" in refusal(again, tmp_path, capsys)
+    assert "no such example; choose one of" in refusal(["example", "hypoid"], tmp_path, capsys)
