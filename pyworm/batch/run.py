@@ -64,10 +64,11 @@ def run(
     case = as_case(case)
     places = {"section": sections, "station": stations, "slide_roll_ratio": slide_roll_ratios}
     tasks = requested(case, accuracy, effects, quantities, phases, **places)
-    for task in tasks:
-        if task.plan.refusal is not None:
-            sentence = f"will not reach the requested accuracy: {task.plan.refusal}"
-            warn(f"{task.scene.name}: {sentence}", UnusualWarning, stacklevel=2)
+    refused = {task.plan.refusal: task.scene.name for task in tasks}
+    refused.pop(None, None)
+    for reason, name in refused.items():
+        sentence = f"{name}: will not reach the requested accuracy: {reason}"
+        warn(sentence, UnusualWarning, stacklevel=2)
     with ExitStack() as stack:
         kept = stack.enter_context(TemporaryDirectory()) if out is None else out
         workers = stack.enter_context(executor(processes, scheduler))

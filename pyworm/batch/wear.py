@@ -19,7 +19,7 @@ from pyworm.batch.in_python import (
 from pyworm.batch.wear_run import STATE, WearFigures, WearPlan, WearRun, worm_duty
 from pyworm.case.case import Case
 from pyworm.drives.duty import WormDuty
-from pyworm.formulas.unknown import known
+from pyworm.formulas.unknown import Unknown, attempt, known
 from pyworm.formulas.wear_law import (
     WEAR_ACCURACY,
     WEAR_COEFFICIENT,
@@ -89,10 +89,9 @@ class WearInput:
         if len(loads) != 1:
             raise CaseError(f"{key}: needs [worm_rating] with one life, and it gives a spectrum")
         (load,) = loads
-        try:
-            rate = load.rated.wear.depth / known(load.hours)
-        except ValueError as error:
-            raise CaseError(f"{key}: the standard has no wear of this gear: {error}") from error
+        rate = attempt(lambda: load.rated.wear.depth / known(load.hours))
+        if isinstance(rate, Unknown):
+            raise CaseError(f"{key}: the standard has no wear of this gear: {rate.why}")
         return {"calibrated_to": rate}, (
             f"by which the run-in flank wears {rate * 1e9:.3g} nm/h in the mean, as by the standard"
         )
@@ -202,18 +201,17 @@ def wear(
         raise CaseError("give one of coefficient, energy and calibrate")
     sizes = {"hours": hours, "coefficient": coefficient, "energy": energy, "worm_ratio": worm_ratio}
     require_above_zero(sizes)
-    how = WearInput(coefficient, energy, calibrate, worm_ratio)
+    given = WearInput(coefficient, energy, calibrate, worm_ratio)
     depth = number("tolerance", tolerance, kind_of(units.Film))
     tasks = requested(checked_case, accuracy, None, None, phases)
-    plan, by, on_worm = how.plan(checked_case, hours, depth)
+    plan, by, on_worm = given.plan(checked_case, hours, depth)
     with ExitStack() as stack:
         kept = Path(stack.enter_context(TemporaryDirectory()) if out is None else out)
         workers = stack.enter_context(executor(processes, scheduler))
         bar = stack.enter_context(progress_of(progress))
-        run = WearRun(
-            checked_case, tasks, plan, kept, messages(progress), executor=workers, progress=bar
-        )
+        how = {"executor": workers, "progress": bar}
         try:
+            run = WearRun(checked_case, tasks, plan, kept, messages(progress), **how)
             return worn(run, by, on_worm)
         except ValueError as error:
             raise CaseError(f"{checked_case.name}: {error}") from None

@@ -76,9 +76,9 @@ def _plot(options: argparse.Namespace) -> int:
 
 def _draw_table(sweep: "SweepResult", aside: Path) -> list[Path]:
     """Draw the picture of a sweep into a directory."""
-    from pyworm.plots.sweep import draw_sweep
+    from pyworm.plots.sweep import write_sweep
 
-    return draw_sweep(sweep, aside / SWEEP_PICTURE)
+    return write_sweep(sweep, aside / SWEEP_PICTURE)
 
 
 def _chosen(

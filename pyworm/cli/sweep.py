@@ -77,7 +77,7 @@ def _sweep(options: argparse.Namespace) -> int:
             return NOT_CONVERGED if reasons else CONVERGED
         result = run_sweep(sweep, *how)
 
-    from pyworm.plots.sweep import draw_sweep
+    from pyworm.plots.sweep import write_sweep
     from pyworm.report.console.sweep import rows, show, unconverged
 
     with atomic_directory(directory) as aside:
@@ -85,7 +85,9 @@ def _sweep(options: argparse.Namespace) -> int:
         result.save_csv(aside / TABLE_NAME)
     if not options.json:
         show(result, directory)
-    pictures, _ = drawn_pictures(directory, lambda aside: draw_sweep(result, aside / SWEEP_PICTURE))
+    pictures, _ = drawn_pictures(
+        directory, lambda aside: write_sweep(result, aside / SWEEP_PICTURE)
+    )
     if options.json:
         print_json(
             {

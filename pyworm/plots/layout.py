@@ -1,16 +1,19 @@
 """Common parts of all pictures: window, panels, headings."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from math import ceil, log10
 from pathlib import Path
 from textwrap import fill
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
+from matplotlib.gridspec import GridSpec
 
 from pyworm.io.plain_dataset import AnyDataset
 from pyworm.result.headline import of_all
@@ -158,6 +161,34 @@ def _slice(coordinate: np.ndarray, low: float, high: float) -> slice:
     return slice(max(first, 0), last + 1)
 
 
+_TARGET: ContextVar[Axes | None] = ContextVar("target", default=None)
+"""Axes whose place the pictures take that are drawn meanwhile."""
+
+
+@contextmanager
+def drawn_into(axes: Axes | None) -> Iterator[None]:
+    """Let pictures take the place of axes in their figure; each has a figure of its own where None."""
+    token = _TARGET.set(axes)
+    try:
+        yield
+    finally:
+        _TARGET.reset(token)
+
+
+def canvas(width: float, height: float, **layout: Any) -> Figure:
+    """An empty figure [inch] with a layout, or the place of the axes of `drawn_into`, as large as that is."""
+    axes = _TARGET.get()
+    if axes is None:
+        return Figure(figsize=(width, height), **layout)
+    axes.set_axis_off()
+    whole = cast(Figure, axes.get_figure(root=True))
+    cell = axes.get_subplotspec()
+    figure = whole.add_subfigure(GridSpec(1, 1, figure=whole)[0] if cell is None else cell)
+    if cell is None:
+        figure.bbox_relative.set(axes.get_position())
+    return cast(Figure, figure)  # both are a `FigureBase`, whose methods pictures call
+
+
 def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, list[Axes]]:
     """Panels of one window, side by side or, if it is wide, stacked; more than two are smaller.
 
@@ -175,7 +206,7 @@ def panels(window: Window, titles: list[str], heading: str) -> tuple[Figure, lis
     heading = fill(heading, int(LETTERS_PER_INCH * columns * cell_width))
     head = LINE * (heading.count("\n") + 1) + 0.1
     total_width, total_height = columns * cell_width, rows * cell_height + head
-    figure = Figure(figsize=(total_width, total_height))
+    figure = canvas(total_width, total_height)
     figure.suptitle(heading, y=1 - 0.1 / total_height, verticalalignment="top")
     panels = []
     for number, title in enumerate(titles):
@@ -207,22 +238,20 @@ def colour_bar(
 
 
 def figure_of(axes: Axes) -> Figure:
-    """The figure that a panel belongs to."""
-    figure = axes.get_figure()
-    if not isinstance(figure, Figure):
-        raise TypeError("a panel of this program lies in a figure of its own")
-    return figure
+    """The figure that a panel belongs to, or the place that it has in a figure of several pictures."""
+    return cast(Figure, axes.get_figure())
 
 
 def panel_size(axes: Axes) -> tuple[float, float]:
     """Width and height of a panel [inch]."""
     figure, place = figure_of(axes), axes.get_position()
-    return place.width * figure.get_figwidth(), place.height * figure.get_figheight()
+    box, dots = figure.bbox, figure.dpi
+    return place.width * box.width / dots, place.height * box.height / dots
 
 
 def new_figure(width: float, height: float, heading: str) -> Figure:
     """An empty figure [inch] with its heading, in as many lines as it takes."""
-    figure = Figure(figsize=(width, height), layout="constrained")
+    figure = canvas(width, height, layout="constrained")
     figure.suptitle(fill(heading, int(LETTERS_PER_INCH * width)))
     return figure
 
@@ -244,7 +273,7 @@ def placed_panels(
     (width, height), (left, right, below, above) = size, room
     heading = fill(heading, int(LETTERS_PER_INCH * width))
     above += LINE * (heading.count("\n") + 1)
-    figure = Figure(figsize=size)
+    figure = canvas(*size)
     figure.suptitle(heading, y=1 - 0.03 / height, verticalalignment="top")
     figure.subplots_adjust(left / width, below / height, 1 - right / width, 1 - above / height)
     kind: Style = {"gridspec_kw": {"hspace": space, "wspace": space}, **share}

@@ -3,10 +3,11 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.plots.draw import SCENE_PICTURES, has_picture
-from pyworm.plots.layout import write
+from pyworm.plots.layout import drawn_into, write
 from pyworm.solver.solution import Solution
 
 
@@ -30,9 +31,12 @@ class Pictures:
             raise AttributeError(f"this solution has no picture {name!r}; it has {shown}")
         draw = SCENE_PICTURES[self._solution.kind][name]
 
-        def picture(path: str | Path | None = None, **how: object) -> Figure:
-            """The picture; with a path it is written there too."""
-            figure = draw(self._solution.name, self._solution, **how)
+        def picture(
+            path: str | Path | None = None, *, ax: Axes | None = None, **how: object
+        ) -> Figure:
+            """The picture, in place of axes where some are given; with a path it is written there too."""
+            with drawn_into(ax):
+                figure = draw(self._solution.name, self._solution, **how)
             if path is not None:
                 write(figure, Path(path))
             return figure

@@ -11,7 +11,7 @@ from matplotlib.ticker import FixedLocator, NullFormatter, ScalarFormatter
 from pyworm.formulas.oil_properties import double_log
 from pyworm.formulas.unit_factors import SQUARE_METRE, SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.materials.library import NamedOil
-from pyworm.plots.layout import new_figure
+from pyworm.plots.layout import drawn_into, new_figure
 
 GIGA = 1e9
 """From 1/Pa to 1/GPa."""
@@ -32,13 +32,22 @@ POINTS = 200
 """Points on a curve."""
 
 
-def draw_viscosity(oils: Sequence[NamedOil], marked: float | None = None) -> Figure:
+def draw_viscosity(
+    oils: Sequence[NamedOil], marked: float | None = None, ax: Axes | None = None
+) -> Figure:
     """Viscosity of oils on Walther's axes, where they are straight, and dynamic viscosity on plain ones.
 
     Args:
         oils: The oils.
         marked: A temperature [K] to mark.
+        ax: Axes whose place the picture takes.
     """
+    with drawn_into(ax):
+        return _viscosity(oils, marked)
+
+
+def _viscosity(oils: Sequence[NamedOil], marked: float | None) -> Figure:
+    """Both pictures of viscosity."""
     figure = new_figure(11, 5.6, "Viscosity of oils at ambient pressure")
     walther, plain = figure.subplots(1, 2)
     for oil, colour in zip(oils, _colours(oils), strict=True):

@@ -36,7 +36,7 @@ from pyworm.formulas.regimes import (
     line_measures,
     regime_number,
 )
-from pyworm.plots.layout import placed_panels, power_of_ten, result_heading
+from pyworm.plots.layout import drawn_into, placed_panels, power_of_ten, result_heading
 from pyworm.result.result import Result
 from pyworm.scene.index import ContactIndex
 
@@ -80,8 +80,17 @@ NODES = 181
 """Places of a chart along each axis."""
 
 
-def draw_regimes(result: Result) -> Figure:
-    """Every contact of a result on the chart of its kind, one for lines and one for points."""
+def draw_regimes(result: Result, ax: Axes | None = None) -> Figure:
+    """Every contact of a result on the chart of its kind, one for lines and one for points.
+
+    With `ax` they take the place of these axes.
+    """
+    with drawn_into(ax):
+        return _drawn(result)
+
+
+def _drawn(result: Result) -> Figure:
+    """The charts."""
     regimes = [solution.regime for solution in result.solutions]
     kinds = sorted({regime.ratio is None for regime in regimes})
     size, room = (6.4 * len(kinds), 5.4), (0.8, 0.1, 0.6, 0.5)

@@ -14,7 +14,7 @@ from matplotlib.ticker import LogLocator, NullFormatter
 
 from pyworm.io.quantities import listed
 from pyworm.plots.attempts import Attempts
-from pyworm.plots.layout import Style, joined, new_figure
+from pyworm.plots.layout import Style, drawn_into, joined, new_figure
 from pyworm.result.sweep_result import SweepResult, columns, distinguishing
 from pyworm.scene.index import INDEX_NAMES
 
@@ -65,15 +65,24 @@ class _Shown:
     has_zero: bool
 
 
-def draw_sweep(result: SweepResult, path: Path) -> list[Path]:
-    """Draw the picture of a sweep as PNG; PicturesError if that fails."""
+def write_sweep(result: SweepResult, path: Path) -> list[Path]:
+    """Write the picture of a sweep as PNG; PicturesError if that fails."""
     attempts = Attempts()
-    attempts.draw(path, partial(sweep_figure, result))
+    attempts.draw(path, partial(draw_sweep, result))
     return attempts.result()
 
 
-def sweep_figure(result: SweepResult) -> Figure:
-    """Films, pressure, and friction and temperature where simulated, over all that varies."""
+def draw_sweep(result: SweepResult, ax: Axes | None = None) -> Figure:
+    """Films, pressure, and friction and temperature where simulated, over all that varies.
+
+    With `ax` it takes the place of these axes. ValueError where no contact converged.
+    """
+    with drawn_into(ax):
+        return _drawn(result)
+
+
+def _drawn(result: SweepResult) -> Figure:
+    """The picture by the number of quantities that vary."""
     axes, figures = _axes(result), _shown(result)
     if not result.converged.any():
         raise ValueError("no scene of the sweep converged, there is nothing to draw")

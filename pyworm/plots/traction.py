@@ -7,14 +7,23 @@ from matplotlib.figure import Figure
 from pyworm.io.present import present
 from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.error_bars import draw_figure, draw_largest_temperatures
-from pyworm.plots.layout import add_grids, mark_gaps, placed_panels, result_heading
+from pyworm.plots.layout import add_grids, drawn_into, mark_gaps, placed_panels, result_heading
 from pyworm.result.headline import of_all
 from pyworm.result.result import Result
 from pyworm.solver.solution import Solution
 
 
-def draw_traction(result: Result) -> Figure:
-    """Friction coefficient, and largest temperatures where heat was simulated, with their error bars."""
+def draw_traction(result: Result, ax: Axes | None = None) -> Figure:
+    """Friction coefficient, and maximum temperatures where heat was simulated, with their uncertainties.
+
+    With `ax` they take the place of these axes.
+    """
+    with drawn_into(ax):
+        return _drawn(result)
+
+
+def _drawn(result: Result) -> Figure:
+    """The traction curve."""
     swept = sorted(traction_curve(result), key=lambda solution: solution.slide_roll_ratio or 0.0)
     heated = [solution for solution in swept if solution.figures.temperature_max_film is not None]
     rows = 2 if heated else 1

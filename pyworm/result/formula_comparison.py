@@ -107,9 +107,7 @@ def compare_formulas(
     rows = []
     for name, film in films.items():
         found = _numbers(film)
-        deviations = (
-            _deviation(one, other) for one, other in zip(found, (central, minimum), strict=True)
-        )
+        deviations = (_deviation(*pair) for pair in zip(found, (central, minimum), strict=True))
         rows.append(FormulaFilm(name, *found, _outside(scene, name, film), *deviations))
     return FormulaComparison(scene.name, reference, tuple(rows))
 

@@ -16,6 +16,10 @@ BRANCHES: dict[str, str] = tomllib.loads(
 )
 
 MADE_BY = {
+    "batch/in_python.py planned ValueError":
+        "batch/test_run.py::test_a_contact_that_cannot_be_planned_is_refused",
+    "batch/wear.py wear ValueError":
+        "batch/test_run.py::test_wear_needs_a_roughness",
     "batch/case_run.py _collected OSError":
         "solver/test_memory.py::test_first_grids_beyond_memory_are_refused",
     "batch/case_run.py _solved_before FileNotFoundError":

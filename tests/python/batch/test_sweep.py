@@ -20,7 +20,7 @@ from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED, NOT_CONVERGED
 from pyworm.io.number_with_unit import parse_in
 from pyworm.kernel.core import KernelError
-from pyworm.plots.sweep import sweep_figure
+from pyworm.plots.sweep import draw_sweep
 from pyworm.report.console.sweep import rows_table
 from pyworm.result.sweep_result import SweepResult, open_sweep, sweep_table
 
@@ -358,7 +358,7 @@ CROSSED = [["oil.a"], ["oil.b"]]
 
 def test_errors_one_at_a_time_are_distinguished():
     sweep = made_up([["oil.a", "oil.b"]], [(0, 0), (-1, 0), (1, 0), (0, -2), (0, 2)])
-    assert {"oil.a", "oil.b"} <= {panel.get_xlabel() for panel in sweep_figure(sweep).axes}
+    assert {"oil.a", "oil.b"} <= {panel.get_xlabel() for panel in draw_sweep(sweep).axes}
     table = rows_table(sweep)
     cells = [list(table.column(number)) for number in (0, 1)]
     assert cells == [["0", "-1", "1", "0", "0"], ["0", "0", "0", "-2", "2"]]
@@ -376,7 +376,7 @@ def test_errors_one_at_a_time_are_distinguished():
     ids=["a line", "lines", "maps", "clouds", "names"],
 )
 def test_the_picture_shows_what_varies(axes, pairs, labels):
-    figure = sweep_figure(made_up(axes, pairs))
+    figure = draw_sweep(made_up(axes, pairs))
     shown = {panel.get_xlabel() for panel in figure.axes} | {
         panel.get_ylabel() for panel in figure.axes
     }

@@ -12,7 +12,7 @@ from synthetic_solution import make_hot_worm, make_mesh_cycle
 
 from pyworm.case.case import load
 from pyworm.io.quantities import DECISIVE, QUANTITIES, SCALES, Quantity
-from pyworm.plots.sweep import sweep_figure
+from pyworm.plots.sweep import draw_sweep
 from pyworm.report.console.scenes import figures_table
 from pyworm.report.console.sweep import rows_table
 from pyworm.report.explore.scenes import scene_rows
@@ -85,7 +85,7 @@ def test_table_and_picture_of_a_sweep_have_it():
     column = rows_table(swept).head.index("p/h\nMPa/µm")
     first = summaries[0]["pressure_by_film_Pa_m"] * 1e-12
     assert rows_table(swept).column(column)[0] == f"{first:.4g}"
-    panels = {axes.get_ylabel(): axes for axes in sweep_figure(swept).axes}
+    panels = {axes.get_ylabel(): axes for axes in draw_sweep(swept).axes}
     panel = panels["maximum pressure over film thickness $p/h$ / (MPa/µm)"]
     assert panel.lines[0].get_ydata()[0] == pytest.approx(first)
 
