@@ -48,6 +48,7 @@ def test_this_tree_agrees(original):
         ("CITATION.cff", "date-released", "released", "CITATION.cff: date-released None"),
         ("README.md", f"version {NUMBER},", "version 9.9.9,", "README.md: version 9.9.9, in"),
         ("docs/how-to/install.md", f"pyworm-{NUMBER}-cp", "pyworm-0-cp", "install.md: version 0, in"),
+        ("fpm.toml", f'"{NUMBER}"', '"9.9"', "fpm.toml: version 9.9, in"),
         ("tools/conda-forge/recipe.yaml", f'"{NUMBER}"', '"9.9"', "recipe.yaml: version 9.9, in"),
         ("meson.build", f"'{NUMBER}'", "'9.9.9'", "in meson.build 9.9.9"),
         ("pyproject.toml", 'dynamic = ["version"]', 'version = "0"', "version must be dynamic"),
