@@ -19,7 +19,6 @@ PLACES = {
     "CITATION.cff": r"^version: (\S+)$",
     "README.md": r"version (\d\S*), software",
     "docs/how-to/install.md": r"pyworm-(\d[^-]*)-cp",
-    "fpm.toml": r'^version = "(.*)"$',
     "tools/conda-forge/recipe.yaml": r'^  version: "(.*)"$',
     "fpm.toml": r'^version = "(.*)"$',
     "fortran/base/version_number.f90": r"pyworm_version = '(.*)'$",
