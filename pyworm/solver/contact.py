@@ -76,7 +76,7 @@ UNUSABLE_START_RESIDUAL = 1.0
 """Residual beyond which a film is no initial guess for a finer grid: its pressure gradients need more stress
 than the limiting stress of the oil, so that its slip is unbounded."""
 
-FED_FALLS = (2.0, 5.0)
+FED_FALLS: tuple[float, float] = (2.0, 5.0)
 """Ratios of successive errors of films to which oil comes in a layer: of first order, or of second with one
 of first order against it. On two grids an error of up to the whole last change follows."""
 
