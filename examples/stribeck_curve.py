@@ -20,9 +20,9 @@ def contact(speed):
     )
 
 
-table = pyworm.sweep(contact, speed=speeds, accuracy=accuracy).table
-print(table[["speed", "friction_coefficient", "specific_film"]].to_dataframe())
-plt.semilogx(speeds, table["friction_coefficient"], "o-")
+curve = pyworm.sweep(contact, speed=speeds, accuracy=accuracy).dataset
+print(curve[["friction_coefficient", "specific_film"]].to_dataframe())
+plt.semilogx(speeds, curve.friction_coefficient, "o-")
 plt.xlabel("entrainment velocity / (m/s)")
 plt.ylabel("friction coefficient")
 plt.savefig("stribeck_curve.png", dpi=120)

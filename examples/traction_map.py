@@ -22,11 +22,11 @@ def contact(load, ratio):
 
 
 study = pyworm.sweep(contact, load=loads, ratio=ratios, accuracy=accuracy)
-friction = study.table["friction_coefficient"].values.reshape(len(loads), len(ratios))
-print(np.round(friction, 4))
+friction = study.dataset.friction_coefficient
+print(np.round(friction.values, 4))
 figure, axes = plt.subplots(layout="constrained")
-for load, row in zip(loads, friction, strict=True):
-    axes.plot(ratios, row, "o-", label=f"$F$ = {load:g} N")
+for load in loads:
+    axes.plot(ratios, friction.sel(load=load), "o-", label=f"$F$ = {load:g} N")
 axes.set(
     title="Friction of a ball on a disc, mineral VG 220 at 60 °C, $u$ = 1 m/s",
     xlabel="slide-roll ratio $S$",

@@ -23,6 +23,7 @@ A contact
 Solids and oils
     Body            elastic and thermal constants of a solid
     named_body      a solid of the list of materials
+    Roughness       height, slope, lay and asperities of a surface
     Oil             laws of viscosity, density, flow and heat
     Barus, Roelands     viscosity against pressure
     Density         density against pressure
@@ -32,7 +33,7 @@ Solids and oils
     TabulatedViscosity, TabulatedDensity    a function or measurements over pressure and temperature
     Branch          one branch of a Carreau-Yasuda law
     named_liquid    a liquid of the literature, with its laws over pressure and temperature
-    NamedOil        an oil over temperature
+    NamedOil        an oil over temperature, by its data sheet or measurements too
     named_oil       an oil of the list of oils
     read_oil        an oil from a file
 
@@ -63,7 +64,8 @@ Solving
     compare_formulas    films of a scene by every formula, with ranges and deviations
     FormulaComparison, FormulaFilm      what `compare_formulas` gives
     traction_curve  friction over the slide-roll ratio
-    sweep           many scenes to one table
+    sweep           many scenes to labelled arrays
+    draw            values of a sweep that fill ranges evenly
     transient       films while load, speed or radii change
 
 Results
@@ -75,7 +77,7 @@ Results
     Result          solutions of a case, as files hold them
     open_result     a result from its file
     open_solution   a solution from its file
-    SweepResult     the table of a sweep
+    SweepResult     labelled arrays and table of a sweep
     TransientResult     what `transient` gives
     open_sweep      a sweep from its file
     write_csv       fields as comma-separated values

@@ -11,6 +11,7 @@ from .batch.wear import CaseWear as CaseWear
 from .batch.wear import wear as wear
 from .case.case import Case as Case
 from .case.case import load as load
+from .case.draws import draw as draw
 from .case.gear_sets import GearPair as GearPair
 from .case.gear_sets import RollerWorm as RollerWorm
 from .case.gear_sets import WormDrive as WormDrive
@@ -31,6 +32,7 @@ from .materials.library import named_oil as named_oil
 from .materials.oil import Oil as Oil
 from .materials.oil_file import read_oil as read_oil
 from .materials.oil_layer import OilLayer as OilLayer
+from .materials.roughness import Roughness as Roughness
 from .materials.tabulated import TabulatedDensity as TabulatedDensity
 from .materials.tabulated import TabulatedViscosity as TabulatedViscosity
 from .materials.thermal_properties import OilHeat as OilHeat

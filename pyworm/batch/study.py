@@ -3,6 +3,8 @@
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
+from dataclasses import replace
+from functools import partial
 from itertools import product
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -10,17 +12,14 @@ from typing import Any
 
 from pyworm.batch.case_run import SCENES
 from pyworm.batch.in_python import executor, messages, progress_of
-from pyworm.batch.provenance import provenance
 from pyworm.batch.scene_task import SceneTask, require_sendable
-from pyworm.batch.solve_tasks import solve_all
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.sweep import Sweep, label, load_sweep
 from pyworm.batch.sweep_run import run_sweep
 from pyworm.io import units
-from pyworm.io.given import WithUnit, kind_of, number, row, text
+from pyworm.io.given import WithUnit, kind_of, number, row
 from pyworm.io.progress import Progress
 from pyworm.planning.effects.selection import Effects, as_text
-from pyworm.result.result import Result
 from pyworm.result.sweep_result import SweepResult
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -40,6 +39,7 @@ def sweep(
     progress: bool | Progress = True,
     title: str = "study",
     largest_grid: int | None = None,
+    together: Mapping[str, Sequence[Any]] | None = None,
     **vary: Sequence[Any],
 ) -> SweepResult:
     """Solve a scene over ranges of its values, `sweep(make, load=(10, 20), speed=(0.5, 1.0))`.
@@ -58,10 +58,12 @@ def sweep(
             instead; heading of the table's picture.
         largest_grid: Nodes beyond which no grid is refined, which ends dear scenes unconverged; not of a
             sweep file.
+        together: Values of arguments that vary together, such as those of `pyworm.draw`.
         **vary: Values of each argument of `make`; all are crossed, the last one changing fastest.
 
     Returns:
-        `table`, an xarray.Dataset, has a row a scene, also of those without a solution.
+        `dataset` has the results over the varied names, NaN where there is no solution; `table` has a row a
+        scene; `solutions` are there with `fields`.
 
     Raises:
         ValueError: Nothing to vary, a scene that is none, cannot be planned, or cannot go to other processes.
@@ -71,16 +73,22 @@ def sweep(
         folder = Path(where).absolute()
         told = stack.enter_context(progress_of(progress))
         pool = stack.enter_context(executor(processes, scheduler))
+        store = Store(folder / SCENES, fields)
         if isinstance(make, str | Path):
-            study = _of_file(make, vary, pool, told, Store(folder / SCENES, fields))
+            study = _of_file(make, vary, pool, told, store)
         else:
             how = (
                 as_text(effects),
                 quantities and tuple(row("quantities", quantities)),
                 largest_grid,
             )
-            study = _study(make, title, vary, (_accuracy(accuracy), *how), pool is not None)
-        return run_sweep(study, folder, fields, pool, told, messages(progress))
+            axes = [{name: values} for name, values in vary.items()] + [together or {}]
+            study = _study(make, title, axes, (_accuracy(accuracy), *how), pool is not None)
+        found = run_sweep(study, folder, fields, pool, told, messages(progress))
+        if not fields:
+            return found
+        solved = [task for task in study.tasks if store.holds(task)]
+        return replace(found, solutions=tuple(store.result(task).solutions[0] for task in solved))
 
 
 def traction_curve(
@@ -92,7 +100,7 @@ def traction_curve(
     out: str | Path | None = None,
     processes: int = 1,
     progress: bool | Progress = True,
-) -> Result:
+) -> SweepResult:
     """Friction of a scene over the slide-roll ratio, sliding over entrainment, at its entrainment.
 
     Args:
@@ -101,28 +109,27 @@ def traction_curve(
         accuracy, effects, out, processes, progress: As of `sweep`.
 
     Returns:
-        A solution a place, in their order; `pyworm.plots.draw_traction` draws it.
+        The sweep over `slide_roll_ratio` with its solutions; `pyworm.plots.draw_traction` draws its
+        `result`.
 
     Raises:
         ValueError: Surfaces that do not translate, or a scene that cannot be planned.
     """
-    tasks: list[Any] = [
-        SceneTask(
-            with_slide_roll_ratio(scene, ratio), _accuracy(accuracy), text("effects", effects)
-        )
-        for ratio in row("slide_roll_ratios", slide_roll_ratios)
-    ]
-    with ExitStack() as stack:
-        directory = Path(stack.enter_context(TemporaryDirectory()) if out is None else out)
-        told = stack.enter_context(progress_of(progress))
-        workers = stack.enter_context(executor(processes, None))
-        store = Store(directory.absolute() / SCENES, fields=True)
-        reasons = solve_all(store.missing(tasks), store, workers, told)
-        for task in tasks:
-            if task.key in reasons:
-                raise ValueError(f"{task.scene.name} has no solution: {reasons[task.key]}")
-        solutions = tuple(store.result(task).solutions[0] for task in tasks)
-    return Result(scene.name, {}, solutions, None, provenance({task.key: {} for task in tasks}))
+    return sweep(
+        partial(_at_ratio, scene),
+        slide_roll_ratio=tuple(row("slide_roll_ratios", slide_roll_ratios)),
+        accuracy=accuracy,
+        effects=effects,
+        out=out,
+        processes=processes,
+        progress=progress,
+        fields=True,
+        title=scene.name,
+    )
+
+
+def _at_ratio(scene: Scene, slide_roll_ratio: float) -> Scene:
+    return with_slide_roll_ratio(scene, slide_roll_ratio)
 
 
 def _of_file(
@@ -141,16 +148,20 @@ def _of_file(
 def _study(
     make: Callable[..., Scene | LineScene],
     title: str,
-    vary: Mapping[str, Sequence[Any]],
+    axes: Sequence[Mapping[str, Sequence[Any]]],
     how: tuple[Any, ...],
     sent: bool,
 ) -> Sweep:
     """The scenes of all combinations, each planned before the first is solved."""
     if not callable(make):
         raise ValueError(f"make is a {type(make).__name__}: must be a function that makes a scene")
-    if not vary or not all(len(values) for values in vary.values()):
+    axes = [axis for axis in axes if axis]
+    combinations = [
+        {name: value for part in parts for name, value in part.items()}
+        for parts in product(*map(_in_step, axes))
+    ]
+    if not axes or not combinations:
         raise ValueError("nothing varies; name values of the function's arguments, load=(10, 20)")
-    combinations = [dict(zip(vary, row, strict=True)) for row in product(*vary.values())]
     tasks: list[Any] = []
     for values in combinations:
         scene = make(**values)
@@ -164,10 +175,19 @@ def _study(
         if sent:
             require_sendable(task)
         tasks.append(task)
-    written = {"vary": [{name: list(map(str, values))} for name, values in vary.items()]}
-    return Sweep(
-        title, title, written, [[name] for name in vary], tuple(combinations), tuple(tasks)
-    )
+    written = {
+        "vary": [{name: list(map(str, axis[name])) for name in axis} for axis in axes],
+    }
+    return Sweep(title, title, written, list(map(list, axes)), tuple(combinations), tuple(tasks))
+
+
+def _in_step(axis: Mapping[str, Sequence[Any]]) -> list[dict[str, Any]]:
+    """The values of names that vary together, one by one; ValueError where one has more."""
+    counts = {name: len(values) for name, values in axis.items()}
+    if len(set(counts.values())) > 1:
+        listed = ", ".join(f"{name} has {count} values" for name, count in counts.items())
+        raise ValueError(f"together: {listed}; give the same number")
+    return [dict(zip(axis, values, strict=True)) for values in zip(*axis.values(), strict=True)]
 
 
 def _accuracy(given: WithUnit) -> float:

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Discriminator, Field, Tag
 
+from pyworm.case.draws import METHODS, Method, fractions, spread
 from pyworm.case.table import Table
 from pyworm.io.number_with_unit import parse_in
 from pyworm.io.plain_values import Count, Seed, Text
@@ -76,32 +77,44 @@ class RangeTable(_Interval):
 
 
 class DrawTable(_Interval):
-    """Random values between two ends, spread evenly or, "log-uniform", evenly in their logarithm.
+    """Values drawn between two ends, spread evenly or, on a logarithmic scale, evenly in their logarithm.
 
-    Each key has its own random sequence, by the sweep's seed: more draws continue the same first
-    ones, and another key beside it changes none.
+    Random ones: each key has its own sequence, by the sweep's seed: more draws continue the same first
+    ones, and another key beside it changes none. Keys of one table with the same design fill their ranges
+    together (`draws`).
     """
 
-    draw: Literal["uniform", "log-uniform"]
+    draw: Literal["uniform", "log-uniform", "sobol", "latin-hypercube"]
     low: Value
     high: Value
+    scale: Literal["linear", "log"] | None = None
 
     def flaws(self) -> Iterator[str]:
-        """Ends between which nothing can be drawn."""
-        return self._without_range(self.low, self.high, "low, high", self.draw == "log-uniform")
+        """A scale without effect, and ends between which nothing can be drawn."""
+        if self.design is None and self.scale is not None:
+            yield f'scale has no effect with draw = "{self.draw}"; omit it'
+        yield from self._without_range(self.low, self.high, "low, high", self.logarithmic)
+
+    @property
+    def design(self) -> Method | None:
+        """The design of which it is a part; None of random values."""
+        return next((method for method in METHODS if method == self.draw), None)
+
+    @property
+    def logarithmic(self) -> bool:
+        """Whether logarithms are spread evenly."""
+        return self.draw == "log-uniform" or self.scale == "log"
 
     def values(self, key: str, seed: int | None) -> list[Value]:
-        """The values, as a case file has them."""
-        low, high, unit = self._ends(self.low, self.high)
+        """Random values of a key of its own, as a case file has them."""
         sequence = int.from_bytes(sha256(key.encode()).digest()[:8])
-        fraction = np.random.Generator(np.random.PCG64([present(seed, "seed"), sequence])).random(
-            self.count
-        )
-        if self.draw == "log-uniform":
-            drawn = low * (high / low) ** fraction
-        else:
-            drawn = low + (high - low) * fraction
-        return self._written(list(drawn), unit, whole=False)
+        generator = np.random.Generator(np.random.PCG64([present(seed, "seed"), sequence]))
+        return self.at(generator.random(self.count))
+
+    def at(self, fraction: np.ndarray) -> list[Value]:
+        """The values at fractions of the range, as a case file has them."""
+        low, high, unit = self._ends(self.low, self.high)
+        return self._written(list(spread(low, high, fraction, self.logarithmic)), unit, whole=False)
 
 
 def _form(values: Any) -> str:
@@ -159,5 +172,22 @@ class SweepTable(Table):
                 key: values if isinstance(values, list) else values.values(key, self.seed)
                 for key, values in table.items()
             }
+            | self._designed(table)
             for table in self.vary
         ]
+
+    def _designed(self, table: dict[str, Values]) -> dict[str, list[Value]]:
+        """The values of those keys of one table that fill their ranges together."""
+        designs: dict[tuple[Method, int], dict[str, DrawTable]] = {}
+        for key, values in table.items():
+            if isinstance(values, DrawTable) and values.design is not None:
+                designs.setdefault((values.design, values.count), {})[key] = values
+        return {
+            key: drawn.at(fraction)
+            for (design, count), keys in designs.items()
+            for (key, drawn), fraction in zip(
+                keys.items(),
+                fractions(design, count, len(keys), present(self.seed, "seed")).T,
+                strict=True,
+            )
+        }

@@ -12,6 +12,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.quantities import BODIES
+from pyworm.io.shown import Shown
 from pyworm.materials.body import Body
 from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
@@ -21,8 +22,26 @@ AllowedErrors = dict[str, dict[str, float | str]]
 """Entry of `[drive.assembly]` -> from where to where, in the unit of the key, and what limits it."""
 
 
-class Drive(Lubricated, ABC):
+class Drive(Shown, Lubricated, ABC):
     """A machine with lubricated contacts, which implements `scene` and `cycle_data` and never solves."""
+
+    def __init_subclass__(cls) -> None:
+        """Keep dataclasses derived from it, whose parts are many, at one line of their own."""
+        super().__init_subclass__()
+        cls.__repr__ = Shown.__repr__  # type: ignore[method-assign]  # a dataclass would add its own
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the drive in words: its bodies and its oil."""
+        law = self.oil.viscosity
+        bodies = zip(self.body_names, self.bodies, strict=True)
+        return type(self).__name__, {
+            **{
+                name.replace("_", " "): f"{body.youngs_modulus / 1e9:.4g} GPa"
+                for name, body in bodies
+            },
+            "oil": f"{law.eta0:.3g} Pa s, alpha {law.alpha * 1e9:.3g} 1/GPa",
+            **({"sections": ", ".join(self.sections)} if self.sections else {}),
+        }
 
     body_names: ClassVar[tuple[str, str]] = BODIES
     """Names of body 1 and body 2 of its contacts."""

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Self
 
 from pyworm.formulas import wear_distress
 from pyworm.formulas.ranges import positive, scalar
@@ -13,17 +13,9 @@ from pyworm.io.present import present
 from pyworm.io.shown import ShownFields
 from pyworm.materials import solids
 from pyworm.materials.long_waves import LongWaves
+from pyworm.materials.roughness import ASPERITY_DENSITY, RUN_IN_SLOPE, Roughness
 from pyworm.materials.softening import Points, modulus_at, points
 from pyworm.materials.topography import Topography
-
-RUN_IN_SLOPE = 0.008
-"""Root mean square slope of a run-in surface, where none is given: with it the asperities' share of the
-load is that of the field's measured and computed partial films (`docs/theory/roughness.md`)."""
-
-
-ASPERITY_DENSITY = 0.04
-"""Asperities for each area times their radius times the roughness, where none is given: 0.03 to 0.05 of most
-surfaces (Greenwood and Tripp 1970)."""
 
 
 @dataclass(frozen=True)
@@ -83,7 +75,7 @@ class Body(ShownFields, SolidConstants):
         def __init__(
             self, youngs_modulus: WithUnit, poisson_ratio: float, density: WithUnit | None = ...,
             conductivity: WithUnit | None = ..., specific_heat: WithUnit | None = ...,
-            bulk_temperature: WithUnit | None = ..., roughness: WithUnit | None = ...,
+            bulk_temperature: WithUnit | None = ..., roughness: WithUnit | Roughness | None = ...,
             roughness_slope: float = ..., roughness_aspect: float = ..., lay: WithUnit = ...,
             asperity_density: float = ..., boundary_friction_factor: float = ...,
             topography: Topography | None = ..., long_waves: LongWaves | None = ..., *,
@@ -95,6 +87,9 @@ class Body(ShownFields, SolidConstants):
 
     def __post_init__(self) -> None:
         """Read quantities with units; refuse impossible constants of a solid."""
+        if isinstance(self.roughness, Roughness):
+            for name, value in self.roughness.of_body.items():
+                object.__setattr__(self, name, value)
         take(self)
         self._soften()
         positive("youngs_modulus", self.youngs_modulus, "Pa")
@@ -112,6 +107,33 @@ class Body(ShownFields, SolidConstants):
         object.__setattr__(self, "modulus_by_temperature", given)
         if given and self.bulk_temperature is not None:
             object.__setattr__(self, "youngs_modulus", modulus_at(given, self.bulk_temperature))
+
+    @classmethod
+    def from_name(
+        cls,
+        material: str,
+        roughness: WithUnit | Roughness | None = None,
+        bulk_temperature: WithUnit | None = None,
+    ) -> Self:
+        """A solid of the list of materials (`pyworm/materials/solids.toml`).
+
+        Args:
+            material: Such as "16MnCr5" or "CuSn12Ni2-C-GZ".
+            roughness: Root mean square height of its surface [m], or its `Roughness`; smooth where it is not
+                given.
+            bulk_temperature: Temperature far below the surface [K]; that of the oil's inlet where it is not
+                given.
+
+        Raises:
+            ValueError: No such material, or a value that there is not.
+        """
+        try:
+            name = solids.named_material(text("material", material))
+        except ValueError as error:
+            raise ValueError(f'material "{material}": {error}') from None
+        constants: dict[str, Any] = {**solids.constants(name)}
+        constants |= {"roughness": roughness, "bulk_temperature": bulk_temperature}
+        return cls(**constants)
 
     @property
     def heat_capacity(self) -> float:
@@ -166,24 +188,9 @@ def composite_roughness(body_1: Body, body_2: Body) -> float | None:
 
 
 def named_body(
-    material: str, roughness: WithUnit | None = None, bulk_temperature: WithUnit | None = None
+    material: str,
+    roughness: WithUnit | Roughness | None = None,
+    bulk_temperature: WithUnit | None = None,
 ) -> Body:
-    """A solid of the list of materials (`pyworm/materials/solids.toml`).
-
-    Args:
-        material: Such as "16MnCr5" or "CuSn12Ni2-C-GZ".
-        roughness (float or str, optional): Root mean square height of its surface [m]; smooth where it is not
-            given.
-        bulk_temperature (float or str, optional): Temperature far below the surface [K]; needed where heat is
-            simulated.
-
-    Raises:
-        ValueError: No such material, or a value that there is not.
-    """
-    try:
-        name = solids.named_material(text("material", material))
-    except ValueError as error:
-        raise ValueError(f'material "{material}": {error}') from None
-    constants: dict[str, Any] = {**solids.constants(name)}
-    constants |= {"roughness": roughness, "bulk_temperature": bulk_temperature}
-    return Body(**constants)
+    """The solid of a name; material, roughness and bulk_temperature as of `Body.from_name`."""
+    return Body.from_name(material, roughness, bulk_temperature)

@@ -8,20 +8,30 @@ import re
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from math import log
-from typing import Any
+from typing import Any, Self
+
+import numpy as np
 
 from pyworm.formulas import oil_properties
 from pyworm.formulas.gear_oil import ISO_GRADES
-from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_MILLIMETRE
+from pyworm.formulas.unit_factors import DEGREES_40, DEGREES_100, SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.io import units
-from pyworm.io.given import Given, WithUnit, in_si, kind_of, number, text
+from pyworm.io.given import Given, WithUnit, in_si, kind_of, number, row, text
 from pyworm.io.present import present
+from pyworm.io.quantity_text import percent
 from pyworm.io.shown import Shown
 from pyworm.materials.base_stock import BASES, BaseStock, base_stock
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.materials.thermal_properties import OilHeat
 from pyworm.materials.viscosity_density import Density, Roelands
+
+MAX_WALTHER_DEVIATION = 0.1
+"""Largest deviation of a measured viscosity from Walther's law: oils keep to it within a few per cent (ASTM
+D341), slips of units do not."""
+
+DEGREES_15 = ZERO_CELSIUS + 15
+"""Temperature at which data sheets give the density [K]."""
 
 _NAME = re.compile(rf"({'|'.join(BASES)})\s+(?:ISO\s+)?VG\s*(\d+)", re.IGNORECASE)
 
@@ -40,6 +50,110 @@ class NamedOil(Shown):
     """Constant n of its viscosity (`oil_laws.walther_viscosity`)."""
     source: str
     """Where its viscosity comes from."""
+
+    @classmethod
+    def from_datasheet(
+        cls,
+        *,
+        nu40: WithUnit,
+        nu100: WithUnit | None = None,
+        viscosity_index: float | None = None,
+        density15: WithUnit | None = None,
+        base: str = "mineral",
+        alpha: WithUnit | None = None,
+        alpha_at: WithUnit = DEGREES_40,
+        name: str = "oil of a data sheet",
+    ) -> Self:
+        """An oil by its data sheet; what is not given is that of the base stock.
+
+        Args:
+            nu40: Kinematic viscosity at 40 degC [m2/s], such as "220 mm^2/s".
+            nu100: Kinematic viscosity at 100 degC [m2/s]; this or the viscosity index.
+            viscosity_index: Viscosity index [-] (ASTM D2270).
+            density15: Density at 15 degC [kg/m3].
+            base: Base stock, "mineral", "PAO", "ester" or "PAG".
+            alpha: Measured pressure-viscosity coefficient [1/Pa], which varies with the viscosity by Gold's
+                law of the base stock.
+            alpha_at: Temperature at which it was measured [K].
+            name: What it is called.
+
+        Raises:
+            ValueError: Both or neither of `nu100` and `viscosity_index`, no such base stock, or values that
+                no oil has.
+        """
+        viscosity_40 = number("nu40", nu40, kind_of(units.KinematicViscosity))
+        if (nu100 is None) == (viscosity_index is None):
+            raise ValueError("give either nu100 or viscosity_index, one of the two")
+        if viscosity_index is not None:
+            viscosity_100 = oil_properties.viscosity_100_of_index(viscosity_40, viscosity_index)
+        else:
+            viscosity_100 = number("nu100", nu100, kind_of(units.KinematicViscosity))
+        m, n = oil_properties.walther_constants(
+            viscosity_40, DEGREES_40, viscosity_100, DEGREES_100
+        )
+        stock = base_stock(text("base", base))
+        if density15 is not None:
+            given = number("density15", density15, kind_of(units.OilDensity))
+            stock = replace(stock, density_15=given)
+        return cls(name, stock, m, n, "data sheet")._with_alpha(alpha, alpha_at)
+
+    @classmethod
+    def from_table(
+        cls,
+        temperatures: Given,
+        *,
+        nu: Given | None = None,
+        eta: Given | None = None,
+        density: Given | None = None,
+        base: str = "mineral",
+        alpha: WithUnit | None = None,
+        alpha_at: WithUnit = DEGREES_40,
+        name: str = "measured oil",
+    ) -> Self:
+        """An oil by measurements over temperature at ambient pressure; its pressure behaviour by base stock.
+
+        Walther's law and a density that falls linearly are fitted by least squares.
+
+        Args:
+            temperatures: Temperatures [K], two or more.
+            nu: Kinematic viscosity at each of them [m2/s]; this or `eta`.
+            eta: Dynamic viscosity at each of them [Pa s].
+            density: Density at each of them [kg/m3]; by default that of the base stock.
+            base, alpha, alpha_at, name: As of `from_datasheet`.
+
+        Raises:
+            ValueError: Values of another number, both or neither viscosity, or one more than 10 % off
+                Walther's law, as by a slip of units.
+        """
+        warmths = np.asarray(
+            in_si("temperatures", row("temperatures", temperatures), units.Temperature)
+        )
+        stock = base_stock(text("base", base))
+        if density is not None:
+            stock = _stock_of_density(
+                stock, warmths, _measured("density", density, units.OilDensity, warmths)
+            )
+        if nu is not None and eta is None:
+            viscosities = _measured("nu", nu, units.KinematicViscosity, warmths)
+        elif nu is not None or eta is None:
+            raise ValueError("give either nu or eta, one of the two")
+        else:
+            dynamic = _measured("eta", eta, units.Viscosity, warmths)
+            viscosities = dynamic / oil_properties.density(
+                stock.density_15, stock.density_coefficient, warmths
+            )
+        m, n = _walther_fit(warmths, viscosities)
+        return cls(name, stock, m, n, "measured over temperature")._with_alpha(alpha, alpha_at)
+
+    def _with_alpha(self, alpha: WithUnit | None, temperature: WithUnit) -> Self:
+        """The oil with a pressure-viscosity coefficient [1/Pa] measured at a temperature [K]."""
+        if alpha is None:
+            return self
+        measured = number("alpha", alpha, kind_of(units.PressureViscosity))
+        measured_at = number("alpha_at", temperature, kind_of(units.Temperature))
+        factor = measured / float(self.alpha(measured_at))
+        stock = replace(self.stock, gold_s=factor * self.stock.gold_s, alpha_spread=0.0)
+        return replace(self, stock=stock)
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the oil in words."""
@@ -170,6 +284,43 @@ class NamedOil(Shown):
             boundary_friction=stock.boundary_friction,
             alpha_spread=stock.alpha_spread,
         )
+
+
+def _measured(name: str, given: Given, kind: Any, temperatures: np.ndarray) -> np.ndarray:
+    """Measurements in SI, one for each temperature."""
+    values = np.asarray(in_si(name, row(name, given), kind), dtype=float)
+    if values.shape != temperatures.shape:
+        raise ValueError(
+            f"{name} has {values.size} values and temperatures {temperatures.size}; give one for each"
+        )
+    return values
+
+
+def _stock_of_density(
+    stock: BaseStock, temperatures: np.ndarray, densities: np.ndarray
+) -> BaseStock:
+    """A base stock with the density that measurements give at 15 degC, and its fall with temperature."""
+    fall, at_15 = np.polyfit(temperatures - DEGREES_15, densities, 1)
+    return replace(stock, density_15=float(at_15), density_coefficient=float(-fall / at_15))
+
+
+def _walther_fit(temperatures: np.ndarray, viscosities: np.ndarray) -> tuple[float, float]:
+    """m and n of Walther's law through measurements of kinematic viscosity [m2/s], by least squares."""
+    if temperatures.size < 2:
+        raise ValueError("temperatures: give two or more, so that the viscosity has a slope")
+    ends = np.argsort(temperatures)[[0, -1]]
+    oil_properties.walther_constants(
+        *(float(value) for end in ends for value in (viscosities[end], temperatures[end]))
+    )
+    slope, m = np.polyfit(np.log10(temperatures), oil_properties.double_log(viscosities), 1)
+    off = oil_properties.walther_viscosity(m, -slope, temperatures) / viscosities - 1
+    worst = int(np.argmax(np.abs(off)))
+    if abs(off[worst]) > MAX_WALTHER_DEVIATION:
+        raise ValueError(
+            f"viscosity at {temperatures[worst]:g} K: lies {percent(abs(off[worst]))} off Walther's law "
+            "through all of them; check its unit"
+        )
+    return float(m), float(-slope)
 
 
 def names() -> list[str]:

@@ -13,7 +13,7 @@ import numpy as np
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.ranges import positive, within
 from pyworm.io import units
-from pyworm.io.given import Given, WithUnit, in_si, kind_of, take
+from pyworm.io.given import Given, WithUnit, in_si, kind_of, number, take
 from pyworm.io.present import present
 from pyworm.io.quantity_text import as_text
 from pyworm.io.shown import Shown
@@ -170,6 +170,56 @@ class Oil(Shown):
             return log(self.eta(0.0, -0.5) / self.eta(0.0, 0.5))
         law, heat = self.viscosity, self.thermal
         return law.THINNING.beta(law, heat.viscosity_exponent, heat.inlet_temperature)
+
+    def with_(
+        self,
+        *,
+        eta0: WithUnit | None = None,
+        alpha: WithUnit | None = None,
+        beta: WithUnit | None = None,
+        rho0: WithUnit | None = None,
+    ) -> "Oil":
+        """The oil with one property of another size at the inlet, the others staying what they are.
+
+        Exponents follow: Roelands' z keeps alpha where eta0 changes, his s0 keeps beta. A given alpha counts
+        as measured, without `alpha_spread`.
+
+        Args:
+            eta0: Viscosity at ambient pressure [Pa s].
+            alpha: Pressure-viscosity coefficient at ambient pressure [1/Pa].
+            beta: Decay of the viscosity with temperature, -d ln eta/dT [1/K]; of an oil with heat.
+            rho0: Density at ambient pressure [kg/m3].
+
+        Raises:
+            ValueError: A value that no oil has, an alpha of an isoviscous oil, or a beta of a table.
+        """
+        law, density, spread = self.viscosity, self.density, self.alpha_spread
+        if eta0 is not None:
+            law = law.with_eta0(eta0)
+        if alpha is not None:
+            wanted = number("alpha", alpha, kind_of(units.PressureViscosityOrZero))
+            if not law.alpha > 0:
+                raise ValueError(f"alpha = {wanted:g} 1/Pa: the oil is isoviscous; give it a law")
+            law, spread = law.with_alpha_times(wanted / law.alpha), 0.0
+        if rho0 is not None:
+            density = density.with_rho0(rho0)
+        heat = self._heat_of(law, beta)
+        return replace(self, viscosity=law, density=density, heat=heat, alpha_spread=spread)
+
+    def _heat_of(
+        self, law: ViscosityLaw | TabulatedViscosity, beta: WithUnit | None
+    ) -> OilHeat | None:
+        """Thermal properties of an oil of another law, by default with the same beta."""
+        heat = self.heat
+        if beta is not None and (heat is None or isinstance(law, TabulatedViscosity)):
+            raise ValueError("beta: the oil has no heat, or a table that has its own")
+        if heat is None or isinstance(law, TabulatedViscosity):
+            return heat
+        if beta is None and law.eta0 == self.viscosity.eta0:
+            return heat
+        kept = self.beta if beta is None else in_si("beta", beta, units.TemperatureCoefficient)
+        exponent = law.THINNING.exponent(law, kept, heat.inlet_temperature)
+        return replace(heat, viscosity_exponent=exponent)
 
     def warmed(self, rise: WithUnit) -> "Oil":
         """The oil at an inlet temperature higher by some kelvin, by its own laws.

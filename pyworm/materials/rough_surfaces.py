@@ -14,7 +14,8 @@ from pyworm.formulas.arrays import Array
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
 from pyworm.formulas.rough_contact import greenwood_tripp, open_gap, self_affine
 from pyworm.io.present import present
-from pyworm.materials.body import ASPERITY_DENSITY, Body, reduced_modulus
+from pyworm.materials.body import Body, reduced_modulus
+from pyworm.materials.roughness import ASPERITY_DENSITY
 
 MIN_GAP_RATIO = 0.05
 """Mean thickness of the gap between surfaces pressed together, over their roughness: oil is left in the

@@ -18,7 +18,7 @@ import scipy
 from pyworm.formulas.arrays import Array, Values
 from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
-from pyworm.io.given import Given, WithUnit, in_si, kind_of
+from pyworm.io.given import Given, WithUnit, in_si, kind_of, number
 from pyworm.io.quantity_text import as_text
 
 Law = Callable[[Array, Array], Values]
@@ -262,9 +262,18 @@ class TabulatedViscosity(Tabulated):
         temperature = self.temperatures[0] if self.temperatures.size == 1 else self.reference
         return float(self._spline.ev(0.0, temperature, dx=1))
 
+    def with_eta0(self, eta0: WithUnit) -> Self:
+        """The property of another viscosity at ambient pressure and the reference [Pa s], of one alpha."""
+        given = number("eta0", eta0, kind_of(units.Viscosity))
+        return replace(self, values=self.values * (given / self.eta0))
+
+    def with_alpha_times(self, factor: float) -> Self:
+        """The property whose logarithm rises some times as steeply with pressure, eta0 being kept."""
+        ambient = self.values[:1]
+        return replace(self, values=ambient * (self.values / ambient) ** factor)
+
     def _write(self, values: Array) -> Array:
-        write: Array = np.log(values)
-        return write
+        return np.log(values)
 
     def _read(self, written: Array) -> Array:
         read: Array = np.exp(written)
@@ -283,6 +292,11 @@ class TabulatedDensity(Tabulated):
     def rho0(self) -> float:
         """Density at ambient pressure and the reference [kg/m3]."""
         return self._ambient
+
+    def with_rho0(self, rho0: WithUnit) -> Self:
+        """The property of another density at ambient pressure and the reference [kg/m3]."""
+        given = number("rho0", rho0, kind_of(units.OilDensity))
+        return replace(self, values=self.values * (given / self.rho0))
 
     @property
     def d1(self) -> float:

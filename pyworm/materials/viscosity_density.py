@@ -265,6 +265,10 @@ class Density(ShownFields):
         """The form (5.9e8 + 1.34 p) / (5.9e8 + p): close to the other, not identical."""
         return cls(in_si("rho0", rho0, units.OilDensity), 0.34 / 5.9e8, 1 / 5.9e8)
 
+    def with_rho0(self, rho0: WithUnit) -> "Density":
+        """The law of another density at ambient pressure [kg/m3]."""
+        return replace(self, rho0=number("rho0", rho0, kind_of(units.OilDensity)))
+
     def __call__(self, pressure: Given) -> Any:
         """Density [kg/m3] at a pressure or pressures [Pa]."""
         pressure = in_si("pressure", pressure, units.PressureCoordinate)

@@ -24,7 +24,8 @@ from pyworm.io.bounded_number import read_json
 from pyworm.io.number_with_unit import parse_in
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.shown import Shown
-from pyworm.result.result import MAX_ARRAY_BYTES, plain_attributes
+from pyworm.result.labelled_sweep import labelled
+from pyworm.result.result import MAX_ARRAY_BYTES, Result, plain_attributes
 from pyworm.result.sound_result import from_json
 from pyworm.solver.neglected_effects import (
     ASPERITY_SHARE,
@@ -33,6 +34,7 @@ from pyworm.solver.neglected_effects import (
     NeglectedEffects,
     worst,
 )
+from pyworm.solver.solution import Solution
 
 FORMAT = "pyworm sweep"
 FORMAT_VERSION = 1
@@ -55,6 +57,9 @@ class SweepResult(Shown):
     """Variables over `scene`."""
     provenance: dict
     """The sweep as written, versions, time and machine."""
+    solutions: tuple[Solution, ...] = ()
+    """Solutions in full in the order of the scenes, without those that have none; empty unless fields were
+    asked for, and of a sweep from a file."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the sweep in words."""
@@ -63,6 +68,22 @@ class SweepResult(Shown):
             "converged": f"{int(self.converged.sum())}",
             "varied": " x ".join(" with ".join(axis) for axis in self.axes),
         }
+
+    @cached_property
+    def dataset(self) -> "xr.Dataset":
+        """Results as labelled arrays: a dimension for each varied name.
+
+        Names that vary together are along `point`. Results are in SI under the names of `Figures`, with
+        units and long names as attributes; their uncertainties `NAME_error` and `NAME_model_error` are in
+        the same unit. `converged` and `accurate` are booleans, `status` and `stop_reason` texts. Numbers are
+        NaN where the scene has no converged solution.
+        """
+        return labelled(self.table, self.axes)
+
+    @property
+    def result(self) -> Result:
+        """The solutions in full, as `pyworm.plots`, `pyworm explore` and files take them."""
+        return Result(self.name, {}, self.solutions, None, self.provenance)
 
     @property
     def converged(self) -> np.ndarray:

@@ -18,9 +18,11 @@ from contacts import ball, roller
 from folders import ROOT
 
 import pyworm
+from pyworm.batch.transient import _history, _times
 from pyworm.drives.answers import HobSetup
 
 MADE = (
+    "TransientResult",
     "Case",
     "CaseRatings",
     "CaseSetup",
@@ -190,6 +192,10 @@ def film(place, part=None):
 def table_by(cls, function, name):
     return lambda value: cls.of(function, **{"reference": 333.15, name: value})
 
+
+LAWS = dict.fromkeys(("load", "speed", "sliding", "separation"))
+SHEET = {"nu40": 2.2e-4, "nu100": 2.6e-5, "alpha": 1.5e-8}
+KINEMATIC = {"temperatures": (313.15, 373.15), "nu": (2.2e-4, 2.6e-5)}
 
 SCENES = {"Scene": ball, "LineScene": roller}
 
@@ -428,6 +434,82 @@ DIMENSIONED = {
             ("__call__(rise)", (lambda v, table=table: table(5e8, v), 10.0, "10 K")),
         )
     },
+    "Density.with_rho0(rho0)": (DENSITY.with_rho0, 880.0, "0.88 g/cm^3"),
+    "TabulatedDensity.with_rho0(rho0)": (DENSITIES.with_rho0, 880.0, "0.88 g/cm^3"),
+    "TabulatedViscosity.with_eta0(eta0)": (TABLE.with_eta0, 0.05, "50 mPa s"),
+    "Roughness.rms": (built(pyworm.Roughness, "rms"), 4e-7, "0.4 um"),
+    "Roughness.lay": (built(pyworm.Roughness, "lay", rms=4e-7), np.pi / 2, "90 deg"),
+    "Body.from_name(roughness)": (lambda v: pyworm.Body.from_name("16MnCr5", v), 4e-7, "0.4 um"),
+    "Body.from_name(bulk_temperature)": (
+        lambda v: pyworm.Body.from_name("16MnCr5", None, v),
+        333.15,
+        "60 degC",
+    ),
+    **{
+        f"Oil.with_({name})": (
+            lambda v, name=name: OIL.oil(333.15).with_(**{name: v}),
+            number,
+            text,
+        )
+        for name, number, text in (
+            ("eta0", 0.1, "100 mPa s"),
+            ("alpha", 2e-8, "20 1/GPa"),
+            ("beta", 0.05, "0.05 1/K"),
+            ("rho0", 880.0, "0.88 g/cm^3"),
+        )
+    },
+    **{
+        f"NamedOil.from_datasheet({name})": (
+            lambda v, name=name: pyworm.NamedOil.from_datasheet(**SHEET | {name: v}),
+            number,
+            text,
+        )
+        for name, number, text in (
+            ("nu40", 2.2e-4, "220 mm^2/s"),
+            ("nu100", 2.6e-5, "26 mm^2/s"),
+            ("density15", 860.0, "0.86 g/cm^3"),
+            ("alpha", 2e-8, "20 1/GPa"),
+            ("alpha_at", 333.15, "60 degC"),
+        )
+    },
+    **{
+        f"NamedOil.from_table({name})": (
+            lambda v, name=name, given=given: pyworm.NamedOil.from_table(**given | {name: v}),
+            number,
+            text,
+        )
+        for name, given, number, text in (
+            ("temperatures", KINEMATIC, [313.15, 373.15], ["40 degC", "100 degC"]),
+            ("nu", KINEMATIC, [2.2e-4, 2.6e-5], ["220 mm^2/s", "26 mm^2/s"]),
+            ("eta", {"temperatures": (313.15, 373.15)}, [0.19, 0.02], ["190 mPa s", "20 mPa s"]),
+            ("density", KINEMATIC, [848.0, 812.0], ["0.848 g/cm^3", "812 kg/m^3"]),
+            ("alpha", KINEMATIC, 2e-8, "20 1/GPa"),
+            ("alpha_at", KINEMATIC | {"alpha": 2e-8}, 333.15, "60 degC"),
+        )
+    },
+    **{
+        f"transient({name})": (
+            lambda v, name=name: _history(ball(), (0.0, 1.0), LAWS | {name: v}, None)(0.5),
+            number,
+            text,
+        )
+        for name, number, text in (
+            ("load", [20.0, 30.0], ["20 N", "30 N"]),
+            ("speed", [1.0, 2.0], ["1 m/s", "2000 mm/s"]),
+            ("sliding", 0.1, "100 mm/s"),
+        )
+    },
+    "transient(separation)": (
+        lambda v: _history(ball(), (0.0, 1.0), LAWS | {"load": 0.0, "separation": v}, None)(0.5),
+        1e-5,
+        "10 um",
+    ),
+    "transient(radii)": (
+        lambda v: _history(ball(), (0.0, 1.0), LAWS, (v, 0.01))(0.5),
+        [0.01, 0.02],
+        ["10 mm", "20 mm"],
+    ),
+    "transient(times)": (_times, (0.0, 1e-3), ("0 s", "1 ms")),
 }
 """Place -> what takes the value, the value in SI, and as a text."""
 
@@ -436,6 +518,8 @@ PLAIN = {
         "poisson_ratio roughness_slope roughness_aspect asperity_sharpness asperity_density "
         "boundary_friction_factor topography long_waves"
     ),
+    "Body.from_name": "material",
+    "Roughness": "slope aspect sharpness density",
     "Branch": "fraction ratio exponent yasuda",
     "FlowLaw": "law limit_pressure exponent yasuda branches table",
     "FlowLaw.of": "function",
@@ -446,6 +530,13 @@ PLAIN = {
     "Roelands": "z",
     "Roelands.with_alpha_times": "factor",
     "NamedOil": "name stock walther_m walther_n source",
+    "NamedOil.from_datasheet": "viscosity_index base name",
+    "NamedOil.from_table": "base name",
+    "TabulatedViscosity.with_alpha_times": "factor",
+    "TransientResult.animate": "path",
+    "TransientResult.save": "path",
+    "draw": "method count seed logarithmic ranges",
+    "transient": "scene accuracy effects quantities progress",
     "Scene": "name gap bodies oil phase slide_roll_ratio section station past rigid smooth motions",
     "LineScene": "name gap bodies oil phase slide_roll_ratio section station past rigid smooth",
     "TabulatedViscosity.of": "function",
@@ -500,7 +591,8 @@ PLAIN = {
     "read_oil": "path",
     "solve": "scene plan progress rates effects quantities",
     "sweep": (
-        "make out accuracy effects quantities fields processes scheduler progress title largest_grid vary"
+        "make out accuracy effects quantities fields processes scheduler progress title largest_grid "
+        "together vary"
     ),
     "traction_curve": "scene slide_roll_ratios accuracy effects out processes progress",
     "with_slide_roll_ratio": "scene ratio",

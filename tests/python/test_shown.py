@@ -1,6 +1,7 @@
 """Public objects at the prompt: one short line with quantities and their units."""
 
 import inspect
+from html import escape
 from importlib.resources import files
 
 import numpy as np
@@ -48,6 +49,7 @@ def built():
         "RigidMotion": (pyworm.RigidMotion(1.1, 0.0), "u 1.1 m/s, v 0 m/s"),
         "Roelands": (pyworm.Roelands(0.076, 0.4), "eta0 0.076 Pa s, z 0.4"),
         "SampledGap": (pyworm.SampledGap(square, square, heights), "9 x 9 heights"),
+        "Roughness": (pyworm.Roughness("0.4 um", lay="30 deg"), "rms 0.4 µm, lay 30 °"),
         "Scene": (ball(), "load"),
         "Solution": (solution, "status accurate, film_min 0."),
         "SweepResult": (
@@ -101,3 +103,28 @@ def test_films_by_the_formula_are_shown_from_the_thinnest_to_the_thickest(count)
 
 def test_type_checkers_read_the_types_of_the_package():
     assert files("pyworm").joinpath("py.typed").is_file()
+
+
+def test_objects_are_tables_in_notebooks():
+    solution = make_solution()
+    study = pyworm.SweepResult(
+        "loads", "<b>", [["load"]], xr.Dataset({"converged": ("scene", [1])}), {}
+    )
+    drives = [pyworm.load(f"cases/{name}.toml").drive for name in ("spur_pair", "roller_ref")]
+    oil = pyworm.named_oil("PAO VG 220").oil("60 degC")
+    for one in (solution, make_result(), ball(), oil, pyworm.plan(ball(), 0.1), study, *drives):
+        page = one._repr_html_()
+        heading, rows = one.shown()
+        assert page.startswith("<table>") and page.count("<tr>") == len(rows) > 1
+        assert escape(heading) in page and "<b>" not in page
+        assert len(repr(one)) <= 160
+
+
+def test_completion_lists_what_a_solution_has():
+    solution = make_solution()
+    names = dir(solution)
+    assert {"figures", "fields", "history", "plot", "converged", "summary", "save"} <= set(names)
+    assert {"film", "pressure"} <= set(dir(solution.plot))
+    assert {"film_min", "film_central", "friction_coefficient"} <= set(dir(solution.figures))
+    for name in (name for name in names if not name.startswith("_")):
+        getattr(solution, name)

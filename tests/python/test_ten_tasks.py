@@ -6,8 +6,12 @@ Statements are those of the function's body but for `return`, which hands what w
 import ast
 import inspect
 import textwrap
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
+import numpy as np
 import pytest
+from contacts import ball, motions
 from folders import ROOT
 
 import pyworm
@@ -17,6 +21,12 @@ STATEMENTS = {
     "measured_surface": 5,
     "export": 1,
     "formulas": 1,
+    "stribeck_curve": 7,
+    "start_and_stop": 4,
+    "starved_contact": 5,
+    "own_oil": 3,
+    "parallel_sweep": 1,
+    "sensitivity": 2,
 }
 """Task -> most statements."""
 
@@ -70,6 +80,85 @@ def formulas(scene):
     return table
 
 
+GAP = pyworm.Paraboloid("10 mm", "10 mm")
+FILM = {"effects": "isothermal", "quantities": ("film",)}
+
+
+def contact(load):
+    return ball(load=load)
+
+
+def stribeck_curve(accuracy):
+    """Friction over speed, from mixed to full film."""
+    steel = pyworm.named_body("16MnCr5", roughness="0.1 um")
+    oil = pyworm.named_oil("mineral VG 100").oil("80 degC")
+    gap = pyworm.Paraboloid("10 mm", "10 mm")
+
+    def rubbing(speed):
+        pair = pyworm.RigidMotion(1.1 * speed, 0), pyworm.RigidMotion(0.9 * speed, 0)
+        return pyworm.Scene(gap=gap, load="20 N", motions=pair, bodies=(steel, steel), oil=oil)
+
+    curve = pyworm.sweep(rubbing, speed=(0.05, 3.0), accuracy=accuracy, progress=False).dataset
+    return curve.friction_coefficient
+
+
+def start_and_stop(accuracy):
+    """A ball that starts and stops."""
+    oil = pyworm.named_oil("PAO VG 220").oil("60 degC")
+    steel = pyworm.named_body("16MnCr5")
+    scene = pyworm.Scene(
+        gap=pyworm.Paraboloid("10 mm", "10 mm"),
+        load="30 N",
+        motions=motions(),
+        bodies=(steel, steel),
+        oil=oil,
+    )
+    run = pyworm.transient(scene, [0, "1 ms", "2 ms"], speed=[0.3, 1, 0], accuracy=accuracy, **FILM)
+    return run.dataset
+
+
+def starved_contact(accuracy):
+    """A contact under little oil."""
+    oil = pyworm.named_oil("PAO VG 220").oil("60 degC")
+    scarce = replace(oil, supply="0.15 um")
+    steel = pyworm.named_body("16MnCr5")
+    scene = pyworm.Scene(
+        gap=pyworm.Paraboloid("10 mm", "10 mm"),
+        load="30 N",
+        motions=motions(),
+        bodies=(steel, steel),
+        oil=scarce,
+    )
+    solution = pyworm.solve(scene, accuracy=accuracy, quantities=("film",))
+    return solution
+
+
+def own_oil(accuracy):
+    """Film of an oil by its data sheet."""
+    oil = pyworm.NamedOil.from_datasheet(nu40="220 mm^2/s", nu100="26 mm^2/s", base="PAO")
+    scene = pyworm.Scene(
+        gap=pyworm.Paraboloid("10 mm", "10 mm"), load="30 N", motions=motions(),
+        bodies=(pyworm.named_body("16MnCr5"),) * 2, oil=oil.oil("60 degC"),
+    )  # fmt: skip
+    solution = pyworm.solve(scene, accuracy=accuracy, **FILM)
+    return solution
+
+
+def parallel_sweep(accuracy):
+    """Two loads by two processes."""
+    study = pyworm.sweep(
+        contact, load=(20, 40), processes=2, accuracy=accuracy, progress=False, **FILM
+    )
+    return study
+
+
+def sensitivity(accuracy):
+    """Exponent of the load in the film thickness."""
+    study = pyworm.sweep(contact, load=(29, 31), accuracy=accuracy, progress=False, **FILM)
+    exponent = 30 * np.log(study.dataset.film_min).differentiate("load")
+    return exponent
+
+
 def statements(task):
     """Number of statements of a task."""
     (function,) = ast.parse(textwrap.dedent(inspect.getsource(task))).body
@@ -115,3 +204,33 @@ def test_a_measured_surface_its_export_and_formulas(tmp_path):
         oil=pyworm.named_oil("PAO VG 220").oil("60 degC"),
     )
     assert {row.formula for row in formulas(line)} > {"Moes", "Dowson-Toyoda"}
+
+
+def test_a_stribeck_curve_falls_from_mixed_to_full_film():
+    mixed, full = stribeck_curve(0.5).values
+    assert mixed > 2 * full > 0
+
+
+def test_a_film_outlives_a_stop():
+    films = start_and_stop(0.3).film_min
+    assert films[0] < films.max() and films[-1] > 0.3 * films.max()
+
+
+def test_a_starved_film_is_thinner_than_its_supply():
+    solution = starved_contact(0.3)
+    assert solution.figures.supply is not None
+    assert float(solution.figures.film_central) < 0.15e-6
+
+
+def test_an_oil_of_a_data_sheet_makes_a_film():
+    assert float(own_oil(0.3).figures.film_central) == pytest.approx(0.285e-6, rel=0.1)
+
+
+def test_a_sweep_runs_in_several_processes(monkeypatch):
+    """Those of `test_study.py` are real; here one thread stands for them."""
+    monkeypatch.setattr("pyworm.batch.workers.WorkerPool", lambda count: ThreadPoolExecutor(1))
+    assert parallel_sweep(0.3).converged.all()
+
+
+def test_film_falls_a_little_with_the_load():
+    assert -0.4 < float(sensitivity(0.3)[0]) < -0.05

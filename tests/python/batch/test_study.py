@@ -5,11 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import xarray as xr
 from contacts import ball
 
 import pyworm
 from pyworm.batch.scene_task import SceneTask, content_digest
 from pyworm.materials.body import named_body
+from pyworm.result.labelled_sweep import labelled
 
 STEEL = named_body("16MnCr5")
 
@@ -36,6 +38,15 @@ def test_a_study_is_a_table_of_its_values_crossed():
     assert films[0] == alone.figures.film_central.value
     assert np.all(films[1::2] > films[::2])
     assert len(study.table.to_dataframe()) == 4
+    labelled = study.dataset
+    assert labelled.film_central.dims == ("load", "speed")
+    assert labelled.film_central.sel(load=40, speed=0.5) == films[2]
+    assert labelled.film_central.attrs == {"units": "m", "long_name": "central film thickness"}
+    assert labelled["load"].attrs["units"] == "N" and not study.solutions
+    errors = study.table["film_central_error"].values * films
+    assert labelled.film_central_error.values.ravel() == pytest.approx(errors)
+    assert labelled.accurate.dtype == bool and labelled.accurate.all()
+    assert set(labelled.status.values.ravel()) == {"accurate"}
 
 
 def test_solved_scenes_are_found_again(tmp_path, monkeypatch):
@@ -109,11 +120,89 @@ def test_a_sweep_file_is_solved_likewise(tmp_path):
 
 def test_a_traction_curve_keeps_the_entrainment(tmp_path):
     curve = pyworm.traction_curve(ball(), (0.02, 0.1), accuracy=0.2, progress=False, out=tmp_path)
+    assert isinstance(curve, pyworm.SweepResult)
+    assert curve.dataset.slide_roll_ratio.values.tolist() == [0.02, 0.1]
     low, high = (one.figures.friction_coefficient for one in curve.solutions)
     assert [one.slide_roll_ratio for one in curve.solutions] == [0.02, 0.1]
     assert high > low
-    assert pyworm.plots.draw_traction(curve).axes
+    assert pyworm.plots.draw_traction(curve.result).axes
     centre = (
         one.fields["entrainment_x"].sel(x=0, y=0, method="nearest") for one in curve.solutions
     )
     assert [float(of) for of in centre] == [1.0, 1.0]
+
+
+def table_of(**columns):
+    rows = {
+        "converged": [1.0, 1.0, 0.0],
+        "accurate": [1.0, 0.0, 0.0],
+        "kind": ["point", "point", ""],
+    }
+    made = {name: ("scene", np.array(values, dtype=object if name in TEXTS else float))
+            for name, values in (rows | columns).items()}  # fmt: skip
+    return xr.Dataset(made)
+
+
+TEXTS = "kind", "stop_reason"
+
+
+def test_failed_and_missing_points_are_nan_with_a_status():
+    """Of two phases at two loads one did not converge, and one carries no load."""
+    table = table_of(
+        load=[1, 1, 2], phase=[0.1, 0.5, 0.5], film_min_m=[3.0, 4.0, 5.0],
+        film_min_error=[0.1, 0.1, 0.1], temperature_max_C_film=[60.0, 70.0, 80.0],
+        temperature_max_error_K_film=[1.0, 2.0, 3.0], stop_reason=["", "", "lost"],
+    )  # fmt: skip
+    table["load"].attrs["units"] = "kN"
+    found = labelled(table, [["load"]])
+    assert found.film_min.dims == ("load", "phase")
+    nan = float("nan")
+    assert found.film_min.values == pytest.approx(np.array([[3, 4], [nan, nan]]), nan_ok=True)
+    assert found.film_min_error.values[0].tolist() == pytest.approx([0.3, 0.4])
+    assert found.temperature_max_film.values[0].tolist() == pytest.approx([333.15, 343.15])
+    assert found.temperature_max_film_error.values[0].tolist() == [1.0, 2.0]
+    status = [["accurate", "converged"], ["not in the sweep", "no solution"]]
+    assert found.status.values.tolist() == status
+    assert found.stop_reason.values.tolist() == [["", ""], ["", "lost"]]
+    assert found.converged.values.tolist() == [[True, True], [False, False]]
+    assert found["load"].attrs["units"] == "kN"
+
+
+def test_names_that_vary_together_stand_along_one_dimension():
+    table = table_of(load=[1, 2, 2], speed=[1, 2, 3])
+    found = labelled(table, [["load", "speed"]])
+    assert found.sizes == {"point": 3} and found.speed.dims == ("point",)
+    crossed = labelled(table, [["load"], ["speed"]])
+    assert crossed.sizes == {"load": 2, "speed": 3}
+
+
+def test_designs_fill_their_ranges():
+    ends = {"load": (10, 80), "speed": ("0.5 m/s", "2 m/s")}
+    for method in ("sobol", "latin-hypercube"):
+        drawn = pyworm.draw(method, 8, seed=3, logarithmic=("load",), **ends)
+        assert drawn == pyworm.draw(method, 8, seed=3, logarithmic=("load",), **ends)
+        octaves = np.floor(8 * np.log(np.array(drawn["load"]) / 10) / np.log(8))
+        assert sorted(octaves) == list(range(8))
+        speeds = np.array([float(speed.removesuffix(" m/s")) for speed in drawn["speed"]])
+        assert sorted(np.floor((speeds - 0.5) / 1.5 * 8)) == list(range(8))
+    study = pyworm.sweep(contact, together={"load": drawn["load"][:2], "speed": (0.5, 1)}, **HOW)
+    assert study.axes == [["load", "speed"]] and study.dataset.film_min.dims == ("point",)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: pyworm.draw("sobol", 6, load=(1, 2)), "must be a power of two .*such as 8"),
+        (lambda: pyworm.draw("random", 8, load=(1, 2)), "must be one of sobol, latin-hypercube"),
+        (lambda: pyworm.draw("sobol", 8), "give the ranges of names"),
+        (lambda: pyworm.draw("sobol", 8, load=(2, 1)), "must be two ends that rise"),
+        (lambda: pyworm.draw("sobol", 8, load=(0, 1), logarithmic=["load"]), "rise and above zero"),
+        (lambda: pyworm.draw("sobol", 8, load=("1 N", "2 m")), "the least and the largest"),
+        (lambda: pyworm.draw("sobol", 8, load=3), "the least and the largest value"),
+        (lambda: pyworm.sweep(contact, together={"load": (1, 2), "speed": (1,)}, **HOW),
+         "together: load has 2 values, speed has 1 values"),
+    ],
+)  # fmt: skip
+def test_what_is_no_design_is_refused(call, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        call()

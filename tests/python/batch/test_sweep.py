@@ -15,7 +15,7 @@ import pyworm.batch.task
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.sweep import load_sweep
 from pyworm.case.case import case_of
-from pyworm.case.sweep import DrawTable, RangeTable
+from pyworm.case.sweep import DrawTable, RangeTable, SweepTable
 from pyworm.cli.main import main
 from pyworm.cli.shared import BAD_INPUT, CONVERGED, NOT_CONVERGED
 from pyworm.io.number_with_unit import parse_in
@@ -142,6 +142,21 @@ def test_draws_are_spread_as_they_say():
         assert abs(counts - 1000).max() < 4 * np.sqrt(4000 * 0.25 * 0.75)
 
 
+def test_keys_of_one_table_fill_their_ranges_together():
+    """Of 16 Sobol points each quarter of one range meets each quarter of the other once."""
+    ends = {"draw": "sobol", "low": "1 N", "high": "16 N", "count": 16}
+    speed = ends | {"low": 0.0, "high": 4.0}
+    vary = [{"load": ends | {"scale": "log"}, "speed": speed}, {"x": [1, 2]}]
+    tables = SweepTable(title="t", case="c", seed=4, vary=vary)
+    (design, _) = tables.axes()
+    loads = np.log2([float(load.removesuffix(" N")) for load in design["load"]])
+    cells = {(int(load), int(speed)) for load, speed in zip(loads, design["speed"], strict=True)}
+    assert len(cells) == 16
+    assert tables.axes() == SweepTable(title="t", case="c", seed=4, vary=vary).axes()
+    with pytest.raises(ValueError, match="count = 3: must be a power of two"):
+        SweepTable(title="t", case="c", seed=4, vary=[{"load": ends | {"count": 3}}])
+
+
 def test_draws_are_alike_on_every_machine():
     """A change of these numbers would silently orphan every sweep that was drawn before it."""
     drawn = DrawTable(draw="uniform", low="0 N", high="1 N", count=3).values("contact.load", 1)
@@ -182,6 +197,11 @@ BAD = [
         'start = "0.5 m/s", stop = "2 m/s", count = 3, scale = "log"',
         'draw = "uniform", low = "1 m/s", high = "2 m/s", count = 3',
         "seed is missing; motion.velocity_1 is drawn, give one such as seed = 1",
+    ),
+    (
+        'start = "0.5 m/s", stop = "2 m/s", count = 3, scale = "log"',
+        'draw = "uniform", low = "1 m/s", high = "2 m/s", count = 3, scale = "log"',
+        'scale has no effect with draw = "uniform"',
     ),
     ("line_m20", "lime_m20", "lime_m20_l10.toml: no such file"),
     ("accuracy =", '"contact.load" = "1 N"\naccuracy =', "contact.load is given twice"),
