@@ -85,10 +85,13 @@ def sweep(
             axes = [{name: values} for name, values in vary.items()] + [together or {}]
             study = _study(make, title, axes, (_accuracy(accuracy), *how), pool is not None)
         found = run_sweep(study, folder, fields, pool, told, messages(progress))
-        if not fields:
-            return found
-        solved = [task for task in study.tasks if store.holds(task)]
-        return replace(found, solutions=tuple(store.result(task).solutions[0] for task in solved))
+        return _with_solutions(found, study, store) if fields else found
+
+
+def _with_solutions(found: SweepResult, study: Sweep, store: Store) -> SweepResult:
+    """A sweep with its solutions in full, of the scenes that have one."""
+    solved = [task for task in study.tasks if store.holds(task)]
+    return replace(found, solutions=tuple(store.result(task).solutions[0] for task in solved))
 
 
 def traction_curve(

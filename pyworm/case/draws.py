@@ -29,8 +29,8 @@ def fractions(method: Method, count: int, dimensions: int, seed: int) -> np.ndar
         raise ValueError(
             f"count = {count}: must be a power of two for Sobol points, such as {power}"
         )
-    made = {"sobol": qmc.Sobol, "latin-hypercube": qmc.LatinHypercube}[method]
-    points: np.ndarray = made(dimensions, seed=seed).random(count)
+    sampler = {"sobol": qmc.Sobol, "latin-hypercube": qmc.LatinHypercube}[method]
+    points: np.ndarray = sampler(dimensions, seed=seed).random(count)
     return points
 
 

@@ -58,8 +58,8 @@ class SweepResult(Shown):
     provenance: dict
     """The sweep as written, versions, time and machine."""
     solutions: tuple[Solution, ...] = ()
-    """Solutions in full in the order of the scenes, without those that have none; empty unless fields were
-    asked for, and of a sweep from a file."""
+    """Solutions in full in the order of the scenes, without those that have none; empty unless fields are
+    requested, and of a sweep from a file."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the sweep in words."""

@@ -58,6 +58,11 @@ class Past(Generic[Contact]):
     until: float | None = None
     """Time up to which all its films are wanted [s]; None where those up to the present suffice."""
 
+    @property
+    def last(self) -> float:
+        """Time up to which films are wanted [s]."""
+        return self.seconds if self.until is None else self.until
+
     def before(self, seconds: float) -> Contact:
         """The contact some time before the present [s]; ValueError where it carried no load."""
         return self.life.at(self.seconds - seconds)

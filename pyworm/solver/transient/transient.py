@@ -265,12 +265,11 @@ class Transient:
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
     """Rates of change of a contact at present, by transient solves of the part of its life before."""
     past, solves = recent(scene), []
-    last = past.until or past.seconds
     try:
         time_grid = time_grid_of(past.life, plan)
         begin = part_at(time_grid, past.seconds).begin
         for refinement in range(solves_of_life(plan.accuracy)):
-            found = integrate_in_time(time_grid, refinement, begin, [past.seconds], last)
+            found = integrate_in_time(time_grid, refinement, begin, [past.seconds], past.last)
             if past.seconds not in found.rates:  # finer ones would cost more, and be of no use
                 break
             solves.append(found)
@@ -280,7 +279,7 @@ def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
         return Rates((), flaw=found.failure)
     return Rates(
         tuple(solve.rates[past.seconds] for solve in solves),
-        tuple(until(solve.records, last) for solve in solves),
+        tuple(until(solve.records, past.last) for solve in solves),
         finest=past.seconds not in found.rates,
     )
 
@@ -288,19 +287,18 @@ def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
 def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
     """The rates with that of one more transient solve of the life before; else marked as the finest."""
     past, solves = recent(scene), len(rates.found)
-    last = past.until or past.seconds
     time_grid = time_grid_of(past.life, plan)
     begin = begin_of_further(time_grid, past.seconds, solves)
     if begin is None:
         return replace(rates, finest=True)
     try:
-        found = integrate_in_time(time_grid, solves, begin, [past.seconds], last)
+        found = integrate_in_time(time_grid, solves, begin, [past.seconds], past.last)
     except NoFilmError:
         return replace(rates, finest=True)
     if past.seconds not in found.rates:
         return replace(rates, finest=True)
     whole = begin == part_at(time_grid, past.seconds).begin
-    records = (until(found.records, last),) if whole else ()
+    records = (until(found.records, past.last),) if whole else ()
     return replace(
         rates,
         found=(*rates.found, found.rates[past.seconds]),
