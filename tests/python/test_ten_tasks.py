@@ -21,7 +21,7 @@ STATEMENTS = {
     "measured_surface": 5,
     "export": 1,
     "formulas": 1,
-    "stribeck_curve": 7,
+    "stribeck_curve": 6,
     "start_and_stop": 4,
     "starved_contact": 5,
     "own_oil": 3,
