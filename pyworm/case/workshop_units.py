@@ -33,6 +33,8 @@ def assumptions(file: FileTable) -> dict[str, str]:
 def _plain(value: Any, kind: Kind | None) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
+    if isinstance(value, tuple | list):
+        return f"({', '.join(_plain(part, None) for part in value)})"
     if isinstance(value, float | int):
         return f"{value:.6g}" if kind is None else quantity_text.as_text(value, kind)
     return str(value)
