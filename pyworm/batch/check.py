@@ -21,8 +21,8 @@ from pyworm.solver.cost.expected_time import Expectation
 from pyworm.solver.neglected_effects import NeglectedEffects, expected
 
 
-@dataclass(frozen=True)
-class PlannedContact:
+@dataclass(frozen=True, repr=False)
+class PlannedContact(Shown):
     """A contact of a case, with its plan."""
 
     scene: Scene | LineScene
@@ -33,6 +33,15 @@ class PlannedContact:
     """Expected influence of the effects that are neglected, by closed forms."""
     expected: Expectation
     """Expected cost of its solve."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the contact in words."""
+        plan = self.plan.shown()[1]
+        return f"PlannedContact {self.scene.name}", {
+            "regime": plan["regime"],
+            "simulated": plan["simulated"],
+            "expected time": duration(self.expected.seconds),
+        }
 
     def summary(self) -> dict[str, Any]:
         """The contact and its plan as one object, units in the keys."""

@@ -13,12 +13,13 @@ from pyworm.io import units
 from pyworm.io.given import WithUnit, kind_of, number
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
+from pyworm.io.shown import Shown
 from pyworm.io.stage import stage
 from pyworm.scene.plausibility import UnusualWarning
 
 
-@dataclass(frozen=True)
-class CaseSetup(HobSetup):
+@dataclass(frozen=True, repr=False)
+class CaseSetup(Shown, HobSetup):
     """Set-up of the hob of a worm gear set; rows have keys that end in their unit."""
 
     wanted: Mapping[str, float] | None = None
@@ -27,6 +28,15 @@ class CaseSetup(HobSetup):
     """Errors of the assembly that are allowed, each alone, with what limits them."""
     hob_life: tuple[Row, ...] = ()
     """What the hob cuts as it is reground, swivelled anew each time."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the set-up in words."""
+        return "CaseSetup", {
+            "required pattern": ", ".join(self.wanted or {}) or "none",
+            "proposed": "no" if self.proposed is None else "yes",
+            "allowed errors": f"{len(self.allowed_errors or {})}",
+            "regrinds": f"{len(self.hob_life)}",
+        }
 
     def summary(self) -> dict[str, Any]:
         """All of it as one object, as `pyworm setup --json` prints it."""

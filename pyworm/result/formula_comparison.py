@@ -21,8 +21,8 @@ from pyworm.solver.solution import Solution
 OUTSIDE_ATLAS = "outside the range of the atlas"
 
 
-@dataclass(frozen=True)
-class FormulaFilm:
+@dataclass(frozen=True, repr=False)
+class FormulaFilm(Shown):
     """Films of a contact by one formula."""
 
     formula: str
@@ -37,6 +37,14 @@ class FormulaFilm:
     """Relative deviation of the central film thickness from the reference [-]; None without one."""
     deviation_min: float | None = None
     """Relative deviation of the minimum film thickness from the reference [-]; None without one."""
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading and rows of the films in words."""
+        return f"FormulaFilm {self.formula}", {
+            name: f"{value * 1e6:.4g} µm"
+            for name in ("film_central", "film_min")
+            if (value := getattr(self, name)) is not None
+        } | ({"outside its range": self.outside} if self.outside else {})
 
 
 @dataclass(frozen=True, repr=False)

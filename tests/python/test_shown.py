@@ -3,6 +3,7 @@
 import inspect
 from html import escape
 from importlib.resources import files
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -23,7 +24,20 @@ def built():
     table = xr.Dataset({"converged": ("scene", [1, 0])})
     square = np.linspace(-1e-3, 1e-3, 9)
     heights = (square[:, None] ** 2 + square[None, :] ** 2) / 0.02
+    checked, formulas = pyworm.check("cases/line_m20_l10.toml"), pyworm.compare_formulas(roller())
+    wear = SimpleNamespace(
+        steps=[SimpleNamespace(hours=100.0, depth_max_m=1e-6)],
+        hours_allowed=900.0,
+        depth_allowed=1e-5,
+    )
     return {
+        "CaseRatings": (pyworm.rate("cases/spur_pair.toml"), "Ratings of spur_pair"),
+        "CaseSetup": (pyworm.CaseSetup({}, hob_life=({},)), "required pattern none, proposed no"),
+        "CaseWear": (pyworm.CaseWear("worm", wear, 1e-5, ""), "Wear of worm: hours 100"),
+        "CheckedCase": (checked, "contacts 1, expected time"),
+        "FormulaComparison": (formulas, "Film thickness of roller by formula"),
+        "FormulaFilm": (formulas.rows[0], "µm"),
+        "PlannedContact": (checked.contacts[0], "simulated compressibility"),
         "Barus": (pyworm.Barus(0.04, 2e-8), "eta0 40 mPa s, alpha 20 1/GPa"),
         "Body": (steel, "youngs_modulus 210 GPa, poisson_ratio 0.3, density 7850 kg/m³"),
         "Branch": (pyworm.Branch(0.5, 1.0, 0.4), "fraction 0.5, ratio 1, exponent 0.4"),
