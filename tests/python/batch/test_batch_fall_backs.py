@@ -65,7 +65,7 @@ def test_a_life_that_breaks_costs_its_own_tasks_alone(tmp_path, monkeypatch):
 
 def test_a_contact_that_cannot_be_planned_is_refused_with_what_varies():
     with pytest.raises(ValueError, match="with load = 50: quantities: heat is none of"):
-        study._study(lambda load: ball(), "t", {"load": (50,)}, (0.1, "auto", ("heat",)), False)
+        study._study(lambda load: ball(), "t", [{"load": (50,)}], (0.1, "auto", ("heat",)), False)
 
 
 class Broken:

@@ -27,7 +27,7 @@ def test_objects_show_themselves_in_a_line_and_a_table(solution):
     ):
         line, table = repr(one), one._repr_html_()
         assert "\n" not in line and len(line) <= 160
-        assert table.startswith("<table>") and table.endswith("</table>")
+        assert table.startswith("<table>") and table.endswith("</table>\n")
 
 
 def test_a_figure_is_a_number_with_a_bar(solution):

@@ -255,6 +255,6 @@ def test_kernel_statuses_all_have_words():
     numbers = [
         int(line.rpartition("=")[2])
         for line in status.read_text().splitlines()
-        if "parameter" in line
+        if "integer, parameter" in line
     ]
     assert [str(kernel.KernelError(number)) for number in numbers if number]

@@ -89,7 +89,7 @@ def test_standstill_is_the_dry_rough_contact():
     hertz = 1.5 * load / (pi * half_width**2)
     dome = hertz * np.sqrt(np.maximum(1 - (x**2 + y**2) / half_width**2, 0))
     film.start(dome, 2 * pair.height - approach)
-    for speed in 10.0 ** -np.arange(0, 7.1, 0.5):
+    for speed in 10.0 ** -np.arange(0, 7.1, 0.25):
         film.entrain((still + speed, still))
         film.start(film.pressure, film.rigid_film, film.oil_pressure())
         for _ in range(60):
