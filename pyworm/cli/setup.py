@@ -72,8 +72,8 @@ def _setup(options: argparse.Namespace) -> int:
     if options.json:
         print_json({"case": case.name, **setup.summary()})
     else:
-        found = {} if setup.proposed is None else {"found": setup.proposed}
-        _print({"now": setup.current} | found, setup.hob_life)
+        proposed = {} if setup.proposed is None else {"proposed": setup.proposed}
+        _print({"current": setup.current} | proposed, setup.hob_life)
         _print_allowed(setup.allowed_errors or {})
     if not setup.reached:
         print_message(
@@ -156,8 +156,8 @@ def _print(rows: dict[str, Row], life: Sequence[Row]) -> None:
         Console().print(Table(("", *columns), tuple(lines), title))
 
     shown("Set-up of the hob", rows)
-    if "found" in rows:
-        found = rows["found"]
+    if "proposed" in rows:
+        found = rows["proposed"]
         print_result(
             f'\n[drive.hob]\nswivel = "{found["hob_swivel_deg"]:.5f} deg"\n'
             f'axial_shift = "{found["hob_axial_shift_m"] * 1e3:.4f} mm"\n'
