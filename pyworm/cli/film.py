@@ -134,7 +134,6 @@ def _summary(scene: "Scene | LineScene") -> dict[str, Any]:
 def _show(rows: list[dict[str, Any]]) -> None:
     """Print films as a table, and what they leave out."""
     from pyworm.io.console import Console
-    from pyworm.report.console.scenes import influence_percent
     from pyworm.report.table import Table
 
     central, thin, ratio = (
@@ -151,6 +150,8 @@ def _show(rows: list[dict[str, Any]]) -> None:
         for row in rows
     )
     console = Console()
+    if neglected := _neglected(rows):  # before films that it may change by their own size
+        console.print(neglected)
     console.print(Table(("Contact", central.column, thin.column, ratio.column, "Regime"), cells))
     if any(row["kind"] == "line" for row in rows):
         console.print("Line contacts by the formula of Moes, without uncertainty.")
@@ -160,15 +161,18 @@ def _show(rows: list[dict[str, Any]]) -> None:
     if held:
         whose = "" if held == len(rows) else f", in {held} of {len(rows)} contacts"
         console.print(f"Reduced by heat and shear thinning{whose}.")
+
+
+def _neglected(rows: list[dict[str, Any]]) -> str:
+    """What the formulas leave out, and what it changes at most in any contact; empty if that is nothing."""
+    from pyworm.report.console.scenes import influence_percent
+
     largest: dict[str, float] = {}
     for row in rows:
         for effect, share in row["left_out"].items():
             largest[effect] = max(share, largest.get(effect, 0.0))
-    if largest:
-        listed = ", ".join(
-            f"{effect} {influence_percent(share)}" for effect, share in largest.items()
-        )
-        console.print(f"Neglected, and what each may change at most: {listed}.")
+    listed = ", ".join(f"{effect} {influence_percent(share)}" for effect, share in largest.items())
+    return listed and f"Neglected, and what each may change at most: {listed}."
 
 
 def _with_bar(film: Quantity, row: dict[str, Any]) -> str:

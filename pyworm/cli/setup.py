@@ -115,10 +115,10 @@ def _shim(case: Case, options: argparse.Namespace, wanted: float | None) -> int:
                 )
                 continue
             print_result(
-                f"Pattern centre on the {flank}: from {before * 1e3:+.2f} mm to "
-                f"{after * 1e3:+.2f} mm along the face, + towards the leaving side."
+                f"Pattern centre on the {flank}: from {before * 1e3:+.2f} mm to {after * 1e3:+.2f} mm."
             )
         print_result(f"Required on the driven flank: {shim.wanted * 1e3:+.2f} mm.")
+        print_result("Positions are along the face, + towards the leaving side.")
     if not shim.reached:
         print_message(
             "warning: no shim brings the pattern there; the nearest that was found is shown"

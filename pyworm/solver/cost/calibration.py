@@ -54,8 +54,9 @@ NEWTON_STEPS: dict[Kind, tuple[float, float]] = {"point": (1.4, 2.3), "line": (1
 
 TIME_STEP_OVERHEAD: dict[Kind, tuple[float, float]] = {"point": (0.0, 4.7), "line": (1.5, 4.0)}
 """What a time step takes beside its grid and Newton steps, for figures and the heat that surfaces remember,
-without and with heat, over setting up the coarsest grid of its life, on which that heat is found; from the
-same cases."""
+without and with heat, over setting up the coarsest grid of its life, on which that heat is found. Of points
+with heat it was 4.3 to 6.1 in two solves of both parts of the life of a worm gear set (a = 100 mm, i = 20.5);
+others are of the same cases as the Newton steps."""
 
 
 @dataclass(frozen=True)

@@ -74,7 +74,7 @@ def test_the_command_tells_a_fitter_the_nearest_shim(tmp_path, capsys, monkeypat
     assert main(["setup", str(path), "--shim", "40 mm"]) == 3
     told = capsys.readouterr()
     assert re.search(r"Shift the wheel 0\.500 mm to the entering side\.", told.out)
-    place = re.search(r"other flank: from \S+ mm to (\S+) mm along the face", told.out)
+    place = re.search(r"other flank: from \S+ mm to (\S+) mm\.", told.out)
     assert float(place[1]) == pytest.approx(30, abs=1)
     assert "Required on the driven flank: +40.00 mm" in told.out
     assert "no shim brings the pattern there" in told.err
