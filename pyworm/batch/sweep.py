@@ -1,24 +1,20 @@
 """From a sweep file to the tasks of all its scenes, each checked before the first is solved."""
 
-import re
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor
-from copy import deepcopy
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import pairwise, product
+from itertools import product
 from pathlib import Path
 from typing import Any
 
 from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
 from pyworm.case.case import Case, case_of, case_without_contacts, checked
+from pyworm.case.dotted_keys import with_values
 from pyworm.case.sweep import SweepTable, Value
 from pyworm.io.input_error import CaseError, toml
 from pyworm.io.toml import read_toml
-
-_STEP = re.compile(r"([^.\[\]]+)((?:\[\d+\])*)")
-"""A table's key, and places in lists after it."""
 
 
 @dataclass(frozen=True)
@@ -58,7 +54,7 @@ def load_sweep(
         tables = checked(SweepTable, data)
         base = path.parent / tables.case
         # One that cannot be read says its own name.
-        content = _with(read_toml(base), tables.fixed)
+        content = with_values(read_toml(base), tables.fixed)
         first, count = share
         combinations = list(_combinations(tables))[first - 1 :: count]
         make = partial(_tasks, content, path.stem, base.parent, tables.effects, store)
@@ -103,7 +99,7 @@ def _tasks(
     values: dict[str, Value],
 ) -> list[Task]:
     """The scenes of one case of a sweep, checked and planned unless they are solved; without the plans."""
-    data, named = _with(content, values), f"{name}: {label(values)}"
+    data, named = with_values(content, values), f"{name}: {label(values)}"
     try:
         if store is not None:
             tasks = _of_case(case_without_contacts(data, named, directory), effects)
@@ -124,39 +120,3 @@ def _of_case(case: Case, effects: str | None) -> list[Task]:
         Task(case, place, case.accuracy, effects or case.effects, case.quantities)
         for place in case.places()
     ]
-
-
-def _with(content: dict[str, Any], values: Mapping[str, Value]) -> dict[str, Any]:
-    """A case file's content with some values replaced."""
-    changed = deepcopy(content)
-    for key, value in values.items():
-        _put(changed, key, value)
-    return changed
-
-
-def _put(content: dict[str, Any], key: str, value: Value) -> None:
-    """Set the value at a dotted key; missing tables are created, for the case to check."""
-    steps: list[str | int] = []
-    for part in key.split("."):
-        match = _STEP.fullmatch(part)
-        if match is None:
-            raise CaseError(f'"{key}": must be a dotted key, such as "motion.velocity_1[0]"')
-        steps += [match[1], *(int(place) for place in re.findall(r"\d+", match[2]))]
-    inner: Any = content
-    for step, following in pairwise(steps):
-        if isinstance(inner, dict) and not isinstance(following, int):
-            inner.setdefault(step, {})
-        inner = _inner(inner, step, key)
-    _inner(inner, steps[-1], key, there=False)
-    inner[steps[-1]] = value
-
-
-def _inner(outer: Any, step: str | int, key: str, there: bool = True) -> Any:
-    """The entry of a table or a list at one part of a key."""
-    if isinstance(step, int):
-        if not (isinstance(outer, list) and step < len(outer)):
-            raise CaseError(f'"{key}": the case has no list with a place [{step}] there')
-        return outer[step]
-    if not isinstance(outer, dict) or (there and step not in outer):
-        raise CaseError(f'"{key}": the case has no table with {step} there')
-    return outer.get(step)
