@@ -177,16 +177,20 @@ def _spread(flux: Array, spacing: Sequence[float], width: float, rims: Sequence[
 
     The outermost nodes, one more on each side, are zero, so that it ends continuously.
     """
+    framed = np.zeros([nodes + 2 * (rim + 1) for nodes, rim in zip(flux.shape, rims, strict=True)])
     if width == 0:
-        return np.pad(flux, [(rim + 1, rim + 1) for rim in rims])
+        inner = tuple(slice(rim + 1, -rim - 1) for rim in rims)
+        framed[inner] = flux
+        return framed
     spread = flux
     for axis, (step, rim) in enumerate(zip(spacing, rims, strict=True)):
         nodes = flux.shape[axis]
         ends = (np.arange(1 - nodes - rim, nodes + rim + 1) - 0.5) * step / (sqrt(2) * width)
-        shares = np.diff(scipy.special.erf(ends)) / 2  # at offsets from 1 - nodes - rim on
-        means = scipy.linalg.toeplitz(shares[nodes - 1 :], shares[nodes - 1 :: -1])
+        shares = np.diff(scipy.special.erf(ends)) / 2  # at offsets from 1 - nodes - rim on, symmetric
+        means = np.lib.stride_tricks.sliding_window_view(shares, nodes)[::-1].copy()
         spread = means @ spread if axis == 0 else spread @ means.T
-    return np.pad(spread, 1)
+    framed[(slice(1, -1),) * flux.ndim] = spread
+    return framed
 
 
 def _onward(history: Sequence[HeatedTimeLevel], seconds: float) -> Array:

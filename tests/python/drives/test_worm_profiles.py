@@ -14,7 +14,9 @@ import pyworm
 from pyworm.drives.worm.drawing.drawing_checks import check_drawing
 from pyworm.drives.worm.drawing.usual_values import completed
 from pyworm.drives.worm.drive import WormDrive
+from pyworm.drives.worm.flanks.contact_curve import ContactCurve
 from pyworm.drives.worm.flanks.ruled_helicoid import RuledHelicoid
+from pyworm.drives.worm.flanks.surfaces import contact_paths
 from pyworm.drives.worm.flanks.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
 from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.worm.teeth.checks import check_gears
@@ -316,3 +318,14 @@ def test_a_disc_that_leaves_no_flank_is_refused_with_what_would_be_right():
     disc = {"worm_disc_diameter": 41e-3, "worm_arc_radius": 12e-3}
     with pytest.raises(ValueError, match=sentence):
         drawn("ZC", 3, 40, 10.0, 0.102, 10.0, shift=0.5, **disc)
+
+
+def test_a_guess_that_is_the_contact_to_the_last_bit_is_taken(monkeypatch):
+    """Its Newton step is zero; of drive 2 of seed 82001 that was divided by (a warning, here an error)."""
+    of = gears("ZA")
+    (curve,) = contact_paths(of.worm_flank, of.wheel_flank, of.worm.threads, of.reference_radii)
+    assert isinstance(curve, ContactCurve)
+    angle, contact = curve._begun
+    exact = np.zeros((6, 1)), np.eye(6)[..., None], np.ones((6, 1))
+    monkeypatch.setattr(ContactCurve, "_residual", lambda *places: exact)
+    np.testing.assert_array_equal(curve._solved_at(contact, angle), contact)

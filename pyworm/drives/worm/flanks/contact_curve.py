@@ -156,7 +156,7 @@ class ContactCurve(ContactPath):
             except np.linalg.LinAlgError:
                 return None
             size = np.abs(step).max()
-            unknown = unknown - step * min(1.0, MAX_NEWTON_STEP / size)
+            unknown = unknown - step * (MAX_NEWTON_STEP / max(size, MAX_NEWTON_STEP))
             if not (
                 within(self.worm.bounds, unknown[0]) > 0
                 and within(self.flank.hob.bounds, unknown[2]) > 0
