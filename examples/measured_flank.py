@@ -11,7 +11,7 @@ x, y = np.linspace(-2e-3, 2e-3, 161), np.linspace(-2e-3, 2e-3, 81)
 heights = (
     x**2 / 0.04 + y[:, None] ** 2 / 0.08 + 0.3e-6 * (1 - np.cos(2 * np.pi * y[:, None] / 0.8e-3))
 )
-steel = pyworm.named_body("16MnCr5")
+steel = pyworm.Body.from_name("16MnCr5")
 scene = pyworm.Scene(
     name="measured flank",
     gap=pyworm.SampledGap(x, y, heights),

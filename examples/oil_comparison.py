@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import pyworm
 
 accuracy = sys.argv[1] if len(sys.argv) > 1 else "5 %"
-steel = pyworm.named_body("16MnCr5", bulk_temperature="60 degC")
+steel = pyworm.Body.from_name("16MnCr5", bulk_temperature="60 degC")
 motions = pyworm.RigidMotion(1.1, 0), pyworm.RigidMotion(0.9, 0)
 stocks = ("mineral", "PAO", "PAG")
 solutions = []

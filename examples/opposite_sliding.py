@@ -5,7 +5,7 @@ import sys
 import pyworm
 
 accuracy = sys.argv[1] if len(sys.argv) > 1 else "10 %"
-steel = pyworm.named_body("16MnCr5", bulk_temperature="40 degC")
+steel = pyworm.Body.from_name("16MnCr5", bulk_temperature="40 degC")
 scene = pyworm.Scene(
     name="opposite sliding",
     gap=pyworm.Paraboloid("20 mm", "20 mm"),

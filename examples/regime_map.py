@@ -5,7 +5,7 @@ import sys
 import pyworm
 
 accuracy = sys.argv[1] if len(sys.argv) > 1 else "10 %"
-steel = pyworm.named_body("16MnCr5")
+steel = pyworm.Body.from_name("16MnCr5")
 oil = pyworm.named_oil("mineral VG 220").oil(333.15)
 solutions = []
 for load, speed in ((1, 5.0), (10, 1.0), (100, 0.2)):

@@ -9,7 +9,7 @@ import pyworm
 accuracy = sys.argv[1] if len(sys.argv) > 1 else "5 %"
 case = pyworm.load(sys.argv[2] if len(sys.argv) > 2 else "cases/reversal_line.toml")
 scene = case.scene()
-moving = pyworm.solve(scene, pyworm.plan(scene, accuracy, "isothermal,squeeze"))
+moving = pyworm.solve(scene, pyworm.plan(scene, accuracy, ("isothermal", "squeeze")))
 steady = pyworm.solve(scene, pyworm.plan(scene, accuracy, "isothermal"))
 print(pyworm.compare(steady, moving).ratios["film_central"])
 for solution, name in ((moving, "transient"), (steady, "steady")):

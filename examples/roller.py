@@ -5,7 +5,7 @@ import sys
 import pyworm
 
 accuracy = sys.argv[1] if len(sys.argv) > 1 else "2 %"
-steel = pyworm.named_body("16MnCr5", bulk_temperature="60 degC")
+steel = pyworm.Body.from_name("16MnCr5", bulk_temperature="60 degC")
 scene = pyworm.LineScene(
     name="roller",
     gap=pyworm.Parabola("10 mm"),

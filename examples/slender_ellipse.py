@@ -5,7 +5,7 @@ import sys
 import pyworm
 
 accuracy = sys.argv[1] if len(sys.argv) > 1 else "2 %"
-steel = pyworm.named_body("16MnCr5")
+steel = pyworm.Body.from_name("16MnCr5")
 scene = pyworm.Scene(
     name="slender ellipse",
     gap=pyworm.Paraboloid("10 mm", "100 mm"),

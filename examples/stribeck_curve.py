@@ -7,7 +7,7 @@ import matplotlib.pyplot as plt
 import pyworm
 
 accuracy = sys.argv[1] if len(sys.argv) > 1 else "5 %"
-rough = pyworm.named_body("16MnCr5", roughness="0.1 um", bulk_temperature="80 degC")
+rough = pyworm.Body.from_name("16MnCr5", roughness="0.1 um", bulk_temperature="80 degC")
 oil = pyworm.named_oil("mineral VG 100").oil(353.15)
 speeds = (0.05, 0.2, 0.8, 3.0)
 

@@ -8,7 +8,7 @@ import numpy as np
 import pyworm
 
 accuracy = sys.argv[1] if len(sys.argv) > 1 else "5 %"
-steel = pyworm.named_body("16MnCr5", bulk_temperature="60 degC")
+steel = pyworm.Body.from_name("16MnCr5", bulk_temperature="60 degC")
 oil = pyworm.named_oil("mineral VG 220").oil(333.15)
 loads, ratios = (20.0, 60.0), (0.02, 0.1, 0.5)
 

@@ -3,7 +3,7 @@
 A contact in five statements, numbers in SI:
 
     import pyworm
-    steel = pyworm.named_body("16MnCr5")
+    steel = pyworm.Body.from_name("16MnCr5")
     oil = pyworm.named_oil("PAO VG 220").oil(333.15)
     motions = pyworm.RigidMotion(1.1, 0), pyworm.RigidMotion(0.9, 0)
     scene = pyworm.Scene(gap=pyworm.Paraboloid(0.01, 0.01), load=50, motions=motions,
@@ -21,8 +21,7 @@ A contact
     with_slide_roll_ratio   a scene at another slide-roll ratio
 
 Solids and oils
-    Body            elastic and thermal constants of a solid
-    named_body      a solid of the list of materials
+    Body            elastic and thermal constants of a solid, `Body.from_name` those of a material
     Roughness       height, slope, lay and asperities of a surface
     Oil             laws of viscosity, density, flow and heat
     Barus, Roelands     viscosity against pressure

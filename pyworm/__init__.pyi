@@ -24,7 +24,6 @@ from .io.input_error import CaseError as CaseError
 from .io.version import __version__ as __version__
 from .kernel.core import KernelError as KernelError
 from .materials.body import Body as Body
-from .materials.body import named_body as named_body
 from .materials.flow_laws import Branch as Branch
 from .materials.flow_laws import FlowLaw as FlowLaw
 from .materials.library import NamedOil as NamedOil

@@ -32,8 +32,8 @@ FIRST, LAST = 0.1, 0.9
 
 MODELS = {
     "isothermal, to 5 %": ("isothermal", 0.05, "tab:green"),
-    "to 5 %": ("auto,-squeeze", 0.05, "tab:orange"),
-    "to 1 %": ("auto,-squeeze", 0.01, "tab:blue"),
+    "to 5 %": (("auto", "-squeeze"), 0.05, "tab:orange"),
+    "to 1 %": (("auto", "-squeeze"), 0.01, "tab:blue"),
 }
 """What is solved -> effects, accuracy of each phase, colour; the last is the reference. Films are steady, as
 those of the source."""

@@ -73,7 +73,7 @@ class InMotion:
     """Name of the case."""
     accuracies: tuple[float, ...]
     """Accuracies asked for [-]."""
-    effects: str = "auto,squeeze"
+    effects: tuple[str, ...] = ("auto", "squeeze")
     """Which effects to simulate."""
     places: dict[str, Any] = field(default_factory=dict)
     """Which contacts; by default all that the case lists."""
@@ -110,7 +110,7 @@ def main() -> None:
     for name, place in PLACES.items():
         scene = pyworm.load(Path(f"cases/{name}.toml")).scene(**place)
         for accuracy in ACCURACIES:
-            plan = pyworm.plan(scene, accuracy, "auto,-squeeze")
+            plan = pyworm.plan(scene, accuracy, ("auto", "-squeeze"))
             expected = expectation(scene, plan).seconds
             measured = [_seconds(scene, plan)]
             if measured[0] < QUICK:

@@ -64,7 +64,7 @@ def scenes() -> Iterator[tuple[str, Scene | LineScene]]:
 
 def solve(scene: Scene | LineScene, levels: int) -> Solution:
     """The scene on the grid of 3 %, with so many levels."""
-    plan = pyworm.plan(scene, 0.03, "all,-roughness,-squeeze")
+    plan = pyworm.plan(scene, 0.03, ("all", "-roughness", "-squeeze"))
     return pyworm.solve(
         scene,
         replace(

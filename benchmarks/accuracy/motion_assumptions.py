@@ -40,7 +40,7 @@ def early_films(life_of: Callable) -> np.ndarray:
     life = life_of(drive)
     scene = replace(drive.scene(0.5), past=life.past(0.5))
     time_grid = time_grid_of(
-        scene.past.life, pyworm.plan(scene, ACCURACY, "isothermal,squeeze", ("film",))
+        scene.past.life, pyworm.plan(scene, ACCURACY, ("isothermal", "squeeze"), ("film",))
     )
     records = integrate_in_time(time_grid, 1, 0.0, [life.past(0.3).seconds]).records
     phases = [one.phase for one in records]
@@ -75,7 +75,7 @@ def stored_heat() -> None:
     """Print what the heat that oil stores changes."""
     case = pyworm.load(CASE)
     scenes = [case.scene(phase=phase) for phase in STORING]
-    plans = [pyworm.plan(scene, ACCURACY, "auto,squeeze") for scene in scenes]
+    plans = [pyworm.plan(scene, ACCURACY, ("auto", "squeeze")) for scene in scenes]
     time_grid = time_grid_of(scenes[0].past.life, plans[0])
     found = integrate_in_time(time_grid, 1, 0.0, [scene.past.seconds for scene in scenes])
     names = (*FILMS, "friction_coefficient", *HEAT_FIGURES)

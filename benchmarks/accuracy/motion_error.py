@@ -91,7 +91,9 @@ class Tally:
         return counts
 
 
-def main(path: str, phases: Sequence[float] | None, effects: str, solves: int) -> None:
+def main(
+    path: str, phases: Sequence[float] | None, effects: str | tuple[str, ...], solves: int
+) -> None:
     """A row for each phase, film and number of solves; then how many bars hold."""
     case = pyworm.load(path)
     scenes = [case.scene(**place.given) for place in case.places(phase=phases)]
@@ -107,7 +109,9 @@ if __name__ == "__main__":
     parser = ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("case", nargs="?", default="cases/zi_drive.toml")
     parser.add_argument("--phase", type=float, nargs="+")
-    parser.add_argument("--effects", default="auto,squeeze")
+    parser.add_argument(
+        "--effects", type=lambda text: tuple(text.split(",")), default=("auto", "squeeze")
+    )
     parser.add_argument("--solves", type=int, default=3)
     asked = parser.parse_args()
     main(asked.case, asked.phase, asked.effects, asked.solves)

@@ -93,7 +93,7 @@ class Figures:
 
 def solved(scene, plan: Plan) -> Numbers:
     """The figures of a plan's effects, whatever grid that takes."""
-    names = ",".join(judgement.name for judgement in plan.effects if judgement.on)
+    names = [judgement.name for judgement in plan.effects if judgement.on]
     figures = pyworm.solve(scene, pyworm.plan(scene, TIGHT, names, plan.quantities)).figures
     friction = figures.friction_coefficient
     heat = [getattr(figures, name) for name in HEAT_FIGURES]
@@ -170,7 +170,7 @@ def leave_one_out(figures: Figures, judgement: Judgement, whole: Plan, quantitie
     """True and estimated influence of one effect on each quantity."""
     scene = figures.scene
     try:
-        less = pyworm.plan(scene, whole.accuracy, f"all,-{judgement.name}", quantities)
+        less = pyworm.plan(scene, whole.accuracy, ("all", f"-{judgement.name}"), quantities)
         numbers, part = figures.pair(whole, less)
     except (ValueError, KernelError) as error:
         print(f"    {judgement.name}: cannot be neglected, {error}", flush=True)

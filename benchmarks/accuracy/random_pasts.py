@@ -75,7 +75,7 @@ def main(numbers: Sequence[int], seed: int) -> None:
     tally = Tally()
     for number in numbers:
         scene = drawn(number, seed)
-        plan = pyworm.plan(scene, ACCURACY, "isothermal,squeeze", ("film",))
+        plan = pyworm.plan(scene, ACCURACY, ("isothermal", "squeeze"), ("film",))
         try:
             rates = found([scene], plan, 3)[scene.name]
         except (NoFilmError, ValueError) as error:

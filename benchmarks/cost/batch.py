@@ -33,7 +33,7 @@ CASES = (
     ("point contact, isothermal", Path("cases/traction_steel.toml"), "isothermal"),
     ("point contact, thermal", Path("cases/traction_steel.toml"), "all"),
     ("worm teeth, isothermal", Path("cases/zi_sharif_2001.toml"), "isothermal"),
-    ("worm teeth, thermal", Path("cases/zi_sharif_2001.toml"), "all,-squeeze"),
+    ("worm teeth, thermal", Path("cases/zi_sharif_2001.toml"), ("all", "-squeeze")),
 )
 ACCURACIES = (0.05, 0.02, 0.01)
 

@@ -63,7 +63,7 @@ def worms() -> Iterator[Scene]:
 SETS = {
     "atlas": (lambda: map(contact, order()[-60:]), "isothermal"),
     "isothermal": (lambda: drawn("isothermal", 60), "isothermal"),
-    "worms": (worms, "isothermal,-real-gap"),
+    "worms": (worms, ("isothermal", "-real-gap")),
     "thermal": (lambda: drawn("thermal", 10), "all"),
 }
 """Contacts and the effects simulated, by name."""
@@ -91,7 +91,7 @@ class Solved:
     """Expected least film over the solved one."""
 
 
-def solved(scene: Scene, effects: str, formula: str) -> Solved:
+def solved(scene: Scene, effects: str | tuple[str, ...], formula: str) -> Solved:
     """A contact by the expected film of one formula."""
     scales._flooded = FORMULAS[formula]
     try:

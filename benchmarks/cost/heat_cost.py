@@ -101,11 +101,11 @@ def compare(name: str, tolerance: float) -> tuple[str, ...]:
     scene = remembering(SCENES[name]())
     plans = {
         effects: replace(refined(scene, HALVINGS, effects), tolerance=tolerance)
-        for effects in ("isothermal", "all,-roughness,-squeeze")
+        for effects in ("isothermal", ("all", "-roughness", "-squeeze"))
     }
     pyworm.solve(scene, plans["isothermal"])  # samples the scene
     cold, _ = cost(pyworm.solve(scene, plans["isothermal"]))
-    solution = pyworm.solve(scene, plans["all,-roughness,-squeeze"])
+    solution = pyworm.solve(scene, plans[("all", "-roughness", "-squeeze")])
     whole, (convolutions, flow, cycle, vectors, heat, rest) = cost(solution)
     parts = (f"{part:.2f}" for part in (convolutions, flow, cycle + vectors, heat, rest))
     times = f"{cold:.2f} s", f"{whole:.2f} s", f"{whole / cold:.1f}"

@@ -18,7 +18,7 @@ CASES = Path(__file__).parents[2] / "cases"
 
 SCENES = {
     "point contact, isothermal": ("point_m20_l10.toml", None, "2 %", "isothermal"),
-    "worm teeth, thermal": ("zi_sharif_2001.toml", 0.5, "5 %", "auto,-squeeze"),
+    "worm teeth, thermal": ("zi_sharif_2001.toml", 0.5, "5 %", ("auto", "-squeeze")),
 }
 """What is solved: case, phase, accuracy and effects."""
 

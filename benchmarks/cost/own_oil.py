@@ -38,7 +38,7 @@ def by_tables(oil):
 
 
 def main():
-    steel = pyworm.named_body("16MnCr5", bulk_temperature=INLET)
+    steel = pyworm.Body.from_name("16MnCr5", bulk_temperature=INLET)
     oil = replace(
         pyworm.named_oil("mineral VG 220").oil(INLET), flow=pyworm.FlowLaw("eyring", stress=5e6)
     )

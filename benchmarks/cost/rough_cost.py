@@ -35,7 +35,7 @@ def rough(scene: Scene, ratio: float) -> Scene:
     return replace(scene, bodies=tuple(replace(body, roughness=each) for body in scene.bodies))
 
 
-def solved(scene: Scene, effects: str) -> tuple[int, float, float]:
+def solved(scene: Scene, effects: str | tuple[str, ...]) -> tuple[int, float, float]:
     """Newton steps, processor time of the kernel in them and of the whole solve [s]."""
     plan = replace(refined(scene, HALVINGS, effects), tolerance=TOLERANCE)
     started = process_time()
@@ -48,11 +48,11 @@ def solved(scene: Scene, effects: str) -> tuple[int, float, float]:
 def compare(name: str) -> Iterator[tuple[str, ...]]:
     """Steps and time of one contact at each lambda over those without roughness."""
     scene = remembering(SCENES[name]())
-    smooth = solved(scene, "all,-squeeze,-roughness")  # samples the scene
-    smooth = solved(scene, "all,-squeeze,-roughness")
+    smooth = solved(scene, ("all", "-squeeze", "-roughness"))  # samples the scene
+    smooth = solved(scene, ("all", "-squeeze", "-roughness"))
     yield name, "smooth", f"{smooth[0]}", "", f"{smooth[1]:.2f}", "", f"{smooth[2]:.2f}", ""
     for ratio in LAMBDAS:
-        found = solved(rough(scene, ratio), "all,-squeeze")
+        found = solved(rough(scene, ratio), ("all", "-squeeze"))
         over = [f"{value / base:.2f}" for value, base in zip(found, smooth, strict=True)]
         steps, seconds, whole = found
         times = f"{seconds:.2f}", over[1], f"{whole:.2f}", over[2]

@@ -133,7 +133,7 @@ def compare_films(drives: dict[str, GearPairDrive]) -> None:
 
 def simulated(drive: GearPairDrive, phase: float):
     scene = drive.scene(phase)
-    return pyworm.solve(scene, pyworm.plan(scene, 0.02, "auto,-roughness"))
+    return pyworm.solve(scene, pyworm.plan(scene, 0.02, ("auto", "-roughness")))
 
 
 def directions(drives: dict[str, GearPairDrive]) -> None:

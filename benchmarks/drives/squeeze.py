@@ -92,14 +92,14 @@ def work_of_life(scene: pyworm.Scene, accuracy: float, solves: int) -> None:
 
 
 def main(
-    path: str, phases: Sequence[float] | None, accuracy: float, effects: str, solves: int
+    path: str, phases: Sequence[float] | None, accuracy: float, effects: Sequence[str], solves: int
 ) -> None:
     """A row for each contact that the case lists, or at some of its phases."""
     case = pyworm.load(path)
     places = case.places(phase=phases)
     steady, moving = (
-        solved(case, [Task(case, place, accuracy, f"{effects}{more}") for place in places])
-        for more in (",-squeeze", ",squeeze")
+        solved(case, [Task(case, place, accuracy, (*effects, more)) for place in places])
+        for more in ("-squeeze", "squeeze")
     )
     print(f"{'':>32} " + " ".join(f"{head:>12}" for head in HEADS))
     for place, before, after in zip(places, steady[0].solutions, moving[0].solutions, strict=True):
@@ -130,7 +130,7 @@ if __name__ == "__main__":
     parser.add_argument("case", nargs="?", default="cases/zi_drive.toml")
     parser.add_argument("--phase", type=float, nargs="+")
     parser.add_argument("--accuracy", type=float, default=0.05)
-    parser.add_argument("--effects", default="auto")
+    parser.add_argument("--effects", type=lambda text: tuple(text.split(",")), default=("auto",))
     parser.add_argument(
         "--solves", type=int, default=2, help="of the life, for the work of friction"
     )

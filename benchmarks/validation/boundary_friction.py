@@ -92,7 +92,7 @@ def solve(row: Row, phase: float) -> None:
     scene = row.case().scene(phase=phase)
     changes: dict[str, float] = {}
     with patch("pyworm.solver.contact.roughness_uncertainty", partial(watched, changes)):
-        solution = pyworm.solve(scene, pyworm.plan(scene, ACCURACY, "auto,-squeeze"))
+        solution = pyworm.solve(scene, pyworm.plan(scene, ACCURACY, ("auto", "-squeeze")))
     (contact,) = contact_losses([solution])
     made = {
         "wheel": row.wheel,

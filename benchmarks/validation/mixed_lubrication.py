@@ -179,7 +179,7 @@ def line_row(height: float, finish: str) -> tuple[str, ...]:
 def _line_row(height: float, finish: str) -> tuple[str, ...]:
     film, share = masjedi_khonsari(height)
     scene = rolling_line(height, FINISHES.get(finish, {}))
-    effects = "isothermal,roughness" if height else "isothermal"
+    effects = ("isothermal", "roughness") if height else "isothermal"
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, effects))
     found, borne = solution.figures.film_central, solution.figures.asperity_load_fraction
     gap, thickness = mean_planes(scene, solution), found.value / RADIUS
@@ -213,7 +213,7 @@ def solved(name: str, case: Callable[[], Case], phase: float = 0.5) -> dict:
         if (row["name"], row["phase"]) == (name, phase):
             return row
     scene = case().scene(phase=phase)
-    solution = pyworm.solve(scene, pyworm.plan(scene, TEETH_ACCURACY, "auto,-squeeze"))
+    solution = pyworm.solve(scene, pyworm.plan(scene, TEETH_ACCURACY, ("auto", "-squeeze")))
     figures, (contact,) = solution.figures, contact_losses([solution])
     row = {
         "name": name,

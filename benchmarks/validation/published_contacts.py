@@ -44,7 +44,7 @@ SHARIF = {
 """Printed by Sharif, Evans, Snidle and Newall (2001); what is empty they do not print as a number."""
 
 
-def solved(case: str, effects: str, **place: float) -> Solution:
+def solved(case: str, effects: str | tuple[str, ...], **place: float) -> Solution:
     """A contact of a case at the accuracy."""
     scene = pyworm.load(Path(f"cases/{case}.toml")).scene(**place)
     return pyworm.solve(scene, pyworm.plan(scene, ACCURACY, effects))
@@ -76,9 +76,9 @@ def mourier() -> None:
 
 def sharif() -> None:
     """The worm contact in mid-mesh, as teeth and as a paraboloid."""
-    teeth = solved("zi_sharif_2001", "auto,-roughness,-squeeze", phase=0.5)
+    teeth = solved("zi_sharif_2001", ("auto", "-roughness", "-squeeze"), phase=0.5)
     drive = pyworm.load(Path("cases/zi_sharif_2001.toml")).drive
-    paraboloid = solved("zi_paraboloid", "auto,-roughness,-squeeze")
+    paraboloid = solved("zi_paraboloid", ("auto", "-roughness", "-squeeze"))
     columns = (
         values(teeth, drive.contact(0.5).radii),
         values(paraboloid, pyworm.load(Path("cases/zi_paraboloid.toml")).scene().radii),

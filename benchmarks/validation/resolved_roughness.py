@@ -85,7 +85,7 @@ def averaged(scene: Scene, roughness: float) -> tuple[float, float]:
     first, second = scene.bodies
     bodies = replace(first, roughness=ROUGHEST_SMOOTH), replace(second, roughness=roughness)
     rough = replace(scene, bodies=bodies)
-    solution = pyworm.solve(rough, pyworm.plan(rough, 0.01, "isothermal,roughness", ("film",)))
+    solution = pyworm.solve(rough, pyworm.plan(rough, 0.01, ("isothermal", "roughness"), ("film",)))
     found = solution.figures.film_central
     return found.value, found.model
 

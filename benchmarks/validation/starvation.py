@@ -24,7 +24,7 @@ CONTACTS = {
 
 def scene_of(name: str) -> pyworm.Scene:
     """A steel contact that rolls at 0.5 m/s in an oil of one temperature."""
-    steel = pyworm.named_body("16MnCr5", bulk_temperature="60 degC")
+    steel = pyworm.Body.from_name("16MnCr5", bulk_temperature="60 degC")
     oil = replace(pyworm.named_oil("PAO VG 220").oil(333.15), flow=None, heat=None)
     radii, load = CONTACTS[name]
     return pyworm.Scene(

@@ -144,7 +144,7 @@ def integrated(
     end = duration * unit
     life = Life(end, contact, kinks=tuple(kink * unit for kink in kinks))
     present = replace(contact(end), past=Past(life, end))
-    plan = pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",))
+    plan = pyworm.plan(present, 0.05, ("isothermal", "squeeze"), ("film",))
     found = integrate_in_time(time_grid_of(life, plan), refinement, 0.0, [0.95 * end])
     if found.failure is not None:
         raise RuntimeError(found.failure)

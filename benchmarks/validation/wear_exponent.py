@@ -26,7 +26,7 @@ LAMBDAS = (0.5, 0.7, 1.0, 1.2, 1.45, 1.7, 2.0)
 """Smooth central film over composite roughness, nearly."""
 
 
-def solved(scene, effects: str):
+def solved(scene, effects: str | tuple[str, ...]):
     """The scene solved to 2 %."""
     return pyworm.solve(scene, pyworm.plan(scene, 0.02, effects)).figures
 
@@ -45,7 +45,7 @@ def main() -> None:
         faster = speed * ratio ** (1 / 0.7)  # the film goes with the speed to 0.7, nearly
         scene = replace(base, velocities=(faster,) * 2)
         films.append(solved(scene, "isothermal").film_central.value / film)
-        figures = solved(replace(scene, bodies=rough), "isothermal,roughness")
+        figures = solved(replace(scene, bodies=rough), ("isothermal", "roughness"))
         shares.append(figures.asperity_load_fraction.value)
         local = ""
         if len(films) > 1:

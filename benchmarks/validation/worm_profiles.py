@@ -33,7 +33,7 @@ PROFILES = {"ZA": "C0", "ZN": "C1", "ZI": "C2", "ZK": "C4", "ZC": "C3", "ZC2": "
 
 PHASES = 0.1, 0.3, 0.5, 0.7, 0.9
 
-ACCURACY, EFFECTS = 0.1, "auto,-roughness,-squeeze"
+ACCURACY, EFFECTS = 0.1, ("auto", "-roughness", "-squeeze")
 
 STANDARD = 0.0900 / 0.0693
 """h* of ZH over that of ZI of the standard's reference gears (DIN 3996), as handed on in public papers."""

@@ -2,17 +2,16 @@
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import Any, Unpack
 
 from pyworm.batch.expected_run import expected_run
-from pyworm.batch.in_python import CaseLike, as_case, requested
+from pyworm.batch.in_python import CaseLike, as_case
+from pyworm.batch.request import Request, requested, takes_request
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
-from pyworm.io.given import WithUnit
 from pyworm.io.quantity_text import duration
 from pyworm.io.shown import Shown
 from pyworm.io.stage import stage
-from pyworm.planning.effects.selection import Effects
 from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -113,29 +112,18 @@ class CheckedCase(Shown):
         }
 
 
-def check(
-    case: CaseLike,
-    *,
-    accuracy: WithUnit | None = None,
-    effects: Effects | None = None,
-    quantities: Sequence[str] | None = None,
-    phases: Sequence[float] | None = None,
-    sections: Sequence[str] | None = None,
-    stations: Sequence[float] | None = None,
-    slide_roll_ratios: Sequence[float] | None = None,
-) -> CheckedCase:
+@takes_request
+def check(case: CaseLike, **request: Unpack[Request]) -> CheckedCase:
     """Check a case and plan its contacts, as the command `pyworm check`; nothing is solved.
 
     Args:
-        case, accuracy, effects, quantities, phases, sections, stations, slide_roll_ratios: As of
-            `pyworm.run`.
+        case, **request: As of `pyworm.run`.
 
     Raises:
         CaseError: Invalid input, or a contact that cannot be planned.
     """
     case = as_case(case)
-    places = {"section": sections, "station": stations, "slide_roll_ratio": slide_roll_ratios}
-    return checked_case(case, requested(case, accuracy, effects, quantities, phases, **places))
+    return checked_case(case, requested(case, request))
 
 
 def checked_case(case: Case, tasks: Sequence[Task]) -> CheckedCase:

@@ -26,6 +26,7 @@ from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.io.present import present
 from pyworm.io.progress import Progress
+from pyworm.planning.effects.selection import effect_names
 from pyworm.ratings.heating import HeatingLoss, heating_loss, tooth_loss_of
 from pyworm.ratings.standard_loss import standard_loss
 from pyworm.result.mesh_cycle import DriveCycle, drive_cycle
@@ -258,11 +259,11 @@ class _Search:
 
 def steady(task: Task) -> Task:
     """The task without transient solutions, which change the loss by less than temperatures need."""
-    first, *others = task.effects.split(",")
+    first, *others = effect_names(task.effects)
     if first not in ("auto", "all", "isothermal"):
         return task
-    kept = [name for name in others if name.strip() != "squeeze"]
-    return replace(task, effects=",".join([first, *kept, "-squeeze"]))
+    kept = [name for name in others if name != "squeeze"]
+    return replace(task, effects=(first, *kept, "-squeeze"))
 
 
 def every(stride: int, tasks: Sequence[Task]) -> Sequence[Task]:

@@ -1,43 +1,29 @@
 """Solve a case from Python, as `pyworm run` solves it."""
 
-from collections.abc import Sequence
 from contextlib import ExitStack
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Literal
+from typing import Literal, Unpack
 from warnings import warn
 
 from pyworm.batch.drive_iteration import run_balanced
-from pyworm.batch.in_python import (
-    CaseLike,
-    as_case,
-    executor,
-    messages,
-    progress_of,
-    requested,
-)
-from pyworm.io.given import WithUnit
+from pyworm.batch.in_python import CaseLike, as_case, executor, messages, progress_of
+from pyworm.batch.request import Request, requested, takes_request
 from pyworm.io.progress import Progress
-from pyworm.planning.effects.selection import Effects
 from pyworm.result.result import Result
 from pyworm.scene.plausibility import UnusualWarning
 
 
+@takes_request
 def run(
     case: CaseLike,
     *,
-    accuracy: WithUnit | None = None,
-    effects: Effects | None = None,
-    quantities: Sequence[str] | None = None,
-    phases: Sequence[float] | None = None,
-    sections: Sequence[str] | None = None,
-    stations: Sequence[float] | None = None,
-    slide_roll_ratios: Sequence[float] | None = None,
     out: str | Path | None = None,
     fields: Literal["rounded", "full"] = "rounded",
     processes: int = 1,
     scheduler: str | None = None,
     progress: bool | Progress = True,
+    **request: Unpack[Request],
 ) -> Result:
     """Solve a case: load sharing with film-induced separation, films, friction, thermal balance.
 
@@ -45,13 +31,12 @@ def run(
 
     Args:
         case: A gear set (`WormDrive`, `GearPair`, `RollerWorm`), what `pyworm.load` made, or a case file.
-        accuracy, effects, quantities: As of `pyworm.plan`; by default the case's.
-        phases, sections, stations, slide_roll_ratios: Contacts to solve; by default the case's.
         out: Directory of the result file, in which solved contacts are found again; by default none is kept.
         fields: "rounded" to a tenth of their numerical uncertainty, or "full", all digits.
         processes: Processes that solve; more than one need a script with `if __name__ == "__main__":`.
         scheduler: Address of a dask.distributed scheduler whose workers solve instead.
         progress: Whether a bar shows the progress, or what is called instead.
+        **request: Accuracy, effects, quantities and contacts, as of `Request`; by default the case's.
 
     Returns:
         The solutions in order, `cycle` with the extremes of the mesh cycle, `mesh_loss` with loss and
@@ -62,8 +47,7 @@ def run(
         NothingSolvedError: No contact has a solution.
     """
     case = as_case(case)
-    places = {"section": sections, "station": stations, "slide_roll_ratio": slide_roll_ratios}
-    tasks = requested(case, accuracy, effects, quantities, phases, **places)
+    tasks = requested(case, request)
     refused = {task.plan.refusal: task.scene.name for task in tasks}
     refused.pop(None, None)
     for reason, name in refused.items():

@@ -11,7 +11,9 @@ from typing import Any
 
 from pyworm.batch.provenance import program_digest, provenance
 from pyworm.batch.task import key_of
+from pyworm.io.given import Names
 from pyworm.io.progress import Progress
+from pyworm.planning.effects.selection import AUTO
 from pyworm.planning.plan import Plan, plan
 from pyworm.result.result import FORMAT_VERSION, Result
 from pyworm.scene.index import ContactIndex
@@ -30,7 +32,7 @@ class SceneTask:
     """The contact."""
     accuracy: float
     """Accuracy as `pyworm.plan` takes it."""
-    effects: str = "auto"
+    effects: Names = AUTO
     """Effects as `pyworm.plan` takes them."""
     quantities: tuple[str, ...] | None = None
     """Quantities as `pyworm.plan` takes them."""

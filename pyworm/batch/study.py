@@ -17,9 +17,9 @@ from pyworm.batch.solved_scenes import Store
 from pyworm.batch.sweep import Sweep, label, load_sweep
 from pyworm.batch.sweep_run import run_sweep
 from pyworm.io import units
-from pyworm.io.given import WithUnit, kind_of, number, row
+from pyworm.io.given import Names, WithUnit, kind_of, number, row
 from pyworm.io.progress import Progress
-from pyworm.planning.effects.selection import Effects, as_text
+from pyworm.planning.effects.selection import effect_names, quantity_names
 from pyworm.result.sweep_result import SweepResult
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -31,8 +31,8 @@ def sweep(
     *,
     out: str | Path | None = None,
     accuracy: WithUnit = 0.01,
-    effects: Effects = "auto",
-    quantities: Sequence[str] | None = None,
+    effects: Names = "auto",
+    quantities: Names | None = None,
     fields: bool = False,
     processes: int = 1,
     scheduler: str | None = None,
@@ -78,8 +78,8 @@ def sweep(
             study = _of_file(make, vary, pool, told, store)
         else:
             how = (
-                as_text(effects),
-                quantities and tuple(row("quantities", quantities)),
+                effect_names(effects),
+                quantity_names(quantities),
                 largest_grid,
             )
             axes = [{name: values} for name, values in vary.items()] + [together or {}]
@@ -99,7 +99,7 @@ def traction_curve(
     slide_roll_ratios: Sequence[float],
     *,
     accuracy: WithUnit = 0.01,
-    effects: Effects = "auto",
+    effects: Names = "auto",
     out: str | Path | None = None,
     processes: int = 1,
     progress: bool | Progress = True,

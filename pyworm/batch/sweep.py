@@ -94,7 +94,7 @@ def _tasks(
     content: dict[str, Any],
     name: str,
     directory: Path,
-    effects: str | None,
+    effects: tuple[str, ...] | None,
     store: Store | None,
     values: dict[str, Value],
 ) -> list[Task]:
@@ -115,7 +115,7 @@ def _tasks(
     return [replace(task, case=bare) for task in tasks]
 
 
-def _of_case(case: Case, effects: str | None) -> list[Task]:
+def _of_case(case: Case, effects: tuple[str, ...] | None) -> list[Task]:
     return [
         Task(case, place, case.accuracy, effects or case.effects, case.quantities)
         for place in case.places()

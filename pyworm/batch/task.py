@@ -8,8 +8,10 @@ from typing import Any
 
 from pyworm.batch.provenance import program_digest, provenance
 from pyworm.case.case import Case
+from pyworm.io.given import Names
 from pyworm.io.plain_dataset import merged
 from pyworm.io.progress import Progress
+from pyworm.planning.effects.selection import AUTO
 from pyworm.planning.plan import Plan, plan_of
 from pyworm.result.result import FORMAT_VERSION, Result
 from pyworm.scene.index import ContactIndex
@@ -36,8 +38,8 @@ class Task:
     """Which of its contacts."""
     accuracy: float
     """Relative error wanted [-]."""
-    effects: str = "auto"
-    """Which effects to simulate, as `pyworm.plan` takes it."""
+    effects: Names = AUTO
+    """Which effects to simulate, as `pyworm.plan` takes them."""
     quantities: tuple[str, ...] | None = None
     """What is asked for, likewise."""
     wider_window: bool = True

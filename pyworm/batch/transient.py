@@ -11,9 +11,9 @@ import numpy as np
 from pyworm.batch.provenance import provenance
 from pyworm.formulas.ranges import scalar
 from pyworm.io import units
-from pyworm.io.given import Given, WithUnit, in_si, row
+from pyworm.io.given import Given, Names, WithUnit, in_si, row
 from pyworm.io.progress import Progress
-from pyworm.planning.effects.selection import Effects, as_text
+from pyworm.planning.effects.selection import effect_names
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.plan import plan
 from pyworm.result.result import Result
@@ -50,8 +50,8 @@ def transient(
     radii: Sequence[GivenOverTime] | None = None,
     separation: GivenOverTime | None = None,
     accuracy: WithUnit = 0.05,
-    effects: Effects = "auto",
-    quantities: Sequence[str] | None = None,
+    effects: Names = "auto",
+    quantities: Names | None = None,
     progress: Progress | None = None,
 ) -> TransientResult:
     """Solve a contact whose load, motion or radii change within the transit time of the lubricant.
@@ -96,13 +96,14 @@ def transient(
     return TransientResult(Result(scene.name, {}, (solution,), None, kept))
 
 
-def _with_squeeze(effects: Effects) -> str:
+def _with_squeeze(effects: Names) -> tuple[str, ...]:
     """A choice of effects with the transient film; ValueError of one without."""
-    written = as_text(effects)
-    named = {name.strip() for name in written.split(",")}
-    if f"-{SQUEEZE.name}" in named:
-        raise ValueError(f"effects = {written}: without {SQUEEZE.name} no film is transient")
-    return written if named & {"all", SQUEEZE.name} else f"{written},{SQUEEZE.name}"
+    names = effect_names(effects)
+    if f"-{SQUEEZE.name}" in names:
+        raise ValueError(
+            f"effects = {','.join(names)}: without {SQUEEZE.name} no film is transient"
+        )
+    return names if {"all", SQUEEZE.name} & {*names} else (*names, SQUEEZE.name)
 
 
 def _times(times: Any) -> tuple[float, ...]:

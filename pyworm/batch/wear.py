@@ -8,14 +8,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from pyworm.batch.in_python import (
-    CaseLike,
-    as_case,
-    executor,
-    messages,
-    progress_of,
-    requested,
-)
+from pyworm.batch.in_python import CaseLike, as_case, executor, messages, progress_of
+from pyworm.batch.request import requested
 from pyworm.batch.wear_run import STATE, WearFigures, WearPlan, WearRun, worm_duty
 from pyworm.case.case import Case
 from pyworm.drives.duty import WormDuty
@@ -203,7 +197,7 @@ def wear(
     require_above_zero(sizes)
     given = WearInput(coefficient, energy, calibrate, worm_ratio)
     depth = number("tolerance", tolerance, kind_of(units.Film))
-    tasks = requested(checked_case, accuracy, None, None, phases)
+    tasks = requested(checked_case, {"accuracy": accuracy, "phases": phases})
     plan, by, on_worm = given.plan(checked_case, hours, depth)
     with ExitStack() as stack:
         kept = Path(stack.enter_context(TemporaryDirectory()) if out is None else out)

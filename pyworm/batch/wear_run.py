@@ -35,7 +35,7 @@ Array = np.ndarray
 STATE = "wear.npz"
 """File with all that an integration needs to go on."""
 
-EFFECTS = "auto,roughness,-squeeze"
+EFFECTS = ("auto", "roughness", "-squeeze")
 """Effects that wear asks for: roughness simulated, each phase steady."""
 
 PATTERN = 0.05

@@ -69,7 +69,7 @@ class Case(Shown):
             "title": self.title,
             "contacts": f"{len(self.places())}",
             "accuracy": percent(self.accuracy, 3),
-            "effects": self.effects,
+            "effects": ", ".join(self.effects),
             "warnings": f"{len(self.warnings)}",
         }
 
@@ -105,7 +105,7 @@ class Case(Shown):
         return first.replace("_", " "), second.replace("_", " ")
 
     @property
-    def effects(self) -> str:
+    def effects(self) -> tuple[str, ...]:
         """Effects to simulate by default, as an argument of `pyworm.plan`."""
         return self._common.effects
 

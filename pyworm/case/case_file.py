@@ -1,32 +1,30 @@
 """Tables and keys that all case files share."""
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
-from pydantic import AfterValidator, BeforeValidator, Field, ValidationInfo, model_validator
+from pydantic import BeforeValidator, Field, ValidationInfo, model_validator
 
 from pyworm.case.bodies import Bodies, taken_by_name
 from pyworm.case.oil import OilTable
 from pyworm.case.table import Table, by_dotted_key
 from pyworm.io import units
+from pyworm.io.given import as_names
 from pyworm.io.number_with_unit import parse_any
-from pyworm.io.plain_values import Text
-
-Quantity = Literal["film", "friction", "temperature"]
-"""What a case asks of its contacts."""
+from pyworm.io.plain_values import RequestedQuantity, Text
 
 
-def _joined(given: Any) -> Any:
-    """Names of effects in one text; what are none is refused later."""
-    named = isinstance(given, list | tuple) and all(isinstance(name, str) for name in given)
-    return ",".join(given) if named else given
+def _effects(given: Any) -> tuple[str, ...]:
+    """A choice of effects, one name or a list of them; ValueError for what is none."""
+    from pyworm.planning.effects.selection import EXAMPLE, require_known
+
+    names = as_names(given, EXAMPLE)
+    require_known(names)
+    return names
 
 
-def _effects(text: str) -> str:
-    from pyworm.planning.effects.selection import words
-
-    words(text)
-    return text
+ChosenEffects = Annotated[tuple[Text, ...], BeforeValidator(_effects)]
+"""`effects` of a file: one name, or a list of them."""
 
 
 class PublishedValue(Table):
@@ -98,8 +96,8 @@ class CaseTable(FileTable):
         bodies: Bodies  # each kind has its own
 
     accuracy: units.Share = 0.01
-    effects: Annotated[str, BeforeValidator(_joined), AfterValidator(_effects)] = "auto"
-    quantities: Annotated[tuple[Quantity, ...], Field(min_length=1)] | None = None
+    effects: ChosenEffects = ("auto",)
+    quantities: Annotated[tuple[RequestedQuantity, ...], Field(min_length=1)] | None = None
     oil: OilTable
 
     def flaws(self) -> Iterator[str]:

@@ -8,7 +8,7 @@ from pyworm.formulas.unknown import Unknown
 from pyworm.formulas.worm_curves import OIL_KINDS
 from pyworm.formulas.worm_wheel_material import Family, wheel_material
 from pyworm.materials.base_stock import base_stock
-from pyworm.materials.body import named_body
+from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
 FITTED_SPREADS: dict[Family, float] = {
@@ -37,7 +37,7 @@ def with_fitted_friction(oil: Oil, table: OilTable, worm: BodyTable, wheel: Body
     family = wheel_material(wheel.material).family
     if isinstance(family, Unknown):
         return oil
-    factor = named_body(wheel.material).boundary_friction_factor
+    factor = Body.from_name(wheel.material).boundary_friction_factor
     if wheel.boundary_friction_factor not in (None, factor):
         return oil
     return replace(oil, boundary_friction_spread=FITTED_SPREADS[family])

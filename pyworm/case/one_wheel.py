@@ -8,7 +8,7 @@ from pyworm.case.cooling import CoolingTable
 from pyworm.case.oil import OilTable
 from pyworm.case.ratings import WormRatingTable
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
-from pyworm.materials.body import Body, named_body
+from pyworm.materials.body import Body
 from pyworm.materials.solids import alloy
 
 ONE_MODULUS = 1.5
@@ -31,7 +31,7 @@ def other_material(rating: WormRatingTable, wheel: BodyTable) -> Iterator[str]:
             f'worm_rating.wheel_material = "{rated}", but bodies.wheel.material = "{body}": one wheel is of '
             "one material; leave the first out, and change the second to compare materials"
         )
-    softest, stiffest = _moduli(named_body(rated))
+    softest, stiffest = _moduli(Body.from_name(rated))
     modulus = min(max(wheel.youngs_modulus, softest), stiffest)
     if exp(abs(log(wheel.youngs_modulus / modulus))) > ONE_MODULUS:
         yield (

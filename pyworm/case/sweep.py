@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import Discriminator, Field, Tag
 
+from pyworm.case.case_file import ChosenEffects
 from pyworm.case.draws import METHODS, Method, fractions, spread
 from pyworm.case.table import Table
 from pyworm.io.number_with_unit import parse_in
@@ -141,7 +142,7 @@ class SweepTable(Table):
 
     title: Text
     case: Text
-    effects: Text | None = None
+    effects: ChosenEffects | None = None
     seed: Seed | None = None
     fixed: dict[str, Value] = Field(default_factory=dict)
     vary: Annotated[list[Annotated[dict[str, Values], Field(min_length=1)]], Field(min_length=1)]

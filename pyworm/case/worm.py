@@ -37,7 +37,7 @@ from pyworm.formulas.worm_rating import NOT_GIVEN, WormRating
 from pyworm.io import units
 from pyworm.io.plain_values import Phase
 from pyworm.io.present import present
-from pyworm.materials.body import Body, named_body
+from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
 HOB_LIFE = (1.0, 0.75, 0.5, 0.25)
@@ -285,7 +285,7 @@ class WormCase(RatedCase):
         rated = None if self.worm_rating is None else self.worm_rating.wheel_material
         if rated is None or wheel.temperature_limit is not None:
             return worm, wheel
-        return worm, replace(wheel, temperature_limit=named_body(rated).temperature_limit)
+        return worm, replace(wheel, temperature_limit=Body.from_name(rated).temperature_limit)
 
     def _balanced(self, drive: WormDrive) -> WormDrive:
         """The drive with bulk temperatures by the standard's balance of its loss, where none is given.

@@ -14,6 +14,7 @@ def add_case(command: argparse.ArgumentParser) -> None:
     command.add_argument("case", type=Path, metavar="CASE.toml")
     command.add_argument(
         "--quantities",
+        type=_names,
         help="film,friction,temperature; default: the case's, or all that the oil data allow",
     )
     add_places(command)
@@ -39,6 +40,7 @@ def add_accuracy_and_effects(command: argparse.ArgumentParser) -> None:
     )
     command.add_argument(
         "--effects",
+        type=_names,
         help="auto, auto,-roughness,-squeeze, all, isothermal, or comma-separated effects; default: "
         "the case's",
     )
@@ -78,6 +80,11 @@ def add_anyway(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--anyway", action="store_true", help="accept the result even if the case has changed since"
     )
+
+
+def _names(text: str) -> tuple[str, ...]:
+    """Names between commas."""
+    return tuple(name.strip() for name in text.split(","))
 
 
 def _process_count(text: str) -> int:

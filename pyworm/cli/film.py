@@ -86,7 +86,7 @@ def _of_options(options: argparse.Namespace) -> "Scene":
     from pyworm.io import units
     from pyworm.io.given import kind_of
     from pyworm.io.quantity import parse
-    from pyworm.materials.body import named_body
+    from pyworm.materials.body import Body
     from pyworm.materials.library import named_oil
     from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
@@ -100,7 +100,7 @@ def _of_options(options: argparse.Namespace) -> "Scene":
         velocity = [read("velocity", text, units.Velocity) for text in options.velocity]
         motion = RigidMotion(*[*velocity, 0.0][:2])
         temperature = read("temperature", options.temperature, units.Temperature)
-        first, second = (named_body(body, None, temperature) for body in options.bodies)
+        first, second = (Body.from_name(body, None, temperature) for body in options.bodies)
         return Scene(
             name="contact",
             gap=Paraboloid(*(read("radii", text, units.Radius) for text in options.radii)),
@@ -123,7 +123,7 @@ def _summary(scene: "Scene | LineScene") -> dict[str, Any]:
     from pyworm.scene.formula_film import film_of
     from pyworm.scene.line import LineScene
 
-    plan = plan_of(scene, JUDGED_AT, "isothermal,-real-gap", ("film",))
+    plan = plan_of(scene, JUDGED_AT, ("isothermal", "-real-gap"), ("film",))
     films = None if isinstance(scene, LineScene) else film_of(scene, reduced=True)
     holds = () if films is None else films.holds
     found = formula_summary(scene, plan, films)

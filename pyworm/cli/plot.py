@@ -108,7 +108,7 @@ def _animate(options: argparse.Namespace, result: "Result | None", directory: Pa
     if not named:
         raise CaseError(
             f"--animate: {options.result} has no transient solution; "
-            'run the case with effects = "auto,squeeze"'
+            "run the case with --effects auto,squeeze"
         )
     kind = options.animate
 

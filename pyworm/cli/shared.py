@@ -18,6 +18,7 @@ from pyworm.scene.index import INDEX_NAMES
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
+    from pyworm.batch.request import Request
     from pyworm.batch.task import Task
     from pyworm.result.result import Result
     from pyworm.scene.index import ContactIndex
@@ -122,7 +123,7 @@ def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[ContactInde
 
     CaseError where none of them is under load.
     """
-    from pyworm.batch.in_python import requested_places
+    from pyworm.batch.request import requested_places
 
     wanted = {name: getattr(options, name) for name in INDEX_NAMES}
     return requested_places(
@@ -132,15 +133,13 @@ def wanted_places(case: Case, options: argparse.Namespace) -> "tuple[ContactInde
 
 def planned_tasks(case: Case, options: argparse.Namespace) -> "list[Task]":
     """The tasks of a case, all planned before the first is solved."""
-    accuracy = None
+    request: Request = {"effects": options.effects, "quantities": options.quantities}
     if options.accuracy is not None:
-        accuracy = option_value("accuracy", options.accuracy, SHARE_KIND)
+        request["accuracy"] = option_value("accuracy", options.accuracy, SHARE_KIND)
 
-    from pyworm.batch.in_python import planned
+    from pyworm.batch.request import planned
 
-    words = options.quantities
-    quantities = None if words is None else words.split(",")
-    return planned(case, wanted_places(case, options), accuracy, options.effects, quantities)
+    return planned(case, wanted_places(case, options), request)
 
 
 def batch_executor(options: argparse.Namespace) -> "AbstractContextManager[Executor | None]":

@@ -22,6 +22,9 @@ WithUnit = float | str
 Given = WithUnit | Sequence[WithUnit] | Sequence[Sequence[WithUnit]] | np.ndarray
 """What stands for numbers with a dimension: numbers in SI, texts with units, or rows of both."""
 
+Names = str | Sequence[str]
+"""What stands for a choice of names: one, "auto", or several, ("auto", "-squeeze")."""
+
 MAX_VALUE_LENGTH = 40
 """Characters of a value that a sentence shows."""
 
@@ -89,6 +92,30 @@ def text(name: str, value: object) -> str:
     if not isinstance(value, str):
         raise ValueError(f"{name} = {value!r:.{MAX_VALUE_LENGTH}}: must be a text in quotes")
     return value
+
+
+def as_names(value: Any, example: str) -> tuple[str, ...]:
+    """The names of a choice; ValueError for what is none, and for several in one text."""
+    given = (value,) if isinstance(value, str) else value
+    if isinstance(value, str) and "," in value:
+        several = ", ".join(f'"{part.strip()}"' for part in value.split(","))
+        raise ValueError(f"several names must be texts of their own, {several}")
+    if (
+        not isinstance(given, Sequence | np.ndarray)
+        or not len(given)
+        or not all(isinstance(part, str) for part in given)
+    ):
+        raise ValueError(f"must be one name or several, such as {example}")
+    return tuple(map(str, given))
+
+
+def name_list(name: str, value: Any, example: str) -> tuple[str, ...]:
+    """The names of an argument, as of `as_names`."""
+    try:
+        return as_names(value, example)
+    except ValueError as error:
+        shown = f'"{value}"' if isinstance(value, str) else f"{value!r}"
+        raise ValueError(f"{name} = {shown:.{MAX_VALUE_LENGTH}}: {error}") from None
 
 
 def row(name: str, value: Any) -> Sequence[Any] | np.ndarray:

@@ -1,6 +1,6 @@
 """Types of the keys of case files that have no unit: numbers, counts and texts."""
 
-from typing import Annotated
+from typing import Annotated, Literal
 
 from pydantic import Field
 
@@ -21,3 +21,4 @@ Count = Annotated[int, Field(strict=True, gt=0, le=MOST_COUNTED)]
 Seed = Annotated[int, Field(strict=True, ge=0, le=LARGEST_INTEGER)]
 Phase = Annotated[float, Field(strict=True, ge=0, le=1)]
 Text = Annotated[str, Field(min_length=1)]
+RequestedQuantity = Literal["film", "friction", "temperature"]

@@ -185,12 +185,3 @@ def composite_roughness(body_1: Body, body_2: Body) -> float | None:
     if body_1.roughness is None or body_2.roughness is None:
         return None
     return wear_distress.composite_roughness(body_1.roughness, body_2.roughness)
-
-
-def named_body(
-    material: str,
-    roughness: WithUnit | Roughness | None = None,
-    bulk_temperature: WithUnit | None = None,
-) -> Body:
-    """The solid of a name; material, roughness and bulk_temperature as of `Body.from_name`."""
-    return Body.from_name(material, roughness, bulk_temperature)

@@ -1,14 +1,14 @@
 """The plan: which effects are simulated, on which grids, to reach the accuracy asked for."""
 
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from pyworm.formulas.regimes import Regime
 from pyworm.io import units
-from pyworm.io.given import WithUnit, kind_of, number, row, unusual
+from pyworm.io.given import Names, WithUnit, kind_of, number, unusual
 from pyworm.io.quantity_text import percent
 from pyworm.io.shown import Shown
 from pyworm.materials.flow_laws import NEWTONIAN
@@ -18,10 +18,10 @@ from pyworm.planning.effects.judgement import Judgement, judge, simplified
 from pyworm.planning.effects.selection import (
     SIMULATED,
     BesideAuto,
-    Effects,
-    as_text,
     beside_auto,
     chosen,
+    effect_names,
+    quantity_names,
     require,
 )
 from pyworm.planning.effects.squeeze import SQUEEZE
@@ -45,7 +45,7 @@ class Plan(Shown):
     """Relative error required in the requested quantities [-]."""
     quantities: tuple[str, ...]
     """Requested quantities, of `pyworm.planning.effects.effect.QUANTITIES`."""
-    asked: str | None
+    asked: tuple[str, ...] | None
     """Effects named by the user; None where the accuracy decides."""
     effects: tuple[Judgement, ...]
     """Every effect with its judgement."""
@@ -123,8 +123,8 @@ class Plan(Shown):
 def plan(
     scene: Scene | LineScene,
     accuracy: WithUnit = 0.01,
-    effects: Effects = "auto",
-    quantities: Sequence[str] | None = None,
+    effects: Names = "auto",
+    quantities: Names | None = None,
 ) -> Plan:
     """Plan the solve of a scene: effects, model, grids and tolerance.
 
@@ -171,16 +171,13 @@ def _require_conduction(scene: Scene | LineScene) -> None:
 def plan_of(
     scene: Scene | LineScene,
     accuracy: WithUnit = 0.01,
-    effects: Effects = "auto",
-    quantities: Sequence[str] | None = None,
+    effects: Names = "auto",
+    quantities: Names | None = None,
 ) -> Plan:
     """The plan of a scene that is known to be possible; arguments as of `plan`."""
     accuracy = number("accuracy", accuracy, kind_of(units.Share))
-    effects = as_text(effects)
-    if isinstance(quantities, str):
-        quantities = tuple(quantities.split(","))
-    if quantities is not None:
-        quantities = tuple(row("quantities", quantities))
+    names = effect_names(effects)
+    quantities = quantity_names(quantities)
     if not 1e-5 <= accuracy <= 0.5:
         raise ValueError(
             f"accuracy = {accuracy:g}: must be a relative error between 1e-5 and 0.5, such as 1%"
@@ -193,13 +190,13 @@ def plan_of(
             raise ValueError(
                 f"quantities: {quantity} cannot be found without [oil.shear] or [oil.heat]"
             )
-    wanted = known if quantities is None else tuple(quantities)
-    beside = beside_auto(effects)
-    asked = effects if beside is None else None
+    wanted = known if quantities is None else quantities
+    beside = beside_auto(names)
+    asked = names if beside is None else None
     beside = beside or BesideAuto()
     excluded = dict.fromkeys(beside.excluded, "neglected as requested")
     for name in beside.required:
-        require(scene, name, effects)
+        require(scene, name, names)
     try:
         with np.errstate(over="raise", divide="raise", invalid="raise"):
             prediction = predicted(scene)
@@ -216,7 +213,7 @@ def planned(
     accuracy: float,
     quantities: tuple[str, ...],
     prediction: Prediction,
-    asked: str | None = None,
+    asked: tuple[str, ...] | None = None,
     required: frozenset[str] = frozenset(),
     excluded: Mapping[str, str] | None = None,
 ) -> Plan:
@@ -247,12 +244,14 @@ def planned(
     )
 
 
-def _require_any(quantities: tuple[str, ...], asked: str | None, found: Mapping[str, bool]) -> None:
+def _require_any(
+    quantities: tuple[str, ...], asked: tuple[str, ...] | None, found: Mapping[str, bool]
+) -> None:
     """Refuse effects without which nothing that is asked for would be found; ValueError."""
     if asked is not None and not any(found[quantity] for quantity in quantities):
         raise ValueError(
-            f"quantities: {', '.join(quantities)} cannot be found with effects = {asked}, which neglects "
-            "the oil's flow law and heat; request film, or effects = auto"
+            f"quantities: {', '.join(quantities)} cannot be found with effects = {','.join(asked)}, which "
+            "neglects the oil's flow law and heat; request film, or effects = auto"
         )
 
 
@@ -320,7 +319,7 @@ def _judged(
     accuracy: float,
     quantities: tuple[str, ...],
     prediction: Prediction,
-    asked: str | None,
+    asked: tuple[str, ...] | None,
     required: frozenset[str],
     excluded: Mapping[str, str] | None,
 ) -> tuple[Judgement, ...]:

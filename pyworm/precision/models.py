@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from pyworm.io.given import Names
 from pyworm.planning.effects.judgement import simplified
 from pyworm.planning.plan import Plan, plan_of
 from pyworm.scene.line import LineScene
@@ -42,23 +43,25 @@ def fidelities(
     point = isinstance(scene, Scene)
     body = "point" if point else "line"
     isothermal = f"isothermal Newtonian {body}"
-    wanted: list[tuple[str, Scene | LineScene, str]] = [
-        ("line contact", scene, "isothermal,-second-dimension"),
+    wanted: list[tuple[str, Scene | LineScene, Names]] = [
+        ("line contact", scene, ("isothermal", "-second-dimension")),
         (isothermal, scene, "isothermal"),
     ][0 if point else 1 :]
     if scene.oil.flow is not None:
-        cold = "all,-roughness,-film-heating,-surface-heating"
+        cold = ("all", "-roughness", "-film-heating", "-surface-heating")
         wanted.append(("+ rheology", scene, cold))
     if scene.oil.heat is not None:
-        wanted.append(("+ surface heat", conducting(scene), "all,-roughness,-viscosity-across"))
-        wanted.append(("+ film heat", scene, "all,-roughness"))
+        wanted.append(
+            ("+ surface heat", conducting(scene), ("all", "-roughness", "-viscosity-across"))
+        )
+        wanted.append(("+ film heat", scene, ("all", "-roughness")))
     if scene.composite_roughness is not None:
         wanted.append(("+ roughness", scene, "all"))
     models: list[Fidelity] = []
     lacking: dict[str, str] = {}
-    for name, contact, words in wanted:
+    for name, contact, effects in wanted:
         try:
-            planned = plan_of(contact, accuracy, words, quantities)
+            planned = plan_of(contact, accuracy, effects, quantities)
             model = Fidelity(name, simplified(contact, planned.on), planned)
         except ValueError as error:
             if name == wanted[-1][0]:

@@ -96,7 +96,7 @@ class Contact(Shown, ABC):
             if not isinstance(body, Body):
                 raise ValueError(
                     f"a body is a {type(body).__name__}, {body!r:.40}: must be a Body, such as "
-                    'named_body("16MnCr5") or Body("207 GPa", 0.3)'
+                    'Body.from_name("16MnCr5") or Body("207 GPa", 0.3)'
                 )
             require_kinds("a body", body, Body)
         if self.oil.heat is not None:

@@ -6,9 +6,8 @@ from dataclasses import replace
 import numpy as np
 
 from pyworm.io import units
-from pyworm.io.given import WithUnit, kind_of, number
+from pyworm.io.given import Names, WithUnit, kind_of, number
 from pyworm.materials.oil_layer import OilLayer
-from pyworm.planning.effects.selection import Effects
 from pyworm.scene.point import Scene, require_point
 from pyworm.solver.solution import Solution
 from pyworm.solver.solve import solve
@@ -18,7 +17,7 @@ def passes(
     scene: Scene,
     count: int,
     accuracy: WithUnit = 0.05,
-    effects: Effects = "auto",
+    effects: Names = "auto",
     replenished: WithUnit = 0.0,
 ) -> Iterator[Solution]:
     """Solve passes of a contact over one track, as of rollers or balls in a row, one after another.

@@ -1,14 +1,13 @@
 """Solve a scene by its plan, on finer grids until the figures are as accurate as asked."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from math import inf
 from typing import Any
 
-from pyworm.io.given import WithUnit
+from pyworm.io.given import Names, WithUnit
 from pyworm.io.progress import Progress
 from pyworm.io.quantity_text import percent
 from pyworm.kernel.core import KernelError
-from pyworm.planning.effects.selection import Effects
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.effects.starvation import STARVATION
 from pyworm.planning.plan import Plan, reviewed, steady, with_accuracy
@@ -34,8 +33,8 @@ def solve(
     rates: Rates | None = None,
     *,
     accuracy: WithUnit | None = None,
-    effects: Effects | None = None,
-    quantities: Sequence[str] | None = None,
+    effects: Names | None = None,
+    quantities: Names | None = None,
 ) -> Solution:
     """Solve a scene for its film, `solve(scene, accuracy="2 %")` or `solve(scene, plan)`.
 

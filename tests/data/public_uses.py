@@ -16,7 +16,7 @@ layered = pyworm.Oil(
 law = pyworm.FlowLaw("eyring", stress="5 MPa")
 heat = pyworm.OilHeat("60 degC", 0.04, "0.14 W/(m K)", 2000.0, expansivity="7e-4 1/K")
 body = pyworm.Body("207 GPa", 0.3, roughness="0.1 um", bulk_temperature="60 degC")
-steel = pyworm.named_body("16MnCr5", "0.4 um")
+steel = pyworm.Body.from_name("16MnCr5", "0.4 um")
 named = pyworm.named_oil("PAO VG 220").oil("60 degC")
 ball = pyworm.Scene(
     name="ball",

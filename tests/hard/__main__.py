@@ -47,7 +47,7 @@ EFFECTS = {
     "isothermal": "isothermal",
     "thermal": "all",
     "rough": "all",
-    "past": "isothermal,squeeze",
+    "past": ("isothermal", "squeeze"),
     "starved": "all",
 }
 

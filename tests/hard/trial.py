@@ -81,7 +81,11 @@ def flaws(solution: Solution) -> list[str]:
 
 
 def trial(
-    tables: dict[str, Any], name: str, directory: Path, effects: str, kind: type[Trial] = Trial
+    tables: dict[str, Any],
+    name: str,
+    directory: Path,
+    effects: str | tuple[str, ...],
+    kind: type[Trial] = Trial,
 ) -> Trial:
     """The trial of a case file's content."""
     return kind(case_of(tables, name, directory), ContactIndex(), ACCURACY, effects)

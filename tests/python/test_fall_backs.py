@@ -16,7 +16,7 @@ BRANCHES: dict[str, str] = tomllib.loads(
 )
 
 MADE_BY = {
-    "batch/in_python.py planned ValueError":
+    "batch/request.py planned ValueError":
         "batch/test_run.py::test_a_contact_that_cannot_be_planned_is_refused",
     "batch/wear.py wear ValueError":
         "batch/test_run.py::test_wear_needs_a_roughness",

@@ -77,7 +77,7 @@ class Cameron(ViscosityLaw):
 CASE = """title = "Roller with an oil of Cameron's law"
 source = "A test"
 accuracy = "2 %"
-effects = "all,-roughness,-starvation"
+effects = ["all", "-roughness", "-starvation"]
 contact = {{ kind = "line-contact", radius = "10 mm", load = "150 kN/m" }}
 motion = {{ velocity_1 = "0.6 m/s", velocity_2 = "0.4 m/s" }}
 
@@ -144,11 +144,15 @@ def test_a_case_with_it_has_the_films_of_its_table(copy, tmp_path):
     )
     heat = replace(scene.oil.thermal, viscosity_exponent=0.0)
     same = replace(scene, oil=replace(scene.oil, viscosity=table, heat=heat))
-    expected = pyworm.solve(same, pyworm.plan(same, 0.02, "all,-roughness,-starvation")).figures
+    expected = pyworm.solve(
+        same, pyworm.plan(same, 0.02, ("all", "-roughness", "-starvation"))
+    ).figures
     for name in ("film_central", "film_min", "friction_coefficient"):
         value = getattr(expected, name).value
         assert getattr(solved.figures, name).value == pytest.approx(value, rel=1e-3), name
-    thick = pyworm.solve(scene, pyworm.plan(scene, 0.02, "all,-roughness,-starvation")).figures
+    thick = pyworm.solve(
+        scene, pyworm.plan(scene, 0.02, ("all", "-roughness", "-starvation"))
+    ).figures
     assert thick.friction_coefficient.value > 1.02 * expected.friction_coefficient.value
 
 

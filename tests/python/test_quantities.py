@@ -250,12 +250,6 @@ DIMENSIONED = {
         )
     },
     "Body.warm_at(inlet)": (pyworm.Body(2e11, 0.3).warm_at, 333.15, "60 degC"),
-    "named_body(roughness)": (lambda v: pyworm.named_body("16MnCr5", roughness=v), 4e-7, "0.4 um"),
-    "named_body(bulk_temperature)": (
-        lambda v: pyworm.named_body("16MnCr5", bulk_temperature=v),
-        333.15,
-        "60 degC",
-    ),
     "named_liquid(temperature)": (lambda v: pyworm.named_liquid("squalane", v), 333.15, "60 degC"),
     **{f"NamedOil.{name}(temperature)": case for name, case in NAMED.items()},
     "FlowLaw.stress": (eyring("stress"), 5e6, "5 MPa"),
@@ -579,7 +573,6 @@ PLAIN = {
     "film": "oil",
     "film_of": "scene reduced",
     "load": "source name",
-    "named_body": "material",
     "named_liquid": "name",
     "named_oil": "name",
     "open_result": "path",

@@ -10,7 +10,7 @@ HOW = {"accuracy": 0.2, "effects": "isothermal", "quantities": ("film",), "progr
 
 
 def test_1_a_contact_in_six_statements():
-    body = pyworm.named_body("16MnCr5")
+    body = pyworm.Body.from_name("16MnCr5")
     oil = pyworm.named_oil("PAO VG 220").oil(333.15)
     pair = pyworm.RigidMotion(1.1, 0), pyworm.RigidMotion(0.9, 0)
     gap = pyworm.Paraboloid("10 mm", "10 mm")

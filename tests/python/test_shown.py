@@ -19,7 +19,7 @@ EXCEPTIONS = ("CaseError", "KernelError", "UnusualWarning")
 
 def built():
     """An object of each public class, and what its line has to have in it."""
-    steel, oil = pyworm.named_body("16MnCr5"), pyworm.named_oil("PAO VG 220")
+    steel, oil = pyworm.Body.from_name("16MnCr5"), pyworm.named_oil("PAO VG 220")
     solution = make_solution()
     table = xr.Dataset({"converged": ("scene", [1, 0])})
     square = np.linspace(-1e-3, 1e-3, 9)

@@ -56,7 +56,7 @@ def whole_gear_set():
 def measured_surface(heights):
     """Film between a measured flank and a plane."""
     gap = pyworm.read_gap(heights)
-    steel = pyworm.named_body("16MnCr5")
+    steel = pyworm.Body.from_name("16MnCr5")
     oil = pyworm.named_oil("PAO VG 220").oil("60 degC")
     scene = pyworm.Scene(
         gap=gap,
@@ -90,7 +90,7 @@ def contact(load):
 
 def stribeck_curve(accuracy):
     """Friction over speed, from mixed to full film."""
-    steel = pyworm.named_body("16MnCr5", roughness="0.1 um")
+    steel = pyworm.Body.from_name("16MnCr5", roughness="0.1 um")
     oil = pyworm.named_oil("mineral VG 100").oil("80 degC")
     gap = pyworm.Paraboloid("10 mm", "10 mm")
 
@@ -105,7 +105,7 @@ def stribeck_curve(accuracy):
 def start_and_stop(accuracy):
     """A ball that starts and stops."""
     oil = pyworm.named_oil("PAO VG 220").oil("60 degC")
-    steel = pyworm.named_body("16MnCr5")
+    steel = pyworm.Body.from_name("16MnCr5")
     scene = pyworm.Scene(
         gap=pyworm.Paraboloid("10 mm", "10 mm"),
         load="30 N",
@@ -121,7 +121,7 @@ def starved_contact(accuracy):
     """A contact under little oil."""
     oil = pyworm.named_oil("PAO VG 220").oil("60 degC")
     scarce = replace(oil, supply="0.15 um")
-    steel = pyworm.named_body("16MnCr5")
+    steel = pyworm.Body.from_name("16MnCr5")
     scene = pyworm.Scene(
         gap=pyworm.Paraboloid("10 mm", "10 mm"),
         load="30 N",
@@ -138,7 +138,7 @@ def own_oil(accuracy):
     oil = pyworm.NamedOil.from_datasheet(nu40="220 mm^2/s", nu100="26 mm^2/s", base="PAO")
     scene = pyworm.Scene(
         gap=pyworm.Paraboloid("10 mm", "10 mm"), load="30 N", motions=motions(),
-        bodies=(pyworm.named_body("16MnCr5"),) * 2, oil=oil.oil("60 degC"),
+        bodies=(pyworm.Body.from_name("16MnCr5"),) * 2, oil=oil.oil("60 degC"),
     )  # fmt: skip
     solution = pyworm.solve(scene, accuracy=accuracy, **FILM)
     return solution
@@ -195,7 +195,7 @@ def test_a_measured_surface_its_export_and_formulas(tmp_path):
     assert solution.converged
     export(solution, tmp_path / "flank.vti")
     assert (tmp_path / "flank.vti").stat().st_size > 10_000
-    steel = pyworm.named_body("16MnCr5")
+    steel = pyworm.Body.from_name("16MnCr5")
     line = pyworm.LineScene(
         gap=pyworm.Parabola("10 mm"),
         load="100 kN/m",

@@ -8,7 +8,7 @@ INLET = 333.15
 
 def steel():
     """A smooth solid of steel."""
-    return pyworm.named_body("16MnCr5", bulk_temperature=INLET)
+    return pyworm.Body.from_name("16MnCr5", bulk_temperature=INLET)
 
 
 def motions(sliding=0.2, speed=1.0):

@@ -3,13 +3,13 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import inf
+from typing import get_args
 
+from pyworm.io.plain_values import RequestedQuantity
 from pyworm.planning.prediction import Prediction
 from pyworm.scene.any_contact import AnyContact
 
-FILM, FRICTION, TEMPERATURE = "film", "friction", "temperature"
-
-QUANTITIES = (FILM, FRICTION, TEMPERATURE)
+FILM, FRICTION, TEMPERATURE = QUANTITIES = get_args(RequestedQuantity)
 """Quantities of a contact: minimum and central film, friction and power loss, largest temperatures."""
 
 

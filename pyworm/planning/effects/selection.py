@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from pyworm.io.given import row
+from pyworm.io.given import Names, name_list
 from pyworm.planning.effects.catalogue import EFFECTS
 from pyworm.scene.any_contact import AnyContact
 
@@ -26,27 +26,32 @@ SIMULATED = {effect.name: effect for effect in EFFECTS if effect.without is not 
 GROUPS = ("all", "isothermal")
 """Words for several effects."""
 
+EXAMPLE = '"auto" or "auto", "-squeeze"'
+"""A choice of one effect and one of several."""
 
-Effects = str | Sequence[str]
-"""Effects as a script names them: one word, such as "auto", or several, ("auto", "-squeeze")."""
-
-
-def as_text(effects: Effects) -> str:
-    """A choice of effects as case files have it, with commas; ValueError for what is none."""
-    if isinstance(effects, str):
-        return effects
-    named = tuple(row("effects", effects))
-    if not named or not all(isinstance(name, str) for name in named):
-        raise ValueError(f'effects = {effects!r:.40}: must be names, such as ("auto", "-squeeze")')
-    return ",".join(named)
+AUTO = ("auto",)
+"""Effects that the accuracy requires."""
 
 
-def words(text: str) -> tuple[str, ...]:
-    """The names of a choice; after "auto", effects to simulate in any case, and after a minus in none.
+def effect_names(effects: Names) -> tuple[str, ...]:
+    """The names of a choice, such as "auto" or ("auto", "-squeeze"); ValueError for what is none."""
+    return name_list("effects", effects, EXAMPLE)
 
-    ValueError for an unknown name.
+
+def quantity_names(quantities: Names | None) -> tuple[str, ...] | None:
+    """The names of requested quantities, such as ("film", "friction"); None where none are named."""
+    return (
+        None
+        if quantities is None
+        else name_list("quantities", quantities, '"film" or "film", "friction"')
+    )
+
+
+def require_known(names: Sequence[str]) -> None:
+    """Refuse an unknown name (ValueError).
+
+    After "auto" stand effects to simulate in any case, and after a minus those to simulate in none.
     """
-    names = tuple(part.strip() for part in text.split(","))
     if names[0] == "auto":
         for word in names[1:]:
             name = word.removeprefix("-")
@@ -55,7 +60,7 @@ def words(text: str) -> tuple[str, ...]:
                 raise ValueError(
                     f"{name or 'nothing'} after {beside} is none of {', '.join(SIMULATED)}"
                 )
-        return names
+        return
     if "auto" in names:
         raise ValueError("auto comes first, as in auto,-squeeze, and goes with no other choice")
     for word in names:
@@ -63,7 +68,6 @@ def words(text: str) -> tuple[str, ...]:
             raise ValueError(
                 f"{word or 'nothing'} is none of auto, {', '.join(GROUPS)}, {', '.join(SIMULATED)}"
             )
-    return names
 
 
 @dataclass(frozen=True)
@@ -76,35 +80,35 @@ class BesideAuto:
     """Effects not to simulate, with those that depend on them."""
 
 
-def beside_auto(text: str) -> BesideAuto | None:
-    """Effects named together with "auto"; None without it; ValueError for a word that means nothing."""
-    first, *names = _understood(text)
+def beside_auto(names: Sequence[str]) -> BesideAuto | None:
+    """Effects named together with "auto"; None without it; ValueError for an unknown name."""
+    first, *others = _understood(names)
     if first != "auto":
         return None
-    minus = {name.removeprefix("-") for name in names if name.startswith("-")}
+    minus = {name.removeprefix("-") for name in others if name.startswith("-")}
     excluded = frozenset().union(*map(_with_dependents, minus))
-    return BesideAuto(frozenset(name for name in names if not name.startswith("-")), excluded)
+    return BesideAuto(frozenset(name for name in others if not name.startswith("-")), excluded)
 
 
-def _understood(text: str) -> tuple[str, ...]:
+def _understood(names: Sequence[str]) -> Sequence[str]:
     try:
-        return words(text)
+        require_known(names)
     except ValueError as error:
-        raise ValueError(f"effects = {text}: {error}") from None
+        raise ValueError(f"effects = {','.join(names)}: {error}") from None
+    return names
 
 
-def chosen(scene: AnyContact, text: str) -> frozenset[str]:
+def chosen(scene: AnyContact, names: Sequence[str]) -> frozenset[str]:
     """Names of the effects that a choice selects.
 
-    With commas between: "all" (all that are simulated and the contact has), "isothermal" (these for a steady
-    Newtonian film of one temperature between smooth surfaces), names of effects, and names after a minus,
-    which are taken away. ValueError for a word that means nothing, and for an effect that is not simulated or
-    that the contact has not.
+    "all" (all that are simulated and the contact has), "isothermal" (these for a steady Newtonian film of one
+    temperature between smooth surfaces), names of effects, and names after a minus, which are taken away.
+    ValueError for an unknown name, and for an effect that is not simulated or that the contact has not.
     """
     whole = {name for name, effect in SIMULATED.items() if effect.lacking(scene) is None}
     groups = {"all": whole, "isothermal": whole - BEYOND_ISOTHERMAL}
     on: set[str] = set()
-    for word in _understood(text):
+    for word in _understood(names):
         name = word.removeprefix("-")
         if word.startswith("-"):
             on -= groups.get(name) or _with_dependents(name)
@@ -113,16 +117,16 @@ def chosen(scene: AnyContact, text: str) -> frozenset[str]:
         elif name in whole:
             on |= {name, *SIMULATED[name].together}
         else:
-            require(scene, name, text)
+            require(scene, name, names)
     return frozenset(on & whole)
 
 
-def require(scene: AnyContact, name: str, text: str) -> None:
+def require(scene: AnyContact, name: str, names: Sequence[str]) -> None:
     """Refuse an effect that a contact has none of, but by the phase of a mesh (ValueError)."""
     effect = SIMULATED[name]
     reason = effect.lacking(scene)
     if reason is not None and not effect.passing:
-        raise ValueError(f"effects = {text}: {name}: {reason}")
+        raise ValueError(f"effects = {','.join(names)}: {name}: {reason}")
 
 
 def _with_dependents(name: str) -> set[str]:

@@ -18,6 +18,7 @@ import numpy as np
 from pyworm.io.atomic import whole_file
 from pyworm.io.bounded_number import read_json
 from pyworm.io.cache import cache_directory
+from pyworm.io.given import Names
 from pyworm.io.stage import stage
 from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import FlowLaw
@@ -215,17 +216,20 @@ def calibrate() -> Calibration:
             scene, kind, "isothermal", 0
         )  # what is only done the first time is no part of a pace
         cold[kind], convolutions[kind] = _timed(scene, kind, "isothermal", 0)
-        for paces, words in ((sheared, "all,-film-heating,-surface-heating"), (heated, "all")):
+        for paces, words in (
+            (sheared, ("all", "-film-heating", "-surface-heating")),
+            (heated, "all"),
+        ):
             few, many = (_timed(scene, kind, words, levels)[0] for levels in LEVELS)
             paces[kind] = few, many
     return Calibration(cold, sheared, heated, convolutions)
 
 
 def _timed(
-    scene: Scene | LineScene, kind: Kind, words: str, levels: int
+    scene: Scene | LineScene, kind: Kind, effects: Names, levels: int
 ) -> tuple[Pace, Convolutions]:
     """Processor times of a model from two grids, and nodes and seconds of a convolution on each."""
-    planned = plan_of(scene, CALIBRATION_ACCURACY, words)
+    planned = plan_of(scene, CALIBRATION_ACCURACY, effects)
     planned = replace(planned, model=replace(planned.model, levels=levels))
     simple = simplified(scene, planned.on)
     solver = SOLVERS[type(simple)](simple, planned)

@@ -25,7 +25,9 @@ def coarse_teeth():
 
 
 def test_phases_of_one_life_share_its_transient_solves():
-    expected = of_run("cases/spur_pair.toml", 0.5, "isothermal,squeeze", phase=[0.58, 0.6, 0.62])
+    expected = of_run(
+        "cases/spur_pair.toml", 0.5, ("isothermal", "squeeze"), phase=[0.58, 0.6, 0.62]
+    )
     lone = sum(of.seconds for of in expected.each)
     assert max(of.seconds for of in expected.each) < expected.once < lone
     assert expected.search == 0
@@ -33,7 +35,7 @@ def test_phases_of_one_life_share_its_transient_solves():
 
 def test_lifts_are_searched_for_where_they_are_left_open():
     """By films of lower accuracy, or by one more transient solve of the life."""
-    how = {"path": "cases/zi_drive.toml", "effects": "isothermal,squeeze", "phase": PHASES}
+    how = {"path": "cases/zi_drive.toml", "effects": ("isothermal", "squeeze"), "phase": PHASES}
     fine, coarse = (of_run(accuracy=accuracy, **how) for accuracy in (0.05, 0.2))
     assert 0 < fine.search < fine.once
     assert 0 < coarse.search < coarse.once < fine.once

@@ -57,6 +57,8 @@ def test_what_has_nothing_to_be_rated_or_set_up_is_refused():
     case = pyworm.load(CASE)
     with pytest.raises(pyworm.CaseError, match="only drives of kind"):
         pyworm.rate(case)
+    with pytest.raises(TypeError, match="phase is none of the arguments: accuracy, effects, quan"):
+        pyworm.check(case, phase=0.5)
     with pytest.raises(pyworm.CaseError, match="point_m20_l10: has no hob that could be set up"):
         pyworm.setup(case)
     with pytest.raises(pyworm.CaseError, match="point_m20_l10: has no wheel that a shim could"):

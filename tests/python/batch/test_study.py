@@ -10,10 +10,10 @@ from contacts import ball
 
 import pyworm
 from pyworm.batch.scene_task import SceneTask, content_digest
-from pyworm.materials.body import named_body
+from pyworm.materials.body import Body
 from pyworm.result.labelled_sweep import labelled
 
-STEEL = named_body("16MnCr5")
+STEEL = Body.from_name("16MnCr5")
 
 
 def contact(load, speed=1.0):

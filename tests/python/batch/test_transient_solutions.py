@@ -13,7 +13,7 @@ from pyworm.result.life import lives
 from pyworm.solver.transient.time_integration import NoFilmError
 from pyworm.solver.transient.transient import rates_at_present
 
-HOW = 0.5, "isothermal,squeeze", ("film",)
+HOW = 0.5, ("isothermal", "squeeze"), ("film",)
 
 
 @pytest.fixture(autouse=True)
@@ -39,7 +39,7 @@ def test_phases_share_a_life_and_find_what_each_would_alone(tmp_path):
 
 def test_what_is_left_for_a_task_has_the_heat_of_surfaces_and_oil(tmp_path):
     case = pyworm.load("cases/spur_pair.toml")
-    how = 0.5, "all,-roughness", ("film",)
+    how = 0.5, ("all", "-roughness"), ("film",)
     tasks = [Task(case, place, *how) for place in case.places(phase=[0.35, 0.6])]
     solve_lives(tasks, tmp_path, None, lambda message, share: None)
     (rate,) = rates_for(tasks[0], tmp_path).found

@@ -124,6 +124,11 @@ def refuse(tmp_path, monkeypatch, capsys):
         ('"540 MPa"', '"540 MPx"', 'published.dry_pressure_max = "540 MPx": must be a number'),
         ('"1 %"', '"1 mm"', 'accuracy = "1 mm": must be a share, such as "1 %"'),
         ('"1 %"', '"99 %"', "accuracy = 0.99"),
+        (
+            '["auto", "-squeeze"]',
+            '"auto,-squeeze"',
+            'effects = "auto,-squeeze": several names must be texts of their own, "auto", "-squeeze"',
+        ),
         ("[drive]", "[drive", "not a TOML file"),
     ],
 )

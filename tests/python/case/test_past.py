@@ -36,7 +36,7 @@ def test_a_film_grows_after_a_reversal_and_its_oil_came_in_slower():
     scene = pyworm.load(CASES / "reversal_line.toml").scene()
     moving, still = (
         pyworm.solve(scene, pyworm.plan(scene, 0.05, effects)).figures
-        for effects in ("auto", "auto,-squeeze")
+        for effects in ("auto", ("auto", "-squeeze"))
     )
     for name in ("film_central", "film_min"):
         assert 0.7 < getattr(moving, name).value / getattr(still, name).value < 0.95

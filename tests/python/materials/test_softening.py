@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from pyworm.materials import solids
-from pyworm.materials.body import Body, named_body, reduced_modulus
+from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.softening import modulus_at
 
 CURVE = (("20 degC", "4 GPa"), ("100 degC", "1 GPa"))
@@ -41,8 +41,8 @@ def test_a_body_that_is_warmed_softens_and_one_that_cools_stiffens_again():
 
 
 def test_a_soft_body_rules_the_reduced_modulus():
-    steel = named_body("42CrMo4", bulk_temperature="100 degC")
-    cold, hot = (named_body("PEEK", bulk_temperature=t) for t in ("23 degC", "160 degC"))
+    steel = Body.from_name("42CrMo4", bulk_temperature="100 degC")
+    cold, hot = (Body.from_name("PEEK", bulk_temperature=t) for t in ("23 degC", "160 degC"))
     ratio = reduced_modulus(steel, hot) / reduced_modulus(steel, cold)
     assert ratio == pytest.approx(hot.youngs_modulus / cold.youngs_modulus, rel=0.02)
     assert hot.youngs_modulus < cold.youngs_modulus / 3
@@ -51,15 +51,15 @@ def test_a_soft_body_rules_the_reduced_modulus():
 @pytest.mark.parametrize("name", PLASTICS)
 @given(low=st.floats(250, 550), step=st.floats(0, 300))
 def test_moduli_of_the_list_never_rise_with_temperature(name, low, step):
-    points = named_body(name).modulus_by_temperature
+    points = Body.from_name(name).modulus_by_temperature
     assert 0 < modulus_at(points, low + step) <= modulus_at(points, low)
 
 
 def test_plastics_of_wheels_are_in_the_list_with_their_limits():
     assert set(PLASTICS) == {"PA66", "PA46", "POM-C", "POM-H", "PEEK"}
-    order = [named_body(name).temperature_limit for name in ("POM-H", "PA46", "PEEK")]
+    order = [Body.from_name(name).temperature_limit for name in ("POM-H", "PA46", "PEEK")]
     assert order == sorted(order)
-    assert named_body("16MnCr5").temperature_limit is None
+    assert Body.from_name("16MnCr5").temperature_limit is None
     assert solids.named_material("POM") == "POM-C" and solids.named_material("delrin") == "POM-H"
 
 

@@ -9,7 +9,7 @@ from folders import CASES
 from pyworm.case.case import case_again, case_of
 from pyworm.io.input_error import CaseError
 from pyworm.materials import solids
-from pyworm.materials.body import Body, named_body, reduced_modulus
+from pyworm.materials.body import Body, reduced_modulus
 
 CASE = (CASES / "worm_drawing.toml").read_text()
 
@@ -51,7 +51,7 @@ def test_boundary_friction_of_wheels_stands_to_each_other_as_friction_at_rest():
 
 @pytest.mark.parametrize("alloy", ["CuSn12", "CuSn12Ni2", "CuAl10Fe5Ni5"])
 def test_boundary_friction_is_the_alloy_s_however_it_is_cast(alloy):
-    poured = {named_body(f"{alloy}-C-{way}").boundary_friction_factor for way in ("GZ", "GC")}
+    poured = {Body.from_name(f"{alloy}-C-{way}").boundary_friction_factor for way in ("GZ", "GC")}
     assert len(poured) == 1
 
 

@@ -102,17 +102,19 @@ def test_a_finer_accuracy_never_leaves_more_out(speed, sliding):
 
 def test_a_scene_is_simplified_by_what_is_off():
     scene = TRIALS["worm, phase 0.5"].scene()
-    simple = pyworm.plan(scene, 0.01, "isothermal,-real-gap,-varying-velocity").simplified(scene)
+    simple = pyworm.plan(scene, 0.01, ("isothermal", "-real-gap", "-varying-velocity")).simplified(
+        scene
+    )
     assert simple.gap == Paraboloid(*scene.radii)
     assert all(isinstance(motion, RigidMotion) and motion.spin == 0 for motion in simple.motions)
     assert simple.oil.heat is None
-    bare = pyworm.plan(scene, 0.01, "second-dimension,real-gap,elastic-deflection").simplified(
-        scene
-    )
+    bare = pyworm.plan(
+        scene, 0.01, ("second-dimension", "real-gap", "elastic-deflection")
+    ).simplified(scene)
     assert bare.oil.viscosity.alpha == 0
     assert bare.oil.density.d1 == 0
     assert not bare.rigid
-    assert pyworm.plan(scene, 0.01, "isothermal,-elastic-deflection").simplified(scene).rigid
+    assert pyworm.plan(scene, 0.01, ("isothermal", "-elastic-deflection")).simplified(scene).rigid
 
 
 def test_a_long_contact_becomes_a_line_of_the_same_pressure():
@@ -126,15 +128,17 @@ def test_a_long_contact_becomes_a_line_of_the_same_pressure():
 def test_flow_laws_lose_what_is_left_out_of_them():
     scene = ball()
     law = scene.oil.flow
-    unthinned = pyworm.plan(scene, 0.01, "all,-shear-thinning").simplified(scene).oil.flow
+    unthinned = pyworm.plan(scene, 0.01, ("all", "-shear-thinning")).simplified(scene).oil.flow
     assert unthinned.stress_at(1e3, 1e8) == pytest.approx(1e3, rel=1e-6)
     assert unthinned.stress_at(1e12, 1e8) == pytest.approx(law.limit_at(1e8), rel=1e-3)
-    unlimited = pyworm.plan(scene, 0.01, "all,-limiting-stress").simplified(scene).oil.flow
+    unlimited = pyworm.plan(scene, 0.01, ("all", "-limiting-stress")).simplified(scene).oil.flow
     assert unlimited.stress_at(1e12, 1e8) > law.limit_at(1e8)
     # a millionth of a pascal: rounding alone tells the limited oil from one without a limit
     faint = replace(law, stress=4.2e-6, stress_pressure=0.0)
     assert faint.stress_at(1e6, 1e8) == pytest.approx(4.2e-6 * np.arcsinh(1e6 / 4.2e-6))
-    neither = pyworm.plan(scene, 0.01, "all,-shear-thinning,-limiting-stress").simplified(scene)
+    neither = pyworm.plan(scene, 0.01, ("all", "-shear-thinning", "-limiting-stress")).simplified(
+        scene
+    )
     assert neither.oil.flow in (None, NEWTONIAN)
 
 
@@ -202,7 +206,7 @@ def test_only_a_plan_that_leaves_out_what_is_simulated_may_grow():
     assert pyworm.plan(scene, 0.01, "auto", trial.quantities).may_grow
     whole = pyworm.plan(scene, 1e-4, "auto", ("film", "friction", "temperature"))
     assert not whole.may_grow
-    without = pyworm.plan(scene, 1e-4, "auto,-roughness", ("film", "friction", "temperature"))
+    without = pyworm.plan(scene, 1e-4, ("auto", "-roughness"), ("film", "friction", "temperature"))
     assert without.on == whole.on - {"roughness"}
     assert not without.may_grow
     assert not pyworm.plan(scene, 0.01, "isothermal").may_grow
@@ -216,7 +220,7 @@ def test_heat_that_was_missed_gets_the_window_it_needs():
     )
     assert solution.converged
     on = {one.name for one in solution.effects if one.on}
-    whole = pyworm.plan(trial.scene(), 0.05, ",".join(on), trial.quantities)
+    whole = pyworm.plan(trial.scene(), 0.05, tuple(on), trial.quantities)
     again = pyworm.solve(trial.scene(), whole)
     assert solution.figures.film_min.value == pytest.approx(again.figures.film_min.value, rel=1e-3)
 
@@ -287,7 +291,7 @@ def test_starvation_is_an_effect_like_any_other():
     judged_by_default = judged(pyworm.plan(starving, 0.05))["starvation"]
     assert judged_by_default.on
     assert 0 < judged_by_default.influence["film"] < 1
-    assert not judged(pyworm.plan(starving, 0.05, "auto,-starvation"))["starvation"].on
+    assert not judged(pyworm.plan(starving, 0.05, ("auto", "-starvation")))["starvation"].on
 
 
 def test_roughness_is_an_effect_like_any_other():
@@ -295,14 +299,14 @@ def test_roughness_is_an_effect_like_any_other():
     roughness = judged(pyworm.plan(rough, 0.05))["roughness"]
     assert roughness.on
     assert roughness.influence["film"] > 0.05
-    without = pyworm.plan(rough, 0.05, "auto,-roughness")
+    without = pyworm.plan(rough, 0.05, ("auto", "-roughness"))
     assert judged(without)["roughness"].reason == "neglected as requested"
     assert without.on == pyworm.plan(rough, 0.05).on - {"roughness"}
     smooth = replace(rough, bodies=tuple(replace(body, roughness=None) for body in rough.bodies))
     with pytest.raises(
         ValueError, match="effects = isothermal,roughness: roughness: roughness not given"
     ):
-        pyworm.plan(smooth, 0.05, "isothermal,roughness")
+        pyworm.plan(smooth, 0.05, ("isothermal", "roughness"))
 
 
 @pytest.mark.parametrize("accuracy", [pytest.param(0.01, marks=pytest.mark.long), 0.05])
@@ -399,28 +403,28 @@ def test_squeeze_is_simulated_where_the_accuracy_needs_it_or_it_is_named():
     for scene, effects, on, why in (
         (changed, "auto", True, "more than 5 %"),
         (same, "auto", False, "within 5 %"),
-        (same, "auto,squeeze", True, "requested; within 5 %"),
-        (changed, "auto,-squeeze", False, "neglected as requested"),
+        (same, ("auto", "squeeze"), True, "requested; within 5 %"),
+        (changed, ("auto", "-squeeze"), False, "neglected as requested"),
         (changed, "all", True, "requested"),
         (changed, "isothermal", False, "not requested"),
-        (changed, "isothermal,squeeze", True, "requested"),
+        (changed, ("isothermal", "squeeze"), True, "requested"),
     ):
         told = judged(pyworm.plan(scene, 0.05, effects))["squeeze"]
         assert (told.on, told.reason) == (on, why)
     scene = changed
     begun = replace(scene, past=replace(scene.past, seconds=0.0))
     for still, why in ((ball(), "steady"), (begun, "nothing before")):
-        for effects in ("auto,squeeze", "isothermal,squeeze"):
+        for effects in (("auto", "squeeze"), ("isothermal", "squeeze")):
             told = judged(pyworm.plan(still, 0.05, effects))["squeeze"]
             assert not told.on and told.reason == why
     for effects, why in (
-        ("auto,roughnes", "roughnes after auto is none of squeeze, second-dimension"),
-        ("auto,", "nothing after auto is none of squeeze"),
-        ("auto,-roughnes", "roughnes after a minus is none of squeeze, second-dimension"),
-        ("auto,-", "nothing after a minus is none of squeeze"),
-        ("squeeze,auto", "auto comes first, as in auto,-squeeze"),
+        (("auto", "roughnes"), "roughnes after auto is none of squeeze, second-dimension"),
+        (("auto", ""), "nothing after auto is none of squeeze"),
+        (("auto", "-roughnes"), "roughnes after a minus is none of squeeze, second-dimension"),
+        (("auto", "-"), "nothing after a minus is none of squeeze"),
+        (("squeeze", "auto"), "auto comes first, as in auto,-squeeze"),
     ):
-        with pytest.raises(ValueError, match=f"effects = {effects}: {why}"):
+        with pytest.raises(ValueError, match=f"effects = {','.join(effects)}: {why}"):
             pyworm.plan(scene, 0.05, effects)
 
 

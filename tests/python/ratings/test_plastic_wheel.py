@@ -128,7 +128,7 @@ def begun(lifts, monkeypatch):
     """The film of a soft wheel on the last of its first grids, begun with some lifts."""
     monkeypatch.setattr(contact, "LIFTS", lifts)
     scene = case('material = "PEEK"').drive.scene(0.5)
-    plan = pyworm.plan(scene, 0.2, "isothermal,shear-thinning")
+    plan = pyworm.plan(scene, 0.2, ("isothermal", "shear-thinning"))
     level, steps = contact.PointContactSolver(plan.simplified(scene), plan).begin(plan.grids)
     return level, len(steps) + len(iterate(level, plan.tolerance))
 

@@ -112,7 +112,7 @@ def test_phases_of_one_life_hold_it_together(tmp_path, monkeypatch):
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
     case = pyworm.load("cases/spur_pair.toml")
     tasks = [
-        Task(case, place, 0.2, "isothermal,squeeze", ("film",))
+        Task(case, place, 0.2, ("isothermal", "squeeze"), ("film",))
         for place in case.places(phase=[0.6, 0.65])
     ]
     (life,) = lives(run(case, tasks, tmp_path))

@@ -401,7 +401,7 @@ def three_phases(effects):
 
 
 def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, lifting):
-    case, tasks, lifts = three_phases("auto,-squeeze")
+    case, tasks, lifts = three_phases(("auto", "-squeeze"))
     said = []
     balanced, _ = drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)
     # lifts of micrometres move loads by more than one estimate settles

@@ -432,7 +432,7 @@ def test_a_plan_without_roughness_expects_the_film_of_smooth_surfaces():
     scene = pyworm.load(CASES / "errichello_speed_increaser.toml").scene(phase=0.5)
     rough, smooth = (
         expected(scene, pyworm.plan(scene, 0.05, effects))
-        for effects in ("auto", "auto,-roughness")
+        for effects in ("auto", ("auto", "-roughness"))
     )
     assert smooth.lambda_central < 0.15 < rough.lambda_central
     assert smooth.as_if_smooth and not rough.as_if_smooth

@@ -58,7 +58,7 @@ WRONG = {
     "one body": (lambda: ball(bodies=steel()), "bodies: must be a tuple of two"),
     "bodies by name": (
         lambda: ball(bodies=("steel", "steel")),
-        "a body is a str, .*: must be a Body, such as named_body",
+        "a body is a str, .*: must be a Body, such as Body.from_name",
     ),
     "a modulus in gigapascals": (lambda: pyworm.Body(207, 0.3), 'did you mean "207.0 GPa"'),
     "a modulus as force": (lambda: pyworm.Body("207 N", 0.3), 'youngs_modulus = "207 N"'),
@@ -71,7 +71,10 @@ WRONG = {
         lambda: pyworm.Body(2e11, 0.3, roughness=0.4),
         'did you mean "0.4 um"',
     ),
-    "an unknown material": (lambda: pyworm.named_body("stel"), 'material "stel": must be one of'),
+    "an unknown material": (
+        lambda: pyworm.Body.from_name("stel"),
+        'material "stel": must be one of',
+    ),
     "an oil by name": (lambda: ball(oil="PAO VG 220"), "oil is a str, .*: must be an Oil, such as"),
     "an oil without temperature": (
         lambda: ball(oil=pyworm.named_oil("PAO VG 220")),
@@ -150,7 +153,15 @@ WRONG = {
     ),
     "effects that are no names": (
         lambda: pyworm.solve(ball(), effects=("auto", 1)),
-        r"effects = \('auto', 1\): must be names, such as \(\"auto\", \"-squeeze\"\)",
+        r"effects = \('auto', 1\): must be one name or several, such as",
+    ),
+    "effects in one text": (
+        lambda: pyworm.solve(ball(), effects="auto,-squeeze"),
+        'effects = "auto,-squeeze": several names must be texts of their own, "auto", "-squeeze"',
+    ),
+    "no quantity": (
+        lambda: pyworm.plan(ball(), quantities=()),
+        r"quantities = \(\): must be one name or several",
     ),
     "a solve by an accuracy": (
         lambda: pyworm.solve(ball(), 0.05),
@@ -188,7 +199,7 @@ WRONG = {
         f"{name} for a {wrong}": (lambda call=call, given=given: call(given), sentence)
         for name, call, given, wrong, sentence in (
             ("no text", pyworm.named_oil, 220, "name", "oil = 220: must be a text"),
-            ("no text", pyworm.named_body, 1.0, "material", "material = 1.0: must be a text"),
+            ("no text", pyworm.Body.from_name, 1.0, "material", "material = 1.0: must be a text"),
             ("a line", pyworm.film_of, roller(), "film", "scene is a LineScene: must be a Scene"),
             ("a line", lambda v: next(pyworm.passes(v, 1)), roller(), "pass", "must be a Scene"),
             (

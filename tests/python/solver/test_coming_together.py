@@ -18,19 +18,19 @@ def drive():
     return pyworm.load("cases/zi_drive.toml").drive
 
 
-def course_through(drive, life, effects="isothermal,squeeze"):
+def course_through(drive, life, effects=("isothermal", "squeeze")):
     scene = replace(drive.scene(0.5), past=life.past(0.5))
     return time_grid_of(scene.past.life, pyworm.plan(scene, 0.05, effects, ("film",)))
 
 
-def integrated(drive, life, last=0.14, effects="isothermal,squeeze", **changes):
+def integrated(drive, life, last=0.14, effects=("isothermal", "squeeze"), **changes):
     """Instants of the first transient solve of a life, its course changed, up to a phase."""
     time_grid = replace(course_through(drive, life, effects), **changes)
     return time_integration.integrate_in_time(time_grid, 0, 0.0, [life.past(last).seconds]).records
 
 
 @pytest.mark.parametrize(
-    "effects", ["isothermal,squeeze", pytest.param("auto", marks=pytest.mark.long)]
+    "effects", [("isothermal", "squeeze"), pytest.param("auto", marks=pytest.mark.long)]
 )
 def test_the_film_between_flanks_that_come_together_takes_the_load_over(drive, effects):
     records = integrated(drive, drive.life, effects=effects)

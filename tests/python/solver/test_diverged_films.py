@@ -127,7 +127,7 @@ def test_no_film_in_the_wider_window_is_no_error_bar(diverging):
 
 def test_a_wider_window_that_is_lost_from_the_narrower_film_is_solved_for_itself(diverging):
     scene = ball()
-    plan = pyworm.plan(scene, ACCURACY, "isothermal,shear-thinning")
+    plan = pyworm.plan(scene, ACCURACY, ("isothermal", "shear-thinning"))
     solver = PointContactSolver(plan.simplified(scene), plan)
     narrow, _ = solver.begin(plan.grids)
     usual, _ = solver.in_wider_window(plan.wider_grids, narrow)

@@ -20,7 +20,7 @@ from pyworm.solver.transient.transient import Part, begin_of_one, part_at
 LINE, POINT = ("cases/spur_pair.toml", 0.35), ("cases/zi_drive.toml", 0.26)
 
 
-def moving(case, accuracy, effects="isothermal,squeeze"):
+def moving(case, accuracy, effects=("isothermal", "squeeze")):
     """A contact of a case, its plan and the course of its life."""
     path, phase = case
     scene = pyworm.load(path).scene(phase=phase)
@@ -105,7 +105,7 @@ def test_a_further_solve_is_made_where_those_before_leave_too_much_error(monkeyp
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 2)
     transit = predicted(as_line(ball())).transit
     scene = lived(lambda back: as_line(ball(1 + 0.8 * np.sin(5 - back / transit))))
-    plan = pyworm.plan(scene, 0.04, "isothermal,squeeze", ("film",))
+    plan = pyworm.plan(scene, 0.04, ("isothermal", "squeeze"), ("film",))
     rates = transient_module.rates_at_present(scene, plan)
     further = transient_module.finer(scene, plan, rates)
     coarse, fine = (

@@ -33,7 +33,7 @@ from pyworm.case.case import case_of
 from pyworm.case.fitted_friction import FITTED_SPREADS
 from pyworm.formulas.worm_wheel_material import WHEEL_MATERIALS
 from pyworm.materials.base_stock import base_stock
-from pyworm.materials.body import named_body
+from pyworm.materials.body import Body
 from pyworm.materials.roughness_assumptions import (
     BOUNDARY_FRICTION_SPREAD,
     REFITTED,
@@ -73,7 +73,9 @@ def test_the_library_has_the_fit(fit):
     for oil, mu_b in fit.mu_b.items():
         assert base_stock(oil).boundary_friction == pytest.approx(mu_b, abs=6e-4), oil
     for wheel, factor in fit.factors.items():
-        assert named_body(wheel).boundary_friction_factor == pytest.approx(factor, abs=6e-3), wheel
+        assert Body.from_name(wheel).boundary_friction_factor == pytest.approx(factor, abs=6e-3), (
+            wheel
+        )
     assert pytest.approx(fit.spreads, abs=2e-3) == FITTED_SPREADS
     assert pytest.approx(refitted(), abs=0.015) == REFITTED
 
@@ -95,7 +97,7 @@ def test_a_kept_contact_is_what_the_solver_finds(row):
         patch("pyworm.planning.expected_work.MAX_SPACING_FACTOR", 1.0),
         patch("pyworm.solver.contact.roughness_uncertainty", partial(watched, changes)),
     ):
-        solution = pyworm.solve(scene, pyworm.plan(scene, 0.2, "auto,-squeeze"))
+        solution = pyworm.solve(scene, pyworm.plan(scene, 0.2, ("auto", "-squeeze")))
     (contact,) = contact_losses([solution])
     ratio = scene.boundary_friction / kept["mu_b"]
     expected = kept["friction"] * (1 + kept["rubbing"] * (ratio - 1))

@@ -62,7 +62,7 @@ def test_an_oil_whose_viscosity_stays_has_the_sheared_film():
     scene = ball()
     heat = replace(scene.oil.heat, viscosity_exponent=0.0, expansivity=0.0)
     scene = replace(scene, oil=replace(scene.oil, heat=heat))
-    sheared = solved(scene, effects="all,-film-heating").figures
+    sheared = solved(scene, effects=("all", "-film-heating")).figures
     heated = solved(scene, effects="all").figures
     assert heated.film_central.value == pytest.approx(sheared.film_central.value, rel=2e-3)
     assert heated.film_min.value == pytest.approx(sheared.film_min.value, rel=2e-3)
@@ -127,7 +127,7 @@ def test_bodies_exchanged_give_the_film_mirrored_across(hot):
 
 
 def test_a_parabola_of_temperature_is_near_the_full_model(hot):
-    cheap = solved(ball(), effects="all,-viscosity-across").figures
+    cheap = solved(ball(), effects=("all", "-viscosity-across")).figures
     assert cheap.film_central.value == pytest.approx(hot.figures.film_central.value, rel=0.05)
     assert cheap.friction_coefficient.value == pytest.approx(
         hot.figures.friction_coefficient.value, rel=0.1
@@ -202,7 +202,7 @@ def test_opposite_sliding_without_heat_is_refused():
     ("oil", "effects", "said"),
     [
         ({"flow": None, "heat": None}, "shear-thinning", "no flow law is given"),
-        ({"heat": None}, "all,film-heating", "[oil.heat] is not given"),
+        ({"heat": None}, ("all", "film-heating"), "[oil.heat] is not given"),
     ],
 )
 def test_effects_that_an_oil_is_not_known_well_enough_for(oil, effects, said):

@@ -12,7 +12,7 @@ from pyworm.solver.transient.transient import part_at
 
 def both_lifts(contact):
     """Lift by the transient film at present, and by a steady one."""
-    plan = pyworm.plan(contact, 0.1, "isothermal,squeeze", ("film",))
+    plan = pyworm.plan(contact, 0.1, ("isothermal", "squeeze"), ("film",))
     time_grid, now = time_grid_of(contact.past.life, plan), contact.past.seconds
     moving = moving_lifts(time_grid, part_at(time_grid, now).begin, [now])
     return moving[now].distance, steady_lift(time_grid, now).distance

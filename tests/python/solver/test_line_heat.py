@@ -102,7 +102,9 @@ def test_heat_without_influence_leaves_the_sheared_film():
     heated = pyworm.solve(scene, plan)
     sheared = pyworm.solve(
         scene,
-        replace(pyworm.plan(scene, 0.005, "all,-film-heating"), grids=plan.grids, wider_grids=()),
+        replace(
+            pyworm.plan(scene, 0.005, ("all", "-film-heating")), grids=plan.grids, wider_grids=()
+        ),
     )
     heated_film = heated.fields.film.interp(x=sheared.fields.x)
     assert heated.figures.temperature_max_film.value > INLET + 2
@@ -114,7 +116,7 @@ def test_a_cold_film_is_the_sheared_one():
     """A hundredth of the velocities heats hardly; friction falls by some 5 % with each kelvin it does."""
     slow = replace(SCENE, velocities=(0.025, 0.015), load=5e4)
     sheared, heated = (
-        solved(slow, effects, 0.002).figures for effects in ("all,-film-heating", "all")
+        solved(slow, effects, 0.002).figures for effects in (("all", "-film-heating"), "all")
     )
     rise = heated.temperature_max_film.value - INLET
     assert rise < 0.2
@@ -169,7 +171,7 @@ def test_traction_rises_and_falls_again_with_sliding():
 
 def test_eyring_friction_without_heat():
     """Where the film is even, tau = tau0 asinh(eta us / (tau0 h)) with the viscosity at its pressure."""
-    fields = solved(SCENE, "all,-film-heating").fields
+    fields = solved(SCENE, ("all", "-film-heating")).fields
     x = fields.x.values
     middle = abs(x) < 3e-5
     eta = np.array([OIL.viscosity(float(p)) for p in fields.pressure.values[middle]])
@@ -179,7 +181,7 @@ def test_eyring_friction_without_heat():
 
 
 def test_a_parabola_of_temperature_is_near_the_whole_film(heated):
-    mean = solved(SCENE, "all,-viscosity-across").figures
+    mean = solved(SCENE, ("all", "-viscosity-across")).figures
     full = heated.figures
     assert mean.film_central.value == pytest.approx(full.film_central.value, rel=0.05)
     assert mean.friction_coefficient.value == pytest.approx(
@@ -246,7 +248,7 @@ def test_a_body_at_rest_has_no_steady_temperature(velocities, body):
     scene = replace(SCENE, velocities=velocities)
     with pytest.raises(ValueError, match=rf"body {body} is at rest \(0 m/s\)"):
         pyworm.plan(scene)
-    assert solved(scene, "all,-film-heating").figures.friction_coefficient.value > 0
+    assert solved(scene, ("all", "-film-heating")).figures.friction_coefficient.value > 0
 
 
 def test_effects_without_oil_data_are_not_simulated():

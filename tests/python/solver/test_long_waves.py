@@ -48,7 +48,7 @@ def test_rolling_waves_are_flattened_as_venner_found(contact, ratio):
     whole = (3 * half_width + 1.25 * length) / speed
     table = PastTable.model_validate({"times": ["0 s", f"{whole:.9g} s"], "speed": [1.0, 1.0]})
     scene = table.of(_with_waves(contact, length))
-    plan = pyworm.plan(scene, 0.02, "isothermal,squeeze,roughness")
+    plan = pyworm.plan(scene, 0.02, ("isothermal", "squeeze", "roughness"))
     found = integrate_in_time(time_grid_of(scene.past.life, plan), 1, 0.0, [whole]).records
     last = [of.figures["film_central"] for of in found if of.seconds > whole - length / speed]
     film = line_scales(contact).film
@@ -69,7 +69,7 @@ def test_waves_at_rest_are_those_of_a_gap_with_waves(contact):
         return opening - height * np.cos(2 * np.pi * x / length), covered
 
     found, expected, without = (
-        pyworm.solve(one, pyworm.plan(one, 0.02, "isothermal,roughness"))
+        pyworm.solve(one, pyworm.plan(one, 0.02, ("isothermal", "roughness")))
         for one in (scene, replace(scene, bodies=smooth, gap=gap), replace(scene, bodies=smooth))
     )
     film, same, other = (of.figures.film_min.value for of in (found, expected, without))
@@ -84,7 +84,7 @@ def test_waves_that_roll_through_a_steady_film_widen_its_bar(contact):
     scene = _with_waves(contact, line_scales(contact).hertz.half_width)
     smooth = replace(scene, bodies=tuple(replace(of, long_waves=None) for of in scene.bodies))
     waves, none = (
-        pyworm.solve(one, pyworm.plan(one, 0.02, "isothermal,roughness")).figures
+        pyworm.solve(one, pyworm.plan(one, 0.02, ("isothermal", "roughness"))).figures
         for one in (scene, smooth)
     )
     assert waves.film_central.value == pytest.approx(none.film_central.value, rel=1e-9)

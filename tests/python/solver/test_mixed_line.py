@@ -56,7 +56,7 @@ def test_smooth_line(line):
 def test_rough_line(line, height):
     """Gap of mean planes within 6 %, share within 8 points; theirs lies within the bar of the model's."""
     scene = rough(line, height * RADIUS, roughness_slope=SLOPE, hardness=HARDNESS * MODULUS)
-    solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, "isothermal,roughness"))
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.02, ("isothermal", "roughness")))
     assert solution.converged
     film, share = solution.figures.film_central, solution.figures.asperity_load_fraction
     curves = rough_pair(scene.bodies, scene.motion_angles).curves()

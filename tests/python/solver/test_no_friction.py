@@ -40,7 +40,7 @@ def test_each_effect_of_the_flow_law_gives_friction(named):
     scene = replace(sliding(heat=None), load=2.0)  # light: a limit alone takes many steps
     reason = no_friction(pyworm.plan(scene, 0.2, "isothermal").effects)
     assert "(shear-thinning and limiting-stress)" in reason
-    solution = solved(scene, f"isothermal,{named}")
+    solution = solved(scene, ("isothermal", named))
     assert solution.figures.friction_coefficient.value > 0
     assert "friction_coefficient_reason" not in solution.summary()
     assert not any(line.startswith("Friction") for line in opening([solution], ""))

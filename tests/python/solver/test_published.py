@@ -7,7 +7,7 @@ from folders import CASES
 import pyworm
 
 
-def solved(name, accuracy, phase=None, effects="all,-roughness,-squeeze"):
+def solved(name, accuracy, phase=None, effects=("all", "-roughness", "-squeeze")):
     scene = pyworm.load(CASES / f"{name}.toml").scene(phase)
     solution = pyworm.solve(scene, pyworm.plan(scene, accuracy, effects))
     assert solution.converged

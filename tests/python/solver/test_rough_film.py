@@ -107,7 +107,7 @@ def test_standstill_is_the_dry_rough_contact():
 def test_asperities_share_of_the_load(light_line, lambda_ratio):
     """exp(-1.8 lambda^1.2), a fit to Patir and Cheng's partial films below 0.4 GPa, to a factor of 1.3."""
     scene, film = light_line
-    solution = solved(rough(scene, film / lambda_ratio), "isothermal,roughness")
+    solution = solved(rough(scene, film / lambda_ratio), ("isothermal", "roughness"))
     share = solution.figures.asperity_load_fraction.value
     assert 1 / 1.3 < share / exp(-1.8 * lambda_ratio**1.2) < 1.3
 
@@ -120,7 +120,9 @@ def test_wear_falls_with_the_film_as_the_worm_standard_has_it(light_line):
         quick = replace(scene, velocities=(faster * scene.entrainment,) * 2)
         films.append(solved(quick, "isothermal").figures.film_central.value)
         shares.append(
-            solved(rough(quick, film), "isothermal,roughness").figures.asperity_load_fraction.value
+            solved(
+                rough(quick, film), ("isothermal", "roughness")
+            ).figures.asperity_load_fraction.value
         )
     exponent = np.log(shares[1] / shares[0]) / np.log(films[1] / films[0])
     assert exponent == pytest.approx(-3.1, abs=0.8)
@@ -140,7 +142,7 @@ def test_slower_rough_wall_thickens_the_film():
         heights = zip(line.bodies, (first, second), strict=True)
         bodies = tuple(replace(body, roughness=height) for body, height in heights)
         return solved(
-            replace(line, bodies=bodies), "isothermal,roughness"
+            replace(line, bodies=bodies), ("isothermal", "roughness")
         ).figures.film_central.value
 
     assert line.velocities[0] > line.velocities[1]

@@ -51,7 +51,7 @@ def test_a_film_between_known_surfaces_is_near_that_of_their_figures(line):
     figures = {"roughness": surface.rms, "roughness_slope": slope}
     smooth = {"roughness": 0.01 * surface.rms, "roughness_slope": 0.01 * slope}
     found = [
-        _solved(_rough(scene, (one, smooth)), "isothermal,roughness").figures
+        _solved(_rough(scene, (one, smooth)), ("isothermal", "roughness")).figures
         for one in (figures, figures | {"topography": surface})
     ]
     closed, cell = ((one.film_central.value, one.asperity_load_fraction) for one in found)
@@ -71,7 +71,7 @@ def test_known_heights_on_the_slow_wall_thicken_the_film(line):
     known = {"roughness": surface.rms, "topography": surface}
     smooth = {"roughness": 0.01 * surface.rms}
     fast, slow = (
-        _solved(_rough(scene, bodies), "isothermal,roughness").figures.film_central.value
+        _solved(_rough(scene, bodies), ("isothermal", "roughness")).figures.film_central.value
         for bodies in ((known, smooth), (smooth, known))
     )
     assert slow > 1.005 * fast

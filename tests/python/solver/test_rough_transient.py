@@ -9,7 +9,7 @@ import pyworm
 from pyworm.case.past import PastTable
 from pyworm.scene.scales import line_scales
 
-EFFECTS = "isothermal,squeeze,roughness"
+EFFECTS = ("isothermal", "squeeze", "roughness")
 
 
 REVERSAL = {"times": ["0 ms", "2 ms", "7 ms"], "speed": [-0.6667, -0.6667, 1.0]}
@@ -42,7 +42,7 @@ def _solved(scene, effects):
 
 def test_roughness_to_zero_is_the_transient_film_of_smooth_surfaces(line):
     found = _solved(_after(_rough(line, 1e3), FASTER), EFFECTS)
-    smooth = _solved(_after(line, FASTER), "isothermal,squeeze")
+    smooth = _solved(_after(line, FASTER), ("isothermal", "squeeze"))
     for name in ("film_min", "film_central", "pressure_max"):
         value = getattr(found, name).value
         print(f"{name}: {value / getattr(smooth, name).value - 1:+.1e}")
@@ -53,7 +53,7 @@ def test_roughness_to_zero_is_the_transient_film_of_smooth_surfaces(line):
 def test_a_past_that_is_all_the_same_leaves_the_steady_mixed_film(line):
     scene = _rough(line, 0.7)
     found = _solved(_after(scene, CALM), EFFECTS)
-    expected = _solved(scene, "isothermal,roughness")
+    expected = _solved(scene, ("isothermal", "roughness"))
     assert expected.asperity_load_fraction.value > 0.05
     for name in ("film_min", "film_central", "asperity_load_fraction"):
         one, other = getattr(found, name), getattr(expected, name)
@@ -65,7 +65,7 @@ def test_asperities_bear_more_after_the_speed_has_turned_round(line):
     """The film at the contact's end is still that of the slow oil."""
     scene = _rough(line, 0.7)
     turned = _solved(_after(scene, REVERSAL), EFFECTS)
-    steady = _solved(scene, "isothermal,roughness")
+    steady = _solved(scene, ("isothermal", "roughness"))
     shares = [of.asperity_load_fraction.value for of in (turned, steady)]
     print(f"asperities bear {shares[0]:.3g} after a reversal, {shares[1]:.3g} in the steady film")
     assert shares[0] > 1.05 * shares[1]

@@ -47,7 +47,7 @@ def diverged(*given):
 
 
 def planned(scene):
-    return pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",))
+    return pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",))
 
 
 @pytest.fixture
@@ -73,7 +73,7 @@ def test_a_contact_at_rest_is_no_knot_of_a_course():
 
     life = Life(5e-3, starting)
     scene = replace(starting(5e-3), past=Past(life, 5e-3))
-    time_grid = time_grid_of(life, pyworm.plan(scene, 0.2, "isothermal,squeeze", ("film",)))
+    time_grid = time_grid_of(life, pyworm.plan(scene, 0.2, ("isothermal", "squeeze"), ("film",)))
     assert time_grid.begin == 0.0 and time_grid.end == pytest.approx(5e-3)
 
 

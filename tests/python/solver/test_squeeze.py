@@ -54,7 +54,8 @@ def integrated(contact_at, kinks=(), refinement=0, effects=None):
         pyworm.plan(
             present,
             0.05,
-            effects or ("squeeze" if isinstance(present.gap, Parabola) else "real-gap,squeeze"),
+            effects
+            or ("squeeze" if isinstance(present.gap, Parabola) else ("real-gap", "squeeze")),
             ("film",),
         ),
     )
@@ -140,7 +141,7 @@ def test_a_ball_that_is_lowered_presses_as_the_closed_form_says():
     time_grid, records = integrated(
         lambda at: replace(ball, separation=APART - APPROACH * at),
         refinement=2,
-        effects="second-dimension,squeeze",
+        effects=("second-dimension", "squeeze"),
     )
     one = records[-1]
     height = APART - APPROACH * one.seconds

@@ -205,7 +205,7 @@ def test_oscillating_plates_keep_their_oil():
 
 def ball(radius_y=12.7e-3, load=40.0, supply=None, **oil):
     """A steel ball, or a wider body, that rolls at 0.5 m/s in PAO VG 220."""
-    steel = pyworm.named_body("16MnCr5", bulk_temperature="60 degC")
+    steel = pyworm.Body.from_name("16MnCr5", bulk_temperature="60 degC")
     given = pyworm.named_oil("PAO VG 220").oil(333.15)
     return pyworm.Scene(
         name="ball",
@@ -237,7 +237,7 @@ def test_lines_carry_all_their_oil(ratio):
     supply = ratio * oil_of(scene)
     starved = replace(scene, oil=replace(scene.oil, supply=supply))
     # beyond one film the contact is flooded, and the plan says so
-    film = solved(starved, effects="isothermal" if ratio > 1 else "isothermal,starvation")
+    film = solved(starved, effects="isothermal" if ratio > 1 else ("isothermal", "starvation"))
     flooded = solved(scene).figures.film_central.value
     share = film.figures.film_central.value / flooded
     assert share == pytest.approx(min(1.0, ratio), rel=0.02)
@@ -335,13 +335,13 @@ def test_rough_and_moving_films_starve_too():
     scene = pyworm.load(CASES / "starved_ball.toml").scene()
     smooth = solved(scene, 0.05).figures.film_central.value
     bodies = tuple(replace(body, roughness=3e-8) for body in scene.bodies)
-    between = solved(replace(scene, bodies=bodies), 0.05, "isothermal,roughness").figures
+    between = solved(replace(scene, bodies=bodies), 0.05, ("isothermal", "roughness")).figures
     assert 0 < between.asperity_load_fraction.value < 0.05
     assert between.film_central.value == pytest.approx(smooth, rel=0.05)
     tables = tomllib.loads((CASES / "starved_ball.toml").read_text())
     tables["past"] = {"times": ["0 s", "0.6 ms", "1.5 ms"], "load": [1.5, 1.5, 1.0]}
     moving = solved(
-        case_of(tables, "moving", CASES).scene(), 0.05, "isothermal,squeeze,starvation"
+        case_of(tables, "moving", CASES).scene(), 0.05, ("isothermal", "squeeze", "starvation")
     ).figures
     assert moving.film_central.value == pytest.approx(smooth, rel=0.1)
 
@@ -350,7 +350,9 @@ def test_rough_and_moving_films_starve_too():
 def test_films_of_first_order_are_within_their_error_bars(supply, accuracy):
     """By second order the limit of the central film would be off by 0.2 and 0.3 %, with bars of 0.07 %."""
     scene = replace(sliding_ball(), oil=ball(supply=supply).oil)
-    told, truth = (solved(scene, of, "isothermal,starvation").figures for of in (accuracy, 0.003))
+    told, truth = (
+        solved(scene, of, ("isothermal", "starvation")).figures for of in (accuracy, 0.003)
+    )
     for name in ("film_min", "film_central"):
         bar, known = getattr(told, name), getattr(truth, name)
         assert abs(bar.value - known.value) < bar.error * bar.value + known.error * known.value

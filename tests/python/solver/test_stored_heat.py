@@ -111,7 +111,9 @@ def test_a_film_that_hardly_changes_is_the_steady_one_with_the_heat_that_oil_sto
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
     scene = pyworm.load("cases/roller_ref.toml").scene(section="left", phase=0.5, station=0.5)
     films = [
-        pyworm.solve(scene, pyworm.plan(scene, 0.05, f"all,{motion}squeeze", ("film",))).figures
+        pyworm.solve(
+            scene, pyworm.plan(scene, 0.05, ("all", f"{motion}squeeze"), ("film",))
+        ).figures
         for motion in ("", "-")
     ]
     for name in ("film_min", "film_central"):

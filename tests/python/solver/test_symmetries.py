@@ -124,7 +124,7 @@ def reversing(forward: bool) -> pyworm.LineScene:
 def test_a_reversal_has_the_inlets_of_both_directions_in_its_window(forward):
     """At most times one side is an exit, which reaches a quarter as far."""
     scene = reversing(forward)
-    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, 0.04, "isothermal,squeeze"))
+    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, 0.04, ("isothermal", "squeeze")))
     wider = replace(
         time_grid, sides=tuple((2 * max(side), 2 * max(side)) for side in time_grid.sides)
     )

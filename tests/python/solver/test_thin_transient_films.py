@@ -43,7 +43,7 @@ def test_a_steady_film_keeps_its_thickness_on_a_grid_of_another_length():
 def test_a_moved_film_begins_with_its_thickness():
     """On a grid of the same nodes and some more, from whose length away deflections are counted."""
     scene = pyworm.load(DATA / "unloaded_line.toml").scene()
-    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, 0.05, "isothermal,squeeze"))
+    time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, 0.05, ("isothermal", "squeeze")))
     contact = contact_at(time_grid, 0.0)
     solver = SOLVERS[type(contact)](contact, time_grid.plan)
     level, _ = solver.begin(first_grids_of(contact, time_grid.plan))

@@ -71,14 +71,14 @@ def test_a_contact_without_change_is_steady_in_rotating_axes_too(turn):
         return np.array([[cos(angle), sin(angle), 0], [-sin(angle), cos(angle), 0], [0, 0, 1]])
 
     contact = lived(lambda back: ball(angle=-rate * back), axes)
-    transient = solved(contact, "isothermal,squeeze")
+    transient = solved(contact, ("isothermal", "squeeze"))
     assert films(transient) == pytest.approx(films(solved(ball())), rel=0.004)
 
 
 def test_the_start_of_a_transient_is_forgotten():
     transit = predicted(ball()).transit
     contact = lived(lambda back: ball(1.0 if back < 1.5 * transit else 0.8))
-    transient = solved(contact, "isothermal,squeeze")
+    transient = solved(contact, ("isothermal", "squeeze"))
     assert films(transient) == pytest.approx(films(solved(ball())), rel=0.01)
 
 
@@ -97,7 +97,7 @@ def test_oil_carries_its_film_through_the_contact(kind):
         for scene, effects in (
             (kind(ball()), "isothermal"),
             (kind(ball(0.95)), "isothermal"),
-            (slowing, "isothermal,squeeze"),
+            (slowing, ("isothermal", "squeeze")),
         )
     )
     # 0.95 is half a passage ago, and so far lie these places apart
@@ -153,7 +153,7 @@ def test_thin_films_under_high_pressure_stay_free_of_waves():
 
     life = Life(3 * transit, contact_at, kinks=(transit, 2 * transit))
     present = replace(contact_at(2.5 * transit), past=Past(life, 2.5 * transit))
-    plan = pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",))
+    plan = pyworm.plan(present, 0.05, ("isothermal", "squeeze"), ("film",))
     films_of_time = [
         np.array([one.figures["film_min"] for one in found.records])
         for found in (
@@ -191,7 +191,7 @@ def test_films_travel_with_the_oil(kind, accuracy, within):
         """At half a half-width before and behind the middle, some time before the present."""
         scene = lived(lambda back: kind(ball(1 - rise * (back + ago))))
         there = (
-            solved(scene, "isothermal,squeeze", accuracy)
+            solved(scene, ("isothermal", "squeeze"), accuracy)
             .fields[["film", "pressure"]]
             .interp(places)
         )
@@ -205,7 +205,7 @@ def test_films_travel_with_the_oil(kind, accuracy, within):
 
 def test_a_past_whose_film_is_not_found_is_reported(monkeypatch):
     monkeypatch.setattr(time_integration, "MAX_TRANSIENT_RESIDUAL", 0.0)
-    transient = solved(lived(lambda back: as_line(ball())), "isothermal,squeeze")
+    transient = solved(lived(lambda back: as_line(ball())), ("isothermal", "squeeze"))
     assert not transient.converged and "found no converged film" in transient.stop_reason
     assert transient.ending is Ending.RATE_OF_CHANGE
     assert transient.figures.film_min.error == np.inf
@@ -220,7 +220,7 @@ def test_a_rate_less_accurate_than_asked_for_is_used_with_wider_bars(left, endin
 
     monkeypatch.setattr(transient_module, "_errors", errors)
     monkeypatch.setattr(transient_module, "MAX_SOLVES", 2)
-    solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), "isothermal,squeeze")
+    solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), ("isothermal", "squeeze"))
     assert solution.ending is ending
     assert solution.converged == (ending is Ending.WIDER_BARS)
     assert f"leaves an error of {percent(left)}" in solution.stop_reason
@@ -255,7 +255,7 @@ def test_where_no_transient_solution_is_found_a_steady_one_stands_for_it(kind, m
     assert not squeeze.on and "not found: the transient solve found no" in squeeze.reason
     assert squeeze.influence["film"] > 0.05
     assert substitute.neglected_effects.influence["squeeze"] == squeeze.influence["film"]
-    simulated = ",".join(effect.name for effect in substitute.effects if effect.on)
+    simulated = [effect.name for effect in substitute.effects if effect.on]
     steady = solved(replace(accelerated, past=None), simulated)
     assert films(substitute) == pytest.approx(films(steady), rel=1e-3)
 
@@ -295,10 +295,10 @@ def test_error_bars_of_transient_films_hold(monkeypatch):
         return replace(line, load=line.load * (1.5 - 0.5 * np.tanh((back / transit - 1) / 0.3)))
 
     scene = lived(heavier)
-    fine, steady = (solved(scene, effects) for effects in ("isothermal,squeeze", "isothermal"))
+    fine, steady = (solved(scene, effects) for effects in (("isothermal", "squeeze"), "isothermal"))
     assert films(fine) != pytest.approx(films(steady), rel=0.02)
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 8)
-    rough = solved(scene, "isothermal,squeeze", accuracy=0.5)
+    rough = solved(scene, ("isothermal", "squeeze"), accuracy=0.5)
     for name, value in films(rough).items():
         assert getattr(rough.figures, name).approximation > 0
         better = getattr(fine.figures, name)
@@ -322,7 +322,7 @@ def test_half_the_spacing_with_half_the_time_step_leaves_a_quarter_of_the_error(
 
     life = Life(6 * transit, contact_at)
     scene = replace(contact_at(6 * transit), past=Past(life, 6 * transit))
-    time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",)))
+    time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",)))
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 24)
     films = [
         {
@@ -418,7 +418,7 @@ def test_after_a_reversal_the_error_is_one_and_a_half_of_the_last_change(ago, sh
     """Some lengths of a ball's contact ago, oil carries a dip as narrow as the grid; it leaves after two."""
     transit = predicted(ball()).transit
     scene = lived(lambda back: ball())
-    plan = pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",))
+    plan = pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",))
     grid = plan.grids[-1]
     backs = np.arange(4 * TRANSITS, -1, -1) * transit / 4
     records = tuple(
@@ -483,7 +483,7 @@ def test_an_accelerated_line_has_the_film_of_its_inlet_s_time():
     duration = 4 * of.transit
     life = Life(duration, lambda seconds: as_line(ball(speed(seconds))))
     scene = replace(as_line(ball(speed(duration))), past=Past(life, duration))
-    time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, "isothermal,squeeze", ("film",)))
+    time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",)))
     records = time_integration.integrate_in_time(time_grid, 1, 0.0, [0.95 * duration]).records
     speeds = np.array([0.4, 0.8, 1.6])
     steady_films = [
@@ -515,9 +515,9 @@ def test_the_grid_of_a_line_reaches_beyond_its_contact_under_a_blow():
 
     life = Life(3 * transit, contact_at, kinks=(transit, 2 * transit))
     present = replace(contact_at(1.75 * transit), past=Past(life, 1.75 * transit))
-    time_grid = time_grid_of(life, pyworm.plan(present, 0.05, "isothermal,squeeze", ("film",)))
+    time_grid = time_grid_of(life, pyworm.plan(present, 0.05, ("isothermal", "squeeze"), ("film",)))
     ends = np.abs(time_grid.grid(1.5 * transit, 0).x[[0, -1]])
     assert min(ends) > 1.05 * 2**0.5 * half_width
-    under_the_blow = films(solved(present, "isothermal,squeeze"))["film_central"]
+    under_the_blow = films(solved(present, ("isothermal", "squeeze")))["film_central"]
     # oil that came in as the edge went to meet it has reached the middle: it is thicker than before
     assert under_the_blow > 1.05 * films(solved(steady))["film_central"]

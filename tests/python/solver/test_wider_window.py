@@ -48,7 +48,7 @@ def test_oil_around_a_narrow_window_is_as_warm_as_at_its_outline():
 
 def test_friction_that_a_window_cuts_off_is_that_of_the_contact_beyond_it():
     scene = pyworm.load(TRACTION).scene(slide_roll_ratio=0.5)
-    plan = pyworm.plan(scene, 0.3, "isothermal,shear-thinning")
+    plan = pyworm.plan(scene, 0.3, ("isothermal", "shear-thinning"))
     solver = PointContactSolver(plan.simplified(scene), plan)
     wide, _ = solver.begin(plan.grids)
     iterate(wide, plan.tolerance)
@@ -73,7 +73,7 @@ def test_friction_that_a_window_cuts_off_is_that_of_the_contact_beyond_it():
 def test_windows_of_different_films_are_compared_on_the_next_grid(monkeypatch):
     """The loss is of no target here, but the film of an outline under pressure loses far more."""
     scene, compared = ball(), []
-    plan = pyworm.plan(scene, 0.1, effects="isothermal,shear-thinning", quantities=("film",))
+    plan = pyworm.plan(scene, 0.1, effects=("isothermal", "shear-thinning"), quantities=("film",))
     usual = pyworm.solve(scene, plan)
     limits = grid_sequence.in_wider_window
 
