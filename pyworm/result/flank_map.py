@@ -9,8 +9,8 @@ through a place entered at less than `FAILURE` of the entrainment's mean speed, 
 (so Sharif et al. 2001, section 6, explain their band of thin film).
 """
 
-from collections.abc import Iterator
-from itertools import pairwise
+from collections.abc import Iterable, Iterator
+from itertools import compress, pairwise
 
 import numpy as np
 import scipy
@@ -55,10 +55,10 @@ _MINIMUM_FIELDS = ("film", "entry")
 def flank_map(result: Result) -> "xr.Dataset | None":
     """Extremes over the mesh cycle on the wheel's flank; None without enough phases.
 
-    Over (radius, face), NaN where no contact passed: pressure, and where simulated temperature_body_2,
-    temperature_middle, asperity_pressure and asperity_rubbing, their largest values; film and entry, their
-    least. `entry` is the speed at which oil entered over the mean entrainment [-], `asperity_rubbing` the
-    asperities' pressure times the sliding [W/m2], by which wear goes.
+    Over (radius, face), NaN where no contact passed: pressure, and in the phases that simulated them
+    temperature_body_2, temperature_middle, asperity_pressure and asperity_rubbing, their largest values; film
+    and entry, their least. `entry` is the speed at which oil entered over the mean entrainment [-],
+    `asperity_rubbing` the asperities' pressure times the sliding [W/m2], by which wear goes.
     """
     solved = sorted(
         (
@@ -72,24 +72,15 @@ def flank_map(result: Result) -> "xr.Dataset | None":
         return None
     x, y = common_grid(solved)
     layers = [layer_of(solution, x, y) for solution in solved]
-    names = [name for name in (*_MAXIMUM_FIELDS, *_MINIMUM_FIELDS) if name in layers[0]]
     face, radius = _axes(layers)
-    shape = len(radius), len(face)
-    extremes = {
-        name: np.full(shape, np.inf if name in _MINIMUM_FIELDS else -np.inf) for name in names
-    }
     loaded = LOADED_FRACTION * max(float(layer["pressure"].max()) for layer in layers)
-    for before, after in _neighbours(
-        solved, layers, [phase_of(solution) for solution in result.unsound]
-    ):
-        for part in np.linspace(0, 1, STEPS + 1):
-            now = {name: (1 - part) * before[name] + part * after[name] for name in before}
-            inside = now["pressure"] > loaded
-            row = whole(np.rint((now["radius"][inside] - radius[0]) / CELL))
-            column = whole(np.rint((now["face"][inside] - face[0]) / CELL))
-            for name in names:
-                keep = np.minimum if name in _MINIMUM_FIELDS else np.maximum
-                keep.at(extremes[name], (row, column), now[name][inside])
+    phases = [phase_of(solution) for solution in solved]
+    lost = [phase_of(solution) for solution in result.unsound]
+    extremes: dict[str, Array] = {}
+    for held, names in _simulated(layers).items():
+        without = [phase for phase, has in zip(phases, held, strict=True) if not has]
+        pairs = _neighbours([*compress(phases, held)], [*compress(layers, held)], lost + without)
+        extremes |= _extremes(pairs, names, (radius, face), loaded)
     on_tooth = _on_tooth(result, face, radius)
     return describe(
         xr.Dataset(
@@ -100,6 +91,43 @@ def flank_map(result: Result) -> "xr.Dataset | None":
             coords={"radius": radius, "face": face},
         )
     )
+
+
+def _simulated(layers: list[dict[str, Array]]) -> dict[tuple[bool, ...], list[str]]:
+    """Fields of which extremes are kept, by the phases that simulated them: heat may be neglected in some."""
+    found: dict[tuple[bool, ...], list[str]] = {}
+    for name in (*_MAXIMUM_FIELDS, *_MINIMUM_FIELDS):
+        held = tuple(name in layer for layer in layers)
+        if any(held):
+            found.setdefault(held, []).append(name)
+    return found
+
+
+def _extremes(
+    pairs: Iterable[tuple[dict[str, Array], dict[str, Array]]],
+    names: list[str],
+    axes: tuple[Array, Array],
+    loaded: float,
+) -> dict[str, Array]:
+    """Extremes of fields in each cell, (radius, face), between pairs of phases, over a pressure [Pa]."""
+    radius, face = axes
+    shape = len(radius), len(face)
+    extremes = {
+        name: np.full(shape, np.inf if name in _MINIMUM_FIELDS else -np.inf) for name in names
+    }
+    for before, after in pairs:
+        for part in np.linspace(0, 1, STEPS + 1):
+            now = {
+                name: (1 - part) * before[name] + part * after[name]
+                for name in {"pressure", "radius", "face", *names}
+            }
+            inside = now["pressure"] > loaded
+            row = whole(np.rint((now["radius"][inside] - radius[0]) / CELL))
+            column = whole(np.rint((now["face"][inside] - face[0]) / CELL))
+            for name in names:
+                keep = np.minimum if name in _MINIMUM_FIELDS else np.maximum
+                keep.at(extremes[name], (row, column), now[name][inside])
+    return extremes
 
 
 def _on_tooth(result: Result, face: Array, radius: Array) -> Array:
@@ -119,15 +147,17 @@ def _on_tooth(result: Result, face: Array, radius: Array) -> Array:
 
 
 def _neighbours(
-    solved: list[Solution], layers: list[dict[str, Array]], gaps: list[float]
+    phases: list[float], layers: list[dict[str, Array]], gaps: list[float]
 ) -> Iterator[tuple[dict[str, Array], dict[str, Array]]]:
-    """Solutions between which fields are interpolated; separated where a phase between did not converge."""
-    for (first, before), (last, after) in pairwise(zip(solved, layers, strict=True)):
-        if any(phase_of(first) < gap < phase_of(last) for gap in gaps):
+    """Phases between which fields are interpolated; each by itself where one between them has none."""
+    for (first, before), (last, after) in pairwise(zip(phases, layers, strict=True)):
+        if any(first < gap < last for gap in gaps):
             yield before, before
             yield after, after
         else:
             yield before, after
+    if len(phases) == 1:
+        yield layers[0], layers[0]
 
 
 def common_grid(solved: list[Solution]) -> tuple[Array, Array]:

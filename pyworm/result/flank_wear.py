@@ -86,6 +86,9 @@ class Pass:
     """`work` integrated over the flank's true area [N m]."""
 
 
+_WEARING = ("pressure", "asperity_rubbing", "seen_area", "area", "face", "radius")
+"""Fields of a phase by which it wears a flank; others, temperatures, may be of some phases alone."""
+
 Side = Literal["wheel", "worm"]
 """Whose flank."""
 
@@ -165,7 +168,7 @@ def asperity_pass(
         steps = max(int(whole(np.ceil(2 * moved / CELL))), 4)
         seconds = (next_phase - phase) / abs(phases_per_second) / steps
         for part in (np.arange(steps) + 0.5) / steps:  # the middle of each step
-            now = {name: (1 - part) * before[name] + part * after[name] for name in before}
+            now = {name: (1 - part) * before[name] + part * after[name] for name in _WEARING}
             rubbing = np.where(now["pressure"] > 0, now["asperity_rubbing"], 0.0) * seconds
             work += grid.spread(
                 (rubbing * now["seen_area"]).ravel(), now["face"].ravel(), now["radius"].ravel()

@@ -38,6 +38,8 @@ from pyworm.solver.ending import Ending
 from pyworm.solver.solution import Estimate
 from pyworm.solver.transient.lifts import Lift
 
+HEATED = ["temperature_body_1", "temperature_body_2", "temperature_middle"]
+
 
 def test_a_model_uncertainty_without_a_bound_makes_that_of_the_loss_unknown():
     """Where no power is lost it is nothing, so that there is no NaN; tables have the word, not "inf"."""
@@ -224,6 +226,34 @@ def test_the_flank_keeps_extremes_of_all_phases():
     for column in rows.T:
         inside = np.flatnonzero(column)
         assert inside.size == inside[-1] - inside[0] + 1
+
+
+def heated_in(result, *numbers):
+    """The result with temperatures in some phases alone, by number."""
+    cold = [one.fields.drop_vars(HEATED) for one in result.solutions]
+    return replace(
+        result,
+        solutions=tuple(
+            one if number in numbers else replace(one, fields=cold[number])
+            for number, one in enumerate(result.solutions)
+        ),
+    )
+
+
+def test_the_flank_keeps_temperatures_of_the_phases_that_simulated_heat():
+    """Drive 4 of seed 82001 neglected heat in some of its phases; its map ended in a KeyError."""
+    whole = cycle_result(PHASES[::3])
+    everywhere = flank_map(whole)["temperature_middle"]
+    mapped = [flank_map(heated_in(whole, *numbers)) for numbers in ((0, 1), (1,), (0, 1, 3), ())]
+    places = [np.isfinite(of["temperature_middle"]).values for of in mapped[:3]]
+    assert 0 < places[1].sum() < places[0].sum() < places[2].sum() < np.isfinite(everywhere).sum()
+    for field, there in zip(mapped, places, strict=False):
+        some = field["temperature_middle"].values[there]
+        assert np.all(some <= everywhere.values[there] * (1 + 1e-12))
+        assert some.max() == pytest.approx(float(everywhere.max()), rel=1e-3)
+    assert "temperature_middle" not in mapped[-1]
+    for field in mapped:
+        assert field["pressure"].equals(flank_map(whole)["pressure"])
 
 
 def ending_in_the_contact(result, phase):
