@@ -67,7 +67,7 @@ def _draw_films(axes: Axes, result: Result, life: ContactLife, abscissa: Array) 
     _draw(axes, life, abscissa, "film_central", "tab:blue")
     _draw(axes, life, abscissa, "film_min", "tab:green")
     film = QUANTITIES["film"]
-    thick = THICKEST * film.number(float(np.median(life.figures["film_central"])))
+    thick = THICKEST * film.number(float(np.nanmedian(life.figures["film_central"])))
     axes.set_ylim(0, min(ROOM * axes.get_ylim()[1], thick))
     axes.set_ylabel(film.axis())
     # films are thick where a life begins and ends

@@ -144,7 +144,7 @@ class Lines:
 
 def _thickest(life: ContactLife) -> float:
     """Upper end of the scale of films [um]."""
-    return FILM.number(THICKEST * float(np.median(life.figures["film_central"])))
+    return FILM.number(THICKEST * float(np.nanmedian(life.figures["film_central"])))
 
 
 def _heading(result: Result, life: ContactLife) -> str:
@@ -159,7 +159,8 @@ def _told(life: ContactLife, frame: Fields) -> str:
         parts.append(f"phase {life.phases[index]:.3f}")
     load = f"{life.load[index]:.4g} {'N' if life.kind == 'point' else 'N/m'}"
     thin = QUANTITIES["film_min"]
-    film = thin.with_unit(f"{thin.number(life.figures['film_min'][index]):.3f}")
+    value = life.figures["film_min"][index]
+    film = "not resolved" if np.isnan(value) else thin.with_unit(f"{thin.number(value):.3f}")
     return "   ".join([*parts, load, f"{thin.words()} {film}"])
 
 

@@ -66,7 +66,7 @@ class ContactLife:
     entrainment: Array
     """Mean velocity of the surfaces at the contact point, along the last one [m/s]."""
     figures: dict[str, Array]
-    """Figures by name (`io.quantities.OVER_LIFE`), in SI."""
+    """Figures by name (`io.quantities.OVER_LIFE`), in SI; films that the grid does not resolve are NaN."""
     errors: dict[str, Array]
     """Numerical error bars of the figures, in SI."""
     frames: tuple[Fields, ...]
@@ -97,9 +97,13 @@ class ContactLife:
         return work, error
 
     def extreme(self, name: str) -> tuple[float, float, float]:
-        """The least film, or the largest value of another figure, its error bar and its time [s]."""
+        """The least film, or the largest value of another figure, its error bar and its time [s].
+
+        Films that the grid does not resolve, NaN, do not count; without any other the first is given.
+        """
         values = self.figures[name]
-        index = int(np.argmin(values) if name.startswith("film") else np.argmax(values))
+        known = np.nan_to_num(values, nan=np.inf)
+        index = int(np.argmin(known) if name.startswith("film") else np.argmax(values))
         return float(values[index]), float(self.errors[name][index]), float(self.seconds[index])
 
     def summary(self) -> dict:

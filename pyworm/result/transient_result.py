@@ -3,9 +3,8 @@
 import os
 from dataclasses import dataclass
 from functools import cached_property
+from math import isfinite
 from pathlib import Path
-
-import numpy as np
 
 from pyworm.io.on_demand import lazy_property
 from pyworm.io.on_demand import xarray as xr
@@ -26,7 +25,7 @@ class TransientResult(Shown):
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the films over time in words."""
         film, error, seconds = self.over_time.extreme("film_min")
-        thinnest = f"{film * 1e6:.4g} ± {error * 1e6:.2g} µm" if film > 0 else "not resolved"
+        thinnest = f"{film * 1e6:.4g} ± {error * 1e6:.2g} µm" if isfinite(film) else "not resolved"
         return f"TransientResult {self.solution.name}", {
             "status": self.solution.shown()[1]["status"],
             "times": f"{self.over_time.seconds.size} to {self.over_time.seconds[-1] * 1e3:.4g} ms",
@@ -58,9 +57,8 @@ class TransientResult(Shown):
         are NaN where they are thinner than the grid of that solve shows, as at a start from rest.
         """
         life = self.over_time
-        thin = life.figures["film_min"] <= 0
         variables = {
-            name: ("time", _without(thin, figure, values), attributes(f"life_{name}"))
+            name: ("time", values, attributes(f"life_{name}"))
             for figure in life.figures
             for name, values in (
                 (figure, life.figures[figure]),
@@ -107,8 +105,3 @@ class TransientResult(Shown):
         """All times, of which `dataset` is the labelled form."""
         (life,) = lives(self.result)
         return life
-
-
-def _without(thin: np.ndarray, name: str, values: np.ndarray) -> np.ndarray:
-    """Values over time, of films NaN where these are too thin."""
-    return np.where(thin, np.nan, values) if name.startswith("film") else values

@@ -186,7 +186,9 @@ def _spread(flux: Array, spacing: Sequence[float], width: float, rims: Sequence[
     for axis, (step, rim) in enumerate(zip(spacing, rims, strict=True)):
         nodes = flux.shape[axis]
         ends = (np.arange(1 - nodes - rim, nodes + rim + 1) - 0.5) * step / (sqrt(2) * width)
-        shares = np.diff(scipy.special.erf(ends)) / 2  # at offsets from 1 - nodes - rim on, symmetric
+        shares = (
+            np.diff(scipy.special.erf(ends)) / 2
+        )  # at offsets from 1 - nodes - rim on, symmetric
         means = np.lib.stride_tricks.sliding_window_view(shares, nodes)[::-1].copy()
         spread = means @ spread if axis == 0 else spread @ means.T
     framed[(slice(1, -1),) * flux.ndim] = spread

@@ -13,9 +13,10 @@ from pyworm.io.plain_dataset import PlainDataset, described
 from pyworm.planning.expected_work import Kind
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
-from pyworm.planning.target import HEAT_FIGURES
+from pyworm.planning.target import FILMS, HEAT_FIGURES
 from pyworm.solver.level import Level
 from pyworm.solver.transient.moving_grid import at_places
+from pyworm.solver.transient.unresolved_films import least_error, unresolved
 
 AXES = "xy"
 
@@ -78,8 +79,8 @@ def _frame(level: Level, grid: Grid | LineGrid) -> Frame:
         sliding = np.linalg.norm(level.scene.sliding_at(*level.grid.mesh()), axis=0)
         fields.append(level.film.asperities().pressure * sliding)
     pressure, film, *rubbing = (at_places(level.grid, field, grid) for field in fields)
-    # between nodes cubics may dip below zero
-    kept = np.maximum(pressure, 0.0), film, *(np.maximum(values, 0.0) for values in rubbing)
+    # between nodes cubics may dip below zero, and so do films that the grid does not resolve
+    kept = [np.maximum(values, 0.0) for values in (pressure, film, *rubbing)]
     places = (grid.x, grid.y) if isinstance(grid, Grid) else (grid.x,)
     return Frame(places, *(values.astype(np.float32) for values in kept))
 
@@ -152,10 +153,12 @@ def curves(
     present_seconds: float,
     present: Mapping[str, float],
     coldest: float | None,
+    reach: float,
 ) -> PlainDataset:
     """Figures over time with their error bars, and frames of pressure and film.
 
-    A bar is never less than what the curve is off from the present film on the finer grid of the figures.
+    A bar is never less than what the curve is off from the present film on the finer grid of the figures, nor
+    of films than what others nearby are below zero. Films at a time whose minimum is, are NaN.
     Figures that the present film does not have, whose heat is not simulated though other times of its life
     call for it, have no curve.
 
@@ -168,8 +171,10 @@ def curves(
             on.
         present: Figures of that film, on the first grid of the figures.
         coldest: Bulk temperature of the colder body [K]; None where heat was not simulated.
+        reach: Distance that oil goes until films have forgotten a time [m].
     """
     records = [record for record in solves[-1] if record.seconds > since]
+    lost, least_of_films = _unresolved(solves[-1], reach, len(records))
     variables: dict[str, Any] = {
         "life_load": (("instant",), np.array([record.load for record in records]))
     }
@@ -185,12 +190,25 @@ def curves(
         error = np.abs(values) * np.maximum(
             max(least, off), share * _changes(solves, records, name)
         )
+        if name in FILMS:
+            values, error = (
+                np.where(lost, nan, of) for of in (values, np.maximum(error, least_of_films))
+            )
         base = coldest if name in HEAT_FIGURES else 0.0
         variables[f"life_{name}"] = ("instant",), base + values
         variables[f"life_{name}_error"] = ("instant",), error
     seconds = np.array([record.seconds for record in records])
     found = described(variables | _frames(records), {"life_seconds": (("instant",), seconds)})
     return found if kind == "point" else _for_each_length(found)
+
+
+def _unresolved(records: Sequence[TimeRecord], reach: float, count: int) -> tuple[Array, Array]:
+    """Which of the last times have films that are not resolved, and the least error of films there [m]."""
+    figures = [record.figures for record in records]
+    seconds = np.array([record.seconds for record in records])
+    speed = np.array([np.linalg.norm(record.entrainment) for record in records])
+    lost, least = unresolved(figures), least_error(figures, seconds, speed, reach)
+    return lost[-count:], least[-count:]
 
 
 def _for_each_length(dataset: PlainDataset) -> PlainDataset:

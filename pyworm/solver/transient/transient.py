@@ -30,7 +30,12 @@ from pyworm.solver.level import Level
 from pyworm.solver.newton import converge
 from pyworm.solver.stop_reason import MAX_USED_ERROR
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
-from pyworm.solver.transient.time_integration import NoFilmError, RateOfChange, integrate_in_time
+from pyworm.solver.transient.time_integration import (
+    MEMORY_TRANSITS,
+    NoFilmError,
+    RateOfChange,
+    integrate_in_time,
+)
 from pyworm.solver.transient.time_records import TimeRecord, curves, until
 from pyworm.solver.transient.time_steps import places_of
 
@@ -373,7 +378,9 @@ def _life(
     share, least = _share(kind, turned), _least(shared, kind, turned)
     present = readings[-1].figures
     present_seconds = present_in_life(scene).seconds
-    return curves(rates.records, since, kind, share, least, present_seconds, present, coldest)
+    reach = MEMORY_TRANSITS * 2 * predicted(scene).half_width
+    shown = share, least, present_seconds, present, coldest, reach
+    return curves(rates.records, since, kind, *shown)
 
 
 def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, float]:

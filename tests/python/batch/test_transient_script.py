@@ -1,5 +1,7 @@
 """Transient contacts from Python: load, motion and radii over time."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from contacts import ball, roller
@@ -35,6 +37,45 @@ def test_films_over_time_have_names_units_and_uncertainties(stop):
     assert films.film_min.values[-1] > 0.3 * films.film_min.values.max()
     assert films.entrainment.values[-1] == pytest.approx(1e-3, rel=0.1)
     assert stop.solution.name == "ball" and "TransientResult ball: status" in repr(stop)
+
+
+STARTED = {0.728: (70.7, 167.1), 0.8: (115.4, 190.5), 0.9: (133.5, 219.5), 1.1: (162.8, 267.2)}
+"""Time [ms] -> minimum and central film thickness [nm] of the ball that starts, by the third transient solve
+of an accuracy of 2 %: a quarter of the spacing and of the time step."""
+
+
+@pytest.fixture(scope="module")
+def start():
+    """A ball that starts from near rest."""
+    return pyworm.transient(ball(), (0, "1 ms", "2 ms"), speed=(1e-3, 1, 1), **HOW)
+
+
+def test_films_that_the_grid_does_not_resolve_are_no_results(start):
+    films = start.dataset
+    lost = np.isnan(films.film_min.values)
+    assert lost[0] and lost.sum() > 5 and not lost[-20:].any()
+    for name in ("film_min", "film_central"):
+        assert (np.isnan(films[name].values) == lost).all()
+        assert (np.isnan(films[f"{name}_error"].values) == lost).all()
+        assert (films[name].values[~lost] > 0).all()
+    assert np.isfinite(films.pressure_max.values).all()
+    (value, error, _) = start.over_time.extreme("film_min")
+    assert 0 < value < error
+    assert all((frame.film >= 0).all() for frame in start.over_time.frames)
+
+
+def test_films_next_to_these_are_as_uncertain_as_finer_time_steps_show(start):
+    films = start.dataset[["film_min", "film_central", "film_min_error", "film_central_error"]]
+    for milliseconds, known in STARTED.items():
+        then = films.interp(time=milliseconds * 1e-3)
+        for name, value in zip(("film_min", "film_central"), known, strict=True):
+            assert abs(then[name] - value * 1e-9) < then[f"{name}_error"]
+
+
+def test_films_without_any_that_is_resolved_have_no_extreme(start):
+    life = start.over_time
+    none = replace(life, figures={"film_min": np.full(life.seconds.size, np.nan)})
+    assert np.isnan(none.extreme("film_min")[0])
 
 
 def test_the_present_is_the_last_time_at_which_the_surfaces_move(stop):
