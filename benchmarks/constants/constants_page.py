@@ -58,8 +58,7 @@ DETECTION = """
 
 No check repeats the constant. The checks use neighbouring rows, monotony, ratios, limits, dimensions, other
 formulas, other standards and printed examples. Each number is changed up and down by 2, 10 and 25 %, by a
-factor of 2 and of 10 (a misplaced decimal point). Entries count the numbers by the smallest change that a
-check detects.
+factor of 2 and of 10 (a misplaced decimal point). Numbers by the smallest change that a check detects:
 """
 
 UNDETECTED = """
@@ -130,11 +129,10 @@ def _known() -> Iterator[str]:
 
 
 def _detected() -> Iterator[str]:
-    yield _row("chapter", *map(_step, LADDER), "none")
-    yield "|---" * (2 + len(LADDER)) + "|"
-    for chapter in CHAPTERS:
-        factors = Counter(seen.factor for seen in seen_in(chapter))
-        yield _row(chapter.title, *(factors[step] or "" for step in (*LADDER, None)))
+    yield _row(*map(_step, LADDER), "none")
+    yield "|---" * (1 + len(LADDER)) + "|"
+    factors = Counter(seen.factor for chapter in CHAPTERS for seen in seen_in(chapter))
+    yield _row(*(factors[step] for step in (*LADDER, None)))
 
 
 def _undetected() -> Iterator[str]:

@@ -18,6 +18,7 @@ import re
 import tomllib
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
+from functools import cache
 from pathlib import Path
 from statistics import median
 
@@ -129,12 +130,23 @@ def _with_head(words: str) -> tuple[str, str]:
 
 
 def _foot(name: str, data: DataFile) -> str:
-    """One line with the commit, the machine and the date as far as they are known, and the file."""
+    """One line with the commit, of times also the machine and the date as far as known, and the file."""
     origin = data.origin
-    known = [text for text in (origin.machine, origin.date) if text not in ("", NOT_RECORDED)]
+    where = (origin.machine, origin.date) if name in _timed() else ()
+    known = [text for text in where if text not in ("", NOT_RECORDED)]
     parts = [f"commit {origin.commit}"] if origin.commit else []
     link = f"[data]({path_of(name).relative_to(PAGES).as_posix()})"
     return "*" + "; ".join([*parts, *known, link]) + "*"
+
+
+@cache
+def _timed() -> frozenset[str]:
+    """Names of the data whose commands measure time, which depends on the machine."""
+    listed = read("commands")
+    rows = (dict(zip(listed.columns, row, strict=True)) for row in listed.rows)
+    return frozenset(
+        name for row in rows if row["length"] == "timing" for name in row["data"].split()
+    )
 
 
 def with_tables(page: str) -> str:

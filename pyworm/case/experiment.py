@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from pyworm.case.case import checked
+from pyworm.case.oil import RoelandsTable
 from pyworm.case.table import Table
 from pyworm.io import units
 from pyworm.io.given import kind_of
@@ -22,11 +23,14 @@ from pyworm.io.uncertain import UNIFORM, Uncertain, parse_uncertain
 from pyworm.materials.base_stock import Base
 
 KINDS = {
+    "film": units.Film,
     "film_central": units.Film,
     "film_min": units.Film,
     "film_exit_min": units.Film,
     "friction_coefficient": units.Share,
+    "friction_of_mesh": units.Share,
     "efficiency": units.Share,
+    "efficiency_at_rest": units.Share,
     "power_loss": units.Power,
     "temperature_max_body_1": units.Temperature,
     "temperature_max_body_2": units.Temperature,
@@ -34,6 +38,7 @@ KINDS = {
     "dry_length": units.Length,
     "pressure_viscosity": units.PressureViscosity,
     "viscosity": units.Viscosity,
+    "viscosity_rise": units.Share,
     "density": units.OilDensity,
     "limiting_coefficient": units.Share,
 }
@@ -44,7 +49,8 @@ class SourceTable(Table):
     """`[source]`: the publication that the numbers are from."""
 
     author: Text
-    year: Annotated[int, Field(strict=True, ge=1800, le=2100)]
+    year: Annotated[int, Field(strict=True, ge=1800, le=2100)] | None = None
+    """None where it is not known."""
     title: Text
     doi: Text | None = None
     through: Text | None = None
@@ -105,17 +111,23 @@ class ReadingTable(UncertaintyTable):
 
 
 class MeasuredOilTable(Table):
-    """`[oils.NAME]`: an oil by its measured viscosities at ambient pressure, as of `NamedOil.from_table`."""
+    """`[oils.NAME]`: an oil by its viscosities at ambient pressure (`NamedOil.from_table`), or a law."""
 
-    base: Base
-    temperatures: Annotated[list[Text], Field(min_length=2)]
+    base: Base | None = None
+    temperatures: list[Text] | None = None
     eta: list[Text] | None = None
     nu: list[Text] | None = None
-    density: list[Text] | None = None
+    viscosity: RoelandsTable | None = None
+    """Roelands' law at one temperature, as a case file has it."""
 
     def flaws(self) -> Iterator[str]:
-        """Both or neither viscosity."""
-        yield from self.unless_either("eta", "nu")
+        """Two ways to a viscosity, or none."""
+        if self.viscosity is None:
+            yield from self.unless_either("eta", "nu")
+            if len(self.given("base", "temperatures")) < 2:
+                yield "base and temperatures are missing"
+        elif named := self.given("base", "temperatures", "eta", "nu"):
+            yield f"{named[0]} has no effect with viscosity"
 
 
 class RowTable(Table):
@@ -128,6 +140,11 @@ class RowTable(Table):
     """Values of the case by dotted key that belong to it."""
     place: dict[str, Any] = Field(default_factory=dict)
     """Place in the mesh, or slide-roll ratio, as of `Case.scene`."""
+    reading: ReadingTable | None = None
+    measurement: UncertaintyTable | None = None
+    """Those of the row where they differ from the file's."""
+    x: Text | None = None
+    """Place on the centre line, along the entrainment, of a "film"."""
     oil: Text | None = None
     temperature: Text | None = None
     pressure: Text = "0 Pa"
@@ -141,6 +158,8 @@ class RowTable(Table):
             parse_uncertain(self.value).in_unit(kind_of(KINDS[self.quantity]).unit)
         except ValueError as error:
             yield f"value: {error}"
+        if (self.x is None) == (self.quantity == "film"):
+            yield 'x belongs to quantity = "film", and to no other one'
 
 
 class ExperimentTable(Table):
@@ -184,7 +203,8 @@ class ExperimentTable(Table):
         By the root of the squares of the uncertainties of the measurement, of the reading, and of the row.
         """
         stated = parse_uncertain(row.value)
-        parts = [part.of(stated).standard for part in (self.reading, self.measurement)]
+        uncertain = row.reading or self.reading, row.measurement or self.measurement
+        parts = [part.of(stated).standard for part in uncertain]
         whole = Uncertain(stated.value, hypot(stated.standard, *parts), stated.unit)
         return whole.in_unit(kind_of(KINDS[row.quantity]).unit)
 

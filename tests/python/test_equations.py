@@ -1,5 +1,7 @@
 """Equations of the pages become MathML, and a bad one fails the site."""
 
+import csv
+
 import pytest
 from equations import Equations, mathml
 from folders import ROOT
@@ -87,3 +89,14 @@ def test_equations_of_the_pages_are_shown(page):
         page.read_text()
     )
     assert "$$" not in shown
+
+
+def test_the_sources_of_the_equations_are_there():
+    with (ROOT / "docs/theory/implementation.csv").open(newline="") as file:
+        listed = list(csv.DictReader(file))
+    pages = {path.stem for path in (ROOT / "docs/theory").glob("*.md")}
+    assert {row["page"] for row in listed} <= pages
+    missing = [
+        name for row in listed for name in row["sources"].split() if not (ROOT / name).exists()
+    ]
+    assert not missing

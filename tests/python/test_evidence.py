@@ -105,6 +105,7 @@ def test_tables_select_and_gather(data, monkeypatch):
     view = {"where": {"kind": "y"}, "columns": ["name", "off -> difference"]}
     gathered = {"data": "some", "by": "kind", "columns": ["name count", "off range -> difference"]}
     monkeypatch.setattr("evidence_pages.TABLES", {"some": view, "by kind": gathered})
+    monkeypatch.setattr("evidence_pages._timed", lambda: {"some"})
     foot = f"*commit abc; a machine; [data]({path_of('some').relative_to(data.parent)})*"
     assert table("some") == (
         "`make it`, then `show it`\n\n|name |difference |\n|---|---|\n|c |3 % |\n|d\\| | |\n\n"
@@ -113,6 +114,8 @@ def test_tables_select_and_gather(data, monkeypatch):
     shown = table("by kind")
     assert "|kind |name count |difference |" in shown
     assert "|x |2 |below -2 % to 1.5 % |" in shown and "|y |2 |3 % |" in shown
+    monkeypatch.setattr("evidence_pages._timed", set)
+    assert table("some").endswith(f"*commit abc; [data]{foot.split('[data]')[1]}")
 
 
 def test_results_of_the_hard_suite_are_rows_of_its_data(data, monkeypatch):
