@@ -131,7 +131,7 @@ class GearPairMesh(Lubricated):
         return self.pinion_speed / self.teeth.ratio
 
     @property
-    def pinion_torque(self) -> float:
+    def _pinion_torque(self) -> float:
         """Torque on the pinion [N m]."""
         return self.power / self.pinion_speed
 
@@ -139,7 +139,7 @@ class GearPairMesh(Lubricated):
     def normal_force(self) -> float:
         """Force along the normal of the flanks [N], without friction, times the load factor."""
         arm = self.teeth.cylinders[0].base * cos(self.teeth.system.base_helix_angle)
-        return self.load_factor * self.pinion_torque / arm
+        return self.load_factor * self._pinion_torque / arm
 
     @property
     def pitch_line_velocity(self) -> float:

@@ -78,7 +78,7 @@ class RollerMesh(RollerGears, Lubricated):
         return self.speed / self.ratio
 
     @property
-    def compliance(self) -> Compliance:
+    def _compliance(self) -> Compliance:
         """Compliance of rollers, pins and thread."""
         return Compliance(self.bodies, self.rollers.stiffness)
 
@@ -95,7 +95,7 @@ class RollerMesh(RollerGears, Lubricated):
         """Loads of a section's rollers while one of them is at a wheel angle [rad]."""
         part = self.sections[section]
         torque = self.wheel_torque(section)
-        return share(part, self.compliance, wheel_angle, torque, self.sharing)
+        return share(part, self._compliance, wheel_angle, torque, self.sharing)
 
     def state(self, section: str, phase: float, stations: Sequence[float]) -> LineState:
         """State of a roller at a phase of a section, at fractions of its contact line from 0 to 1."""

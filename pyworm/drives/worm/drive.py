@@ -162,7 +162,7 @@ class WormDrive(WormMesh, Drive):
         return both_flanks(self, contact_pattern)
 
     @cached_property
-    def loaded_patterns(self) -> tuple[ContactPattern, ContactPattern]:
+    def _loaded_patterns(self) -> tuple[ContactPattern, ContactPattern]:
         """Contact patterns under the load, of the flank that the worm drives and of the other one."""
         return both_flanks(self, loaded_pattern)
 
@@ -180,7 +180,7 @@ class WormDrive(WormMesh, Drive):
         parts = (
             self.loaded_cycle(),
             sensitivity_data(self),
-            pattern_data(self.patterns, self.loaded_patterns),
+            pattern_data(self.patterns, self._loaded_patterns),
         )
         data = mesh_cycle_data(self.mesh_cycle())
         for part in parts:
@@ -215,7 +215,7 @@ class WormDrive(WormMesh, Drive):
         """The computed drawing, its kinematics and its pattern."""
         parts = (
             described_mesh(self),
-            described_patterns(self.driven_pattern, self.loaded_patterns[0]),
+            described_patterns(self.driven_pattern, self._loaded_patterns[0]),
             {}
             if self.assembly == AS_DESIGNED
             else {"wheel_shim_to_leaving_side_m": self.wheel_shim(None).shift},

@@ -174,7 +174,7 @@ def curves(
         reach: Distance that oil goes until films have forgotten a time [m].
     """
     records = [record for record in solves[-1] if record.seconds > since]
-    lost, least_of_films = _unresolved(solves[-1], reach, len(records))
+    thin, least_of_films = _unresolved(solves[-1], reach, len(records))
     variables: dict[str, Any] = {
         "life_load": (("instant",), np.array([record.load for record in records]))
     }
@@ -191,9 +191,8 @@ def curves(
             max(least, off), share * _changes(solves, records, name)
         )
         if name in FILMS:
-            values, error = (
-                np.where(lost, nan, of) for of in (values, np.maximum(error, least_of_films))
-            )
+            error = np.where(thin, nan, np.maximum(error, least_of_films))
+            values = np.where(thin, nan, values)
         base = coldest if name in HEAT_FIGURES else 0.0
         variables[f"life_{name}"] = ("instant",), base + values
         variables[f"life_{name}_error"] = ("instant",), error
@@ -207,8 +206,8 @@ def _unresolved(records: Sequence[TimeRecord], reach: float, count: int) -> tupl
     figures = [record.figures for record in records]
     seconds = np.array([record.seconds for record in records])
     speed = np.array([np.linalg.norm(record.entrainment) for record in records])
-    lost, least = unresolved(figures), least_error(figures, seconds, speed, reach)
-    return lost[-count:], least[-count:]
+    thin, least = unresolved(figures), least_error(figures, seconds, speed, reach)
+    return thin[-count:], least[-count:]
 
 
 def _for_each_length(dataset: PlainDataset) -> PlainDataset:

@@ -87,9 +87,9 @@ class WormMesh(WormGears, Lubricated):
             else self.shaft_deflection.assembly(self.assembly)
         )
 
-    def turned_parts(self) -> dict[str, Any]:
+    def _turned_parts(self) -> dict[str, Any]:
         """What half a turn about X changes, by its names."""
-        parts = super().turned_parts()
+        parts = super()._turned_parts()
         if self.shaft is None or not self.shaft.bearing_offset:
             return parts
         return parts | {"shaft": self.shaft.turned}

@@ -293,10 +293,10 @@ class WormGears:
     @cached_property
     def turned(self) -> Self:
         """The gears after half a turn about X, which drives their other flank and reverses shifts along Y."""
-        changes = self.turned_parts()
+        changes = self._turned_parts()
         return replace(self, **changes) if changes else self
 
-    def turned_parts(self) -> dict[str, Any]:
+    def _turned_parts(self) -> dict[str, Any]:
         """What half a turn about X changes, by its names; deviations are those of the driven flank only."""
         parts = (("hob", self.hob), ("assembly", self.assembly))
         changes: dict[str, Any] = {
