@@ -75,11 +75,13 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     face, radius = _axes(layers)
     loaded = LOADED_FRACTION * max(float(layer["pressure"].max()) for layer in layers)
     phases = [phase_of(solution) for solution in solved]
-    lost = [phase_of(solution) for solution in result.unsound]
+    unsolved = [phase_of(solution) for solution in result.unsound]
     extremes: dict[str, Array] = {}
     for held, names in _simulated(layers).items():
         without = [phase for phase, has in zip(phases, held, strict=True) if not has]
-        pairs = _neighbours([*compress(phases, held)], [*compress(layers, held)], lost + without)
+        pairs = _neighbours(
+            [*compress(phases, held)], [*compress(layers, held)], unsolved + without
+        )
         extremes |= _extremes(pairs, names, (radius, face), loaded)
     on_tooth = _on_tooth(result, face, radius)
     return describe(
