@@ -256,6 +256,29 @@ def test_the_worm_ends_on_the_ray_near_its_base_helix(phase):
     assert np.all((share > 0) & (share < 1))
 
 
+def test_beyond_its_end_a_flank_moves_as_its_last_point_does():
+    """As continued it is so far off that the worm would turn backwards there.
+
+    Heat led along such ways grew without bound: drive 5 of seed 82001 lost its transient solution.
+    """
+    contact = sharif().cycle.contact(0.1)
+    flank, (motion, _) = contact.worm_height, sharif().scene(0.1).motions
+    angle = np.linspace(0, 2 * np.pi, 37)[:, None]
+    reach = np.linspace(0, 0.08, 321)
+    x, y = reach * np.cos(angle), reach * np.sin(angle)
+    height, _, exists = flank.solve(x, y)
+    moving = flank.moving(x, y)
+    np.testing.assert_array_equal(moving[exists], height[exists])
+    assert 0 < exists.mean() < 1
+    farthest = np.abs(height[exists]).max()
+    assert np.abs(moving).max() < 1.02 * farthest
+    assert np.abs(height).max() > 2 * farthest
+    # over the tangent plane the worm's surface turns about y with its height
+    about_y = abs(motion.rotation @ contact.axes[1])
+    plane = motion(0 * x, 0 * y)[0] - (motion.rotation @ contact.axes[2]) * y
+    assert np.abs(motion(x, y)[0] - plane).max() < 1.02 * about_y * farthest
+
+
 def test_a_window_takes_well_below_a_second():
     scene = sharif().scene(0.5)
     x, y = window(0.018, 0.005, 257)

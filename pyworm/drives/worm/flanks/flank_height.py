@@ -152,6 +152,18 @@ class FlankHeight:
         stays smooth and opens. Gap and velocities are evaluated at the same points, one after the other:
         results, cached, are not written to.
         """
+        height, _, q, exists = self._found(x, y)
+        return height, q, exists
+
+    def moving(self, x: Array, y: Array) -> Array:
+        """Height [m] of the flank at points (x, y); where it ends before them, of its last sound point.
+
+        The flank as continued may be several times the worm's radius away, where a body turns backwards:
+        surfaces that move so do not exist, and their heat, led through the contact, has no sense.
+        """
+        return self._found(x, y)[1]
+
+    def _found(self, x: Array, y: Array) -> tuple[Array, Array, list[Array], Array]:
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         return self._cache.recall((x, y), lambda: self._solve_all(x, y))
 
@@ -159,14 +171,14 @@ class FlankHeight:
     def _cache(self) -> PointCache:
         return PointCache(MOST_CACHED)
 
-    def _solve_all(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
+    def _solve_all(self, x: Array, y: Array) -> tuple[Array, Array, list[Array], Array]:
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             found = on_mesh(self._solve_each, x, y, TOLERANCE)
             if found is None:
                 found = self._solve_each(x.ravel(), y.ravel())
         found.flags.writeable = False
-        height, *q, exists = found.reshape(-1, *x.shape)
-        return height, q, exists == 1
+        height, moving, *q, exists = found.reshape(-1, *x.shape)
+        return height, moving, q, exists == 1
 
     def _solve_each(self, x: Array, y: Array) -> Array:
         """Rows as of `_solve_block`, also where the flank is continued."""
@@ -177,19 +189,19 @@ class FlankHeight:
         return found
 
     def _solve_block(self, x: Array, y: Array) -> Array:
-        """Rows: height, q and 1 where the flank is found from the contact point, else 0."""
+        """Rows: height, twice, q and 1 where the flank is found from the contact point, else 0."""
         height, q, left = self._converged(list(self._guess @ _powers(x, y)), self._line(x, y))
-        return np.array([height, *q, left > 0])
+        return np.array([height, height, *q, left > 0])
 
     def _continued(self, x: Array, y: Array) -> Array:
-        """Rows: height on or beyond the flank, q on the flank and fraction of the ray that lies on it."""
+        """Rows: height on or beyond the flank, and on it, q there and fraction of the ray that lies on it."""
         reach, q = self._end(x, y)
         height, slope, _ = self.expansion(q, reach * x, reach * y)
         dx, dy = (1 - reach) * x, (1 - reach) * y
         rise = slope[0] * dx + slope[1] * dy
         bend = self.curvatures
         curl = bend[0, 0] * dx**2 + 2 * bend[0, 1] * dx * dy + bend[1, 1] * dy**2
-        return np.array([height + rise + curl / 2, *q, reach])
+        return np.array([height + rise + curl / 2, height, *q, reach])
 
     def _end(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
         """Fraction of the ray to (x, y) that lies on the flank, and q there.

@@ -67,7 +67,7 @@ class ToothMotion:
 
     def _components(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
-        height = self.flank.solve(x, y)[0]
+        height = self.flank.moving(x, y)
         (u, v, w), (about_x, about_y, spin) = self._twist
         return (
             u + about_y * height - spin * y,
