@@ -157,7 +157,7 @@ def _moved(content: dict[str, Any], key: str, uncertain: InputTable, step: float
 
 @cache
 def _solved(
-    content: str, folder: str, place: str, effects: str, accuracy: float
+    content: str, folder: str, place: str, effects: tuple[str, ...], accuracy: float
 ) -> tuple[Case, tuple[Solution, ...]]:
     """A case and the solutions of its contact at a place, or of all that it lists."""
     case = case_of(json.loads(content), "measured", Path(folder))

@@ -35,7 +35,7 @@ COLUMNS = (
 def parts(phase: float) -> Iterator[tuple[object, ...]]:
     """Rows of a contact: part of its line, direction of rolling, load on asperities, friction."""
     scene = pyworm.load(CASE).scene(phase=phase)
-    fields = pyworm.solve(scene, pyworm.plan(scene, 0.1, "auto,-squeeze")).fields
+    fields = pyworm.solve(scene, pyworm.plan(scene, 0.1, ("auto", "-squeeze"))).fields
     sliding = np.hypot(fields.sliding_x, fields.sliding_y)
     across = fields.entrainment_y / np.hypot(fields.entrainment_x, fields.entrainment_y)
     touched = fields.dry_pressure > 0

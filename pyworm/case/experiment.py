@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Field
 
 from pyworm.case.case import checked
+from pyworm.case.case_file import ChosenEffects
 from pyworm.case.oil import RoelandsTable
 from pyworm.case.table import Table
 from pyworm.io import units
@@ -171,7 +172,7 @@ class ExperimentTable(Table):
     measurement: UncertaintyTable
     case: Text | dict[str, Any] | None = None
     """Case file beside which the measurement stands, relative to the file, or a case's tables."""
-    effects: Text = "auto"
+    effects: ChosenEffects = ("auto",)
     accuracy: units.Share = 0.02
     oils: dict[str, MeasuredOilTable] = Field(default_factory=dict)
     inputs: list[InputTable] = Field(default_factory=list)
