@@ -12,6 +12,7 @@ import tomllib
 from collections.abc import Iterator
 from datetime import date
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 ROOT = Path(__file__).parents[1]
 
@@ -28,13 +29,8 @@ PLACES = {
 STAMP = "build/tested"
 """File with the git tree on which all tests have passed."""
 
-TRIALS = (
-    ("--version",),
-    ("run", "point_m20_l10.toml", "--accuracy", "10%", "--pictures", "none", "--out", "out"),
-    ("report", "out/result.nc"),
-    ("explore", "out/result.nc"),
-)
-"""What an installed wheel is tried with."""
+TRIAL = ("tools/try_installed.py", "examples/ball_on_disc.ipynb")
+"""What an installed wheel is tried with, and the notebook that it runs."""
 
 
 def found(root: Path, file: str, pattern: str) -> str | None:
@@ -107,11 +103,9 @@ def wheels(root: Path) -> Iterator[str]:
         (wheel,) = (root / "dist").glob(f"pyworm-{version(root)}-{python}-*.whl")
         subprocess.run([sys.executable, "-m", "venv", "--clear", folder], check=True)
         subprocess.run([folder / "bin/pip", "install", "--quiet", wheel], check=True)
-        (folder / "point_m20_l10.toml").write_bytes(
-            (root / "cases/point_m20_l10.toml").read_bytes()
-        )
-        for words in TRIALS:
-            subprocess.run([folder / "bin/pyworm", *words], cwd=folder, check=True)
+        script, notebook = (root / part for part in TRIAL)
+        with TemporaryDirectory() as away:
+            subprocess.run([folder / "bin/python", script, away, notebook], check=True)
     except subprocess.CalledProcessError as error:
         yield f"wheel: {' '.join(map(str, error.cmd))} failed"
     except ValueError:

@@ -6,7 +6,10 @@ from datetime import date
 
 import pytest
 import release
+import try_installed
 from folders import ROOT
+
+from pyworm.case.shipped import TEMPLATES
 
 GIT = ("git", "-c", "user.name=Somebody", "-c", "user.email=somebody@example.org")
 TODAY = date.fromisoformat(release.found(ROOT, "CITATION.cff", r"^date-released: (\S+)$"))
@@ -94,3 +97,13 @@ def test_wheels_are_built_by_this_version_and_tried(tree, monkeypatch):
     assert said.startswith(f"dist: there must be one wheel pyworm-{NUMBER}-cp")
     (tree / "Makefile").write_text("wheel:\n\tfalse\n")
     assert [*release.wheels(tree)] == ["wheel: make wheel failed"]
+
+
+def test_the_cheapest_examples_are_run_of_an_installed_wheel():
+    assert try_installed.cheapest({"dear": 9.0, "cheap": 0.5, "between": 2.0}, 2) == [
+        "cheap",
+        "between",
+    ]
+    assert {path.stem for path in TEMPLATES.glob("*.toml")} == {*try_installed.KINDS}
+    script, notebook = (ROOT / part for part in release.TRIAL)
+    assert script.is_file() and "pyworm.solve(" in try_installed.code(notebook)
