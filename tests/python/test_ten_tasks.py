@@ -164,7 +164,9 @@ def parallel_sweep(accuracy):
 
 def sensitivity(accuracy):
     """Exponent of the load in the film thickness."""
-    films = pyworm.sweep(contact, load=(29, 31), accuracy=accuracy, progress=False).dataset.film_min
+    films = pyworm.sweep(
+        contact, load=(29, 31), accuracy=accuracy, effects="isothermal", progress=False
+    ).dataset.film_min
     exponent = (films.differentiate("load") * films["load"] / films).mean()
     return exponent
 
