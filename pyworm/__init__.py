@@ -48,6 +48,8 @@ Gear sets
     CaseRatings     what `rate` gives
     setup, shim     set-up of the hob and shim of the wheel for a contact pattern
     CaseSetup       what `setup` gives
+    calibrate       values of a case, such as boundary friction, fitted to measurements
+    Calibration     what `calibrate` gives
     wear            wear of the wheel over its service life
     CaseWear        what `wear` gives
 

@@ -1,5 +1,6 @@
 from . import formulas as formulas
 from . import plots as plots
+from .batch.calibrate import calibrate as calibrate
 from .batch.check import CheckedCase as CheckedCase
 from .batch.check import PlannedContact as PlannedContact
 from .batch.check import check as check
@@ -42,6 +43,7 @@ from .planning.plan import Plan as Plan
 from .planning.plan import plan as plan
 from .ratings.rate import CaseRatings as CaseRatings
 from .ratings.rate import rate as rate
+from .result.calibration import Calibration as Calibration
 from .result.compare import Comparison as Comparison
 from .result.compare import compare as compare
 from .result.export import write_csv as write_csv

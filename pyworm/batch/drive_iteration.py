@@ -244,7 +244,7 @@ class _Search:
         }
         if "cooling" in self.open:
             losses.append((tooth_loss_of(case), heating.power))
-            power = heating.power if heating.by == "standard" else _next_loss(losses)
+            power = heating.power if heating.by == "standard" else next_loss(losses)
             found["cooling"] = {"tooth_loss": float(f"{power:.3g}")}
         return found
 
@@ -272,7 +272,7 @@ def every(stride: int, tasks: Sequence[Task]) -> Sequence[Task]:
     return some if len(some) >= FEWEST_PHASES else tasks
 
 
-def _next_loss(losses: list[tuple[float, float]]) -> float:
+def next_loss(losses: list[tuple[float, float]]) -> float:
     """The next loss to assume [W]: by the secant of the last two pairs (assumed, found)."""
     fall = FIRST_FALL
     if len(losses) > 1 and losses[-1][0] != losses[-2][0]:

@@ -9,6 +9,7 @@ from warnings import warn
 from pyworm.batch.drive_iteration import run_balanced
 from pyworm.batch.in_python import CaseLike, as_case, executor, messages, progress_of
 from pyworm.batch.request import Request, requested, takes_request
+from pyworm.batch.uncertain_run import require_uncertain, with_input_uncertainty
 from pyworm.io.progress import Progress
 from pyworm.result.result import Result
 from pyworm.scene.plausibility import UnusualWarning
@@ -20,6 +21,7 @@ def run(
     *,
     out: str | Path | None = None,
     fields: Literal["rounded", "full"] = "rounded",
+    inputs_uncertain: bool = False,
     processes: int = 1,
     scheduler: str | None = None,
     progress: bool | Progress = True,
@@ -33,6 +35,8 @@ def run(
         case: A gear set (`WormDrive`, `GearPair`, `RollerWorm`), what `pyworm.load` made, or a case file.
         out: Directory of the result file, in which solved contacts are found again; by default none is kept.
         fields: "rounded" to a tenth of their numerical uncertainty, or "full", all digits.
+        inputs_uncertain: Whether the uncertainty of the results by inputs such as "0.4 um +- 0.1 um" is
+            computed, two more solves for each (`Result.input_uncertainty`); else best estimates are used.
         processes: Processes that solve; more than one need a script with `if __name__ == "__main__":`.
         scheduler: Address of a dask.distributed scheduler whose workers solve instead.
         progress: Whether a bar shows the progress, or what is called instead.
@@ -43,10 +47,14 @@ def run(
         efficiency. A contact that cannot be solved is among `without_solution`, with the reason.
 
     Raises:
-        CaseError: Invalid input, or a contact that cannot be planned.
+        CaseError: Invalid input, a contact that cannot be planned, or no uncertain inputs where these are
+            asked for.
         NothingSolvedError: No contact has a solution.
+        NotSolvedError: With inputs moved, a contact has none.
     """
     case = as_case(case)
+    if inputs_uncertain:
+        require_uncertain(case)
     tasks = requested(case, request)
     refused = {task.plan.refusal: task.scene.name for task in tasks}
     refused.pop(None, None)
@@ -58,5 +66,7 @@ def run(
         workers = stack.enter_context(executor(processes, scheduler))
         bar = stack.enter_context(progress_of(progress))
         how = workers, bar, messages(progress), fields == "full"
-        result, _ = run_balanced(case, tasks, Path(kept), *how)
+        result, solved = run_balanced(case, tasks, Path(kept), *how)
+        if inputs_uncertain:
+            result = with_input_uncertainty(result, solved, Path(kept), workers, bar)
     return result

@@ -1,7 +1,7 @@
 """A case: the user's input, checked completely before any work starts."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
 from math import isfinite
@@ -14,9 +14,11 @@ from pyworm.case.case_file import CaseTable, PublishedValue
 from pyworm.case.contact import GapCase, PointCase, contact_scene
 from pyworm.case.deviation_file import with_deviations
 from pyworm.case.drive_case import DriveCase
+from pyworm.case.fitted_values import with_fitted
 from pyworm.case.kinds import case_model, kind_model
 from pyworm.case.python_input import as_file
 from pyworm.case.ratings import RATING_TABLES
+from pyworm.case.uncertain_inputs import UncertainInputs, best_estimates
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
 from pyworm.io import units
@@ -62,6 +64,10 @@ class Case(Shown):
     """The file, in SI."""
     doubts: tuple[str, ...] = ()
     """Unusual values in the file and its contacts, as sentences of `warnings`."""
+    content: dict[str, Any] = field(default_factory=dict, compare=False)
+    """The file as written, with best estimates of uncertain inputs; empty of a case stored in a result."""
+    uncertain: UncertainInputs = field(default_factory=UncertainInputs, compare=False)
+    """Inputs that are written with an uncertainty."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the case in words."""
@@ -198,7 +204,8 @@ class Case(Shown):
 
     def __reduce__(self) -> tuple:
         # Files must be found from where the case goes; its drive, once made, goes along with what it knows.
-        given = self.name, self.directory.absolute(), self.tables, self.doubts
+        directory = self.directory.absolute()
+        given = self.name, directory, self.tables, self.doubts, self.content, self.uncertain
         return Case, given, {"drive": self.drive} if "drive" in vars(self) else None
 
     @cached_property
@@ -364,10 +371,9 @@ def load(source: str | Path | Mapping[str, Any], name: str = "case") -> Case:
 
 def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
     """The completely checked case of a case file's content; CaseError as of `load`."""
-    data = with_deviations(data, directory)
-    case = _tabled(data, name, directory)
+    case = case_without_contacts(data, name, directory)
     # All contacts are made: the drive must mesh and the gap file must hold a gap.
-    found = unusual(case.tables, data) + doubts(case.scenes(), case._load_key)
+    found = unusual(case.tables, case.content) + doubts(case.scenes(), case._load_key)
     checked_case = replace(case, doubts=found)
     vars(checked_case).update(drive=case.drive)
     return checked_case
@@ -375,11 +381,10 @@ def case_of(data: dict[str, Any], name: str, directory: Path) -> Case:
 
 def case_without_contacts(data: dict[str, Any], name: str, directory: Path) -> Case:
     """The case of a content whose tables are checked, and not its contacts, such as one solved before."""
-    return _tabled(with_deviations(data, directory), name, directory)
-
-
-def _tabled(data: dict[str, Any], name: str, directory: Path) -> Case:
-    case = Case(name, directory, _tables(data))
+    fitted = with_fitted(data, directory)
+    content, uncertain = best_estimates(fitted.content, fitted.correlations)
+    tables = _tables(with_deviations(content, directory))
+    case = Case(name, directory, tables, content=content, uncertain=uncertain)
     for body, surface in case.tables.bodies.surfaces.items():
         surface.lie_in(directory)
         try:

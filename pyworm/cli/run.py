@@ -29,6 +29,7 @@ from pyworm.cli.shared import (
     warn_of_refusals,
     warn_of_unusual,
 )
+from pyworm.cli.uncertain_run import UncertainRun
 
 LIFE_TABLE = "life.csv"
 
@@ -52,6 +53,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         default="key",
         help="key (default): mesh cycle or curve, and the contact with the minimum film thickness",
     )
+    run.add_argument(
+        "--inputs-uncertain",
+        action="store_true",
+        help='uncertainty of the results by inputs written "0.4 um +- 0.1 um": two more solves for each',
+    )
     run.set_defaults(command=_run)
 
 
@@ -62,6 +68,8 @@ def _run(options: argparse.Namespace) -> int:
     planned: Sequence[Task] = planned_tasks(case, options)
     warn_of_unusual(case)
     warn_of_refusals(planned)
+    uncertain = UncertainRun(case, options)
+    uncertain.announce()
 
     from pyworm.batch.case_run import RESULT_NAME, NothingSolvedError
     from pyworm.batch.drive_iteration import run_balanced
@@ -79,15 +87,18 @@ def _run(options: argparse.Namespace) -> int:
                 told = {"case": case.name, "scenes": [], "failed": error.reasons}
                 print_json(told | {"warnings": list(case.warnings), "stop_reason": str(error)})
             return end_with(f"{case.name}: {error}", FAILED)
+        result = uncertain.completed(result, tasks, directory, executor)
         for warning in result.provenance["warnings"][len(case.warnings) :]:
             print_message(f"warning: {warning}")
         if not options.json:
             _show_run(case, tasks, result)
+            uncertain.show(result)
             print_result(f"Results   {directory / RESULT_NAME}")
         # After the figures, which no picture may cost; and by this machine, since others need not reach
         # this place.
         drawers = None if options.scheduler else executor
         pictures = _pictures(result, directory, options.pictures, drawers)
+        pictures += uncertain.pictures(result, directory)
         table = _table_of_lives(result, directory)
     _show_files(case, tasks, result, options, directory, pictures, table)
     if not options.scheduler and (
@@ -135,6 +146,7 @@ def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
 
     cycle, standard = drive_cycle(result), standard_loss(case)
     heating, loss = heating_of(tasks[0].case, cycle, standard), mesh_loss(case.drive, result)
+    inputs = result.input_uncertainty
     lives_found = [life.summary() for life in lives(result)]
     return {
         "case": case.name,
@@ -147,6 +159,7 @@ def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
         **({} if case.drive is None else {"standard_loss": standard.summary()}),
         **({} if heating is None else {"heating_loss": heating.summary()}),
         **({} if loss is None else {"mesh_loss": loss.summary()}),
+        **({} if inputs is None else {"input_uncertainty": inputs.summary()}),
         **({"lives": lives_found} if lives_found else {}),
     }
 

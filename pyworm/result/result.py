@@ -97,6 +97,11 @@ class Result(Shown):
         "mesh_loss_of",
         "Loss between the teeth, friction and efficiency (`MeshLoss`); None where they are not known.",
     )
+    input_uncertainty = lazy_property(
+        "pyworm.result.input_uncertainty",
+        "uncertainty_in",
+        "Uncertainty of the results by uncertain inputs (`InputUncertainty`); None where not asked for.",
+    )
 
     @property
     def cycle_data(self) -> "xr.Dataset":

@@ -1,0 +1,252 @@
+"""What is computed at several operating points of a case, for fits and for the uncertainty of inputs.
+
+All contacts of all points are solved together, each once, kept by their keys and found again. It is the model
+of `pyworm run` but for what costs much and changes little: teeth share their load without the film-induced
+separation and with the usual friction, and films are steady. Temperatures of a cooled housing are found.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from math import inf
+from pathlib import Path
+from typing import Any
+
+from pyworm.batch.case_run import SCENES
+from pyworm.batch.drive_iteration import WARM_PASSES, WARMTH, next_loss, steady
+from pyworm.batch.solved_scenes import Store
+from pyworm.batch.sweep_run import solve_share
+from pyworm.batch.task import Task
+from pyworm.case.case import Case
+from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.present import present
+from pyworm.io.progress import Progress
+from pyworm.io.quantities import QUANTITIES, Quantity
+from pyworm.planning.by_formula import films_by_formula
+from pyworm.ratings.heating import tooth_loss_of
+from pyworm.scene.index import ContactIndex
+from pyworm.solver.cost.expected_time import expectation
+
+EXTREMES = (
+    *("film_min", "film_central", "pressure_max"),
+    *("temperature_max_body_1", "temperature_max_body_2", "temperature_max_film"),
+)
+"""Results of which the extreme over the contacts of a point is taken."""
+
+QUANTITY_OF = {
+    "film": "film",
+    "friction": "friction",
+    "power": "friction",
+    "temperature": "temperature",
+}
+"""First word of the name of a result -> the quantity that has to be accurate for it."""
+
+
+class NotSolvedError(RuntimeError):
+    """A contact of an operating point has no solution; the message says which and why."""
+
+
+@dataclass(frozen=True)
+class Computed:
+    """A result with its uncertainties."""
+
+    value: float
+    """The value [SI]."""
+    error: float
+    """Numerical uncertainty in the same unit, a 95 % bound."""
+    model: float = 0.0
+    """Model uncertainty in the same unit, likewise."""
+
+
+@dataclass(frozen=True)
+class OperatingPoint:
+    """A case and those of its contacts that are solved."""
+
+    case: Case
+    """The case."""
+    places: tuple[ContactIndex, ...]
+    """Its contacts."""
+    quantities: tuple[str, ...] | None = None
+    """Quantities that have to be accurate, as of `pyworm.plan`."""
+
+    def with_tooth_loss(self, power: float) -> "OperatingPoint":
+        """The point with temperatures of a housing by another loss between the teeth [W]."""
+        return replace(self, case=self.case.with_found({"cooling": {"tooth_loss": power}}))
+
+
+Results = Mapping[str, Computed]
+"""Name -> result of an operating point."""
+
+
+@dataclass(frozen=True)
+class Solving:
+    """How operating points are solved."""
+
+    directory: Path
+    """Directory in which solved contacts are kept."""
+    accuracy: float
+    """Requested relative error [-]."""
+    effects: str
+    """Effects, as of `pyworm.plan`."""
+    executor: Executor | None = None
+    """The processes that solve; by default this one."""
+    progress: Progress | None = None
+    """What is called with the progress."""
+
+    def results(self, points: Sequence[OperatingPoint]) -> list[Results]:
+        """Results of each point.
+
+        Raises:
+            NotSolvedError: A contact could not be solved, or did not converge.
+        """
+        points, losses = list(points), [[] for _ in points]  # type: list, list[list[tuple[float, float]]]
+        for _ in range(WARM_PASSES):
+            found = self._results(points)
+            moved = [_warmed(*each) for each in zip(points, found, losses, strict=True)]
+            if moved == [None] * len(points):
+                break
+            points = [new or point for new, point in zip(moved, points, strict=True)]
+        return found
+
+    def _results(self, points: Sequence[OperatingPoint]) -> list[Results]:
+        tasks = [self.tasks(point) for point in points]
+        every = tuple(task for some in tasks for task in some)
+        reasons, found = solve_share(every, self.directory, False, self.executor, self.progress)
+        store = Store(self.directory.absolute() / SCENES, False)
+        for task in every:
+            if task.key in reasons:
+                raise NotSolvedError(f"{_named(task)} could not be solved: {reasons[task.key]}")
+        known = {task.key: found.get(task.key) or store.summary(task) for task in every}
+        for task in every:
+            if not known[task.key]["converged"]:
+                raise NotSolvedError(
+                    f"{_named(task)} did not converge: {known[task.key]['stop_reason']}"
+                )
+        return [
+            read_results(point, [known[task.key] for task in some])
+            for point, some in zip(points, tasks, strict=True)
+        ]
+
+    def tasks(self, point: OperatingPoint) -> list[Task]:
+        """The contacts of a point as they are solved."""
+        how = self.accuracy, self.effects, point.quantities
+        return [steady(Task(point.case, place, *how)) for place in point.places]
+
+    def expected_seconds(self, points: Sequence[OperatingPoint]) -> float:
+        """Expected CPU time of one solve of all contacts of some points, none for films by formula [s]."""
+        tasks = {task.key: task for point in points for task in self.tasks(point)}.values()
+        return sum(
+            expectation(task.scene, task.plan).seconds
+            for task in tasks
+            if films_by_formula(task.scene, task.plan) is None
+        )
+
+
+def _named(task: Task) -> str:
+    return ", ".join(part for part in (task.case.name, str(task.place)) if part)
+
+
+def _warmed(
+    point: OperatingPoint, found: Results, losses: list[tuple[float, float]]
+) -> OperatingPoint | None:
+    """The point with the temperatures of its loss; None where these are found, or given."""
+    if point.case.content.get("cooling", {"tooth_loss": None}).keys() >= {"tooth_loss"}:
+        return None
+    assumed, power = tooth_loss_of(point.case), found["power_loss"].value
+    conductance = point.case.tables.cooling.conductance
+    if abs(power - assumed) <= WARMTH * conductance:
+        return None
+    losses.append((assumed, power))
+    return point.with_tooth_loss(float(f"{next_loss(losses):.3g}"))
+
+
+def read_results(point: OperatingPoint, summaries: Sequence[Mapping[str, Any]]) -> Results:
+    """Results of a point by name, from the scalars of its contacts."""
+    return dict(_read(point, summaries))
+
+
+def _read(
+    point: OperatingPoint, summaries: Sequence[Mapping[str, Any]]
+) -> Iterator[tuple[str, Computed]]:
+    for name in EXTREMES:
+        quantity = QUANTITIES[name]
+        values = [value for summary in summaries if (value := _computed(summary, quantity))]
+        if values:
+            choose = min if quantity.extreme == "minimum" else max
+            yield name, choose(values, key=lambda computed: computed.value)
+    if point.case.drive is not None:
+        yield from _of_gears(point, summaries)
+    elif len(summaries) == 1:
+        (summary,) = summaries
+        for name in ("friction_coefficient", "power_loss", "power_loss_per_length"):
+            if computed := _computed(summary, QUANTITIES[name]):
+                yield QUANTITIES[name].figure, computed
+
+
+def _computed(summary: Mapping[str, Any], quantity: Quantity) -> Computed | None:
+    """A scalar of a solution in SI; None where it was not simulated."""
+    name, celsius, body = quantity.key.partition("_C_")
+    if celsius:
+        parts = (f"{name}_C", f"{name}_error_K", f"{name}_model_error_K")
+        value, error, model = (summary.get(part, {}).get(body) for part in parts)
+        return None if value is None else Computed(value + ZERO_CELSIUS, error, model or 0.0)
+    value = summary.get(quantity.key)
+    if value is None:
+        return None
+    error, model = summary.get(quantity.error_key, inf), summary.get(quantity.model_key, 0.0)
+    return Computed(value, error * abs(value), model * abs(value))
+
+
+def _of_gears(
+    point: OperatingPoint, summaries: Sequence[Mapping[str, Any]]
+) -> Iterator[tuple[str, Computed]]:
+    """Friction, loss and efficiency of the teeth, and what follows for the gear unit."""
+    if any("friction_coefficient" not in summary for summary in summaries):
+        return
+    drive = present(point.case.drive, "drive")
+    loss = drive.mesh_loss([_contact_loss(summary) for summary in summaries])
+    if loss is None:
+        return
+    yield "friction_coefficient", _related(loss, loss.friction, loss.friction)
+    yield "power_loss", _related(loss, loss.loss, loss.loss)
+    yield "efficiency", _related(loss, loss.efficiency, 1 - loss.efficiency)
+    if getattr(point.case.tables, "cooling", None) is None:
+        return
+    cooling = point.case.tables.cooling_of(drive)
+    whole = loss.loss + cooling.other.power
+    # bearings, seals and churning take their power at the shaft that drives
+    share = whole / (loss.power + cooling.other.power)
+    yield "unit_efficiency", _related(loss, 1 - share, share * loss.loss / whole)
+    rise = whole / cooling.conductance
+    yield (
+        "sump_temperature",
+        _related(loss, cooling.ambient_temperature + rise, loss.loss / cooling.conductance),
+    )
+
+
+def _related(loss: MeshLoss, value: float, size: float) -> Computed:
+    """A result with the relative uncertainties of the loss of the teeth, to a part of it of some size."""
+    return Computed(value, loss.error * size, (loss.model or 0.0) * size)
+
+
+def _contact_loss(summary: Mapping[str, Any]) -> ContactLoss:
+    """Friction of a contact by the scalars of its solution."""
+    kind = "" if summary["kind"] == "point" else "_per_length"
+    load, power = QUANTITIES[f"load{kind}"], QUANTITIES[f"power_loss{kind}"]
+    return ContactLoss(
+        phase=summary["phase"],
+        load=summary[load.key],
+        friction=summary["friction_coefficient"],
+        power=summary[power.key],
+        error=summary[power.error_key],
+        model=summary.get(power.model_key),
+        section=summary["section"],
+        station=summary["station"],
+    )
+
+
+def quantities_for(names: Sequence[str]) -> tuple[str, ...]:
+    """Quantities that have to be accurate for some results, as of `pyworm.plan`."""
+    asked = {QUANTITY_OF.get(name.partition("_")[0], "friction") for name in names}
+    return tuple(word for word in ("film", "friction", "temperature") if word in asked)
