@@ -32,6 +32,12 @@ from pyworm.io.input_error import CaseError
 POWER_LAWS = ("film_central", "film_min", "friction_coefficient", "power_loss")
 """Responses that are positive and follow power laws."""
 
+OF_HOUSINGS = ("unit_efficiency", "sump_temperature")
+"""Results that need the thermal balance of a housing."""
+
+OF_GEARS = ("efficiency", *OF_HOUSINGS)
+"""Results that gears alone have."""
+
 TRUST = 0.7
 """Logarithm of a parameter over the centre of a design up to which its surface is trusted: a factor of 2."""
 
@@ -68,12 +74,23 @@ class Bench:
                 f"{count} measured values cannot fix {unknown} parameters with an uncertainty: "
                 f"at least {unknown + 1} are needed"
             )
+        self._require_computed()
         keys = {key for parameter in self.parameters for key in parameter.keys}
         for row in self.rows:
             for key in keys & set(row.at):
                 raise CaseError(
                     f"{key} is to be fitted and given as a condition; it cannot be both"
                 )
+
+    def _require_computed(self) -> None:
+        """Refuse what no contact of the case can have, before any is solved."""
+        for row in self.rows:
+            if row.quantity in OF_GEARS and self.case.drive is None:
+                raise CaseError(
+                    f"line {row.line}: {row.quantity} is that of gears, and the case has none"
+                )
+            if row.quantity in OF_HOUSINGS and getattr(self.case.tables, "cooling", None) is None:
+                raise CaseError(f"line {row.line}: {row.quantity} needs [cooling] in the case")
 
     @property
     def measured(self) -> Array:
@@ -99,10 +116,22 @@ class Bench:
             found.setdefault(key, (dict(row.at), dict(row.place), []))[2].append(row.quantity)
         return [(at, place, tuple(names)) for at, place, names in found.values()]
 
+    @cached_property
+    def _by_formula(self) -> list[bool]:
+        """Of which operating points a formula gives the films; the same ones in all of a fit."""
+        points = self._made(self.start, [False] * len(self._settings))
+        return [self.solving.formula_suffices(point) for point in points]
+
     def points(self, values: Array) -> list[OperatingPoint]:
         """The operating points with values of the parameters [SI]; CaseError of one that there cannot be."""
+        return self._made(values, self._by_formula)
+
+    def _made(self, values: Array, by_formula: Sequence[bool]) -> list[OperatingPoint]:
         changed = with_values(self.case.content, with_parameters(self.parameters, list(values)))
-        return [self._point(changed, *setting) for setting in self._settings]
+        return [
+            replace(self._point(changed, *setting), by_formula=formula)
+            for setting, formula in zip(self._settings, by_formula, strict=True)
+        ]
 
     def _point(self, content: dict, at: dict, place: dict, names: Sequence[str]) -> OperatingPoint:
         try:

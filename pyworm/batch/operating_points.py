@@ -14,8 +14,8 @@ from typing import Any
 
 from pyworm.batch.case_run import SCENES
 from pyworm.batch.drive_iteration import WARM_PASSES, WARMTH, next_loss, steady
+from pyworm.batch.solve_tasks import solve_all
 from pyworm.batch.solved_scenes import Store
-from pyworm.batch.sweep_run import solve_share
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
@@ -25,7 +25,10 @@ from pyworm.io.progress import Progress
 from pyworm.io.quantities import QUANTITIES, Quantity
 from pyworm.planning.by_formula import films_by_formula
 from pyworm.ratings.heating import tooth_loss_of
+from pyworm.scene.formula_film import film_of
 from pyworm.scene.index import ContactIndex
+from pyworm.scene.line import LineScene
+from pyworm.scene.point import Scene
 from pyworm.solver.cost.expected_time import expectation
 
 EXTREMES = (
@@ -69,6 +72,8 @@ class OperatingPoint:
     """Its contacts."""
     quantities: tuple[str, ...] | None = None
     """Quantities that have to be accurate, as of `pyworm.plan`."""
+    by_formula: bool = False
+    """Whether its films are those of the atlas, without a solve."""
 
     def with_tooth_loss(self, power: float) -> "OperatingPoint":
         """The point with temperatures of a housing by another loss between the teeth [W]."""
@@ -100,33 +105,45 @@ class Solving:
         Raises:
             NotSolvedError: A contact could not be solved, or did not converge.
         """
-        points, losses = list(points), [[] for _ in points]  # type: list, list[list[tuple[float, float]]]
+        current = list(points)
+        losses: list[list[tuple[float, float]]] = [[] for _ in current]
         for _ in range(WARM_PASSES):
-            found = self._results(points)
-            moved = [_warmed(*each) for each in zip(points, found, losses, strict=True)]
-            if moved == [None] * len(points):
+            found = self._results(current)
+            moved = [_warmed(*each) for each in zip(current, found, losses, strict=True)]
+            if moved == [None] * len(current):
                 break
-            points = [new or point for new, point in zip(moved, points, strict=True)]
+            current = [new or point for new, point in zip(moved, current, strict=True)]
         return found
 
     def _results(self, points: Sequence[OperatingPoint]) -> list[Results]:
-        tasks = [self.tasks(point) for point in points]
-        every = tuple(task for some in tasks for task in some)
-        reasons, found = solve_share(every, self.directory, False, self.executor, self.progress)
-        store = Store(self.directory.absolute() / SCENES, False)
-        for task in every:
-            if task.key in reasons:
-                raise NotSolvedError(f"{_named(task)} could not be solved: {reasons[task.key]}")
-        known = {task.key: found.get(task.key) or store.summary(task) for task in every}
-        for task in every:
-            if not known[task.key]["converged"]:
-                raise NotSolvedError(
-                    f"{_named(task)} did not converge: {known[task.key]['stop_reason']}"
-                )
+        tasks = [[] if point.by_formula else self.tasks(point) for point in points]
+        known = self._solved([task for some in tasks for task in some])
         return [
-            read_results(point, [known[task.key] for task in some])
+            _by_formula(point)
+            if point.by_formula
+            else read_results(point, [known[task.key] for task in some])
             for point, some in zip(points, tasks, strict=True)
         ]
+
+    def _solved(self, tasks: Sequence[Task]) -> dict[str, dict[str, Any]]:
+        """Scalars of the solutions of some contacts by key, each solved once."""
+        store = Store(self.directory.absolute() / SCENES, False)
+        reasons = solve_all(store.missing(tasks), store, self.executor, self.progress)
+        for task in tasks:
+            if task.key in reasons:
+                raise NotSolvedError(f"{_named(task)} could not be solved: {reasons[task.key]}")
+        known = {task.key: store.summary(task) for task in tasks}
+        for task in tasks:
+            if not known[task.key]["converged"]:
+                reason = known[task.key]["stop_reason"]
+                raise NotSolvedError(f"{_named(task)} did not converge: {reason}")
+        return known
+
+    def formula_suffices(self, point: OperatingPoint) -> bool:
+        """Whether a formula gives all that is asked of a point to the accuracy."""
+        return all(
+            films_by_formula(task.scene, task.plan) is not None for task in self.tasks(point)
+        )
 
     def tasks(self, point: OperatingPoint) -> list[Task]:
         """The contacts of a point as they are solved."""
@@ -135,12 +152,9 @@ class Solving:
 
     def expected_seconds(self, points: Sequence[OperatingPoint]) -> float:
         """Expected CPU time of one solve of all contacts of some points, none for films by formula [s]."""
-        tasks = {task.key: task for point in points for task in self.tasks(point)}.values()
-        return sum(
-            expectation(task.scene, task.plan).seconds
-            for task in tasks
-            if films_by_formula(task.scene, task.plan) is None
-        )
+        solved = [point for point in points if not point.by_formula]
+        tasks = {task.key: task for point in solved for task in self.tasks(point)}.values()
+        return sum(expectation(task.scene, task.plan).seconds for task in tasks)
 
 
 def _named(task: Task) -> str:
@@ -159,6 +173,28 @@ def _warmed(
         return None
     losses.append((assumed, power))
     return point.with_tooth_loss(float(f"{next_loss(losses):.3g}"))
+
+
+def _by_formula(point: OperatingPoint) -> Results:
+    """Films of a point by the formula of the atlas."""
+    films = [film_of(_point_contact(point.case.scene(**place.given))) for place in point.places]
+    central, minimum = (
+        min(
+            (Computed(float(value), float(value * error)) for value, error in pairs),
+            key=lambda computed: computed.value,
+        )
+        for pairs in (
+            [(film.central, film.central_error) for film in films],
+            [(film.minimum, film.minimum_error) for film in films],
+        )
+    )
+    return {"film_central": central, "film_min": minimum}
+
+
+def _point_contact(scene: Scene | LineScene) -> Scene:
+    if isinstance(scene, LineScene):
+        raise ValueError(f"{scene.name}: the atlas has point contacts alone")
+    return scene
 
 
 def read_results(point: OperatingPoint, summaries: Sequence[Mapping[str, Any]]) -> Results:

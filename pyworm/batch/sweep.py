@@ -12,6 +12,7 @@ from pyworm.batch.solved_scenes import Store
 from pyworm.batch.task import Task
 from pyworm.case.case import Case, case_of, case_without_contacts, checked
 from pyworm.case.dotted_keys import with_values
+from pyworm.case.fitted_values import with_fitted
 from pyworm.case.sweep import SweepTable, Value
 from pyworm.io.input_error import CaseError, toml
 from pyworm.io.toml import read_toml
@@ -54,7 +55,8 @@ def load_sweep(
         tables = checked(SweepTable, data)
         base = path.parent / tables.case
         # One that cannot be read says its own name.
-        content = with_values(read_toml(base), tables.fixed)
+        whole = with_fitted(read_toml(base), base.parent).content
+        content = with_values(whole, tables.fixed)
         first, count = share
         combinations = list(_combinations(tables))[first - 1 :: count]
         make = partial(_tasks, content, path.stem, base.parent, tables.effects, store)

@@ -16,7 +16,7 @@ from functools import cached_property
 import numpy as np
 import scipy
 
-from pyworm.formulas.arrays import Array
+from pyworm.formulas.arrays import Array, Flags
 
 CONFIDENCE = 0.95
 """Probability of the intervals."""
@@ -48,7 +48,7 @@ class LeastSquares:
     """Which unknowns are held at a bound and have no share in the uncertainties; by default none."""
 
     @property
-    def _free(self) -> Array:
+    def _free(self) -> Flags:
         return ~np.array(self.fixed or [False] * len(self.values))
 
     @property

@@ -13,6 +13,7 @@ from lives import life_dataset
 from synthetic_solution import make_result, make_solution
 
 import pyworm
+from pyworm.result.calibration import FittedValue
 
 EXCEPTIONS = ("CaseError", "KernelError", "UnusualWarning")
 
@@ -31,6 +32,20 @@ def built():
         depth_allowed=1e-5,
     )
     return {
+        "Calibration": (
+            pyworm.Calibration(
+                "rig",
+                "films.csv",
+                (FittedValue("z", ("oil.viscosity.z",), "", 0.22, 0.005, 0.012, 0.35, 0.07, 1.7),),
+                (),
+                ((1.0,),),
+                (),
+                0.0,
+                1,
+                0.0,
+            ),
+            "Calibration of rig: z 0.22 +- 0.005, measurements 0",
+        ),
         "CaseRatings": (pyworm.rate("cases/spur_pair.toml"), "Ratings of spur_pair"),
         "CaseSetup": (pyworm.CaseSetup({}, hob_life=({},)), "required pattern none, proposed no"),
         "CaseWear": (pyworm.CaseWear("worm", wear, 1e-5, ""), "Wear of worm: hours 100"),

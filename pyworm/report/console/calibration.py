@@ -90,8 +90,8 @@ def rows_table(found: Calibration) -> Table:
         ),
         rows=tuple(_row(row, varied, several) for row in found.rows),
         title="" if several else quantity_of(names.pop()).title(),
-        note="Residual: measured less fitted value; left out: less the prediction by a fit to all others; both "
-        "over the standard uncertainty u.",
+        note="Residual: measured less fitted value; left out: less the prediction by a fit to the "
+        "others; both over the standard uncertainty u.",
         narrow=True,
     )
 
