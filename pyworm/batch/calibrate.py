@@ -125,19 +125,19 @@ def _rows(best: BenchFit) -> tuple[FittedRow, ...]:
         best.bench.rows,
         best.before.tolist(),
         best.responses.tolist(),
-        best.left_out.tolist(),
+        best.leave_one_out.tolist(),
         strict=True,
     )
     return tuple(
         FittedRow(
             line=row.line,
-            conditions={**row.at, **row.place},
+            conditions={**row.conditions, **row.place},
             quantity=row.quantity,
             measured=row.value,
             standard=row.standard,
             before=before,
             fitted=fitted_value,
-            left_out=left_out,
+            leave_one_out=leave_one_out,
         )
-        for row, before, fitted_value, left_out in numbers
+        for row, before, fitted_value, leave_one_out in numbers
     )

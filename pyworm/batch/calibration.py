@@ -41,7 +41,7 @@ OF_GEARS = ("efficiency", *OF_HOUSINGS)
 TRUST = 0.7
 """Logarithm of a parameter over the centre of a design up to which its surface is trusted: a factor of 2."""
 
-MOVED = 0.1
+CONVERGED_CHANGE = 0.1
 """Change of a parameter over its standard uncertainty below which a fit has converged."""
 
 MOST_FITS = 12
@@ -77,7 +77,7 @@ class Bench:
         self._require_computed()
         keys = {key for parameter in self.parameters for key in parameter.keys}
         for row in self.rows:
-            for key in keys & set(row.at):
+            for key in keys & set(row.conditions):
                 raise CaseError(
                     f"{key} is to be fitted and given as a condition; it cannot be both"
                 )
@@ -112,36 +112,36 @@ class Bench:
         """Conditions and place of each operating point, and what was measured there."""
         found: dict[str, tuple[dict, dict, list[str]]] = {}
         for row in self.rows:
-            key = repr((sorted(row.at.items()), sorted(row.place.items())))
-            found.setdefault(key, (dict(row.at), dict(row.place), []))[2].append(row.quantity)
-        return [(at, place, tuple(names)) for at, place, names in found.values()]
+            key = repr((sorted(row.conditions.items()), sorted(row.place.items())))
+            found.setdefault(key, (dict(row.conditions), dict(row.place), []))[2].append(row.quantity)
+        return [(conditions, place, tuple(names)) for conditions, place, names in found.values()]
 
     @cached_property
     def _by_formula(self) -> list[bool]:
         """Of which operating points a formula gives the films; the same ones in all of a fit."""
-        points = self._made(self.start, [False] * len(self._settings))
+        points = self._points_with(self.start, [False] * len(self._settings))
         return [self.solving.formula_suffices(point) for point in points]
 
     def points(self, values: Array) -> list[OperatingPoint]:
         """The operating points with values of the parameters [SI]; CaseError of one that there cannot be."""
-        return self._made(values, self._by_formula)
+        return self._points_with(values, self._by_formula)
 
-    def _made(self, values: Array, by_formula: Sequence[bool]) -> list[OperatingPoint]:
+    def _points_with(self, values: Array, by_formula: Sequence[bool]) -> list[OperatingPoint]:
         changed = with_values(self.case.content, with_parameters(self.parameters, list(values)))
         return [
             replace(self._point(changed, *setting), by_formula=formula)
             for setting, formula in zip(self._settings, by_formula, strict=True)
         ]
 
-    def _point(self, content: dict, at: dict, place: dict, names: Sequence[str]) -> OperatingPoint:
+    def _point(self, content: dict, conditions: dict, place: dict, names: Sequence[str]) -> OperatingPoint:
         try:
             case = case_without_contacts(
-                with_values(content, at), self.case.name, self.case.directory
+                with_values(content, conditions), self.case.name, self.case.directory
             )
             wanted = {name: [value] for name, value in place.items()}
             places = case.places(**wanted)
         except CaseError as error:
-            row = next(row for row in self.rows if row.at == at and row.place == place)
+            row = next(row for row in self.rows if row.conditions == conditions and row.place == place)
             raise CaseError(f"line {row.line}: {error}") from error
         return OperatingPoint(case, places, quantities_for(names))
 
@@ -161,10 +161,10 @@ class Bench:
         ]
 
     def _of_rows(self, found: Sequence[Results]) -> "Responses":
-        places = [(at, place) for at, place, _ in self._settings]
+        places = [(conditions, place) for conditions, place, _ in self._settings]
         computed = []
         for row in self.rows:
-            results = found[places.index((dict(row.at), dict(row.place)))]
+            results = found[places.index((dict(row.conditions), dict(row.place)))]
             if row.quantity not in results:
                 raise CaseError(
                     f"line {row.line}: {self.case.name} does not compute {row.quantity} there; it has "
@@ -259,7 +259,7 @@ class BenchFit:
         )
 
     @cached_property
-    def left_out(self) -> Array:
+    def leave_one_out(self) -> Array:
         """Each measurement less its prediction by a fit to all others [SI]."""
         found = []
         for row, measured in enumerate(self.bench.measured):
@@ -293,7 +293,7 @@ def fitted(bench: Bench) -> BenchFit:
             continue
         uncertain = fit.statistics.standard / fit.values
         moved = np.abs(fit.place - found)
-        if (moved <= np.maximum(MOVED * uncertain, AT_BOUND)).all():
+        if (moved <= np.maximum(CONVERGED_CHANGE * uncertain, AT_BOUND)).all():
             return replace(fit, place=found)
         place = fit.place
     raise NotSolvedError(f"the fit did not converge in {MOST_FITS} steps: bounds may be too wide")

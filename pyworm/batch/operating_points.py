@@ -112,7 +112,9 @@ class Solving:
             moved = [_warmed(*each) for each in zip(current, found, losses, strict=True)]
             if moved == [None] * len(current):
                 break
-            current = [new or point for new, point in zip(moved, current, strict=True)]
+            current = [
+                point if new is None else new for new, point in zip(moved, current, strict=True)
+            ]
         return found
 
     def _results(self, points: Sequence[OperatingPoint]) -> list[Results]:
@@ -225,8 +227,8 @@ def _computed(summary: Mapping[str, Any], quantity: Quantity) -> Computed | None
     name, celsius, body = quantity.key.partition("_C_")
     if celsius:
         parts = (f"{name}_C", f"{name}_error_K", f"{name}_model_error_K")
-        value, error, model = (summary.get(part, {}).get(body) for part in parts)
-        return None if value is None else Computed(value + ZERO_CELSIUS, error, model or 0.0)
+        value, error, model = (summary.get(part, {}).get(body, 0.0) for part in parts)
+        return Computed(value + ZERO_CELSIUS, error, model) if parts[0] in summary else None
     value = summary.get(quantity.key)
     if value is None:
         return None
@@ -263,7 +265,8 @@ def _of_gears(
 
 def _related(loss: MeshLoss, value: float, size: float) -> Computed:
     """A result with the relative uncertainties of the loss of the teeth, to a part of it of some size."""
-    return Computed(value, loss.error * size, (loss.model or 0.0) * size)
+    model = 0.0 if loss.model is None else loss.model
+    return Computed(value, loss.error * size, model * size)
 
 
 def _contact_loss(summary: Mapping[str, Any]) -> ContactLoss:

@@ -35,8 +35,7 @@ def run(
         case: A gear set (`WormDrive`, `GearPair`, `RollerWorm`), what `pyworm.load` made, or a case file.
         out: Directory of the result file, in which solved contacts are found again; by default none is kept.
         fields: "rounded" to a tenth of their numerical uncertainty, or "full", all digits.
-        inputs_uncertain: Whether the uncertainty of the results by inputs such as "0.4 um +- 0.1 um" is
-            computed, two more solves for each (`Result.input_uncertainty`); else best estimates are used.
+        inputs_uncertain: Whether inputs such as "0.4 um +- 0.1 um" give `Result.input_uncertainty`.
         processes: Processes that solve; more than one need a script with `if __name__ == "__main__":`.
         scheduler: Address of a dask.distributed scheduler whose workers solve instead.
         progress: Whether a bar shows the progress, or what is called instead.
@@ -47,10 +46,8 @@ def run(
         efficiency. A contact that cannot be solved is among `without_solution`, with the reason.
 
     Raises:
-        CaseError: Invalid input, a contact that cannot be planned, or no uncertain inputs where these are
-            asked for.
-        NothingSolvedError: No contact has a solution.
-        NotSolvedError: With inputs moved, a contact has none.
+        CaseError: Invalid input, or a contact that cannot be planned.
+        NothingSolvedError, NotSolvedError: No contact has a solution, or one with a moved input has none.
     """
     case = as_case(case)
     if inputs_uncertain:

@@ -59,8 +59,8 @@ class Measurement:
     """Its value [SI]."""
     standard: float
     """Its standard uncertainty [SI]."""
-    at: Mapping[str, Any]
-    """Conditions: dotted key -> value as a case file has it."""
+    conditions: Mapping[str, Any]
+    """Dotted key -> value as a case file has it."""
     place: Mapping[str, Any]
     """Place of the contact, by the names of `ContactIndex`."""
 
@@ -161,12 +161,12 @@ def _meant(name: str) -> str:
 
 def _of_row(line: int, row: Mapping[_Column, str]) -> list[Measurement]:
     """The measurements of one row."""
-    at, place = {}, {}
+    conditions, place = {}, {}
     for column, cell in row.items():
         if column.name in INDEX_NAMES:
             place[column.name] = cell if column.name == "section" else _number(column.name, cell)
         elif "." in column.name:
-            at[column.name] = _written(column, cell)
+            conditions[column.name] = _written(column, cell)
     uncertainties = {_quantity_of(column.name): (column, cell) for column, cell in row.items()}
     found = []
     for column, cell in row.items():
@@ -180,7 +180,7 @@ def _of_row(line: int, row: Mapping[_Column, str]) -> list[Measurement]:
         standard = _in_kind(beside.name, text, beside.unit, kind)
         if standard <= 0:
             raise ValueError(f"{beside.name} = {text}: must be a standard uncertainty above zero")
-        found.append(Measurement(line, column.name, value, standard, at, place))
+        found.append(Measurement(line, column.name, value, standard, conditions, place))
     return found
 
 

@@ -29,7 +29,7 @@ SHORT_NAMES = {
 DEFAULTS = {"boundary_friction": None, "roughness_slope": RUN_IN_SLOPE}
 """Last part of a key -> its value where a case does not give it, if it is known here."""
 
-HIGHEST = {"boundary_friction": 1.0}
+MAX_VALUES = {"boundary_friction": 1.0}
 """Last part of a key -> its largest possible value."""
 
 RANGE = 5.0
@@ -105,7 +105,7 @@ def _parameter(case: Case, name: str, bounds: str) -> Parameter:
     example = None if kind is None else number_and_unit(kind.example)
     low, high = (
         start / RANGE,
-        min(start * RANGE, HIGHEST.get(keys[0].rpartition(".")[2], float("inf"))),
+        min(start * RANGE, MAX_VALUES.get(keys[0].rpartition(".")[2], float("inf"))),
     )
     if bounds:
         low, high = _bounds(name, bounds, kind)

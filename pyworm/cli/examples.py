@@ -10,7 +10,7 @@ EXAMPLES = {
     "precision": "cases/point_m20_l10.toml",
     "film": "cases/zi_drive.toml --phase 0.5",
     "sweep": "cases/sweeps/film_of_speed_and_load.toml -j 2",
-    "calibrate": "cases/gearbox_test.toml --measured cases/measured/gearbox_test.csv --fit boundary_friction",
+    "calibrate": "cases/film_rig.toml --measured films.csv --fit z",
     "wear": "cases/zi_drive.toml --hours 1000",
     "plot": "results/zi_drive/result.nc --pictures all",
     "report": "results/zi_drive/result.nc --pdf",

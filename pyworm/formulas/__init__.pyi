@@ -10,6 +10,7 @@ from . import fzg_test_gears as fzg_test_gears
 from . import gaussian_filter as gaussian_filter
 from . import gear_oil as gear_oil
 from . import hertz as hertz
+from . import least_squares as least_squares
 from . import liquids as liquids
 from . import lubrication as lubrication
 from . import micropitting as micropitting
@@ -18,6 +19,7 @@ from . import oil_properties as oil_properties
 from . import ranges as ranges
 from . import regime_charts as regime_charts
 from . import regimes as regimes
+from . import response_surface as response_surface
 from . import roller_enveloping as roller_enveloping
 from . import rough_contact as rough_contact
 from . import scuffing as scuffing

@@ -100,7 +100,7 @@ class FittedRow:
     """Computed with the values of the case [SI]."""
     fitted: float
     """Computed with the fitted ones [SI]."""
-    left_out: float
+    leave_one_out: float
     """Measured value less its prediction by a fit to all others [SI]."""
 
     @property
@@ -151,12 +151,12 @@ class Calibration(Shown):
         raise KeyError(name)
 
     @property
-    def left_out_error(self) -> dict[str, float]:
+    def leave_one_out_error(self) -> dict[str, float]:
         """Quantity -> root mean square of its leave-one-out prediction errors [SI]."""
         names = dict.fromkeys(row.quantity for row in self.rows)
         return {
             name: float(
-                np.sqrt(np.mean([row.left_out**2 for row in self.rows if row.quantity == name]))
+                np.sqrt(np.mean([row.leave_one_out**2 for row in self.rows if row.quantity == name]))
             )
             for name in names
         }
@@ -176,11 +176,11 @@ class Calibration(Shown):
         fixed = " and ".join(
             f"{found.words(names)} (to {percent(found.spread)})" for found in known
         )
-        lost = " and ".join(
+        unknown = " and ".join(
             found.words(names) for found in self.combinations if not found.determined
         )
         return [
-            f"The data fix only {fixed or 'nothing'}: they do not determine {lost or 'the rest'}."
+            f"The data fix only {fixed or 'nothing'}: they do not determine {unknown or 'the rest'}."
         ]
 
     def _correlated(self) -> Sequence[str]:
@@ -226,7 +226,7 @@ class Calibration(Shown):
             "chi_squared": self.chi_squared,
             "degrees_of_freedom": self.degrees,
             "statements": list(self.statements),
-            "left_out_error": self.left_out_error,
+            "leave_one_out_error": self.leave_one_out_error,
             "rows": [row.summary() for row in self.rows],
         }
 

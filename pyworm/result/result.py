@@ -100,7 +100,7 @@ class Result(Shown):
     input_uncertainty = lazy_property(
         "pyworm.result.input_uncertainty",
         "uncertainty_in",
-        "Uncertainty of the results by uncertain inputs (`InputUncertainty`); None where not asked for.",
+        "Uncertainty of the results by uncertain inputs (`InputUncertainty`); None where it was not requested.",
     )
 
     @property

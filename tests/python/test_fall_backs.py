@@ -16,6 +16,12 @@ BRANCHES: dict[str, str] = tomllib.loads(
 )
 
 MADE_BY = {
+    "batch/calibrate.py bench_of CaseError":
+        "case/test_measured_table.py::test_measurements_that_do_not_fit_the_case_are_refused",
+    "batch/calibration.py Bench._point CaseError":
+        "case/test_measured_table.py::test_measurements_that_do_not_fit_the_case_are_refused",
+    "batch/uncertain_run.py _moved CaseError":
+        "batch/test_uncertain_run.py::test_exact_inputs_and_impossible_moves_are_refused",
     "batch/request.py planned ValueError":
         "batch/test_run.py::test_a_contact_that_cannot_be_planned_is_refused",
     "batch/wear.py wear ValueError":

@@ -551,8 +551,13 @@ PLAIN = {
     "check": ("case accuracy effects quantities phases sections stations slide_roll_ratios"),
     "run": (
         "case accuracy effects quantities phases sections stations slide_roll_ratios out fields processes "
-        "scheduler progress"
+        "inputs_uncertain scheduler progress"
     ),
+    "calibrate": "case measured fit accuracy effects out processes progress",
+    "Calibration": (
+        "case_name data_name values rows correlation combinations chi_squared degrees numerical"
+    ),
+    "Calibration.save": "path",
     "rate": "case result",
     "setup": "case",
     "shim": "case",

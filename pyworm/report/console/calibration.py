@@ -23,7 +23,7 @@ def show_calibration(found: Calibration) -> None:
         console.print(rows_table(found))
     for sentence in found.statements:
         console.print(sentence)
-    for name, error in found.left_out_error.items():
+    for name, error in found.leave_one_out_error.items():
         quantity = quantity_of(name)
         text = quantity.with_unit(f"{error * quantity.scale:.2g}").replace("°C", "K")
         console.print(f"Prediction error of {quantity.words()}, leave-one-out: {text}.")
@@ -86,11 +86,11 @@ def rows_table(found: Calibration) -> Table:
             *(_heading(key, found.rows[0].conditions[key]) for key in varied),
             *(["Quantity"] if several else []),
             *(f"{name}{unit}".rstrip() for name in ("Measured", "Case", "Fitted")),
-            *("Residual\n/ u", "Left out\n/ u"),
+            *("Residual\n/ u", "Leave-\none-out\n/ u"),
         ),
         rows=tuple(_row(row, varied, several) for row in found.rows),
         title="" if several else quantity_of(names.pop()).title(),
-        note="Residual: measured less fitted value; left out: less the prediction by a fit to the "
+        note="Residual: measured less fitted value; leave-one-out: less the prediction by a fit to the "
         "others; both over the standard uncertainty u.",
         narrow=True,
     )
@@ -118,5 +118,5 @@ def _row(row: FittedRow, varied: Sequence[str], several: bool) -> tuple[str, ...
         quantity.digits(quantity.number(row.before)),
         quantity.digits(quantity.number(row.fitted)),
         f"{row.residual:.2f}",
-        f"{row.left_out / row.standard:.2f}",
+        f"{row.leave_one_out / row.standard:.2f}",
     )

@@ -80,7 +80,7 @@ def test_exact_films_give_the_truth(rig, films):
     # a fit ends at a tenth of the uncertainty, here 3 %
     assert [value.value for value in found.values] == pytest.approx(TRUTH, rel=3e-3)
     assert found["z"].start == 0.35 and not found["z"].at_bound
-    assert max(abs(row.left_out / row.standard) for row in found.rows) < 0.1
+    assert max(abs(row.leave_one_out / row.standard) for row in found.rows) < 0.1
     assert "The data determine every free value" in found.statements[0]
 
 

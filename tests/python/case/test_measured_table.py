@@ -33,7 +33,7 @@ def test_rows_are_read_in_si(tmp_path):
     )
     hot, first, second = read_measured(file)
     assert (hot.value, hot.standard) == (pytest.approx(333.15), pytest.approx(2.0))
-    assert hot.at == {"motion.velocity_1[0]": "1.5 m/s", "oil.name": "PAO VG 220"}
+    assert hot.conditions == {"motion.velocity_1[0]": "1.5 m/s", "oil.name": "PAO VG 220"}
     assert hot.place == {"phase": 0.5} and hot.line == 3
     assert (first.value, second.value) == (pytest.approx(0.8), pytest.approx(0.81))
 
