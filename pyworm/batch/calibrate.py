@@ -12,10 +12,10 @@ from pyworm.case.case import Case
 from pyworm.case.measured_table import read_measured
 from pyworm.case.parameters import parameters
 from pyworm.io import units
-from pyworm.io.given import WithUnit, kind_of, number
+from pyworm.io.given import Names, WithUnit, kind_of, number
 from pyworm.io.input_error import CaseError
 from pyworm.io.progress import Progress
-from pyworm.planning.effects.selection import Effects, as_text
+from pyworm.planning.effects.selection import effect_names
 from pyworm.result.calibration import Calibration, FittedRow, FittedValue
 
 
@@ -25,7 +25,7 @@ def calibrate(
     fit: Sequence[str],
     *,
     accuracy: WithUnit | None = None,
-    effects: Effects | None = None,
+    effects: Names | None = None,
     out: str | Path | None = None,
     processes: int = 1,
     progress: bool | Progress = True,
@@ -56,7 +56,7 @@ def calibrate(
             checked.accuracy
             if accuracy is None
             else number("accuracy", accuracy, kind_of(units.Share)),
-            checked.effects if effects is None else as_text(effects),
+            checked.effects if effects is None else effect_names(effects),
             stack.enter_context(executor(processes, None)),
             stack.enter_context(progress_of(progress)),
         )

@@ -113,7 +113,9 @@ class Bench:
         found: dict[str, tuple[dict, dict, list[str]]] = {}
         for row in self.rows:
             key = repr((sorted(row.conditions.items()), sorted(row.place.items())))
-            found.setdefault(key, (dict(row.conditions), dict(row.place), []))[2].append(row.quantity)
+            found.setdefault(key, (dict(row.conditions), dict(row.place), []))[2].append(
+                row.quantity
+            )
         return [(conditions, place, tuple(names)) for conditions, place, names in found.values()]
 
     @cached_property
@@ -133,7 +135,9 @@ class Bench:
             for setting, formula in zip(self._settings, by_formula, strict=True)
         ]
 
-    def _point(self, content: dict, conditions: dict, place: dict, names: Sequence[str]) -> OperatingPoint:
+    def _point(
+        self, content: dict, conditions: dict, place: dict, names: Sequence[str]
+    ) -> OperatingPoint:
         try:
             case = case_without_contacts(
                 with_values(content, conditions), self.case.name, self.case.directory
@@ -141,7 +145,9 @@ class Bench:
             wanted = {name: [value] for name, value in place.items()}
             places = case.places(**wanted)
         except CaseError as error:
-            row = next(row for row in self.rows if row.conditions == conditions and row.place == place)
+            row = next(
+                row for row in self.rows if row.conditions == conditions and row.place == place
+            )
             raise CaseError(f"line {row.line}: {error}") from error
         return OperatingPoint(case, places, quantities_for(names))
 

@@ -92,7 +92,7 @@ class Solving:
     """Directory in which solved contacts are kept."""
     accuracy: float
     """Requested relative error [-]."""
-    effects: str
+    effects: Sequence[str]
     """Effects, as of `pyworm.plan`."""
     executor: Executor | None = None
     """The processes that solve; by default this one."""

@@ -65,12 +65,14 @@ def _calibrate(options: argparse.Namespace) -> int:
     from pyworm.batch.operating_points import NotSolvedError, Solving
     from pyworm.io.console import progress_bar
     from pyworm.io.quantity_text import duration
+    from pyworm.planning.effects.selection import effect_names
 
     accuracy = case.accuracy
     if options.accuracy is not None:
         accuracy = option_value("accuracy", options.accuracy, SHARE_KIND)
+    effects = case.effects if options.effects is None else effect_names(options.effects)
     with progress_bar() as progress, batch_executor(options) as executor:
-        solving = Solving(directory, accuracy, options.effects or case.effects, executor, progress)
+        solving = Solving(directory, accuracy, effects, executor, progress)
         bench = bench_of(case, options.measured, options.fit, solving)
         print_message(
             f"{case.name}: some {bench.solves} operating points, expected CPU time "

@@ -65,9 +65,10 @@ class UncertainRun:
         found = result.input_uncertainty
         if found is not None:
             from pyworm.io.console import Console
-            from pyworm.report.console.input_uncertainty import uncertainty_table
+            from pyworm.report.console.input_uncertainty import uncertainty_tables
 
-            Console().print(uncertainty_table(found))
+            for table in uncertainty_tables(found, result.body_names):
+                Console().print(table)
 
     def pictures(self, result: "Result", directory: Path) -> list[str]:
         """Names of the pictures drawn of it."""

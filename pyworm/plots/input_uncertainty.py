@@ -18,7 +18,7 @@ OTHERS = {"model": "0.45", "numbers": "0.75"}
 def draw_input_uncertainty(found: InputUncertainty, case_name: str) -> Figure:
     """Bars in per cent of the result, of temperatures of its value in °C above 0 °C."""
     count = len(found.results)
-    size, room = (8.0, 0.62 * count + 1.7), (2.4, 0.2, 0.9, 0.1)
+    size, room = (9.0, 0.62 * count + 1.7), (3.3, 0.2, 0.9, 0.1)
     words = f"{case_name}  ·  standard uncertainty of the results"
     figure, (axes,) = placed_panels(size, words, room)
     colours = matplotlib.colormaps["viridis"](np.linspace(0.1, 0.9, len(found.inputs)))

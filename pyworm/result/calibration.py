@@ -156,7 +156,9 @@ class Calibration(Shown):
         names = dict.fromkeys(row.quantity for row in self.rows)
         return {
             name: float(
-                np.sqrt(np.mean([row.leave_one_out**2 for row in self.rows if row.quantity == name]))
+                np.sqrt(
+                    np.mean([row.leave_one_out**2 for row in self.rows if row.quantity == name])
+                )
             )
             for name in names
         }

@@ -100,7 +100,7 @@ class Result(Shown):
     input_uncertainty = lazy_property(
         "pyworm.result.input_uncertainty",
         "uncertainty_in",
-        "Uncertainty of the results by uncertain inputs (`InputUncertainty`); None where it was not requested.",
+        "Uncertainty of the results by inputs (`InputUncertainty`); None where it was not requested.",
     )
 
     @property

@@ -41,7 +41,7 @@ def bench(directory, loads, fit=FITTED, speeds=(0.02, 0.4)):
         )
         for number, (load, speed) in enumerate([(load, u) for load in loads for u in speeds], 2)
     )
-    return Bench(case, rows, parameters(case, fit), Solving(directory, 0.05, "auto"))
+    return Bench(case, rows, parameters(case, fit), Solving(directory, 0.05, ("auto",)))
 
 
 def measured(rig, films, error=ERROR):
@@ -163,4 +163,4 @@ def test_a_line_contact_has_no_film_of_the_atlas(tmp_path):
     case = pyworm.load(ROOT / "cases/line_m20_l10.toml")
     point = OperatingPoint(case, case.places(), ("film",), by_formula=True)
     with pytest.raises(ValueError, match="the atlas has point contacts alone"):
-        Solving(tmp_path, 0.05, "auto").results([point])
+        Solving(tmp_path, 0.05, ("auto",)).results([point])

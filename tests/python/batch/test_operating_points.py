@@ -45,7 +45,7 @@ def points(tmp_path, cooling):
     text = (ROOT / "cases/gearbox_test.toml").read_text()
     (tmp_path / "unit.toml").write_text(text + cooling)
     case = pyworm.load(tmp_path / "unit.toml")
-    return OperatingPoint(case, case.places(), ("friction",)), Solving(tmp_path, 0.1, "auto")
+    return OperatingPoint(case, case.places(), ("friction",)), Solving(tmp_path, 0.1, ("auto",))
 
 
 def test_a_cooled_unit_finds_its_sump_temperature(tmp_path, solved):

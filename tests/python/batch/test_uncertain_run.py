@@ -38,7 +38,7 @@ def test_independent_inputs_add_by_squares_and_correlated_ones_linearly():
 def test_half_the_difference_of_moved_solves_is_the_change(rig, monkeypatch):
     """A model that is a power law of the moved inputs stands for the solves."""
     case = pyworm.load(rig)
-    tasks = [Task(case, place, 0.05, "auto", ("film",)) for place in case.places()]
+    tasks = [Task(case, place, 0.05, ("auto",), ("film",)) for place in case.places()]
 
     def film(point):
         return point.case.tables.oil.viscosity.eta0**0.67 * point.case.tables.contact.load**-0.07
@@ -54,7 +54,7 @@ def test_half_the_difference_of_moved_solves_is_the_change(rig, monkeypatch):
     )
     points = moved_points(tasks)
     assert [point.case.tables.contact.load for point in points] == [18.0, 22.0, 20.0, 20.0]
-    (found,) = uncertainty_of(result, tasks, points, Solving(rig.parent, 0.05, "auto")).results
+    (found,) = uncertainty_of(result, tasks, points, Solving(rig.parent, 0.05, ("auto",))).results
     eta, load = 0.227, 20.0
     by_hand = (
         eta**0.67 * ((1.1 * load) ** -0.07 - (0.9 * load) ** -0.07) / 2,

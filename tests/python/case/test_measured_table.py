@@ -124,6 +124,6 @@ def test_parameters_have_the_start_and_unit_of_the_case(case):
 def test_measurements_that_do_not_fit_the_case_are_refused(tmp_path, case, lines, fit, sentence):
     file = written(tmp_path / "bench.csv", *lines)
     with pytest.raises(pyworm.CaseError) as refused:
-        bench_of(case, file, fit, Solving(tmp_path, 0.05, "auto")).expected_seconds  # noqa: B018
+        bench_of(case, file, fit, Solving(tmp_path, 0.05, ("auto",))).expected_seconds  # noqa: B018
     print(refused.value)
     assert sentence in str(refused.value)
