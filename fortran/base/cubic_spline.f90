@@ -68,7 +68,7 @@ contains
     real(wp) :: t, step, rise
     integer :: i
 
-    i = min(max(count(x <= place), 1), size(x) - 1)
+    i = cell_of(x, place)
     step = x(i + 1) - x(i)
     t = (place - x(i))/step
     rise = y(i + 1) - y(i)
@@ -77,27 +77,48 @@ contains
     end associate
   end function spline_value
 
-  !> Derivatives at points `step` apart of the monotone cubics through `y` (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5
-  !> (1984) 300).
-  pure function monotone_slopes(y, step) result(slopes)
-    real(wp), intent(in) :: y(:), step
+  !> Number of the cell between increasing points that holds a place, by bisection; the first or the last if none does.
+  pure integer function cell_of(x, place)
+    real(wp), intent(in) :: x(:), place
+    integer :: last, middle
+
+    cell_of = 1
+    last = size(x)
+    do while (last > cell_of + 1)
+      middle = (cell_of + last)/2
+      if (x(middle) <= place) then
+        cell_of = middle
+      else
+        last = middle
+      end if
+    end do
+  end function cell_of
+
+  !> Derivatives at increasing `x` of the monotone cubics through `y` (Fritsch and Butland, SIAM J. Sci. Stat. Comput. 5 (1984)
+  !> 300).
+  pure function monotone_slopes(x, y) result(slopes)
+    real(wp), intent(in) :: x(:), y(:)
     real(wp) :: slopes(size(y))
-    real(wp) :: chord(size(y) - 1)
-    integer :: n
+    real(wp) :: h(size(y) - 1), chord(size(y) - 1)
+    integer :: i, n
 
     n = size(y)
-    chord = (y(2:) - y(:n - 1))/step
+    h = x(2:) - x(:n - 1)
+    chord = (y(2:) - y(:n - 1))/h
     slopes = 0
-    where (one_way(chord(:n - 2), chord(2:))) slopes(2:n - 1) = 2/(1/chord(:n - 2) + 1/chord(2:))
-    slopes(1) = end_slope(chord(1), chord(2))
-    slopes(n) = end_slope(chord(n - 1), chord(n - 2))
+    do i = 2, n - 1
+      if (one_way(chord(i - 1), chord(i))) slopes(i) = 3*(h(i - 1) + h(i)) &
+        /((2*h(i) + h(i - 1))/chord(i - 1) + (h(i) + 2*h(i - 1))/chord(i))
+    end do
+    slopes(1) = end_slope(h(1), h(2), chord(1), chord(2))
+    slopes(n) = end_slope(h(n - 1), h(n - 2), chord(n - 1), chord(n - 2))
   end function monotone_slopes
 
-  !> Derivative at the first point, from the chords of the first two cells.
-  pure real(wp) function end_slope(first, second)
-    real(wp), intent(in) :: first, second
+  !> Derivative at the end of the first of two cells, from their widths and chords.
+  pure real(wp) function end_slope(width, next_width, first, second)
+    real(wp), intent(in) :: width, next_width, first, second
 
-    end_slope = (3*first - second)/2
+    end_slope = ((2*width + next_width)*first - width*second)/(width + next_width)
     if (.not. one_way(end_slope, first)) then
       end_slope = 0
     else if (.not. one_way(first, second) .and. abs(end_slope) > 3*abs(first)) then

@@ -8,10 +8,10 @@ module pyworm_contact_description
 
   public :: viscosity_function
 
-  !> Laws of viscosity, and laws of flow; the numbers are those of `viscosity_density` and `flow_laws`.
+  !> Laws of viscosity, and laws of flow; the numbers are those of `viscosity_density` and, but for the last two, `flow_laws`.
   integer, parameter, public :: pyworm_barus = 1, pyworm_roelands = 2, pyworm_tabulated = 3
   integer, parameter, public :: pyworm_newton = 0, pyworm_eyring = 1, pyworm_bair_winer = 2, pyworm_eyring_limited = 3, &
-    pyworm_carreau = 4
+    pyworm_carreau = 4, pyworm_carreau_yasuda = 5, pyworm_tabulated_flow = 6
 
   abstract interface
     !> Viscosity [Pa s] at a pressure [Pa] and a temperature [K].
@@ -59,15 +59,27 @@ module pyworm_contact_description
     real(wp) :: largest_pressure = 3e9_wp, coldest = 0, warmest = 0
   end type pyworm_oil
 
-  !> How an oil shears: see `flow_laws`.
+  !> A branch of a liquid by `pyworm_carreau_yasuda`: its part of the viscosity [-], the stress at which it thins over `stress`
+  !> [-], Carreau's n and Yasuda's a, 2 by Carreau [-].
+  type, public :: pyworm_branch
+    real(wp) :: fraction = 1, ratio = 1, exponent = 1, yasuda = 2
+  end type pyworm_branch
+
+  !> How an oil shears: see `flow_laws` and `flow_table`.
   type, public :: pyworm_flow
     integer :: law = pyworm_newton
-    !> Eyring's or Carreau's stress [Pa], limiting stress [Pa] and its growth with pressure [-], exponent [-].
+    !> Stress at which the oil thins, Eyring's or Carreau's [Pa]; limiting stress [Pa] and its growth with pressure [-], of
+    !> `pyworm_carreau_yasuda` and `pyworm_tabulated_flow` where one of them is not zero; exponent of the limit or n of
+    !> Carreau [-].
     real(wp) :: stress = 1, limit = 0, limit_pressure = 0, exponent = 1
     !> Logarithmic growth of the stress with pressure [1/Pa] and its decay with temperature [1/K].
     real(wp) :: stress_pressure = 0, stress_temperature = 0
     !> Levels across the film.
     integer :: levels = 7
+    !> Branches of the liquid by `pyworm_carreau_yasuda`, whose fractions add up to one.
+    type(pyworm_branch), allocatable :: branches(:)
+    !> By `pyworm_tabulated_flow`: increasing pairs (2, pair) of viscosity times shear rate and shear stress, over `stress` [-].
+    real(wp), allocatable :: table(:, :)
   end type pyworm_flow
 
   !> A solid's surface: conductivity [W/(m K)], volumetric heat capacity [J/(m3 K)], bulk temperature above the

@@ -1,6 +1,9 @@
 !> What a program said of a contact as the kernel takes it, after checks.
 module pyworm_contact_input
-  use pyworm_contact_description, only: pyworm_oil, pyworm_roughness, pyworm_scene, pyworm_tabulated
+  use pyworm_contact_description, only: pyworm_bair_winer, pyworm_carreau, pyworm_carreau_yasuda, pyworm_eyring_limited, &
+    pyworm_flow, pyworm_newton, pyworm_oil, pyworm_roughness, pyworm_scene, pyworm_tabulated, pyworm_tabulated_flow
+  use pyworm_flow_laws, only: flow_law, law_tabulated, law_tabulated_limited
+  use pyworm_flow_table, only: branches_curve, curve_points, flow_branch, newtonian_ratios, table_curve, tabulate_flow
   use pyworm_kinds, only: wp
   use pyworm_rough_surfaces, only: curve_count, gap_curves
   use pyworm_roughness_curves, only: curves_of, curves_through, rough_side
@@ -10,10 +13,14 @@ module pyworm_contact_input
   implicit none(type, external)
   private
 
-  public :: complete_scene, oil_of, curves_of_roughness
+  public :: complete_scene, oil_of, flow_of, curves_of_roughness
 
   !> Temperatures below and above the inlet's between which a function is tabulated where nothing else is said [K].
   real(wp), parameter :: colder = 60, warmer = 240
+  !> By how much the fractions of a liquid's branches may miss one, and a stress its Newtonian one.
+  real(wp), parameter :: fraction_slack = 1e-6_wp, stress_slack = 1e-9_wp
+  !> Fewest pairs of a table of stresses.
+  integer, parameter :: fewest_pairs = 4
 
 contains
 
@@ -118,6 +125,59 @@ contains
       end do
     end do
   end subroutine values_of
+
+  !> The flow law, a curve as its tables.
+  subroutine flow_of(flow, law, stat)
+    type(pyworm_flow), intent(in) :: flow
+    type(flow_law), intent(out) :: law
+    integer, intent(out) :: stat
+    real(wp) :: newtonian(curve_points), stress(curve_points)
+    integer :: k
+    logical :: limited
+
+    stat = status_bad_argument
+    if (flow%law < pyworm_newton .or. flow%law > pyworm_tabulated_flow) return
+    limited = max(flow%limit, flow%limit_pressure) > 0
+    if (.not. (min(flow%limit, flow%limit_pressure) >= 0 .and. flow%stress > 0)) return
+    if (any(flow%law == [pyworm_bair_winer, pyworm_eyring_limited]) .and. .not. limited) return
+    if (.not. flow%exponent > 0 .or. (flow%law == pyworm_carreau .and. flow%exponent > 1)) return
+    law = flow_law(flow%law, flow%stress, flow%stress_pressure, flow%stress_temperature, flow%limit, flow%limit_pressure, &
+      flow%exponent)
+    if (any(flow%law == [pyworm_carreau_yasuda, pyworm_tabulated_flow])) then
+      if (.not. has_curve(flow)) return
+      newtonian = newtonian_ratios()
+      if (flow%law == pyworm_carreau_yasuda) then
+        stress = branches_curve([(flow_branch(flow%branches(k)%fraction, flow%branches(k)%ratio, flow%branches(k)%exponent, &
+          flow%branches(k)%yasuda), k=1, size(flow%branches))], newtonian)
+      else
+        stress = table_curve(flow%table, newtonian)
+      end if
+      law%law = merge(law_tabulated_limited, law_tabulated, limited)
+      law%exponent = 1
+      call tabulate_flow(newtonian, stress, law%by_stress, law%by_rate)
+    end if
+    stat = status_ok
+  end subroutine flow_of
+
+  !> Whether the branches or the table of a law are those of an oil that thins.
+  pure logical function has_curve(flow)
+    type(pyworm_flow), intent(in) :: flow
+    integer :: n
+
+    has_curve = .false.
+    if (flow%law == pyworm_carreau_yasuda) then
+      if (.not. allocated(flow%branches)) return
+      associate (b => flow%branches)
+        has_curve = size(b) > 0 .and. all(b%fraction >= 0) .and. all(min(b%ratio, b%exponent, b%yasuda) > 0) &
+          .and. all(b%exponent <= 1) .and. abs(sum(b%fraction) - 1) <= fraction_slack
+      end associate
+    else if (allocated(flow%table)) then
+      n = size(flow%table, 2)
+      if (size(flow%table, 1) /= 2 .or. n < fewest_pairs) return
+      has_curve = all(flow%table > 0 .and. flow%table <= huge(1.0_wp)) .and. all(flow%table(:, 2:) > flow%table(:, :n - 1)) &
+        .and. all(flow%table(2, :) <= flow%table(1, :)*(1 + stress_slack))
+    end if
+  end function has_curve
 
   !> Averages over roughness, those given or by the surfaces' constants.
   subroutine curves_of_roughness(roughness, reduced_modulus, curves, stat)

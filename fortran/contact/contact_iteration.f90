@@ -22,8 +22,9 @@ module pyworm_contact_iteration
   real(wp), parameter :: lost_growth = 100
   !> Tolerance of rough surfaces' Newtonian film, from which that of the flow law starts, over the one asked for.
   real(wp), parameter :: loose = 10
-  !> Last change of temperature over the largest rise at which heat has converged, and the least rise that counts [K].
-  real(wp), parameter :: warming_tolerance = 1e-3_wp, least_rise = 10.0_wp
+  !> Last change of temperature over the largest rise at which heat has converged: this many times the tolerance, not above
+  !> nor, since walls are balanced in single precision, below these; and the least rise that counts [K].
+  real(wp), parameter :: per_tolerance = 10, largest_warming = 1e-3_wp, least_warming = 1e-7_wp, least_rise = 10.0_wp
 
   !> Where an iteration ended: residual, missing load over the load, and Newton steps.
   type :: iteration_end
@@ -117,13 +118,14 @@ contains
     type(iteration_end), intent(inout) :: ended
     integer, intent(out) :: stat
     type(newton_step) :: newton
-    real(wp) :: warming, first, forcing
+    real(wp) :: warming, warming_tolerance, first, forcing
     logical :: heated
     integer :: steps
 
     heated = allocated(contact%film%heat)
     forcing = merge(line_forcing, point_forcing, is_line(contact%scene))
     warming = merge(huge(1.0_wp), 0.0_wp, heated)
+    warming_tolerance = min(max(per_tolerance*options%tolerance, least_warming), largest_warming)
     associate (residual => ended%residual, load_error => ended%load_error, film => contact%film%film)
       call film_residual(film, contact%p, contact%h0, residual, load_error)
       first = max(residual, 1.0_wp)

@@ -1,7 +1,7 @@
 !> A contact on one of its grids: the kernel's film of it, made from what a program said, and its first guess.
 module pyworm_contact_state
   use pyworm_conducting_body, only: new_conducting_body
-  use pyworm_contact_description, only: pyworm_body, pyworm_flow, pyworm_scene
+  use pyworm_contact_description, only: pyworm_body, pyworm_scene
   use pyworm_dry_contact, only: solve_dry_contact
   use pyworm_film_newton, only: contact_conditions, film_contact, roughen_contact, shear_contact
   use pyworm_flow_laws, only: flow_law
@@ -38,8 +38,10 @@ module pyworm_contact_state
     type(pyworm_scene), allocatable :: scene
     type(oil_law), allocatable :: oil
     type(oil_heat_law) :: heat
-    type(pyworm_flow) :: flow
     type(pyworm_body) :: bodies(2)
+    !> Flow law, Newtonian without one, and levels across the film.
+    type(flow_law) :: law
+    integer :: levels = 7
     !> Averages of rough surfaces, and the friction coefficient of their asperities.
     type(gap_curves), allocatable :: curves
     real(wp) :: boundary_friction = 0
@@ -257,13 +259,10 @@ contains
     type(flow_law) :: law
 
     if (allocated(contact%film%heat)) deallocate (contact%film%heat)
-    associate (flow => contact%flow, step => contact%step)
-      if (.not. newtonian) law = flow_law(flow%law, flow%stress, flow%stress_pressure, flow%stress_temperature, flow%limit, &
-        flow%limit_pressure, flow%exponent)
-      associate (velocity => contact%scene%velocity(::step, ::step, :, :))
-        call shear_contact(contact%film%film, law, flow%levels, velocity(:, :, 1, 2) - velocity(:, :, 1, 1), &
-          velocity(:, :, 2, 2) - velocity(:, :, 2, 1), stat)
-      end associate
+    if (.not. newtonian) law = contact%law
+    associate (velocity => contact%scene%velocity(::contact%step, ::contact%step, :, :))
+      call shear_contact(contact%film%film, law, contact%levels, velocity(:, :, 1, 2) - velocity(:, :, 1, 1), &
+        velocity(:, :, 2, 2) - velocity(:, :, 2, 1), stat)
     end associate
     if (stat == status_ok .and. allocated(contact%curves)) call roughen_contact(contact%film%film, contact%curves, &
       contact%boundary_friction, stat)

@@ -5,9 +5,10 @@
 !> `pyworm_ok` or one of the numbers below, which `pyworm_message` puts into words.
 module pyworm_contact
   use pyworm_contact_description, only: hidden_film, viscosity_function, pyworm_barus, pyworm_roelands, pyworm_tabulated, &
-    pyworm_newton, pyworm_eyring, pyworm_bair_winer, pyworm_eyring_limited, pyworm_carreau, pyworm_scene, pyworm_oil, &
-    pyworm_flow, pyworm_body, pyworm_rough_surface, pyworm_roughness, pyworm_options, pyworm_found, pyworm_fields, pyworm_film
-  use pyworm_contact_input, only: complete_scene, oil_of, curves_of_roughness
+    pyworm_newton, pyworm_eyring, pyworm_bair_winer, pyworm_eyring_limited, pyworm_carreau, pyworm_carreau_yasuda, &
+    pyworm_tabulated_flow, pyworm_scene, pyworm_oil, pyworm_branch, pyworm_flow, pyworm_body, pyworm_rough_surface, &
+    pyworm_roughness, pyworm_options, pyworm_found, pyworm_fields, pyworm_film
+  use pyworm_contact_input, only: complete_scene, oil_of, flow_of, curves_of_roughness
   use pyworm_contact_grids, only: found_by, halvings, reading, solve_on_grids
   use pyworm_contact_iteration, only: add_models, iterate, iteration_end
   use pyworm_contact_reading, only: read_fields
@@ -26,12 +27,13 @@ module pyworm_contact
   private
 
   public :: pyworm_real, pyworm_version, pyworm_message, viscosity_function
-  public :: pyworm_scene, pyworm_oil, pyworm_flow, pyworm_body, pyworm_rough_surface, pyworm_roughness, pyworm_options, &
-    pyworm_film, pyworm_found, pyworm_fields
+  public :: pyworm_scene, pyworm_oil, pyworm_branch, pyworm_flow, pyworm_body, pyworm_rough_surface, pyworm_roughness, &
+    pyworm_options, pyworm_film, pyworm_found, pyworm_fields
   public :: pyworm_solve_dry, pyworm_setup, pyworm_solve, pyworm_advance, pyworm_read
   public :: pyworm_interrupt_by, interruption_query
   public :: pyworm_barus, pyworm_roelands, pyworm_tabulated
-  public :: pyworm_newton, pyworm_eyring, pyworm_bair_winer, pyworm_eyring_limited, pyworm_carreau
+  public :: pyworm_newton, pyworm_eyring, pyworm_bair_winer, pyworm_eyring_limited, pyworm_carreau, pyworm_carreau_yasuda, &
+    pyworm_tabulated_flow
   public :: pyworm_ok, pyworm_bad_argument, pyworm_not_finite, pyworm_no_plan, pyworm_not_converged, &
     pyworm_no_descent, pyworm_no_memory, pyworm_interrupted, pyworm_inaccurate
 
@@ -104,7 +106,11 @@ contains
       contact%heat = oil_heat_law(oil%conductivity, oil%c1, oil%c2, oil%heat_capacity, oil%k1, oil%k2, oil%b0, oil%b1, oil%b2)
       contact%sheared = present(flow) .or. present(roughness)
       contact%heated = present(bodies)
-      if (present(flow)) contact%flow = flow
+      if (present(flow)) then
+        contact%levels = flow%levels
+        call flow_of(flow, contact%law, stat)
+        if (stat /= pyworm_ok) return
+      end if
       if (present(bodies)) contact%bodies = bodies
       if (present(roughness)) then
         allocate (contact%curves)
@@ -216,7 +222,8 @@ contains
       coarser%scene = contact%scene
       coarser%oil = contact%oil
       coarser%heat = contact%heat
-      coarser%flow = contact%flow
+      coarser%law = contact%law
+      coarser%levels = contact%levels
       coarser%bodies = contact%bodies
       if (allocated(contact%curves)) coarser%curves = contact%curves
       coarser%boundary_friction = contact%boundary_friction

@@ -3,10 +3,10 @@
 module pyworm_contact_c
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_f_procpointer, c_funptr, c_int, c_loc, &
     c_null_char, c_null_ptr, c_ptr
-  use pyworm_contact, only: interruption_query, pyworm_advance, pyworm_bad_argument, pyworm_body, pyworm_fields, pyworm_film, &
-    pyworm_flow, pyworm_found, pyworm_interrupt_by, pyworm_message, pyworm_oil, pyworm_ok, pyworm_options, pyworm_read, &
-    pyworm_rough_surface, pyworm_roughness, pyworm_scene, pyworm_setup, pyworm_solve, pyworm_solve_dry, pyworm_version, &
-    viscosity_function
+  use pyworm_contact, only: interruption_query, pyworm_advance, pyworm_bad_argument, pyworm_body, pyworm_branch, &
+    pyworm_fields, pyworm_film, pyworm_flow, pyworm_found, pyworm_interrupt_by, pyworm_message, pyworm_oil, pyworm_ok, &
+    pyworm_options, pyworm_read, pyworm_rough_surface, pyworm_roughness, pyworm_scene, pyworm_setup, pyworm_solve, &
+    pyworm_solve_dry, pyworm_version, viscosity_function
   implicit none(type, external)
   private
 
@@ -47,8 +47,13 @@ module pyworm_contact_c
   type, bind(c) :: c_flow
     integer(c_int) :: law
     real(c_double) :: stress, limit, limit_pressure, exponent, stress_pressure, stress_temperature
-    integer(c_int) :: levels
+    integer(c_int) :: levels, branch_count, pair_count
+    type(c_ptr) :: branches, table
   end type c_flow
+
+  type, bind(c) :: c_branch
+    real(c_double) :: fraction, ratio, exponent, yasuda
+  end type c_branch
 
   type, bind(c) :: c_body
     real(c_double) :: conductivity, heat_capacity, bulk_rise
@@ -115,8 +120,7 @@ contains
     allocate (film)
     if (c_associated(flow)) then
       call c_f_pointer(flow, law)
-      own_flow = pyworm_flow(law%law, law%stress, law%limit, law%limit_pressure, law%exponent, law%stress_pressure, &
-        law%stress_temperature, law%levels)
+      own_flow = flow_of(law)
     end if
     if (c_associated(bodies)) then
       call c_f_pointer(bodies, two, [2])
@@ -133,6 +137,22 @@ contains
     status = stat
     c_setup = c_loc(film)
   end function c_setup
+
+  !> A flow law, its branches and table copied.
+  type(pyworm_flow) function flow_of(flow)
+    type(c_flow), intent(in) :: flow
+    type(c_branch), pointer :: branches(:)
+    integer :: k
+
+    flow_of = pyworm_flow(flow%law, flow%stress, flow%limit, flow%limit_pressure, flow%exponent, flow%stress_pressure, &
+      flow%stress_temperature, flow%levels)
+    if (c_associated(flow%branches)) then
+      call c_f_pointer(flow%branches, branches, [flow%branch_count])
+      flow_of%branches = [(pyworm_branch(branches(k)%fraction, branches(k)%ratio, branches(k)%exponent, branches(k)%yasuda), &
+        k=1, flow%branch_count)]
+    end if
+    if (c_associated(flow%table)) flow_of%table = values_at(flow%table, 2_c_int, flow%pair_count)
+  end function flow_of
 
   !> A scene, its fields copied.
   type(pyworm_scene) function scene_of(scene)

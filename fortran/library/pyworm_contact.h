@@ -14,7 +14,10 @@ enum pyworm_status {
     PYWORM_NO_MEMORY, PYWORM_INTERRUPTED, PYWORM_INACCURATE
 };
 enum pyworm_viscosity { PYWORM_BARUS = 1, PYWORM_ROELANDS, PYWORM_TABULATED };
-enum pyworm_flow_law { PYWORM_NEWTON, PYWORM_EYRING, PYWORM_BAIR_WINER, PYWORM_EYRING_LIMITED, PYWORM_CARREAU };
+enum pyworm_flow_law {
+    PYWORM_NEWTON, PYWORM_EYRING, PYWORM_BAIR_WINER, PYWORM_EYRING_LIMITED, PYWORM_CARREAU, PYWORM_CARREAU_YASUDA,
+    PYWORM_TABULATED_FLOW
+};
 
 /* velocity, if given, has nx*ny entries of u and of v of body 1, then of body 2, and counts in place of velocity_1 and _2;
  * covered is not zero where both bodies exist; supply is the thickness of the oil layer that enters */
@@ -37,10 +40,17 @@ struct pyworm_oil {
     double (*viscosity_at)(double pressure, double temperature);
     double largest_pressure, coldest, warmest;
 };
+struct pyworm_branch {
+    double fraction, ratio, exponent, yasuda;
+};
+/* branches count by PYWORM_CARREAU_YASUDA; by PYWORM_TABULATED_FLOW table has pair_count pairs of viscosity times shear rate and
+ * shear stress, both over stress */
 struct pyworm_flow {
     int law;
     double stress, limit, limit_pressure, exponent, stress_pressure, stress_temperature;
-    int levels;
+    int levels, branch_count, pair_count;
+    const struct pyworm_branch *branches;
+    const double *table;
 };
 struct pyworm_body {
     double conductivity, heat_capacity, bulk_rise;

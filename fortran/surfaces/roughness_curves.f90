@@ -64,11 +64,12 @@ contains
   pure function curves_through(scale, first, spacing, values) result(curves)
     real(wp), intent(in) :: scale, first, spacing, values(:, :)
     type(gap_curves) :: curves
-    real(wp) :: slopes(size(values, 1), size(values, 2))
+    real(wp) :: slopes(size(values, 1), size(values, 2)), places(size(values, 2))
     integer :: i
 
+    places = [(spacing*i, i=0, size(values, 2) - 1)]
     do i = 1, size(values, 1)
-      slopes(i, :) = monotone_slopes(values(i, :), spacing)
+      slopes(i, :) = monotone_slopes(places, values(i, :))
     end do
     curves = gap_curves(scale, first, spacing, values, slopes)
   end function curves_through

@@ -22,7 +22,7 @@ module bindings
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
     film_heat_fields, film_profile
   public :: cell_press, cell_conduct
-  public :: prolong_cubic, integrate_remembered_flux, level_positions
+  public :: prolong_cubic, integrate_remembered_flux, level_positions, flow_tables
   public :: compiled_with, status_text, watch_signals
 
 contains
@@ -724,6 +724,21 @@ contains
     axes = [(moving_axes(first(:, k), spacing(:, k)), k=1, times)]
     call remembered_flux(flux, present, axes, readings, surface_motion(turning, at_origin), x, y, u, v, integral)
   end subroutine integrate_remembered_flux
+
+  !> Tables of the thinning of a flow law by its curve, stress over Newtonian stress; see `flow_table`.
+  subroutine flow_tables(newtonian, stress, points, cells, by_stress, by_rate, per_log)
+    use pyworm_flow_table, only: tabulate_flow
+    use pyworm_thinning_table, only: thinning_table
+    integer(c_int), intent(in) :: points, cells
+    real(c_double), intent(in) :: newtonian(points), stress(points)
+    real(c_double), intent(out) :: by_stress(4, cells), by_rate(4, cells), per_log
+    type(thinning_table) :: of_stress, of_rate
+
+    call tabulate_flow(newtonian, stress, of_stress, of_rate)
+    by_stress = of_stress%coefficient(:, :cells)
+    by_rate = of_rate%coefficient(:, :cells)
+    per_log = of_stress%per_log
+  end subroutine flow_tables
 
   !> Lets Python's signals interrupt kernel calls, from now on.
   subroutine watch_signals()

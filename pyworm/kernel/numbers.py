@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-import scipy
 
 from pyworm.formulas.arrays import Array
 from pyworm.io.present import present
+from pyworm.kernel import core
 from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import SHAPED, FlowLaw
 from pyworm.materials.oil import Oil
@@ -33,7 +33,7 @@ def oil_numbers(oil: Oil) -> tuple[float, ...]:
 def flow_numbers(law: FlowLaw) -> tuple[float | Array, ...]:
     """A flow law for the kernel: law, stress and its courses, limit and its rise, exponent, tables."""
     shaped = law.law in SHAPED
-    tables = _shape_tables(law) if shaped else (np.zeros((4, 1), order="F"),) * 2
+    tables = _shape_tables(law) if shaped else (*(np.zeros((4, 1), order="F"),) * 2, 1.0)
     return (
         _FLOW_LAWS[law.law] + (shaped and law.limited),
         law.stress or 1.0,
@@ -43,7 +43,6 @@ def flow_numbers(law: FlowLaw) -> tuple[float | Array, ...]:
         law.limit_pressure,
         1.0 if shaped else law.exponent,
         *tables,
-        CELLS_PER_LOG,
     )
 
 
@@ -82,29 +81,15 @@ def bodies_numbers(bodies: Sequence[Body], heat: OilHeat) -> Array:
     return np.array(columns).T
 
 
-CELLS_PER_LOG, LOG_CELLS = 20, 600
-"""Cells of a table of thinning for each unit of ln(1 + s), and all: to s = 1e13."""
-
-
 @lru_cache(maxsize=8)
-def _shape_tables(law: FlowLaw) -> tuple[Array, Array]:
-    """Tables of eta rate/tau over (tau/G)^2 and (eta rate/G)^2 (`fortran/oil/thinning_table.f90`)."""
+def _shape_tables(law: FlowLaw) -> tuple[Array, Array, float]:
+    """Tables of eta rate/tau over (tau/G)^2 and (eta rate/G)^2, and cells for each unit of ln(1 + s)."""
     newtonian = np.geomspace(1e-6, 1e16, 8000)
-    stress = law.shape_at(newtonian)
-    thinning = np.log(newtonian / stress)
-    return _factor_table(stress, thinning), _factor_table(newtonian, thinning)
-
-
-def _factor_table(ratio: Array, logarithm: Array) -> Array:
-    """Coefficients of the cubic spline of a logarithm over ln(1 + ratio^2), shape (4, cells)."""
-    places, chosen = np.unique(np.log1p(ratio**2), return_index=True)
-    curve = scipy.interpolate.PchipInterpolator(
-        np.concatenate([[0.0], places]),
-        np.concatenate([[0.0], logarithm[chosen]]),
-        extrapolate=False,
+    tables: tuple[Array, Array, float] = core.bindings.flow_tables(
+        newtonian, law.shape_at(newtonian), LOG_CELLS
     )
-    nodes = np.arange(LOG_CELLS + 1) / CELLS_PER_LOG
-    values = curve(np.minimum(nodes, places[-1]))
-    beyond = np.maximum(nodes - places[-1], 0.0) * float(curve(places[-1], nu=1))
-    spline = scipy.interpolate.CubicSpline(nodes * CELLS_PER_LOG, values + beyond)
-    return np.asfortranarray(spline.c[::-1])
+    return tables
+
+
+LOG_CELLS = 600
+"""Cells of a table of thinning (`fortran/oil/flow_table.f90`)."""

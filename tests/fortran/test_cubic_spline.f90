@@ -20,7 +20,7 @@ program test_cubic_spline
   c = spline_coefficients(cubic([0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp]))
   call close_to(sum(c(:, 3)*0.5_wp**[0, 1, 2, 3]), cubic(2.5_wp), 1e-12_wp, "cells have the powers of a cubic")
 
-  slopes = monotone_slopes([0.0_wp, 0.0_wp, 1.0_wp, 3.0_wp, 3.0_wp, 2.0_wp], 2.0_wp)
+  slopes = monotone_slopes(2*[0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp], [0.0_wp, 0.0_wp, 1.0_wp, 3.0_wp, 3.0_wp, 2.0_wp])
   call close_to(maxval(abs(slopes([1, 2, 4, 5]))), 0.0_wp, 0.0_wp, "monotone cubics are level where values stand still or turn")
   call close_to(slopes(3), 2/3.0_wp, 1e-15_wp, "else they have the harmonic mean of both chords")
   call check(slopes(6) < 0, "and fall towards an end that falls")

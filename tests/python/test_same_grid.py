@@ -115,6 +115,26 @@ def test_a_rough_roller_with_little_oil(linked):
     assert found == pytest.approx([film.thickness().min(), film.pressure.max(), borne], rel=CLOSE)
 
 
+def test_a_roller_in_liquids_with_flow_laws_of_ones_own(linked):
+    found = np.reshape(numbers(linked(EXAMPLES / "thinning_line.f90")), (2, 3))
+    branches = (pyworm.Branch(0.7, 1.0, 0.45, 2.0), pyworm.Branch(0.3, 20.0, 0.6, 1.5))
+    pairs = tuple((float(y), float(np.arcsinh(y))) for y in 10 ** (0.2 * np.arange(-15, 41)))
+    laws = (
+        pyworm.FlowLaw("carreau-yasuda", stress=4e6, branches=branches),
+        pyworm.FlowLaw("tabulated", stress=5e6, limit_pressure=0.06, table=pairs),
+    )
+    roller = Roller(257)
+    film = solved(roller.film(pyworm.Oil(pyworm.Roelands(0.04, 0.6), DENSITY)))
+    pressure, rigid_film = film.pressure, film.rigid_film
+    for printed, law in zip(found, laws, strict=True):
+        film.shear(law, 7, [np.full(roller.x.size, 0.1)])
+        film.start(pressure, rigid_film)
+        solved(film)
+        friction = abs(film.shear_fields().stress[0].sum()) * roller.dx / roller.load
+        expected = [film.thickness().min(), film.pressure.max(), friction]
+        assert printed == pytest.approx(expected, rel=CLOSE)
+
+
 def test_a_ball_under_a_pulse_of_load(linked):
     steps, nodes, load = 8, 65, 6.3
     found = np.reshape(numbers(linked(EXAMPLES / "load_pulse.f90")), (steps, 2))

@@ -1,10 +1,11 @@
 !> What a program may say of a contact, and what is refused; prints a line for each check.
 program uses
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-  use pyworm_contact, only: interruption_query, wp => pyworm_real, pyworm_advance, pyworm_bad_argument, pyworm_body, &
-    pyworm_carreau, pyworm_fields, pyworm_film, pyworm_flow, pyworm_found, pyworm_inaccurate, pyworm_interrupt_by, &
-    pyworm_interrupted, pyworm_message, pyworm_not_finite, pyworm_oil, pyworm_ok, pyworm_options, pyworm_read, pyworm_roelands, &
-    pyworm_rough_surface, pyworm_roughness, pyworm_scene, pyworm_setup, pyworm_solve, pyworm_tabulated
+  use pyworm_contact, only: interruption_query, wp => pyworm_real, pyworm_advance, pyworm_bad_argument, pyworm_bair_winer, &
+    pyworm_body, pyworm_branch, pyworm_carreau, pyworm_carreau_yasuda, pyworm_fields, pyworm_film, pyworm_flow, pyworm_found, &
+    pyworm_inaccurate, pyworm_interrupt_by, pyworm_interrupted, pyworm_message, pyworm_not_finite, pyworm_oil, pyworm_ok, &
+    pyworm_options, pyworm_read, pyworm_roelands, pyworm_rough_surface, pyworm_roughness, pyworm_scene, pyworm_setup, &
+    pyworm_solve, pyworm_tabulated, pyworm_tabulated_flow
   implicit none(type, external)
   integer, parameter :: n = 49
   type(pyworm_oil), parameter :: oil = pyworm_oil(pyworm_roelands, viscosity=0.04_wp, exponent=0.6_wp, d1=0.6e-9_wp, &
@@ -26,6 +27,7 @@ program uses
   call check(status == pyworm_bad_argument, 'bodies come with a flow law')
   call pyworm_setup(film, scene, pyworm_oil(pyworm_tabulated), status)
   call check(status == pyworm_bad_argument, 'a table has values')
+  call refuse_flows()
   call pyworm_setup(film, scene, oil, status, roughness=pyworm_roughness())
   call check(status == pyworm_bad_argument, 'rough surfaces have heights')
   other = scene
@@ -64,6 +66,26 @@ program uses
   call check(status == pyworm_interrupted, pyworm_message(status))
 
 contains
+
+  !> Flow laws that no oil has.
+  subroutine refuse_flows()
+    type(pyworm_flow) :: flows(6)
+    integer :: k, refused
+
+    flows(1) = pyworm_flow(7)
+    flows(2) = pyworm_flow(pyworm_carreau_yasuda, branches=[pyworm_branch(fraction=0.5_wp, exponent=0.4_wp)])
+    flows(3) = pyworm_flow(pyworm_carreau_yasuda)
+    flows(4) = pyworm_flow(pyworm_tabulated_flow, table=reshape([1.0_wp, 0.9_wp, 3.0_wp, 3.1_wp, 4.0_wp, 3.2_wp, 5.0_wp, 3.3_wp], &
+      [2, 4]))
+    flows(5) = pyworm_flow(pyworm_bair_winer)
+    flows(6) = pyworm_flow(pyworm_carreau, stress=4e6_wp, exponent=1.5_wp)
+    refused = 0
+    do k = 1, size(flows)
+      call pyworm_setup(film, scene, oil, status, flows(k))
+      if (status == pyworm_bad_argument) refused = refused + 1
+    end do
+    call check(refused == size(flows), 'oils thin, the parts of a liquid are the whole, and a limit is above zero')
+  end subroutine refuse_flows
 
   !> A ball on a disc.
   type(pyworm_scene) function ball() result(rolling)
