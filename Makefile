@@ -20,12 +20,13 @@ export PATH := $(CURDIR)/$(VENV)/bin:$(PATH)
 export OMP_NUM_THREADS ?= 1
 export OPENBLAS_NUM_THREADS ?= 1
 
-.PHONY: help install wheel try-wheel test-cluster fortran-library try-library fortran-docs demo test test-long test-fortran test-python browser sanitized hard mutants docs evidence lint tested release clean
+.PHONY: help install wheel try-wheel test-cluster fortran-library try-library bare-library fortran-docs demo test test-long test-fortran test-python browser sanitized hard mutants docs evidence lint tested release clean
 
 help:
 	@echo "make install  what the other targets need and is missing"
 	@echo "make fortran-library  install the kernel for Fortran and C programs under PREFIX ($(PREFIX)), without Python"
 	@echo "make try-library  install it apart, run the kernel's tests against it, build the examples by meson, CMake and fpm"
+	@echo "make bare-library  as root: the same in a bare Debian with the documented packages alone, its films against Python's"
 	@echo "make wheel    wheels that need no compiler, in dist/, for every Python found (WHEEL_PYTHONS for others)"
 	@echo "make try-wheel  as root: install each of them in a bare Debian without compiler, and run it"
 	@echo "make demo     run cases/$(CONTACT).toml at mid-mesh, then cases/$(DRIVE).toml over its whole cycle"
@@ -55,12 +56,16 @@ $(INSTALLED): pyproject.toml meson.build tools/setup.sh
 # MARCH=native is a library for this processor alone.
 fortran-library:
 	tools/setup.sh $(PYTHON) $(VENV) library
-	meson setup build/library -Dpython=false -Dmarch=$(MARCH) --prefix=$(abspath $(PREFIX)) --libdir=lib --reconfigure
+	meson setup build/library -Dpython=false -Dmarch=$(MARCH) --prefix=$(abspath $(PREFIX)) --libdir=lib \
+	    $(if $(wildcard build/library/build.ninja),--reconfigure)
 	meson install -C build/library
 
 try-library:
 	tools/setup.sh $(PYTHON) $(VENV) library
 	tools/try_library.sh $(PYTHON) build/try-library
+
+bare-library: $(INSTALLED)
+	tools/bare_library.sh python $(BARE)-library
 
 wheel: $(INSTALLED)
 	set -e; for python in $(WHEEL_PYTHONS); do tools/wheel.sh $$python dist; done

@@ -3,7 +3,7 @@ program thermal_point
   use pyworm_contact, only: wp => pyworm_real, pyworm_body, pyworm_eyring, pyworm_fields, pyworm_film, pyworm_flow, &
     pyworm_found, pyworm_oil, pyworm_ok, pyworm_options, pyworm_read, pyworm_roelands, pyworm_scene, pyworm_setup, pyworm_solve
   implicit none(type, external)
-  integer, parameter :: nx = 129, ny = 129
+  integer, parameter :: nx = 65, ny = 65
   real(wp), parameter :: radius = 0.01_wp, load = 20.0_wp, modulus = 230e9_wp
   type(pyworm_body), parameter :: steel = pyworm_body(conductivity=47.0_wp, heat_capacity=3.7e6_wp)
   type(pyworm_scene) :: scene
@@ -24,12 +24,12 @@ program thermal_point
     temperature=333.15_wp, thermal_exponent=1.1_wp, expansivity=7e-4_wp, conductivity=0.14_wp, heat_capacity=1.7e6_wp)
 
   call pyworm_setup(film, scene, oil, status, pyworm_flow(pyworm_eyring, stress=5e6_wp), [steel, steel])
-  if (status == pyworm_ok) call pyworm_solve(film, pyworm_options(accuracy=0.1_wp), found, status)
+  if (status == pyworm_ok) call pyworm_solve(film, pyworm_options(tolerance=1e-8_wp, accuracy=0.15_wp), found, status)
   if (status /= pyworm_ok) stop 1
   call pyworm_read(film, fields, status)
-  print '(a, f8.2)', 'minimum film [nm]      ', found%film_min*1e9_wp
-  print '(a, f8.2)', 'maximum pressure [MPa] ', found%pressure_max/1e6_wp
-  print '(a, f8.4)', 'friction coefficient   ', abs(sum(fields%stress_x, mask=fields%p > 0.01_wp*maxval(fields%p))) &
+  print '(a, es23.16)', 'minimum film [m]       ', found%film_min
+  print '(a, es23.16)', 'maximum pressure [Pa]  ', found%pressure_max
+  print '(a, es23.16)', 'friction coefficient   ', abs(sum(fields%stress_x, mask=fields%p > 0.01_wp*maxval(fields%p))) &
     *scene%dx*scene%dy/load
-  print '(a, f8.2)', 'rise in the middle [K] ', maxval(fields%rise(:, :, 4))
+  print '(a, es23.16)', 'rise in the middle [K] ', maxval(fields%rise(:, :, 4))
 end program thermal_point

@@ -1,15 +1,21 @@
 """What all tests stand on."""
 
 import signal
+from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
-from linked_programs import LIBRARY, Linker
+from linked_programs import LIBRARY, Linker, Printed
 from undrawn_pages import undrawn_pages
 
 # a busy machine is no failure: examples count, not the time in which they are drawn
 settings.register_profile("pyworm", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("pyworm")
+
+
+def pytest_addoption(parser):
+    """`--printed FOLDER`: what the examples printed on another machine, in place of running them here."""
+    parser.addoption("--printed", type=Path)
 
 
 @pytest.fixture(autouse=True, scope="session")
@@ -34,8 +40,10 @@ def undrawn():
 
 
 @pytest.fixture(scope="session")
-def linked(tmp_path_factory):
+def linked(request, tmp_path_factory):
     """What compiles and runs a program with the library of the package's own build."""
+    if folder := request.config.getoption("--printed"):
+        return Printed(folder)
     if not LIBRARY.is_file():
         pytest.skip("an installed package has no library beside its extension")
     return Linker(tmp_path_factory.mktemp("programs"))

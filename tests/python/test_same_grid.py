@@ -18,6 +18,9 @@ from pyworm.materials.tabulated import TabulatedViscosity
 from pyworm.solver.transient.differences import backward_weights
 
 TOLERANCE = 1e-10
+WARM = 1e-8
+"""Tolerance of films that warm, whose walls are balanced in single precision."""
+
 CLOSE = 1e-7
 """What the tolerance leaves of figures, with a margin of some tens for those of single nodes."""
 
@@ -29,16 +32,16 @@ def numbers(text):
     return [float(number) for number in re.findall(r"\d\.\d+E[-+]\d+", text)]
 
 
-def solved(film):
+def solved(film, tolerance=TOLERANCE):
     """A film after Newton's iteration to the tolerance, or until rounding alone is left."""
     for _ in range(60):
-        if film.balance.within(TOLERANCE):
+        if film.balance.within(tolerance, 10 * tolerance):
             break
         try:
             film.step(1e-3)
         except KernelError:
             break
-    assert film.balance.worst < 1e-8
+    assert film.balance.within(max(tolerance, 1e-8), 10 * tolerance)
     return film
 
 
@@ -135,33 +138,79 @@ def test_a_roller_in_liquids_with_flow_laws_of_ones_own(linked):
         assert printed == pytest.approx(expected, rel=CLOSE)
 
 
+class Ball:
+    """The point contact of the examples on 65 nodes a side: 4.2 radii of inlet, 1.8 of outlet."""
+
+    nodes = 65
+
+    def __init__(self, load, oil):
+        self.load, self.oil = load, oil
+        a = (3 * load * RADIUS / (2 * MODULUS)) ** (1 / 3)
+        self.dx, self.dy = 6 * a / (self.nodes - 1), 5 * a / (self.nodes - 1)
+        x, y = (
+            -first * a + step * np.arange(self.nodes)
+            for first, step in ((4.2, self.dx), (2.5, self.dy))
+        )
+        self.gap = (x[:, None] ** 2 + y[None, :] ** 2) / (2 * RADIUS)
+        self.ones = np.ones(self.gap.shape)
+
+    def film(self, factor=1.0):
+        """The Newtonian film under a factor of the load, not started."""
+        motion = (self.ones, 0 * self.ones)
+        covered = np.ones(self.gap.shape, bool)
+        sizes = (self.dx, self.dy, MODULUS, factor * self.load)
+        return kernel.PointFilm(self.gap, covered, motion, *sizes, self.oil, 1e-10)
+
+    def steady(self, expected):
+        """The film of rolling, from the dry contact lifted by an expected film."""
+        covered = np.ones(self.gap.shape, bool)
+        dry = kernel.dry_contact(
+            self.gap, covered, self.dx, self.dy, MODULUS, self.load, self.ones, 1e-3
+        )
+        pressure = np.zeros(self.gap.shape)
+        pressure[1:-1, 1:-1] = dry.pressure[1:-1, 1:-1] + 1e-6 * dry.pressure.max()
+        film = self.film()
+        film.start(pressure, expected - dry.approach)
+        return solved(film)
+
+
+def test_a_ball_that_slides_in_an_oil_that_warms(linked):
+    found = numbers(linked(EXAMPLES / "thermal_point.f90"))
+    flow = pyworm.FlowLaw("eyring", stress=5e6)
+    heat = pyworm.OilHeat(333.15, 1.1, 0.14, 2000.0, expansivity=7e-4)
+    oil = pyworm.Oil(pyworm.Roelands(0.04, 0.6), DENSITY, flow, heat)
+    steel = pyworm.Body(MODULUS * 0.91, 0.3, 7850.0, 47.0, 3.7e6 / 7850.0, 333.15)
+    ball = Ball(20.0, oil)
+    film = ball.steady(2e-7)
+    pressure, rigid_film = film.pressure, film.rigid_film
+    film.shear(flow, 7, [0.2 * ball.ones, 0 * ball.ones])
+    semi_axis = sqrt(1.5 * ball.load / (pi * pressure.max()))
+    motions = [(speed * ball.ones, 0 * ball.ones) for speed in (1.1, 0.9)]
+    film.heat(oil, (steel, steel), motions, (semi_axis, semi_axis))
+    film.start(pressure, rigid_film)
+    solved(film, WARM)
+    borne = film.pressure > 0.01 * film.pressure.max()
+    friction = abs(film.shear_fields().stress[0][borne].sum()) * ball.dx * ball.dy / ball.load
+    expected = [film.thickness().min(), film.pressure.max(), friction, film.rise()[..., 3].max()]
+    assert found == pytest.approx(expected, rel=CLOSE)
+
+
 def test_a_ball_under_a_pulse_of_load(linked):
-    steps, nodes, load = 8, 65, 6.3
+    steps, load = 8, 6.3
     found = np.reshape(numbers(linked(EXAMPLES / "load_pulse.f90")), (steps, 2))
     a = (3 * load * RADIUS / (2 * MODULUS)) ** (1 / 3)
-    dx, dy = 6 * a / (nodes - 1), 5 * a / (nodes - 1)
-    x, y = -4.2 * a + dx * np.arange(nodes), -2.5 * a + dy * np.arange(nodes)
-    gap = (x[:, None] ** 2 + y[None, :] ** 2) / (2 * RADIUS)
     oil = pyworm.Oil(pyworm.Barus(0.04, 16e-9), pyworm.Density(850.0, 0.0, 0.0))
-    everywhere, motion = np.ones(gap.shape, bool), (np.ones(gap.shape), np.zeros(gap.shape))
-
-    def film_under(factor):
-        return kernel.PointFilm(gap, everywhere, motion, dx, dy, MODULUS, factor * load, oil, 1e-10)
-
-    dry = kernel.dry_contact(gap, everywhere, dx, dy, MODULUS, load, np.ones(gap.shape), 1e-3)
-    pressure = np.zeros(gap.shape)
-    pressure[1:-1, 1:-1] = dry.pressure[1:-1, 1:-1] + 1e-6 * dry.pressure.max()
-    film = film_under(1.0)
-    film.start(pressure, 2.6e-7 - dry.approach)
-    solved(film)
+    ball = Ball(load, oil)
+    film = ball.steady(2.6e-7)
     # a node of every second grid line, too
+    gap = ball.gap
     central = tuple(2 * (np.array(np.unravel_index(gap.argmin(), gap.shape)) // 2))
     times, contents = [0.0], [film.fields()[0] * film.fields()[1]]
     for step in range(1, steps + 1):
         times = [step * 2 * a / steps, *times[:3]]
         implicit, *earlier = backward_weights(times)
         rate = sum(weight * content for weight, content in zip(earlier, contents, strict=True))
-        last, film = film, film_under(1 + 0.5 * sin(pi * step / steps))
+        last, film = film, ball.film(1 + 0.5 * sin(pi * step / steps))
         film.set_transient_term(implicit, rate)
         film.start(last.pressure, last.rigid_film)
         thickness, density, _ = solved(film).fields()
