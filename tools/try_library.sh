@@ -74,7 +74,7 @@ cmake -B "$folder/by-cmake" -D CMAKE_PREFIX_PATH="$prefix" >>"$folder/examples.l
 cmake --build "$folder/by-cmake" >>"$folder/examples.log"
 FPM_FC=gfortran fpm install --profile release --prefix "$folder/by-fpm" >>"$folder/examples.log" 2>&1 ||
     { tail -n 40 "$folder/examples.log"; exit 1; }
-for name in line_film rough_line thinning_line load_pulse thermal_point; do
+for name in line_film rough_line thinning_line load_pulse warming_line thermal_point; do
     "$folder/by-meson/$name" >"$folder/$name.meson"
     "$folder/by-cmake/$name" >"$folder/$name.cmake"
     "$folder/by-fpm/bin/$name" >"$folder/$name.fpm"

@@ -1,10 +1,10 @@
-!> Explicit interfaces to the LAPACK procedures in use.
+!> Explicit interfaces to the LAPACK and BLAS procedures in use.
 module pyworm_lapack
   use pyworm_kinds, only: pp, wp
   implicit none(type, external)
   private
 
-  public :: dgbtrf, dgbtrs, sgbtrf, sgbtrs
+  public :: dgbtrf, dgbtrs, dgemm, sgbtrf, sgbtrs
 
   interface
     !> LU factors of a general band matrix.
@@ -28,6 +28,16 @@ module pyworm_lapack
       real(wp), intent(inout) :: b(ldb, *)
       integer, intent(out) :: info
     end subroutine dgbtrs
+
+    !> alpha op(a) op(b) + beta c.
+    subroutine dgemm(transa, transb, m, n, k, alpha, a, lda, b, ldb, beta, c, ldc)
+      import :: wp
+      implicit none(type, external)
+      character(len=1), intent(in) :: transa, transb
+      integer, intent(in) :: m, n, k, lda, ldb, ldc
+      real(wp), intent(in) :: alpha, beta, a(lda, *), b(ldb, *)
+      real(wp), intent(inout) :: c(ldc, *)
+    end subroutine dgemm
 
     !> LU factors of a general band matrix, single precision.
     pure subroutine sgbtrf(m, n, kl, ku, ab, ldab, ipiv, info)

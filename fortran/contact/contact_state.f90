@@ -47,6 +47,8 @@ module pyworm_contact_state
     real(wp) :: boundary_friction = 0
     !> Whether it has a flow law, and heat.
     logical :: sheared = .false., heated = .false.
+    !> In a time step, what each body's surface is warmer by than in steady conduction, since it was heated before [K].
+    real(wp), allocatable :: residual_rise(:, :, :)
     !> Expected central film [m].
     real(wp) :: expected_film = 0
     !> Spacing of the present grid over that of the given one; pressure [Pa] and rigid film [m] on it.
@@ -274,6 +276,7 @@ contains
     integer, intent(out) :: stat
     class(heated_body), allocatable :: body_1, body_2
     real(wp), allocatable :: velocity(:, :, :, :)
+    integer :: number
 
     allocate (velocity, source=contact%scene%velocity(::contact%step, ::contact%step, :, :))
     if (is_line(contact%scene)) then
@@ -287,6 +290,10 @@ contains
       if (stat == status_ok) call heat_point_contact(contact%film, contact%heat, velocity(:, :, 1, 1), velocity(:, :, 2, 1), &
         body_1, body_2, contact%bodies%bulk_rise, stat)
     end if
+    if (stat /= status_ok .or. .not. allocated(contact%residual_rise)) return
+    do number = 1, 2
+      contact%film%heat%walls%body(number)%remembered = contact%residual_rise(:, :, number)
+    end do
 
   contains
 

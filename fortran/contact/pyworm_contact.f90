@@ -138,6 +138,7 @@ contains
     select type (whole => film%hidden)
     type is (film_in_time)
       if (allocated(whole%past)) deallocate (whole%past)
+      if (allocated(whole%contact%residual_rise)) deallocate (whole%contact%residual_rise)
       if (allocated(whole%coarser)) deallocate (whole%coarser, whole%coarser_past)
       call solve_on_grids(whole%contact, options, found, stat)
       whole%solved = stat == pyworm_ok

@@ -14,7 +14,12 @@ from pyworm.kernel.film import HeatStorage
 from pyworm.kernel.interpolation import level_positions, prolong, prolong_levels
 from pyworm.kernel.line_film import LineFilm
 from pyworm.kernel.point_film import PointFilm
-from pyworm.kernel.remembered_flux import FluxHistory, FluxReading, remembered_flux
+from pyworm.kernel.surface_heat import (
+    FluxRecord,
+    SurfacePast,
+    extrapolated_flux,
+    residual_rise,
+)
 
 __all__ = [
     "NOT_CONVERGED",
@@ -23,17 +28,18 @@ __all__ = [
     "NO_MEMORY",
     "NO_SENSE",
     "DryContact",
-    "FluxHistory",
-    "FluxReading",
+    "FluxRecord",
     "HeatStorage",
     "KernelError",
     "LineFilm",
     "PointFilm",
+    "SurfacePast",
     "compiled_with",
     "dry_contact",
     "elastic_deflection",
+    "extrapolated_flux",
     "level_positions",
     "prolong",
     "prolong_levels",
-    "remembered_flux",
+    "residual_rise",
 ]

@@ -22,7 +22,8 @@ module bindings
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
     film_heat_fields, film_profile
   public :: cell_press, cell_conduct
-  public :: prolong_cubic, integrate_remembered_flux, level_positions, flow_tables
+  public :: prolong_cubic, level_positions, flow_tables
+  public :: heated_times, extrapolated_flux, surface_residual_rise
   public :: compiled_with, status_text, watch_signals
 
 contains
@@ -704,26 +705,47 @@ contains
     call interpolate_cubic(coarse, fine)
   end subroutine prolong_cubic
 
-  !> Integral over the age of heat of the flux that places of a surface met, less the present one along a steady way.
-  !>
-  !> `ages` are age, weight and share of each reading, `ways` the way of the surface since then.
-  subroutine integrate_remembered_flux(flux, present, mx, my, times, first, spacing, ages, intervals, ways, count, turning, &
-      at_origin, x, nx, y, ny, u, v, integral)
-    use pyworm_remembered_flux, only: flux_reading, moving_axes, remembered_flux, surface_motion
-    integer(c_int), intent(in) :: mx, my, times, count, nx, ny
-    real(c_double), intent(in) :: flux(mx, my, times), present(mx, my, times), first(2, times), spacing(2, times)
-    real(c_double), intent(in) :: ages(3, count), ways(2, count), turning, at_origin(2), x(nx), y(ny), u(nx, ny), v(nx, ny)
-    integer(c_int), intent(in) :: intervals(count)
-    real(c_double), intent(out) :: integral(nx, ny)
-    type(flux_reading) :: readings(count)
-    type(moving_axes) :: axes(times)
+  !> Numbers of the times, the present the first, whose fluxes count for a surface (`residual_rise`), of which there are `count`.
+  subroutine heated_times(ages, times, nx, ny, spacing, velocity, diffusivity, chosen, count)
+    use pyworm_residual_rise, only: chosen_times
+    integer(c_int), intent(in) :: times, nx, ny
+    real(c_double), intent(in) :: ages(times), spacing(2), velocity(2), diffusivity
+    integer(c_int), intent(out) :: chosen(times), count
+    integer, allocatable :: numbers(:)
+
+    allocate (numbers, source=chosen_times(ages, [nx, ny], spacing, velocity, diffusivity))
+    count = size(numbers)
+    chosen = 0
+    chosen(:count) = numbers
+  end subroutine heated_times
+
+  !> Present flux into both bodies by the last two (`residual_rise`).
+  subroutine extrapolated_flux(latest, before, nodes, ahead, flux)
+    use pyworm_residual_rise, only: onward_flux
+    integer(c_int), intent(in) :: nodes
+    real(c_double), intent(in) :: latest(nodes, 2), before(nodes, 2), ahead
+    real(c_double), intent(out) :: flux(nodes, 2)
+
+    call onward_flux(latest(:, 1), latest(:, 2), before(:, 1), before(:, 2), ahead, flux(:, 1), flux(:, 2))
+  end subroutine extrapolated_flux
+
+  !> What a surface is warmer than by steady conduction [K] (`residual_rise`); `flux` is that of the times `chosen`.
+  subroutine surface_residual_rise(ages, velocities, times, chosen, flux, nx, ny, count, first, spacing, body, turning, u, v, &
+      rise)
+    use pyworm_remembered_flux, only: moving_axes
+    use pyworm_residual_rise, only: residual_rise, surface_past
+    integer(c_int), intent(in) :: times, nx, ny, count
+    real(c_double), intent(in) :: ages(times), velocities(2, times), flux(nx, ny, count), first(2, count), spacing(2, count)
+    integer(c_int), intent(in) :: chosen(count)
+    real(c_double), intent(in) :: body(2), turning, u(nx, ny), v(nx, ny)
+    real(c_double), intent(out) :: rise(nx, ny)
+    type(moving_axes) :: axes(count)
     integer :: k
     !f2py threadsafe
 
-    readings = [(flux_reading(ages(1, k), ages(2, k), intervals(k), ages(3, k), ways(:, k)), k=1, count)]
-    axes = [(moving_axes(first(:, k), spacing(:, k)), k=1, times)]
-    call remembered_flux(flux, present, axes, readings, surface_motion(turning, at_origin), x, y, u, v, integral)
-  end subroutine integrate_remembered_flux
+    axes = [(moving_axes(first(:, k), spacing(:, k)), k=1, count)]
+    call residual_rise(surface_past(ages, velocities, chosen, flux, axes), body(1), body(2), turning, u, v, rise)
+  end subroutine surface_residual_rise
 
   !> Tables of the thinning of a flow law by its curve, stress over Newtonian stress; see `flow_table`.
   subroutine flow_tables(newtonian, stress, points, cells, by_stress, by_rate, per_log)

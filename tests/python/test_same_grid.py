@@ -15,7 +15,13 @@ from pyworm import kernel
 from pyworm.kernel.core import KernelError
 from pyworm.materials.rough_surfaces import RoughPair, RoughSurface
 from pyworm.materials.tabulated import TabulatedViscosity
+from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.differences import backward_weights
+from pyworm.solver.transient.heat_memory import (
+    HeatedTimeLevel,
+    residual_rise,
+    velocities_at_origin,
+)
 
 TOLERANCE = 1e-10
 WARM = 1e-8
@@ -59,18 +65,22 @@ class Roller:
             self.dry[1:-1] = (self.dry[:-2] + 2 * self.dry[1:-1] + self.dry[2:]) / 4
         self.dry *= self.load / (self.dry.sum() * self.dx)
 
-    def film(self, oil, supply=None):
-        """The Newtonian film, from the dry contact lifted by the expected film."""
-        film = kernel.LineFilm(
+    def unstarted(self, oil, factor=1.0):
+        """The Newtonian film under a factor of the load."""
+        return kernel.LineFilm(
             self.x**2 / (2 * RADIUS),
             np.ones(self.x.size, bool),
             np.ones(self.x.size),
             self.dx,
             MODULUS,
-            self.load,
+            factor * self.load,
             oil,
             1e-10,
         )
+
+    def film(self, oil, supply=None):
+        """The Newtonian film, from the dry contact lifted by the expected film."""
+        film = self.unstarted(oil)
         if supply is not None:
             film.feed(np.full(self.x.size, supply))
         film.start(self.dry, 0.0)
@@ -136,6 +146,49 @@ def test_a_roller_in_liquids_with_flow_laws_of_ones_own(linked):
         friction = abs(film.shear_fields().stress[0].sum()) * roller.dx / roller.load
         expected = [film.thickness().min(), film.pressure.max(), friction]
         assert printed == pytest.approx(expected, rel=CLOSE)
+
+
+def test_a_roller_whose_surfaces_remember_heat(linked):
+    steps, speeds = 8, (1.2, 0.8)
+    found = np.reshape(numbers(linked(EXAMPLES / "warming_line.f90")), (steps, 3))
+    flow = pyworm.FlowLaw("eyring", stress=5e6)
+    heat = pyworm.OilHeat(333.15, 1.1, 0.14, 2000.0, expansivity=7e-4)
+    oil = pyworm.Oil(pyworm.Roelands(0.04, 0.6), DENSITY, flow, heat)
+    steel = pyworm.Body(MODULUS * 0.91, 0.3, 7850.0, 47.0, 3.7e6 / 7850.0, 333.15)
+    scene = pyworm.LineScene(
+        gap=pyworm.Parabola(RADIUS),
+        load=Roller.load,
+        velocities=speeds,
+        bodies=(steel, steel),
+        oil=oil,
+    )
+    roller, grid = Roller(131), LineGrid(Roller(131).dx, -100, 131)
+
+    def warmed(film, rise=None):
+        film.shear(flow, 7, [np.full(131, speeds[0] - speeds[1])])
+        film.heat(oil, (steel, steel), speeds, rise)
+
+    film = solved(roller.film(oil))
+    pressure, rigid_film = film.pressure, film.rigid_film
+    warmed(film)
+    film.start(pressure, rigid_film)
+    solved(film, WARM)
+    times, contents, history = [0.0], [film.fields()[0] * film.fields()[1]], []
+    for step in range(1, steps + 1):
+        flux, origin = film.heat_fields().flux, velocities_at_origin(scene)
+        history.insert(0, HeatedTimeLevel(times[0], grid, flux, origin))
+        times = [step * 38 * roller.dx / steps, *times[:3]]
+        implicit, *earlier = backward_weights(times)
+        rate = sum(weight * content for weight, content in zip(earlier, contents, strict=True))
+        last, film = film, roller.unstarted(oil, 1 + 0.5 * sin(pi * step / steps))
+        film.set_transient_term(implicit, rate)
+        warmed(film, last.rise())
+        film.remember(residual_rise(history, scene, grid, grid, times[0], 0.0))
+        film.start(last.pressure, last.rigid_film)
+        thickness, density, _ = solved(film, WARM).fields()
+        contents = [thickness * density, *contents[:2]]
+        walls = film.rise()[:, [0, -1]].max(axis=0)
+        assert found[step - 1] == pytest.approx([thickness.min(), *walls], rel=CLOSE)
 
 
 class Ball:
