@@ -51,10 +51,10 @@ def extrapolated_flux(latest: Array, before: Array, ahead: float) -> Array:
 
     `ahead` is the time since the last over that between them.
     """
-    flux: Array = core.bindings.extrapolated_flux(
-        *(fortran_array(one.reshape(-1, 2)) for one in (latest, before)), ahead
+    present: Array = core.bindings.extrapolated_flux(
+        *(fortran_array(flux.reshape(-1, 2)) for flux in (latest, before)), ahead
     )
-    return flux.reshape(latest.shape)
+    return present.reshape(latest.shape)
 
 
 def residual_rise(
@@ -80,7 +80,7 @@ def residual_rise(
     u, v = velocity if len(velocity) == 2 else (velocity[0], np.zeros(shape))
     rise: Array = core.bindings.surface_residual_rise(
         past.ages,
-        fortran_array([_two(one, 0.0) for one in past.velocities]).T,
+        fortran_array([_two(velocity, 0.0) for velocity in past.velocities]).T,
         np.array(chosen, dtype=np.int32) + 1,
         fortran_array(np.stack([record.flux.reshape(nodes) for record in records], axis=-1)),
         fortran_array(np.transpose([_two(record.first, 0.0) for record in records])),

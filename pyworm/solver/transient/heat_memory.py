@@ -100,7 +100,7 @@ def residual_rise(
         rise = kernel.residual_rise(
             past,
             chosen,
-            [_record(known[one], number, nodes) for one in chosen],
+            [_record(known[place], number, nodes) for place in chosen],
             body,
             turning,
             [component[nodes] for component in velocity],
