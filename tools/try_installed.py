@@ -58,10 +58,11 @@ def main(folder: Path, notebook: Path) -> None:
     script = code(notebook)
     folder.mkdir(parents=True, exist_ok=True)
     print(pyworm(folder, "--version").strip())
-    examples = names(folder)
-    for name in examples:
-        pyworm(folder, "example", name)
-    seconds = {name: expected(folder, name) for name in examples}
+    rated = [name for name in names(folder) if "pyworm rate" in pyworm(folder, "example", name)]
+    for name in rated:
+        pyworm(folder, "rate", f"{name}.toml")
+    solved = [name for name in names(folder) if name not in rated]
+    seconds = {name: expected(folder, name) for name in solved}
     for name in cheapest(seconds):
         how = *ACCURACY, "--pictures", "none", "--out", f"results/{name}"
         pyworm(folder, "run", f"{name}.toml", *how)

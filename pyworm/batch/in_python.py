@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor
 from contextlib import AbstractContextManager, contextmanager
+from numbers import Integral
 from pathlib import Path
 from typing import Any
 from warnings import warn
@@ -10,6 +11,7 @@ from warnings import warn
 from pyworm.batch.workers import executor_of
 from pyworm.case.case import Case, load
 from pyworm.io.console import progress_bar
+from pyworm.io.given import text
 from pyworm.io.progress import Progress
 from pyworm.io.terminal import print_message
 from pyworm.scene.plausibility import UnusualWarning
@@ -28,9 +30,11 @@ def as_case(case: CaseLike) -> Case:
 
 def executor(processes: int, scheduler: str | None) -> AbstractContextManager[Executor | None]:
     """The processes that solve, on this machine or those of a scheduler; None for this one."""
-    if isinstance(processes, bool) or not isinstance(processes, int) or processes < 1:
+    if isinstance(processes, bool) or not isinstance(processes, Integral) or processes < 1:
         raise ValueError(f"processes = {processes!r:.40}: must be a whole number from 1")
-    return executor_of(processes, scheduler)
+    if scheduler is not None:
+        text("scheduler", scheduler)
+    return executor_of(int(processes), scheduler)
 
 
 @contextmanager

@@ -7,8 +7,9 @@ from warnings import warn
 
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
+from pyworm.formulas.ranges import scalar
 from pyworm.io import units
-from pyworm.io.given import Names, WithUnit, kind_of, number
+from pyworm.io.given import Names, WithUnit, kind_of, number, row, text
 from pyworm.io.input_error import CaseError
 from pyworm.io.stage import stage
 from pyworm.planning.effects.selection import effect_names, quantity_names
@@ -76,8 +77,18 @@ def requested(case: Case, request: Request) -> list[Task]:
     def said(sentence: str) -> None:
         warn(f"{case.name}: {sentence}", UnusualWarning, stacklevel=4)
 
-    wanted = {place: request.get(name) for place, name in PLACES.items()}
+    wanted = {place: _listed(name, request.get(name)) for place, name in PLACES.items()}
     return planned(case, requested_places(case, wanted, say=said), request)
+
+
+def _listed(name: str, values: Any) -> tuple[Any, ...] | None:
+    """Places in a row, sections by their names and others by numbers; ValueError of anything else."""
+    if values is None:
+        return None
+    given = row(name, values)
+    if name == PLACES["section"]:
+        return tuple(text(f"{name}[{place}]", value) for place, value in enumerate(given))
+    return tuple(scalar(f"{name}[{place}]", value) for place, value in enumerate(given))
 
 
 def requested_places(

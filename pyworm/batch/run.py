@@ -10,6 +10,7 @@ from pyworm.batch.drive_iteration import run_balanced
 from pyworm.batch.in_python import CaseLike, as_case, executor, messages, progress_of
 from pyworm.batch.request import Request, requested, takes_request
 from pyworm.batch.uncertain_run import require_uncertain, with_input_uncertainty
+from pyworm.formulas.ranges import one_of
 from pyworm.io.progress import Progress
 from pyworm.result.result import Result
 from pyworm.scene.plausibility import UnusualWarning
@@ -49,6 +50,7 @@ def run(
         CaseError: Invalid input, or a contact that cannot be planned.
         NothingSolvedError, NotSolvedError: No contact has a solution, or one with a moved input has none.
     """
+    one_of("fields", fields, ("rounded", "full"))
     case = as_case(case)
     if inputs_uncertain:
         require_uncertain(case)

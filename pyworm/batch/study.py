@@ -82,6 +82,10 @@ def sweep(
                 quantity_names(quantities),
                 largest_grid,
             )
+            if together is not None and not isinstance(together, Mapping):
+                raise ValueError(
+                    f'together = {together!r:.40}: must be values by name, such as {{"load": (10, 20)}}'
+                )
             axes = [{name: values} for name, values in vary.items()] + [together or {}]
             study = _study(make, title, axes, (_accuracy(accuracy), *how), pool is not None)
         found = run_sweep(study, folder, fields, pool, told, messages(progress))
@@ -186,7 +190,7 @@ def _study(
 
 def _in_step(axis: Mapping[str, Sequence[Any]]) -> list[dict[str, Any]]:
     """The values of names that vary together, one by one; ValueError where one has more."""
-    counts = {name: len(values) for name, values in axis.items()}
+    counts = {name: len(row(name, values)) for name, values in axis.items()}
     if len(set(counts.values())) > 1:
         listed = ", ".join(f"{name} has {count} values" for name, count in counts.items())
         raise ValueError(f"together: {listed}; give the same number")

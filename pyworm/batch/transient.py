@@ -22,7 +22,7 @@ from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.history import History, Interpolated, OverTime
 from pyworm.scene.life import Past
 from pyworm.scene.line import LineScene, Parabola
-from pyworm.scene.point import Paraboloid, RigidMotion
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 from pyworm.scene.waves import velocities
 from pyworm.solver.solve import solve
 
@@ -81,6 +81,8 @@ def transient(
         ValueError: Times that do not rise, values of another number than the times, a contact that never
             moves under load, or of which no transient film was found.
     """
+    if not isinstance(scene, Scene | LineScene):
+        raise ValueError(f"scene is a {type(scene).__name__}: must be a Scene or a LineScene")
     knots = _times(times)
     laws = {"load": load, "speed": speed, "sliding": sliding, "separation": separation}
     history = _history(scene, knots, laws, radii)

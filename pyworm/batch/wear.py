@@ -13,6 +13,7 @@ from pyworm.batch.request import requested
 from pyworm.batch.wear_run import STATE, WearFigures, WearPlan, WearRun, worm_duty
 from pyworm.case.case import Case
 from pyworm.drives.duty import WormDuty
+from pyworm.formulas.ranges import scalar
 from pyworm.formulas.unknown import Unknown, attempt, known
 from pyworm.formulas.wear_law import (
     WEAR_ACCURACY,
@@ -214,7 +215,9 @@ def wear(
 def require_above_zero(sizes: dict[str, float | None], prefix: str = "") -> None:
     """Refuse numbers that are not above zero; CaseError with their names."""
     for name, value in sizes.items():
-        if value is not None and not (isfinite(value) and value > 0):
+        if value is None:
+            continue
+        if not (isfinite(value := scalar(f"{prefix}{name}", value)) and value > 0):
             raise CaseError(f"{prefix}{name} = {value:g}: must be above zero")
 
 

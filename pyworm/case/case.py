@@ -360,6 +360,10 @@ def load(source: str | Path | Mapping[str, Any], name: str = "case") -> Case:
     """
     if isinstance(source, Mapping):
         return case_of(as_file(source, name, _model(source)), name, Path())
+    if not isinstance(source, str | Path):
+        raise CaseError(
+            f"case = {source!r:.40}: must be the path of a case file, its tables as a dictionary, or a Case"
+        )
     path = Path(source)
     data = read_toml(path)
     try:

@@ -32,6 +32,12 @@ def example(name: str) -> tuple[Path, ...]:
     return path, *(path.parent / file for file in named)
 
 
+def first_command(path: Path) -> str:
+    """Command by which a case is looked at first: `rate` where it has ratings alone, `check` otherwise."""
+    tables = tomllib.loads(path.read_text(encoding="utf-8"))
+    return "check" if {"drive", "contact"} & tables.keys() else "rate"
+
+
 def _folder() -> Path:
     """Folder of the tested cases: in the installed package, or next to it in the repository."""
     installed = PACKAGE / "cases"

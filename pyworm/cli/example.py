@@ -4,7 +4,7 @@ import argparse
 import shutil
 from pathlib import Path
 
-from pyworm.case.shipped import example, examples
+from pyworm.case.shipped import example, examples, first_command
 from pyworm.cli.shared import CONVERGED
 from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
@@ -35,7 +35,7 @@ def _example(options: argparse.Namespace) -> int:
         with whole_file(options.out / file.name) as partial:
             shutil.copyfile(file, partial)
     path = options.out / files[0].name
-    print_result(f"{path}. Next: pyworm check {path}")
+    print_result(f"{path}. Next: pyworm {first_command(files[0])} {path}")
     return CONVERGED
 
 

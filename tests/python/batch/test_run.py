@@ -53,6 +53,34 @@ def test_a_contact_that_cannot_be_planned_is_refused():
         pyworm.check(CASE, effects="film-heating")
 
 
+@pytest.mark.parametrize(
+    ("call", "given", "sentence"),
+    [
+        (pyworm.load, {"source": 3}, "case = 3: must be the path of a case file, its tables"),
+        (pyworm.check, {"case": CASE, "phases": 0.5}, r"phases = 0.5: must be several values"),
+        (pyworm.check, {"case": CASE, "phases": ("a",)}, r"phases\[0\] = 'a': must be a number"),
+        (pyworm.check, {"case": CASE, "sections": (1,)}, r"sections\[0\] = 1: must be a text"),
+        (pyworm.run, {"case": CASE, "fields": "half"}, 'fields = "half": must be one of "rounded"'),
+        (pyworm.run, {"case": CASE, "processes": 1.5}, "processes = 1.5: must be a whole number"),
+        (pyworm.run, {"case": CASE, "scheduler": 3}, "scheduler = 3: must be a text"),
+        (pyworm.sweep, {"make": max, "load": 3}, "load = 3: must be several values"),
+        (pyworm.sweep, {"make": max, "together": 3}, "together = 3: must be values by name"),
+        (pyworm.transient, {"scene": 3, "times": (0, 1)}, "scene is a int: must be a Scene or a"),
+    ],
+)
+def test_wrong_types_are_refused_by_name(call, given, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        call(**given, **({"progress": False} if call in (pyworm.run, pyworm.sweep) else {}))
+
+
+@pytest.mark.parametrize(("name", "command"), [("oil_zi", "rate"), ("point_m20_l10", "check")])
+def test_an_example_names_the_command_that_shows_it(name, command, tmp_path, capsys):
+    assert main(["example", name, "--out", str(tmp_path)]) == 0
+    assert f"Next: pyworm {command} {tmp_path / name}.toml" in capsys.readouterr().out.replace(
+        "\n", ""
+    )
+
+
 def test_what_has_nothing_to_be_rated_or_set_up_is_refused():
     case = pyworm.load(CASE)
     with pytest.raises(pyworm.CaseError, match="only drives of kind"):
