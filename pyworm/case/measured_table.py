@@ -99,13 +99,18 @@ def _measurements(text: str) -> tuple[Measurement, ...]:
         raise ValueError("holds no measurements: a line of headings, then a line for each")
     if len(lines) > MAX_ROWS:
         raise ValueError(f"has {len(lines)} lines, {MAX_ROWS} at most are read")
-    head, *rows = csv.reader([line for _, line in lines], skipinitialspace=True)
+    head, *rows = (_cells(line) for _, line in lines)
+    if len(head) == 1 and re.search(r"[;\t]", head[0]):
+        raise ValueError("columns are separated by commas, not by semicolons or tabs")
     columns = [_column(cell.strip()) for cell in head]
     _check_columns(columns)
     found: list[Measurement] = []
     for (number, _), row in zip(lines[1:], rows, strict=True):
         if len(row) != len(columns):
-            raise ValueError(f"line {number}: has {len(row)} cells, the heading has {len(columns)}")
+            hint = "; decimals follow a point, not a comma" if len(row) > len(columns) else ""
+            raise ValueError(
+                f"line {number}: has {len(row)} cells, the heading has {len(columns)}{hint}"
+            )
         cells = [cell.strip() for cell in row]
         try:
             found += _of_row(number, dict(zip(columns, cells, strict=True)))
@@ -114,6 +119,14 @@ def _measurements(text: str) -> tuple[Measurement, ...]:
     if not found:
         raise ValueError("holds no measurements: all cells of measured quantities are empty")
     return tuple(found)
+
+
+def _cells(line: str) -> list[str]:
+    """Cells of one line; a quoted one ends with it."""
+    try:
+        return next(csv.reader([line], skipinitialspace=True))
+    except csv.Error as error:
+        raise ValueError(f'"{shortened(line)}": {error}') from None
 
 
 def _column(cell: str) -> _Column:
@@ -177,7 +190,7 @@ def _of_row(line: int, row: Mapping[_Column, str]) -> list[Measurement]:
         beside, text = uncertainties[column.name]
         if kind.unit == "K":
             kind = kind_of(units.TemperatureRise)
-        standard = _in_kind(beside.name, text, beside.unit, kind)
+        standard = _number(beside.name, text) and _in_kind(beside.name, text, beside.unit, kind)
         if standard <= 0:
             raise ValueError(f"{beside.name} = {text}: must be a standard uncertainty above zero")
         found.append(Measurement(line, column.name, value, standard, conditions, place))
@@ -210,7 +223,7 @@ def _written(column: _Column, cell: str) -> Any:
 def _in_kind(name: str, cell: str, unit: str, kind: Kind) -> float:
     """A cell in SI; ValueError of what is no number, or has a unit of another kind."""
     number = _number(name, cell)
-    if number == 0:
+    if number == 0 and not kind.unit:  # the efficiency of a gear set that locks itself
         return 0.0
     try:
         return parse(f"{number!r} {unit}".rstrip(), kind)

@@ -38,6 +38,16 @@ def test_rows_are_read_in_si(tmp_path):
     assert (first.value, second.value) == (pytest.approx(0.8), pytest.approx(0.81))
 
 
+def test_a_zero_in_degrees_celsius_is_none_in_kelvin(tmp_path):
+    head = "contact.load [N], {0} [{1}], u({0}) [{2}]"
+    cold = head.format("sump_temperature", "degC", "K")
+    (found,) = read_measured(written(tmp_path / "cold.csv", cold, "20, 0, 1"))
+    assert found.value == pytest.approx(273.15)
+    locked = head.format("efficiency", "%", "%")
+    (found,) = read_measured(written(tmp_path / "locked.csv", locked, "20, 0, 1"))
+    assert found.value == 0.0
+
+
 @pytest.mark.parametrize(
     ("lines", "sentence"),
     [
@@ -57,6 +67,11 @@ def test_rows_are_read_in_si(tmp_path):
         ([HEAD, "20, 100, "], "line 2: u(film_central) = : must be a number"),
         ([HEAD, "20, 100"], "line 2: has 2 cells, the heading has 3"),
         ([HEAD, "20, , 3"], "all cells of measured quantities are empty"),
+        ([HEAD, "20, 0, 3"], "line 2: film_central = 0 nm: must be a film greater than zero"),
+        ([HEAD, "20, 0,1, 3"], "has 4 cells, the heading has 3; decimals follow a point, not a comma"),
+        ([HEAD.replace(",", ";"), "20; 100; 3"], "columns are separated by commas, not by semicolons"),
+        ([HEAD, '"20', '", 100, 3'], "line 2: has 1 cells"),
+        ([HEAD, "20, 100, 3" + 200_000 * "x"], "field larger than field limit"),
         ([f"{HEAD}, phase, phase", "20, 100, 3, 1, 1"], "column phase is there twice"),
     ],
 )  # fmt: skip
