@@ -14,6 +14,9 @@ from pyworm.io.input_error import CaseError, sentence, toml
 from pyworm.io.plain_values import Text
 from pyworm.io.toml import read_toml
 
+LAST_DIGIT = 1.01e-4
+"""Difference of two correlations that are equal but for their rounding."""
+
 Row = list[Annotated[float, Field(ge=-1, le=1)]]
 
 
@@ -25,11 +28,13 @@ class FittedTable(Table):
     correlation: list[Row] | None = None
 
     def flaws(self) -> Iterator[str]:
-        """Correlations that are no square table of all values."""
+        """Correlations that are no square table of all values, or not those of pairs."""
         size = len(self.values)
         rows = self.correlation
         if rows is not None and [len(row) for row in rows] != [size] * size:
             yield f"correlation: must be a table of {size} rows and columns, as there are values"
+        elif rows is not None and not _of_pairs(rows):
+            yield "correlation: must be symmetric, with 1 for each value and itself"
 
     def correlations(self) -> dict[tuple[str, str], float]:
         """Correlation of each two values."""
@@ -37,6 +42,15 @@ class FittedTable(Table):
             return {}
         numbered = combinations(enumerate(self.values), 2)
         return {(first, second): self.correlation[i][j] for (i, first), (j, second) in numbered}
+
+
+def _of_pairs(rows: Sequence[Sequence[float]]) -> bool:
+    """Whether a square table is symmetric and has ones on its diagonal, to its last digit."""
+    return all(
+        abs(entry - (1 if i == j else rows[j][i])) <= LAST_DIGIT
+        for i, row in enumerate(rows)
+        for j, entry in enumerate(row)
+    )
 
 
 @dataclass(frozen=True)

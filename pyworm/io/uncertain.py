@@ -102,9 +102,10 @@ def _width(text: str, value: float, unit: str) -> float:
             )
         width, written = abs(value) * width / 100, unit
     if unit_of(written or unit).powers != unit_of(unit).powers:
-        raise ValueError(
-            f'"{text.strip()}": must be in a unit of the same kind as "{unit}", or in %'
+        wanted = (
+            f'in a unit of the same kind as "{unit}"' if unit else "without unit, as its value is"
         )
+        raise ValueError(f'"{text.strip()}": must be {wanted}, or in %')
     if width < 0:
         raise ValueError(f'"{text.strip()}": must be zero or more')
     return width * unit_of(written or unit).factor / unit_of(unit).factor

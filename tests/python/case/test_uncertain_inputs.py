@@ -70,6 +70,11 @@ def test_texts_are_no_inputs():
             '"contact.load" = "20 N"',
             "must be a table of 2 rows and columns",
         ),
+        (
+            'source = "a fit"\ncorrelation = [[1, 0.9], [-0.9, 1]]\n[values]\n"oil.viscosity.z" = 0.2\n'
+            '"contact.load" = "20 N"',
+            "correlation: must be symmetric",
+        ),
     ],
 )
 def test_a_bad_file_of_fitted_values_is_refused(tmp_path, text, sentence):

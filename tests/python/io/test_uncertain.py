@@ -33,6 +33,7 @@ def test_a_quantity_has_a_value_and_a_standard_uncertainty_in_its_unit(text, val
     [
         ("60 degC +- 2 %", "a difference in K"),
         ("5 N +- 1 m", "unit of the same kind"),
+        ("5 +- 1 N", "must be without unit, as its value is, or in %"),
         ("5 N +- -1 N", "zero or more"),
         ("212 nm to 206 nm", "from the smaller value to the larger one"),
         ("2 mm to 3 N", "unit of the same kind"),
