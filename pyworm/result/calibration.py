@@ -170,6 +170,8 @@ class Calibration(Shown):
 
     def _determined(self) -> Sequence[str]:
         names = [value.name for value in self.values]
+        if not self.combinations:
+            return []
         known = [found for found in self.combinations if found.determined]
         if len(known) == len(self.combinations) and known:
             worst = known[-1]
@@ -181,9 +183,9 @@ class Calibration(Shown):
         unknown = " and ".join(
             found.words(names) for found in self.combinations if not found.determined
         )
-        return [
-            f"The data fix only {fixed or 'nothing'}: they do not determine {unknown or 'the rest'}."
-        ]
+        if not known:
+            return [f"The data do not determine {unknown}."]
+        return [f"The data fix only {fixed}: they do not determine {unknown}."]
 
     def _correlated(self) -> Sequence[str]:
         return [
@@ -242,6 +244,9 @@ class Calibration(Shown):
             f"fitted by pyworm calibrate to {len(self.rows)} measurements of {self.data_name}, case "
             f"{self.case_name}"
         )
+        exact = [value.name for value in self.values if not 0 < value.standard < inf]
+        if exact:
+            source += f"; without uncertainty, not determined or at a bound: {', '.join(exact)}"
         with whole_file(path) as partial:
             partial.write_text(fitted_file(source, values, matrix), encoding="utf-8")
         return path

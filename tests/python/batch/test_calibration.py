@@ -9,7 +9,7 @@ from folders import ROOT
 
 import pyworm
 from pyworm.batch.calibrate import calibration
-from pyworm.batch.calibration import Bench, fitted
+from pyworm.batch.calibration import Bench, Responses, fitted
 from pyworm.batch.operating_points import NotSolvedError, OperatingPoint, Solving
 from pyworm.case.measured_table import Measurement
 from pyworm.case.parameters import parameters
@@ -84,6 +84,46 @@ def test_exact_films_give_the_truth(rig, films):
     assert "The data determine every free value" in found.statements[0]
 
 
+class StraightBench:
+    """A bench whose responses are straight in the parameters, far from their start."""
+
+    start = np.array([3.0, 0.5])
+    bounds = (start / 5, start * 5)
+    logarithmic = np.zeros(8, bool)
+    uncertainties = np.array([0.13, 0.21, 0.25, 0.17, 0.11, 0.29, 0.15, 0.22])
+    lines = np.c_[np.ones(8), np.linspace(1, 5, 8)]
+    measured = lines @ [1.5, 0.8] + uncertainties * [0.4, -1.1, 0.9, 0.2, -0.6, 1.8, -1.5, 0.3]
+    rows = range(8)
+
+    def responses(self, every):
+        return [Responses(self.lines @ values, np.zeros(8)) for values in every]
+
+    def exact(self, chosen):
+        """Parameters and their covariance by the normal equations of some rows."""
+        weighted = (self.lines / self.uncertainties[:, None])[chosen]
+        inverse = np.linalg.inv(weighted.T @ weighted)
+        return inverse @ weighted.T @ (self.measured / self.uncertainties)[chosen], inverse
+
+
+def test_statistics_of_a_straight_model_are_those_of_the_normal_equations():
+    """Uncertainties come from slopes at the optimum, not from a parabola half of the start away."""
+    straight = StraightBench()
+    found = fitted(straight)
+    values, covariance = straight.exact(slice(None))
+    residuals = (straight.measured - straight.lines @ values) / straight.uncertainties
+    enlargement = max(1.0, float(np.sqrt(residuals @ residuals / 6)))
+    standard = enlargement * np.sqrt(np.diag(covariance))
+    assert found.values == pytest.approx(values, rel=1e-3)
+    assert found.statistics.standard == pytest.approx(standard, rel=0.02)
+    # Student's t for 6 degrees of freedom
+    assert found.statistics.half_widths == pytest.approx(2.4469 * standard, rel=0.02)
+    left_out = [
+        straight.measured[row] - straight.lines[row] @ straight.exact(np.arange(8) != row)[0]
+        for row in range(8)
+    ]
+    assert found.leave_one_out == pytest.approx(np.array(left_out), abs=2e-3)
+
+
 def test_films_of_one_regime_fix_a_product_alone(tmp_path):
     """At one load far in the piezoviscous regime both raise films alike."""
     rig = bench(tmp_path, (20,), speeds=(0.1, 0.2, 0.4))
@@ -94,14 +134,24 @@ def test_films_of_one_regime_fix_a_product_alone(tmp_path):
     assert re.match(r"The data fix only z\^0\.\d+ oil\.viscosity\.eta0 \(to", sentence)
 
 
-def test_a_value_beyond_its_bound_is_held_there(rig, films):
+def test_a_value_beyond_its_bound_is_held_there(rig, films, tmp_path):
     case = rig.case
     held = replace(rig, parameters=parameters(case, ["z = 0.3 to 0.5", FITTED[1]]))
     found = calibration(measured(held, films), "films.csv")
     assert found["z"].at_bound and found["z"].value == pytest.approx(0.3)
     assert found["z"].standard == 0
+    assert "or at a bound: z" in found.save(tmp_path / "fitted.toml").read_text()
     assert any("z is at its bound" in sentence for sentence in found.statements)
     assert any("times the stated uncertainties" in sentence for sentence in found.statements)
+
+
+def test_what_the_data_cannot_see_is_said_without_a_nothing(rig, films):
+    blind = replace(rig, parameters=parameters(rig.case, ["oil.heat.conductivity"]))
+    found = calibration(measured(blind, films, error=1.0), "films.csv")
+    assert found.statements[0] == "The data do not determine oil.heat.conductivity."
+    held = replace(rig, parameters=parameters(rig.case, ["z = 0.3 to 0.5"]))
+    (sentence, *_) = calibration(measured(held, films), "films.csv").statements
+    assert sentence.startswith("z is at its bound")
 
 
 def test_a_case_takes_the_file_of_fitted_values(rig, films, tmp_path):
@@ -152,10 +202,12 @@ def test_a_contact_that_did_not_converge_ends_a_fit_with_the_reason(tmp_path, mo
 
 def test_what_a_case_does_not_compute_is_refused(rig):
     rows = tuple(replace(row, quantity="sump_temperature") for row in rig.rows)
-    with pytest.raises(pyworm.CaseError, match="line 2: sump_temperature is that of gears"):
+    with pytest.raises(
+        pyworm.CaseError, match="measurements, line 2: sump_temperature is that of gears"
+    ):
         replace(rig, rows=rows)
     friction = tuple(replace(row, quantity="friction_coefficient") for row in rig.rows)
-    with pytest.raises(pyworm.CaseError, match="line 2: film_rig does not compute friction_coeff"):
+    with pytest.raises(pyworm.CaseError, match="measurements, line 2: film_rig does not"):
         replace(rig, rows=friction)._of_rows([{}] * len(friction))
 
 
