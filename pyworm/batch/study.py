@@ -77,11 +77,7 @@ def sweep(
         if isinstance(make, str | Path):
             study = _of_file(make, vary, pool, told, store)
         else:
-            how = (
-                effect_names(effects),
-                quantity_names(quantities),
-                largest_grid,
-            )
+            how = effect_names(effects), quantity_names(quantities), largest_grid
             if together is not None and not isinstance(together, Mapping):
                 raise ValueError(
                     f'together = {together!r:.40}: must be values by name, such as {{"load": (10, 20)}}'
