@@ -117,7 +117,8 @@ def check(case: CaseLike, **request: Unpack[Request]) -> CheckedCase:
     """Check a case and plan its contacts, as the command `pyworm check`; nothing is solved.
 
     Args:
-        case, **request: As of `pyworm.run`.
+        case, accuracy, effects, quantities, phases, sections, stations, slide_roll_ratios: As of `pyworm.run`.
+        **request: These.
 
     Raises:
         CaseError: Invalid input, or a contact that cannot be planned.

@@ -40,7 +40,9 @@ def run(
         processes: Processes that solve; more than one need a script with `if __name__ == "__main__":`.
         scheduler: Address of a dask.distributed scheduler whose workers solve instead.
         progress: Whether a bar shows the progress, or what is called instead.
-        **request: Accuracy, effects, quantities and contacts, as of `Request`; by default the case's.
+        accuracy, effects, quantities: As of `pyworm.plan`; by default the case's.
+        phases, sections, stations, slide_roll_ratios: Which contacts; by default the case's.
+        **request: These.
 
     Returns:
         The solutions in order, `cycle` with the extremes of the mesh cycle, `mesh_loss` with loss and

@@ -54,8 +54,7 @@ def sweep(
         fields: Whether solutions are kept in full, or their scalars only.
         processes: Processes that solve; more than one need a script with `if __name__ == "__main__":`.
         scheduler: Address of a dask.distributed scheduler whose workers solve instead.
-        progress, title: Whether a bar shows the progress, or what is called
-            instead; heading of the table's picture.
+        progress, title: Whether a bar shows the progress, or what is called instead; heading of the picture.
         largest_grid: Nodes beyond which no grid is refined, which ends dear scenes unconverged; not of a
             sweep file.
         together: Values of arguments that vary together, such as those of `pyworm.draw`.

@@ -290,7 +290,7 @@ MESH_CYCLE = (
     Quantity("mesh_friction", "1", "mean friction coefficient of the teeth", "", "µ_m"),
     Quantity("mesh_efficiency", "1", "efficiency of the teeth", "%", "eta"),
     Quantity("unit_efficiency", "1", "efficiency of the gear unit", "%", "eta"),
-    Quantity("sump_temperature", "K", "sump temperature", "°C", "T_S"),
+    Quantity("sump_temperature", "K", "oil sump temperature", "°C", "T_S"),
     Quantity("wheel_torque", "N m", "torque of the wheel", "N m", "T_2"),
     Quantity("worm_torque", "N m", "torque of the worm", "N m", "T_1"),
     Quantity("wheel_turn", "rad", "transmission error (loaded)", "µrad"),

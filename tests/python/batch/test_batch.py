@@ -144,7 +144,7 @@ def test_stored_scalars_are_unchanged(reference, tmp_path):
 def test_a_key_depends_on_what_decides_a_solution_and_nothing_else(tmp_path):
     text = TRACTION.read_text()
 
-    def key(place=ContactIndex(slide_roll_ratio=0.5), accuracy=0.01, effects="auto", **changes):  # noqa: B008
+    def key(place=ContactIndex(slide_roll_ratio=0.5), accuracy=0.01, effects=("auto",), **changes):  # noqa: B008
         changed = text
         for old, new in changes.values():
             assert old in changed
@@ -164,7 +164,7 @@ def test_a_key_depends_on_what_decides_a_solution_and_nothing_else(tmp_path):
     unlike = [
         key(place=ContactIndex(slide_roll_ratio=0.6)),
         key(accuracy=0.02),
-        key(effects="isothermal"),
+        key(effects=("isothermal",)),
         key(load=('"41.33 N"', '"41.34 N"')),
         key(oil=('conductivity_c1 = "1.4 1/GPa"', 'conductivity_c1 = "1.5 1/GPa"')),
     ]

@@ -209,7 +209,11 @@ BAD = [
     ('"contact.load"', '"contact..load"', 'must be a dotted key, such as "motion.velocity_1[0]"'),
     ('"contact.load"', '"contact.load[2]"', "the case has no list with a place [2] there"),
     ('"contact.load"', '"contact.load.x"', "the case has no table with x there"),
-    ("[fixed]", 'effects = "hot"\n[fixed]', "effects = hot: hot is none of auto, all, isothermal"),
+    (
+        "[fixed]",
+        'effects = "hot"\n[fixed]',
+        'effects = "hot": hot is none of auto, all, isothermal',
+    ),
     ("[[vary]]", "[[vary", "not a TOML file"),
 ]
 

@@ -81,7 +81,7 @@ def test_a_heated_sliding_contact_has_every_model():
     ]
     assert not lacking
     assert [model.plan.model.heated for model in models] == [False, False, False, True, True]
-    assert models[-1].plan.on == chosen(scene("traction_steel", slide_roll_ratio=0.5), "all")
+    assert models[-1].plan.on == chosen(scene("traction_steel", slide_roll_ratio=0.5), ("all",))
 
 
 def test_rough_surfaces_are_the_last_model_and_every_model_has_a_colour():

@@ -8,14 +8,14 @@ from pyworm.solver.transient.time_records import Frame, TimeRecord, as_arrays, c
 
 def _moments(values):
     return [
-        TimeRecord(1e-3 * number, None, 10.0, (1.0,), {"film_min": value})
+        TimeRecord(1e-3 * number, None, 10.0, (1.0,), {"film_min": value, "film_central": value})
         for number, value in enumerate(values)
     ]
 
 
 def _bars(solves, present, at=2e-3):
     """Relative error bars of curves whose least error is 1 %."""
-    life = curves(solves, -1.0, "line", 0.25, 0.01, at, {"film_min": present}, None)
+    life = curves(solves, -1.0, "line", 0.25, 0.01, at, {"film_min": present}, None, 1e-3)
     return life["life_film_min_error"].values / life["life_film_min"].values
 
 
@@ -36,7 +36,7 @@ def test_the_larger_of_both_differences_counts():
 
 def test_a_figure_that_the_present_film_does_not_have_has_no_curve():
     """At other times of the life heat was called for."""
-    life = curves([_moments([2.0, 2.0])], -1.0, "line", 0.25, 0.01, 2e-3, {}, None)
+    life = curves([_moments([2.0, 2.0])], -1.0, "line", 0.25, 0.01, 2e-3, {}, None, 1e-3)
     assert "life_film_min" not in life and "life_load" in life
 
 

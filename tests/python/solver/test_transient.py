@@ -421,13 +421,18 @@ def test_after_a_reversal_the_error_is_one_and_a_half_of_the_last_change(ago, sh
     plan = pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",))
     grid = plan.grids[-1]
     backs = np.arange(4 * TRANSITS, -1, -1) * transit / 4
+    film = predicted(scene).film_central
+    figures = {"film_min": film, "film_central": film}
     records = tuple(
         TimeRecord(
-            TRANSITS * transit - back, None, scene.load, (1.0 - 2 * (back > ago * transit), 0.0), {}
+            TRANSITS * transit - back,
+            None,
+            scene.load,
+            (1.0 - 2 * (back > ago * transit), 0.0),
+            figures,
         )
         for back in backs
     )
-    film = predicted(scene).film_central
     rates = tuple(
         RateOfChange(grid, np.full(grid.shape, part * film / transit)) for part in (0.02, 0.04)
     )
