@@ -117,7 +117,8 @@ def check(case: CaseLike, **request: Unpack[Request]) -> CheckedCase:
     """Check a case and plan its contacts, as the command `pyworm check`; nothing is solved.
 
     Args:
-        case, accuracy, effects, quantities, phases, sections, stations, slide_roll_ratios: As of `pyworm.run`.
+        case, accuracy, effects, quantities: As of `pyworm.run`.
+        phases, sections, stations, slide_roll_ratios: Likewise.
         **request: These.
 
     Raises:
