@@ -18,7 +18,7 @@ OTHERS = {"model": "0.45", "numbers": "0.75"}
 def draw_input_uncertainty(found: InputUncertainty, case_name: str) -> Figure:
     """Bars in per cent of the result, of temperatures of its value in °C above 0 °C."""
     count = len(found.results)
-    size, room = (9.0, 0.62 * count + 1.7), (3.3, 0.2, 0.9, 0.1)
+    size, room = (10.5, 0.62 * count + 1.4), (3.3, 2.9, 0.6, 0.1)
     words = f"{case_name}  ·  standard uncertainty of the results"
     figure, (axes,) = placed_panels(size, words, room)
     colours = matplotlib.colormaps["viridis"](np.linspace(0.1, 0.9, len(found.inputs)))
@@ -31,7 +31,14 @@ def draw_input_uncertainty(found: InputUncertainty, case_name: str) -> Figure:
     axes.set_axisbelow(True)
     handles, labels = axes.get_legend_handles_labels()
     once = dict(zip(labels, handles, strict=True))
-    axes.legend(once.values(), once.keys(), frameon=False, fontsize="small", loc="best")
+    axes.legend(
+        once.values(),
+        once.keys(),
+        frameon=False,
+        fontsize="small",
+        loc="upper left",
+        bbox_to_anchor=(1.01, 1.0),
+    )
     return figure
 
 
@@ -42,7 +49,7 @@ def _named(each: UncertainResult) -> str:
 def _draw(
     axes: Axes, place: int, each: UncertainResult, inputs: tuple[str, ...], colours: np.ndarray
 ) -> None:
-    """Three bars of a result; that of the inputs is divided by their shares in its variance."""
+    """Up to three bars of a result; that of the inputs is divided by their shares in its variance."""
     quantity = each.quantity
     percent = 100 * quantity.scale / abs(quantity.number(each.value))
     left = 0.0
@@ -51,4 +58,6 @@ def _draw(
         axes.barh(place + BAR, width, BAR, left, color=colour, label=f"inputs: {key}")
         left += width
     for number, (name, width) in enumerate(zip(OTHERS, (each.model, each.numerical), strict=True)):
+        if not width > 0:  # no part in the result, and none in the legend
+            continue
         axes.barh(place - number * BAR, width * percent, BAR, color=OTHERS[name], label=name)
