@@ -29,6 +29,7 @@ module pyworm_band_preconditioner
     real(wp), allocatable :: row_scale(:)
   contains
     procedure :: solve
+    procedure :: solve_transposed
   end type band_model
 
 contains
@@ -86,5 +87,15 @@ contains
     x = x*self%row_scale
     call dgbtrs("N", size(x), half, half, 1, self%factors, size(self%factors, 1), self%pivots, x, size(x), info)
   end subroutine solve
+
+  !> Solves the transposed model for one right-hand side.
+  subroutine solve_transposed(self, x)
+    class(band_model), intent(in) :: self
+    real(wp), contiguous, intent(inout) :: x(:)
+    integer :: info
+
+    call dgbtrs("T", size(x), half, half, 1, self%factors, size(self%factors, 1), self%pivots, x, size(x), info)
+    x = x*self%row_scale
+  end subroutine solve_transposed
 
 end module pyworm_band_preconditioner

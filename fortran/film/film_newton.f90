@@ -32,7 +32,8 @@ module pyworm_film_newton
   public :: contact_conditions, newton_step
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
   public :: set_film, film_residual, film_step, set_ruptured
-  public :: set_system, film_direction, move_film, film_balance, acceptable, note_progress, search_step, first_row, last_row
+  public :: change_balance, set_system, film_direction, move_film, film_balance, acceptable, note_progress, search_step
+  public :: first_row, last_row
 
   !> Cycles of GMRES in a Newton step: most need a third of one, sheared films with thick inlets up to three.
   integer, parameter :: most_cycles = 4
@@ -109,6 +110,9 @@ module pyworm_film_newton
     procedure(wedge_flow), deferred :: wedge_flow
     procedure(transient_setter), deferred :: set_transient
     procedure(feeder), deferred :: feed
+    procedure(linearisation), deferred :: linearise_adjoint
+    procedure(transposed_derivative), deferred :: imbalance_adjoint
+    procedure(solve), deferred :: relax_adjoint
     procedure :: multiply
     procedure :: precondition
   end type film_contact
@@ -148,7 +152,18 @@ module pyworm_film_newton
       real(wp), contiguous, intent(out) :: change(:, :)
     end subroutine derivative
 
-    !> Solves approximately for the change of pressure by a change r of the imbalance, at a given rigid film.
+    !> Computes what the weights r of the imbalance count by the oil's pressure and by the film, of rough surfaces the gap between
+    !> mean planes: the transpose of `derivative`.
+    subroutine transposed_derivative(self, r, by_p, by_h)
+      import :: film_contact, wp
+      implicit none(type, external)
+      class(film_contact), intent(inout) :: self
+      real(wp), contiguous, intent(in) :: r(:, :)
+      real(wp), contiguous, intent(out) :: by_p(:, :), by_h(:, :)
+    end subroutine transposed_derivative
+
+    !> Solves approximately for the change of pressure by a change r of the imbalance, at a given rigid film; `relax_adjoint`
+    !> solves the transposed model.
     subroutine solve(self, r, dp)
       import :: film_contact, wp
       implicit none(type, external)

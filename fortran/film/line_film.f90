@@ -5,11 +5,11 @@ module pyworm_line_film
   use pyworm_half_plane, only: elastic_half_plane, new_half_plane
   use pyworm_kinds, only: wp
   use pyworm_line_reynolds, only: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, &
-    band_product
+    band_product, transposed_band_product
   use pyworm_line_shear, only: sheared_flow
   use pyworm_partial_film, only: fill_gap, feed_downstream
   use pyworm_reynolds, only: set_film_fields
-  use pyworm_status, only: status_ok, status_no_memory
+  use pyworm_status, only: status_bad_argument, status_ok, status_no_memory
   use pyworm_viscosity_density, only: oil_law
   implicit none(type, external)
   private
@@ -40,6 +40,9 @@ module pyworm_line_film
     procedure :: wedge_flow
     procedure :: set_transient
     procedure :: feed
+    procedure :: linearise_adjoint
+    procedure :: imbalance_adjoint
+    procedure :: relax_adjoint
   end type line_contact
 
 contains
@@ -135,6 +138,35 @@ contains
     if (.not. self%model%is_rough()) dp(:, 1) = merge(r(:, 1), 0.0_wp, self%free(:, 1))
     call self%bands%solve(dp(:, 1))
   end subroutine relax
+
+  !> The preconditioner of the transposed system is that of the system, factored once (`linearise`).
+  subroutine linearise_adjoint(self, stat)
+    class(line_contact), intent(inout) :: self
+    integer, intent(out) :: stat
+
+    stat = merge(status_ok, status_bad_argument, allocated(self%bands%factors))
+  end subroutine linearise_adjoint
+
+  !> Computes what the weights r of the imbalance count by the oil's pressure and by the film.
+  subroutine imbalance_adjoint(self, r, by_p, by_h)
+    class(line_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: r(:, :)
+    real(wp), contiguous, intent(out) :: by_p(:, :), by_h(:, :)
+
+    by_p(:, 1) = transposed_band_product(self%by_pressure, r(:, 1))
+    by_h(:, 1) = transposed_band_product(self%by_film, r(:, 1))
+  end subroutine imbalance_adjoint
+
+  !> Solves the transposed band model.
+  subroutine relax_adjoint(self, r, dp)
+    class(line_contact), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: r(:, :)
+    real(wp), contiguous, target, intent(out) :: dp(:, :)
+
+    dp(:, 1) = r(:, 1)
+    call self%bands%solve_transposed(dp(:, 1))
+    if (.not. self%model%is_rough()) dp(:, 1) = merge(dp(:, 1), 0.0_wp, self%free(:, 1))
+  end subroutine relax_adjoint
 
   !> Sums |um dg/dx| and the transient term of the gap g over the inner nodes [m/s].
   pure real(wp) function wedge_flow(self)

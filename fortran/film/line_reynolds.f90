@@ -12,7 +12,7 @@ module pyworm_line_reynolds
   implicit none(type, external)
   private
 
-  public :: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, band_product
+  public :: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, band_product, transposed_band_product
 
   !> Grid of the film: points, spacing [m], and kinematics [m/s].
   type :: line_grid
@@ -148,6 +148,21 @@ contains
       end associate
     end do
   end function band_product
+
+  !> Multiplies the transpose of such a band with weights of the nodes' imbalance.
+  pure function transposed_band_product(band, weight) result(product)
+    real(wp), intent(in) :: band(:, -2:), weight(:)
+    real(wp) :: product(size(weight))
+    integer :: k, n
+
+    n = size(weight)
+    product = 0
+    do k = -2, 2
+      associate (first => max(1, 1 - k), last => min(n, n - k))
+        product(first + k:last + k) = product(first + k:last + k) + band(first:last, k)*weight(first:last)
+      end associate
+    end do
+  end function transposed_band_product
 
   !> Wedge flow through the face after node i as weights of rho h at the nodes i - 1 to i + 2: upwind to second
   !> order, next to an end the mean of the face's two nodes.

@@ -3,7 +3,7 @@
 !> The model is that of `film_levels`. Line Gauss-Seidel smooths, its lines across the
 !> entrainment and swept downstream, so that the wedge of the model is solved exactly by a sweep; the
 !> coarsest grid is solved by band LU. The cycle preconditions the exact system and affects only its rate of
-!> convergence; hence single precision.
+!> convergence; hence single precision. That of the adjoint solves the transposed model, swept upstream.
 !>
 !> A cycle is limited by memory traffic. Hence a sweep from zero leaves a residual that only the line
 !> after each adds to, which is restricted as it is computed; and the coarse grid's correction is added to a
@@ -31,8 +31,10 @@ module pyworm_multigrid
   type :: film_multigrid
     !> Whether lines run along y, across an entrainment along x.
     logical :: transposed = .false.
-    !> Whether oil mainly moves towards later lines.
+    !> Whether oil mainly moves towards later lines; of the transposed model, towards earlier ones.
     logical :: rising = .true.
+    !> Whether the model is transposed.
+    logical :: adjoint = .false.
     !> Implicit part of the transient term [1/s], as of `film_grid`.
     real(pp) :: implicit_rate = 0
     type(grid_level), allocatable :: level(:)
@@ -139,7 +141,11 @@ contains
     associate (level => self%level(l))
       !$omp parallel do private(centre, left, right, before, after) schedule(static)
       do j = 2, level%count - 1
-        call model_line(level, j, self%implicit_rate, model, centre, left, right, before, after)
+        if (self%adjoint) then
+          call transposed_line(level, j, self%implicit_rate, model, centre, left, right, before, after)
+        else
+          call model_line(level, j, self%implicit_rate, model, centre, left, right, before, after)
+        end if
         if (l == 1) call set_sharpening(level, j, centre, self%sharpening(:, j))
         if (l == size(self%level)) then
           call set_band(self%band, n, j, centre, left, right, before, after)
@@ -151,6 +157,34 @@ contains
       end do
     end associate
   end subroutine set_lines
+
+  !> Column of each node of line j in the model: coefficients as of `model_line` of the transposed one.
+  subroutine transposed_line(level, j, implicit_rate, model, centre, left, right, before, after)
+    type(grid_level), intent(in) :: level
+    integer, intent(in) :: j
+    real(pp), intent(in) :: implicit_rate
+    type(film_model), intent(in) :: model
+    real(pp), dimension(level%length), intent(out) :: centre, left, right, before, after
+    real(pp), dimension(level%length) :: main, from_left, from_right, from_before, from_after
+    integer :: n
+
+    n = level%length
+    call model_line(level, j, implicit_rate, model, centre, from_left, from_right, from_before, from_after)
+    left(2) = 0
+    left(3:n - 1) = from_right(2:n - 2)
+    right(n - 1) = 0
+    right(2:n - 2) = from_left(3:n - 1)
+    before = 0
+    after = 0
+    if (j > 2) then
+      call model_line(level, j - 1, implicit_rate, model, main, from_left, from_right, from_before, from_after)
+      before(2:n - 1) = from_after(2:n - 1)
+    end if
+    if (j < level%count - 1) then
+      call model_line(level, j + 1, implicit_rate, model, main, from_left, from_right, from_before, from_after)
+      after(2:n - 1) = from_before(2:n - 1)
+    end if
+  end subroutine transposed_line
 
   !> Sets the sharpening of line j to the share of the wedge in the flow that leaves a node, times the most.
   pure subroutine set_sharpening(level, j, centre, sharpening)

@@ -5,6 +5,7 @@ module pyworm_point_film
   use pyworm_kinds, only: pp, wp
   use pyworm_partial_film, only: fill_gap, carry_change
   use pyworm_multigrid, only: film_multigrid, new_film_multigrid, set_entrainment, set_film_multigrid, film_cycle
+  use pyworm_reynolds_adjoint, only: flow_imbalance_adjoint, sheared_imbalance_adjoint
   use pyworm_reynolds, only: film_grid, set_film_fields, set_mass_change, flow_imbalance, flow_imbalance_change
   use pyworm_sheared_reynolds, only: set_sheared_fields, still_ambient_faces, sheared_imbalance, sheared_imbalance_change
   use pyworm_status, only: status_ok
@@ -25,6 +26,8 @@ module pyworm_point_film
     type(film_grid), allocatable :: still
     type(elastic_half_space) :: space
     type(film_multigrid) :: cycles
+    !> Cycle of the transposed model; made when it is first asked for.
+    type(film_multigrid), allocatable :: adjoint_cycles
   contains
     procedure :: deflection
     procedure :: set_flow
@@ -34,6 +37,9 @@ module pyworm_point_film
     procedure :: wedge_flow
     procedure :: set_transient
     procedure :: feed
+    procedure :: linearise_adjoint
+    procedure :: imbalance_adjoint
+    procedure :: relax_adjoint
   end type point_contact
 
 contains
@@ -171,6 +177,53 @@ contains
 
   end subroutine imbalance_change
 
+  !> Builds the preconditioner of the transposed system at the fields last set.
+  subroutine linearise_adjoint(self, stat)
+    class(point_contact), intent(inout) :: self
+    integer, intent(out) :: stat
+
+    stat = status_ok
+    if (.not. allocated(self%adjoint_cycles)) then
+      allocate (self%adjoint_cycles)
+      call new_film_multigrid(self%grid, self%space%centre, self%adjoint_cycles, stat)
+      self%adjoint_cycles%adjoint = .true.
+      self%adjoint_cycles%rising = .not. self%cycles%rising
+    end if
+    if (stat == status_ok) call set_film_multigrid(self%adjoint_cycles, self%model, self%free, stat)
+  end subroutine linearise_adjoint
+
+  !> Computes what the weights r of the imbalance count by the oil's pressure and by the film.
+  subroutine imbalance_adjoint(self, r, by_p, by_h)
+    class(point_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: r(:, :)
+    real(wp), contiguous, intent(out) :: by_p(:, :), by_h(:, :)
+
+    if (self%model%is_sheared()) then
+      call sheared_imbalance_adjoint(self%grid, self%model%shear, self%model%fields, r, by_p, by_h)
+    else
+      call flow_imbalance_adjoint(self%grid, self%model%fields, r, by_p, by_h)
+    end if
+  end subroutine imbalance_adjoint
+
+  !> Makes a multigrid cycle of the transposed model.
+  subroutine relax_adjoint(self, r, dp)
+    class(point_contact), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: r(:, :)
+    real(wp), contiguous, target, intent(out) :: dp(:, :)
+
+    call film_cycle(self%adjoint_cycles, r, dp)
+    if (self%model%is_rough()) call bear_ruptured(self, r, dp)
+  end subroutine relax_adjoint
+
+  !> Sets the pressure where the oil has ruptured and asperities bear: theirs, and the deflection under a node.
+  subroutine bear_ruptured(self, r, dp)
+    class(point_contact), intent(in) :: self
+    real(wp), intent(in) :: r(:, :)
+    real(wp), intent(inout) :: dp(:, :)
+
+    where (.not. self%free) dp = r/(1 + self%cycles%level(1)%compliance*self%model%fields%rough%stiffness)
+  end subroutine bear_ruptured
+
   !> Makes a multigrid cycle for the pressure.
   subroutine relax(self, r, dp)
     class(point_contact), intent(inout) :: self
@@ -178,10 +231,7 @@ contains
     real(wp), contiguous, target, intent(out) :: dp(:, :)
 
     call film_cycle(self%cycles, r, dp)
-    ! where the oil has ruptured the asperities bear: their pressure and the deflection under a node
-    if (self%model%is_rough()) then
-      where (.not. self%free) dp = r/(1 + self%cycles%level(1)%compliance*self%model%fields%rough%stiffness)
-    end if
+    if (self%model%is_rough()) call bear_ruptured(self, r, dp)
   end subroutine relax
 
   !> Sums |um . grad g| and the transient term of the gap g over the inner nodes [m/s].

@@ -39,8 +39,9 @@ module pyworm_rough_surfaces
     !> Where the oil had ruptured in the last Newton step: its pressure stays ambient, whatever a step that is not exact leaves
     !> between total and asperities', until oil flows in.
     logical, allocatable :: ruptured(:, :)
-    !> Rise of the asperities' pressure as the gap closes [Pa/m]; change of the mean thickness by the gap; real area.
-    real(wp), allocatable :: stiffness(:, :), widening(:, :), area(:, :)
+    !> Rise of the asperities' pressure as the gap closes [Pa/m]; change of the mean thickness by the gap; real area, and its
+    !> change by the gap.
+    real(wp), allocatable :: stiffness(:, :), widening(:, :), area(:, :), area_h(:, :)
     !> Flow factors and their derivatives by the gap.
     real(wp), allocatable :: flow(:, :, :), flow_h(:, :, :), shear(:, :, :), shear_h(:, :, :)
     !> Scratch: change of the oil's pressure [Pa].
@@ -68,7 +69,8 @@ contains
     call set_cubics(self%curves)
     self%boundary_friction = boundary_friction
     allocate (self%total(nx, ny), self%excess(nx, ny), self%stiffness(nx, ny), self%widening(nx, ny), self%area(nx, ny), &
-      self%change(nx, ny), self%flow(nx, ny, 3), self%flow_h(nx, ny, 3), self%shear(nx, ny, 3), self%shear_h(nx, ny, 3), &
+      self%area_h(nx, ny), self%change(nx, ny), self%flow(nx, ny, 3), self%flow_h(nx, ny, 3), self%shear(nx, ny, 3), &
+      self%shear_h(nx, ny, 3), &
       source=0.0_wp, stat=err)
     if (err == 0) allocate (self%ruptured(nx, ny), source=.false., stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
@@ -114,6 +116,7 @@ contains
         h(i, j) = h(i, j) + value(surplus)
         self%widening(i, j) = 1 + slope(surplus)
         self%area(i, j) = value(real_area)
+        self%area_h(i, j) = slope(real_area)
         self%flow(i, j, :) = value(flow_factor:flow_factor + 2)
         self%flow_h(i, j, :) = slope(flow_factor:flow_factor + 2)
         self%shear(i, j, :) = value(shear_factor:shear_factor + 2)

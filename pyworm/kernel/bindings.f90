@@ -20,7 +20,7 @@ module bindings
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
     film_transient, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
-    film_heat_fields, film_profile
+    film_heat_fields, film_profile, film_adjoints
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions, flow_tables
   public :: heated_times, extrapolated_flux, surface_residual_rise
@@ -424,6 +424,37 @@ contains
     change = step%change
     call contact%film%work%whole%finish()
   end subroutine film_step
+
+  !> Sensitivities of figures by the adjoint of a film at its solution; see `figure_adjoint` for the weights and `film_adjoint` for
+  !> what is found; `active` is 1 where the oil's flow is balanced.
+  subroutine film_adjoints(handle, weights, nx, ny, fields, figures, tolerance, most, rows, by_gap, by_load, active, &
+      iterations, reduction, stat)
+    use pyworm_figure_adjoint, only: figure_adjoints
+    use pyworm_film_adjoint, only: film_adjoint
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny, fields, figures, most
+    real(c_double), intent(in) :: weights(nx, ny, fields, figures), tolerance
+    real(c_double), intent(out) :: rows(nx, ny, figures), by_gap(nx, ny, figures), by_load(figures), reduction(figures)
+    integer(c_int), intent(out) :: active(nx, ny), iterations(figures), stat
+    type(thermal_contact), pointer :: contact
+    type(film_adjoint) :: found(figures)
+    integer :: figure
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    rows = 0
+    by_gap = 0
+    call figure_adjoints(contact%film, weights, tolerance, most, found, stat)
+    active = merge(1, 0, contact%film%free)
+    by_load = found%by_load
+    iterations = found%iterations
+    reduction = found%reduction
+    if (stat /= status_ok) return
+    do figure = 1, figures
+      rows(:, :, figure) = found(figure)%rows
+      by_gap(:, :, figure) = found(figure)%by_gap
+    end do
+  end subroutine film_adjoints
 
   !> Film [m], relative density and net outflow [m/s] as last evaluated.
   subroutine film_state(handle, nx, ny, film, density, imbalance)

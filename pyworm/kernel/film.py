@@ -114,6 +114,30 @@ class Asperities:
     """Real area of contact over the nominal one [-]."""
 
 
+WEIGHED = ("pressure", "film", "asperities", "stress_x", "stress_y", "heat")
+"""Fields that figures of an adjoint weigh, in the kernel's order (`fortran/film/figure_adjoint.f90`)."""
+
+
+@dataclass(frozen=True)
+class Adjoints:
+    """Adjoint solutions of a film for some figures, figure along the last axis of fields."""
+
+    rows: Array
+    """Weight of each node's equation: of its net outflow [1/(m/s)] where `active`; elsewhere, between rough
+    surfaces, of the total pressure less the asperities' [1/Pa]."""
+    by_gap: Array
+    """Whole change of each figure by the undeformed gap at each node [1/m]."""
+    by_load: Array
+    """Change of each figure by the load on the grid [1/N], of a line for each length [m/N]; what the figure
+    itself has of the load is left out."""
+    active: Array
+    """Where the oil's flow is balanced."""
+    iterations: Array
+    """GMRES iterations for each figure."""
+    reduction: Array
+    """Preconditioned residual of each over that of no solution [-]."""
+
+
 LEAST_RISE = 10.0
 """Least reference of relative changes of temperature [K]."""
 
@@ -190,6 +214,37 @@ class Film:
     def oil_pressure(self) -> Array:
         """Pressure that the oil bears [Pa]."""
         return self.pressure - self.asperities().pressure if self.rough else self.pressure
+
+    def evaluate_at(self, other: "Film") -> Balance:
+        """Evaluate at the pressure and rigid film of another one on the same nodes, ruptured where it is.
+
+        Pressure on the outline is the other film's, too.
+        """
+        if self.rough:
+            ruptured = np.asfortranarray(other.oil_pressure() <= 0, dtype=np.int32)
+            core.bindings.film_set_ruptured(self._handle, ruptured.reshape(self._nodes, order="F"))
+        return self._evaluate(other.pressure.copy(order="F"), other.rigid_film)
+
+    def adjoints(self, weights: Array, tolerance: float, most: int) -> Adjoints:
+        """Solve the adjoint of the film, evaluated at its solution, for figures by their weights of fields.
+
+        `weights` (nodes, `WEIGHED`, figures) are those of sums over the nodes; linear systems are solved to
+        `tolerance` times their first residual, or within `most` iterations. KernelError if the film is
+        filled in part, stresses are weighed without a flow law, or memory does not suffice.
+        """
+        fields = np.asfortranarray(weights).reshape((*self._nodes, *weights.shape[-2:]), order="F")
+        rows, by_gap, by_load, active, iterations, reduction, status = core.bindings.film_adjoints(
+            self._handle, fields, tolerance, most
+        )
+        check_status(status)
+        return Adjoints(
+            self._on_grid(rows),
+            self._on_grid(by_gap),
+            by_load,
+            self._on_grid(active) > 0,
+            iterations,
+            reduction,
+        )
 
     def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
         """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.

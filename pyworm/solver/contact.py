@@ -140,6 +140,10 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """The film on a grid of its own from an initial guess, with shear and heat."""
 
     @abstractmethod
+    def isolated(self, grid: Any, guess: InitialGuess) -> LevelT:
+        """The film on a grid of its own from an initial guess, which bears the whole load: none beyond it."""
+
+    @abstractmethod
     def with_rate(self, level: LevelT) -> LevelT:
         """The film of a level with this solver's transient term."""
 

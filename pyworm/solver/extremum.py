@@ -15,6 +15,9 @@ SEARCHES = ((8, 2.0), (128, 0.125))
 """Searches about a low node, then about the lowest place of the search before: places to a cell, and cells to
 each side. The error is 1e-4 of that of the lowest node; places do not depend on which node is the lowest."""
 
+SETTLING = 1 / 64
+"""Distance in cells of the places by whose parabola that of the least value is settled."""
+
 MARGIN_NODES = 6
 """Nodes to each side on which the surface depends: one beyond its cell, and three more from which that one is
 extrapolated where it has no value."""
@@ -61,6 +64,34 @@ def _four(places: Array, count: int) -> tuple[Array, Array]:
             [a + 3 * beyond, b - 3 * beyond, c + beyond, np.zeros_like(beyond)], axis=1
         )
     return np.clip(cell - 1, 0, count - 4)[:, None] + np.arange(4), weights
+
+
+def weights_at(place: tuple[float, ...], shape: tuple[int, ...]) -> Array:
+    """Weights of the nodes of a grid in the surface, or curve, through them at a place given in nodes."""
+    weights = np.ones(())
+    for along, count in zip(place, shape, strict=True):
+        nodes, parts = _four(np.array([along]), count)
+        line = np.zeros(count)
+        line[nodes[0]] = parts[0]
+        weights = np.multiply.outer(weights, line)
+    return weights
+
+
+def settled(field: Array, place: tuple[float, ...]) -> tuple[float, ...]:
+    """The stationary place of the surface, or curve, beside one found by `minimum` to part of a cell."""
+    steps = np.arange(-1, 2) * SETTLING
+    if field.ndim == 1:
+        return place  # in closed form already
+    offsets = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
+    i, j = (np.array(place) + offsets).T
+    x, y = offsets.T
+    terms = np.stack([np.ones(9), x, y, x**2 / 2, x * y, y**2 / 2], axis=1)
+    _, *slope, xx, xy, yy = np.linalg.lstsq(terms, surface_at(field, i, j), rcond=None)[0]
+    bends = np.array([[xx, xy], [xy, yy]])
+    if not np.linalg.eigvalsh(bends).prod() > 0:
+        return place
+    move = -np.linalg.solve(bends, slope)
+    return tuple(np.array(place) + move) if np.abs(move).max() < SETTLING else place
 
 
 def _near(within: Array) -> slice:

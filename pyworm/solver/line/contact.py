@@ -17,7 +17,13 @@ from pyworm.scene.scales import LineScales, line_scales
 from pyworm.solver.contact import COARSE_TOLERANCE, FED_FALLS, ContactSolver
 from pyworm.solver.error_estimate import Convergence, Left
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
-from pyworm.solver.line.level import LineLevel, first_level, lone_level, next_level
+from pyworm.solver.line.level import (
+    LineLevel,
+    first_level,
+    isolated_level,
+    lone_level,
+    next_level,
+)
 from pyworm.solver.newton import NewtonStep, iterate
 from pyworm.solver.oil_supply import mostly_full
 
@@ -105,6 +111,12 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
     def on_grid(self, grid: LineGrid, guess: InitialGuess) -> LineLevel:
         """The film on a grid from an initial guess, with shear and heat and the far field of that guess."""
         level = lone_level(self._scene, self._size, grid, guess, self._transient_term)
+        self._shear_and_warm(level, guess)
+        return level
+
+    def isolated(self, grid: LineGrid, guess: InitialGuess) -> LineLevel:
+        """The film on a grid from an initial guess, which bears the whole load."""
+        level = isolated_level(self._scene, self._size, grid, guess, self._transient_term)
         self._shear_and_warm(level, guess)
         return level
 

@@ -98,6 +98,21 @@ def lone_level(
     return _supplied(scene, size, grid, guess, beyond, term)
 
 
+def isolated_level(
+    scene: LineScene,
+    size: LineScales,
+    grid: LineGrid,
+    guess: InitialGuess,
+    term: TransientTerm | None,
+) -> LineLevel:
+    """A grid with the film of an initial guess, without heat, and without pressure beyond it."""
+    level = _level(scene, size, grid, scene.load, term)
+    pressure = np.where(level.covered, guess.pressure, 0.0)
+    pressure[[0, -1]] = 0.0
+    level.film.start(pressure, guess.rigid_film)
+    return level
+
+
 def _supplied(
     scene: LineScene,
     size: LineScales,

@@ -184,6 +184,10 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         self._shear_and_warm(level, guess)
         return level
 
+    def isolated(self, grid: Grid, guess: InitialGuess) -> PointLevel:
+        """The film on a grid from an initial guess, which bears the whole load."""
+        return self.on_grid(grid, guess)
+
     def with_rate(self, level: PointLevel) -> PointLevel:
         """The film of a level with this solver's transient term, on the same grid."""
         again = same_grid(self._scene, self._size, level, self._transient_term)
