@@ -27,8 +27,11 @@ from pyworm.solver.newton import newton_step
 TOLERANCE, MOST_ITERATIONS = 1e-3, 240
 """Residual of a linear solve over that of no solution, and most iterations of it."""
 
-SETTLED, MOST_STEPS = 1e-9, 40
+SETTLED, MOST_STEPS = 1e-10, 40
 """Residual to which a film is settled before its adjoint, and most Newton steps to it."""
+
+UNSETTLED = 1e-5
+"""Residual beyond which a film is not settled."""
 
 FORCING = 1e-4
 """Residual to which its Newton steps solve their linear systems."""
@@ -126,7 +129,7 @@ def settled_level(scene: AnyContact, plan: Plan, grid: Any | None = None) -> Lev
     for _ in range(MOST_STEPS):
         if level.film.balance.worst <= SETTLED or newton_step(level, FORCING) is None:
             break
-    if not level.film.balance.worst <= 1e3 * SETTLED:
+    if not level.film.balance.worst <= UNSETTLED:
         raise NoAdjointError(
             f"{scene.name}: no film was settled on {level.grid.nodes} nodes for its sensitivities: "
             f"the residual stayed at {level.film.balance.worst:.1e}"
@@ -139,7 +142,7 @@ def _solver(scene: AnyContact, plan: Plan) -> ContactSolver[Any, Any]:
 
 
 def _rows(level: Level, active: Array) -> Array:
-    """What the equations of each node miss: net outflow where active, else total less asperities' pressure."""
+    """What the nodes' equations miss: net outflow where active, else total less asperities' pressure."""
     _, _, outflow = level.film.fields()
     if not level.film.rough:
         return np.where(active, outflow, 0.0)

@@ -6,6 +6,7 @@ surfaces fitted about the lowest node does.
 """
 
 import numpy as np
+import scipy
 
 from pyworm.formulas.whole_numbers import whole
 
@@ -15,8 +16,8 @@ SEARCHES = ((8, 2.0), (128, 0.125))
 """Searches about a low node, then about the lowest place of the search before: places to a cell, and cells to
 each side. The error is 1e-4 of that of the lowest node; places do not depend on which node is the lowest."""
 
-SETTLING = 1 / 64
-"""Distance in cells of the places by whose parabola that of the least value is settled."""
+SETTLING, SETTLED = 1 / 128, 1e-9
+"""First size in cells of the simplex that settles the place of a least value, and the last."""
 
 MARGIN_NODES = 6
 """Nodes to each side on which the surface depends: one beyond its cell, and three more from which that one is
@@ -78,20 +79,19 @@ def weights_at(place: tuple[float, ...], shape: tuple[int, ...]) -> Array:
 
 
 def settled(field: Array, place: tuple[float, ...]) -> tuple[float, ...]:
-    """The stationary place of the surface, or curve, beside one found by `minimum` to part of a cell."""
-    steps = np.arange(-1, 2) * SETTLING
+    """The place of the least value of the surface, or curve, beside what `minimum` found to part of a cell."""
     if field.ndim == 1:
         return place  # in closed form already
-    offsets = np.stack(np.meshgrid(steps, steps, indexing="ij"), axis=-1).reshape(-1, 2)
-    i, j = (np.array(place) + offsets).T
-    x, y = offsets.T
-    terms = np.stack([np.ones(9), x, y, x**2 / 2, x * y, y**2 / 2], axis=1)
-    _, *slope, xx, xy, yy = np.linalg.lstsq(terms, surface_at(field, i, j), rcond=None)[0]
-    bends = np.array([[xx, xy], [xy, yy]])
-    if not np.linalg.eigvalsh(bends).prod() > 0:
-        return place
-    move = -np.linalg.solve(bends, slope)
-    return tuple(np.array(place) + move) if np.abs(move).max() < SETTLING else place
+    simplex = np.array(place) + SETTLING * np.array([[0, 0], [1, 0], [0, 1]])
+    options = {"initial_simplex": simplex, "xatol": SETTLED, "fatol": 0.0}
+    scale = 1 / abs(float(surface_at(field, *np.array(place)[:, None])[0]))
+    found = scipy.optimize.minimize(
+        lambda nodes: scale * float(surface_at(field, *nodes[:, None])[0]),
+        place,
+        method="Nelder-Mead",
+        options=options,
+    )
+    return float(found.x[0]), float(found.x[1])
 
 
 def _near(within: Array) -> slice:
