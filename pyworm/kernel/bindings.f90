@@ -20,7 +20,7 @@ module bindings
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
     film_transient, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
-    film_heat_fields, film_profile, film_adjoints
+    film_heat_fields, film_profile, film_adjoints, film_adopt
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions, flow_tables
   public :: heated_times, extrapolated_flux, surface_residual_rise
@@ -424,6 +424,24 @@ contains
     change = step%change
     call contact%film%work%whole%finish()
   end subroutine film_step
+
+  !> Gives a contact what another on the same nodes found: where the oil has ruptured, and the stresses of the faces to start from.
+  subroutine film_adopt(handle, other)
+    use pyworm_film_newton, only: set_ruptured
+    integer(c_int64_t), intent(in) :: handle, other
+    type(thermal_contact), pointer :: contact, found
+
+    contact => contact_of(handle)
+    found => contact_of(other)
+    associate (from => found%film%model, to => contact%film%model)
+      if (from%is_rough()) call set_ruptured(contact%film, from%fields%rough%ruptured)
+      if (.not. (from%is_sheared() .and. to%is_sheared())) return
+      to%shear%along_x%stress_x = from%shear%along_x%stress_x
+      to%shear%along_x%stress_y = from%shear%along_x%stress_y
+      to%shear%along_y%stress_x = from%shear%along_y%stress_x
+      to%shear%along_y%stress_y = from%shear%along_y%stress_y
+    end associate
+  end subroutine film_adopt
 
   !> Sensitivities of figures by the adjoint of a film at its solution; see `figure_adjoint` for the weights and `film_adjoint` for
   !> what is found; `active` is 1 where the oil's flow is balanced.

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import numpy.typing as npt
 
-from pyworm.formulas.arrays import Array
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.interpolation import at_levels
@@ -130,7 +130,7 @@ class Adjoints:
     by_load: Array
     """Change of each figure by the load on the grid [1/N], of a line for each length [m/N]; what the figure
     itself has of the load is left out."""
-    active: Array
+    active: Flags
     """Where the oil's flow is balanced."""
     iterations: Array
     """GMRES iterations for each figure."""
@@ -220,9 +220,7 @@ class Film:
 
         Pressure on the outline is the other film's, too.
         """
-        if self.rough:
-            ruptured = np.asfortranarray(other.oil_pressure() <= 0, dtype=np.int32)
-            core.bindings.film_set_ruptured(self._handle, ruptured.reshape(self._nodes, order="F"))
+        core.bindings.film_adopt(self._handle, other._handle)
         return self._evaluate(other.pressure.copy(order="F"), other.rigid_film)
 
     def adjoints(self, weights: Array, tolerance: float, most: int) -> Adjoints:

@@ -82,6 +82,12 @@ class Grid:
             self.west, self.south, self.dx / 2, self.dy / 2, 2 * self.nx - 1, 2 * self.ny - 1
         )
 
+    def coarser(self) -> "Grid":
+        """The grid of twice the spacing over the same rectangle, up to a cell of it."""
+        return Grid(
+            self.west, self.south, 2 * self.dx, 2 * self.dy, self.nx // 2 + 1, self.ny // 2 + 1
+        )
+
     def window_of(self, fine: "Grid") -> tuple[slice, slice]:
         """Index ranges of this grid's nodes that an aligned grid of half the spacing covers."""
         first_x = round((fine.west - self.west) / self.dx)

@@ -78,6 +78,12 @@ class LineGrid:
         """The grid of half the spacing over the same interval."""
         return LineGrid(self.dx / 2, 2 * self.first, 2 * self.nodes - 1)
 
+    def coarser(self) -> "LineGrid":
+        """The grid of twice the spacing over the same interval, up to a cell of it at either end."""
+        last = self.first + self.nodes - 1
+        first = self.first // 2
+        return LineGrid(2 * self.dx, first, -(-last // 2) - first + 1)
+
 
 def twice_as_far(narrow: LineGrid, wide: LineGrid) -> LineGrid:
     """The wider of two grids of one spacing with its inlet, where they differ, at twice the gap."""

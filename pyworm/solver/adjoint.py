@@ -2,38 +2,44 @@
 
 With the equations R(x; z) = 0 of the film on a grid and a figure J(x; z), dJ/dz = J_z - lambda . R_z with
 R_x^T lambda = J_x: one linear solve for each figure, whatever the number of inputs (Giles and Pierce, Flow
-Turbul. Combust. 65 (2000) 393). R_z and J_z are differences at the same pressure and rigid film, of any two
-contacts near the solved one, so that whatever changes a contact has its sensitivity: an oil constant, a
+Turbul. Combust. 65 (2000) 393). R_z and J_z are differences at the same pressure and rigid film, of any
+contact near the solved one, so that whatever changes a contact has its sensitivity: an oil constant, a
 radius, or a key of a drawing that changes gap, velocities and load together.
 """
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from pyworm.formulas.arrays import Array
-from pyworm.io.progress import Progress
 from pyworm.kernel.film import Adjoints
 from pyworm.planning.plan import Plan
 from pyworm.scene.any_contact import AnyContact
 from pyworm.solver.contact import ContactSolver
-from pyworm.solver.figure_weights import stacked, weights_of_figures
+from pyworm.solver.figure_weights import (
+    LOAD_RATIOS,
+    Weights,
+    by_outline,
+    fields_of,
+    stacked,
+    weights_of_figures,
+)
+from pyworm.solver.interpolated_guess import interpolated_guess
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import newton_step
+from pyworm.solver.solution import Solution
 
-TOLERANCE, MOST_ITERATIONS = 1e-3, 240
-"""Residual of a linear solve over that of no solution, and most iterations of it."""
+TOLERANCE, MOST_ITERATIONS = 1e-5, 240
+"""Residual of a linear solve over that of no solution, and most iterations of it. The change by the load, a
+small rest of large weights, is known ten times less well than films by oil."""
 
-SETTLED, MOST_STEPS = 1e-10, 40
-"""Residual to which a film is settled before its adjoint, and most Newton steps to it."""
+SETTLED, UNSETTLED, MOST_STEPS = 1e-6, 1e-4, 40
+"""Residual to which a film is settled before its adjoint, that beyond which it is not found, and most Newton
+steps to it."""
 
-UNSETTLED = 1e-5
-"""Residual beyond which a film is not settled."""
-
-FORCING = 1e-4
+FORCING = 0.1
 """Residual to which its Newton steps solve their linear systems."""
 
 
@@ -47,108 +53,147 @@ class Adjoint:
 
     plan: Plan
     """Plan whose effects the film has."""
+    solver: ContactSolver[Any, Any]
+    """Solver of the contact."""
     level: Level
     """The film, settled on its grid, which bears the whole load."""
     figures: dict[str, float]
-    """Its figures."""
-    names: tuple[str, ...]
-    """Figures that have an adjoint solution."""
+    """Its figures that have an adjoint solution."""
+    weights: dict[str, Weights]
+    """Weights of the film's fields in each."""
+    fields: Weights
+    """Those fields."""
     adjoints: Adjoints
-    """The solutions."""
+    """The solutions, in the same order."""
 
     def change(self, scene_plus: AnyContact, scene_minus: AnyContact) -> dict[str, float]:
         """Difference of each figure between two contacts near the solved one, to first order.
 
-        Of the same kind and with the same effects. Figures in SI units, temperatures in K.
+        Of the same kind and with the same effects. Figures in SI units.
         """
-        plus, minus = (self._at(scene) for scene in (scene_plus, scene_minus))
-        flow = _rows(plus, self.adjoints.active) - _rows(minus, self.adjoints.active)
-        load = scene_plus.load - scene_minus.load
-        nodes = tuple(range(flow.ndim))
-        by_rows = np.tensordot(flow, self.adjoints.rows, axes=(nodes, nodes))
-        found = self.adjoints.by_load * load - by_rows
-        before, after = (_figures(level) for level in (minus, plus))
+        after, before = self.towards(scene_plus), self.towards(scene_minus)
+        return {name: change - before[name] for name, change in after.items()}
+
+    def towards(self, scene: AnyContact) -> dict[str, float]:
+        """Change of each figure from the solved contact to another near it, to first order."""
+        other = self._at(scene)
+        missed = self._missed(other) - self._missed(self.level)
+        nodes = tuple(range(missed.ndim))
+        by_rows = np.tensordot(missed, self.adjoints.rows, axes=(nodes, nodes))
+        load = other.scene.load - self.level.scene.load
+        followed = self.adjoints.by_load * load - by_rows
+        own = self._own_changes(other)
         return {
-            name: after[name] - before[name] + float(change)
-            for name, change in zip(self.names, found, strict=True)
+            name: own[name] + float(change)
+            for name, change in zip(self.figures, followed, strict=True)
         }
 
     def by_gap(self, name: str) -> Array:
         """Change of a figure by the undeformed gap at each node of the grid [figure/m]."""
-        return self.adjoints.by_gap[..., self.names.index(name)]
+        return self.adjoints.by_gap[..., list(self.figures).index(name)]
 
     def _at(self, scene: AnyContact) -> Level:
         """Another contact at this film's pressure and rigid film."""
-        scene = self.plan.simplified(scene)
-        level = _solver(scene, self.plan).isolated(self.level.grid, self.level.state())
+        solver = self.solver.of(self.plan.simplified(scene))
+        level = solver.unsolved(self.level)
         level.film.evaluate_at(self.level.film)
         return level
+
+    def _missed(self, level: Level) -> Array:
+        """What the nodes' equations miss: net outflow where active, else total less asperities' pressure."""
+        _, _, outflow = level.film.fields()
+        if not level.film.rough:
+            return np.where(self.adjoints.active, outflow, 0.0)
+        asperities = level.film.asperities()
+        return np.where(self.adjoints.active, outflow, asperities.pressure - asperities.curve)
+
+    def _own_changes(self, other: Level) -> dict[str, float]:
+        """Change of each figure by the contact itself, at the same pressure and rigid film."""
+        fields = fields_of(other)
+        weights = self.weights | weights_of_figures(other, LOAD_RATIOS)
+        return {
+            name: sum(
+                float((part * fields[field] - self.weights[name][field] * self.fields[field]).sum())
+                for field, part in weights[name].items()
+            )
+            for name in self.figures
+        }
 
 
 def adjoint_of(
     scene: AnyContact,
     plan: Plan,
+    solution: Solution | None = None,
     grid: Any | None = None,
-    progress: Progress | None = None,
     tolerance: float = TOLERANCE,
+    settled: float = SETTLED,
 ) -> Adjoint:
     """Solve a steady contact on one grid, and the adjoint for each of its figures.
 
     Args:
         scene: The contact.
         plan: Its plan, by `pyworm.plan`.
+        solution: Its solution, from which the film starts; by default it is solved on coarser grids first.
         grid: The grid, by default the planned wider one: nothing bears load beyond it.
-        progress: Called with what is being done and the fraction of it that is done.
         tolerance: Residual of the linear solves over that of no solution.
+        settled: Residual to which the film is settled.
 
     Raises:
-        NoAdjointError: Films that change with time, of a limited supply of oil, or that are not found.
+        NoAdjointError: A limited supply of oil, or a film that is not found on the grid.
         KernelError: If memory does not suffice.
     """
-    simplified = plan.simplified(scene)
     if scene.oil.supply is not None:
         raise NoAdjointError(
             f"{scene.name}: a film of a limited supply of oil has no adjoint; give it oil in plenty"
         )
-    level = settled_level(simplified, plan, grid)
+    solver = SOLVERS[type(scene)](plan.simplified(scene), plan)
+    level = _settled_level(solver, plan, solution, grid, settled)
     weights = weights_of_figures(level)
     shape = level.film.pressure.shape
-    fields = np.stack([stacked(parts, shape) for parts in weights.values()], axis=-1)
-    solved = level.film.adjoints(fields, tolerance, MOST_ITERATIONS)
-    return Adjoint(plan, level, _figures(level), tuple(weights), solved)
+    fields = fields_of(level)
+    whole = np.stack(
+        [
+            stacked(parts | {"pressure": _by_pressure(level, name, parts, fields)}, shape)
+            for name, parts in weights.items()
+        ],
+        axis=-1,
+    )
+    solved = level.film.adjoints(whole, tolerance, MOST_ITERATIONS)
+    read = level.read().figures
+    figures = {name: read[name] for name in weights}
+    return Adjoint(plan, solver, level, figures, weights, fields, solved)
 
 
-def settled_level(scene: AnyContact, plan: Plan, grid: Any | None = None) -> Level:
-    """The film of a contact on one grid that bears the whole load, settled; NoAdjointError without it."""
-    solver = _solver(scene, plan)
+def _by_pressure(level: Level, name: str, weights: Weights, fields: Weights) -> Array:
+    """Weights of the pressure in a figure: its own, and those by the outline of the contact."""
+    own = weights.get("pressure", 0.0)
+    return np.asarray(own + by_outline(level, name, weights, fields))
+
+
+def _settled_level(
+    solver: ContactSolver[Any, Any],
+    plan: Plan,
+    solution: Solution | None,
+    grid: Any | None,
+    settled: float,
+) -> Level:
+    """The film of a contact on one grid that bears the whole load; NoAdjointError where it is not found."""
     nest = plan.wider_grids or plan.grids
-    level, _ = solver.begin(nest)
-    while grid is not None and level.grid.spacing[0] > 1.5 * grid.spacing[0]:
-        level, _ = solver.refined(level)
-    level = solver.isolated(level.grid, level.state())
+    grid = nest[-1] if grid is None else grid
+    if solution is None or not solution.converged:
+        level, _ = solver.begin(nest)
+        while level.grid.spacing[0] > 1.5 * grid.spacing[0]:
+            level, _ = solver.refined(level)
+        guess = level.state()
+    else:
+        guess = interpolated_guess(solver, solution, grid, plan.model.levels)
+    level = solver.isolated(grid, guess)
     for _ in range(MOST_STEPS):
-        if level.film.balance.worst <= SETTLED or newton_step(level, FORCING) is None:
+        if level.film.balance.worst <= settled or newton_step(level, FORCING) is None:
             break
     if not level.film.balance.worst <= UNSETTLED:
         raise NoAdjointError(
-            f"{scene.name}: no film was settled on {level.grid.nodes} nodes for its sensitivities: "
-            f"the residual stayed at {level.film.balance.worst:.1e}"
+            f"{level.scene.name}: no film was settled on {grid.nodes} nodes for its sensitivities: the "
+            f"residual stayed at {level.film.balance.worst:.1e}"
         )
     return level
-
-
-def _solver(scene: AnyContact, plan: Plan) -> ContactSolver[Any, Any]:
-    return SOLVERS[type(scene)](scene, plan)
-
-
-def _rows(level: Level, active: Array) -> Array:
-    """What the nodes' equations miss: net outflow where active, else total less asperities' pressure."""
-    _, _, outflow = level.film.fields()
-    if not level.film.rough:
-        return np.where(active, outflow, 0.0)
-    asperities = level.film.asperities()
-    return np.where(active, outflow, asperities.pressure - asperities.curve)
-
-
-def _figures(level: Level) -> Mapping[str, float]:
-    return level.read().figures

@@ -6,6 +6,7 @@ reads figures and fields from the last one. `pyworm.solver.grid_sequence` decide
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Sequence
+from copy import copy
 from dataclasses import replace
 from math import hypot, log2, sqrt
 from typing import Any, ClassVar, Generic, TypeVar
@@ -142,6 +143,18 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
     @abstractmethod
     def isolated(self, grid: Any, guess: InitialGuess) -> LevelT:
         """The film on a grid of its own from an initial guess, which bears the whole load: none beyond it."""
+
+    def of(self, scene: ContactT) -> "ContactSolver[ContactT, LevelT]":
+        """The solver of another contact near this one, which it takes the scales of."""
+        other = copy(self)
+        other._scene = scene
+        other._rough = scene.rough_pair if self._model.rough else None
+        other._curves = None if other._rough is None else other._rough.curves()
+        return other
+
+    @abstractmethod
+    def unsolved(self, level: LevelT) -> LevelT:
+        """This contact on the grid of an isolated film, not started: its state is to be set."""
 
     @abstractmethod
     def with_rate(self, level: LevelT) -> LevelT:

@@ -6,7 +6,6 @@ surfaces fitted about the lowest node does.
 """
 
 import numpy as np
-import scipy
 
 from pyworm.formulas.whole_numbers import whole
 
@@ -16,8 +15,8 @@ SEARCHES = ((8, 2.0), (128, 0.125))
 """Searches about a low node, then about the lowest place of the search before: places to a cell, and cells to
 each side. The error is 1e-4 of that of the lowest node; places do not depend on which node is the lowest."""
 
-SETTLING, SETTLED = 1 / 128, 1e-9
-"""First size in cells of the simplex that settles the place of a least value, and the last."""
+MOST_CELLS, NEWTON_STEPS = 4, 8
+"""Cells in which the place of a least value is settled, and steps of Newton's method in each."""
 
 MARGIN_NODES = 6
 """Nodes to each side on which the surface depends: one beyond its cell, and three more from which that one is
@@ -79,19 +78,49 @@ def weights_at(place: tuple[float, ...], shape: tuple[int, ...]) -> Array:
 
 
 def settled(field: Array, place: tuple[float, ...]) -> tuple[float, ...]:
-    """The place of the least value of the surface, or curve, beside what `minimum` found to part of a cell."""
+    """The place of the least value of the surface, or curve, beside that found by `minimum`.
+
+    Within a cell the surface is bicubic, and its least value is found by Newton's method, in the next cell
+    where it leads there.
+    """
     if field.ndim == 1:
         return place  # in closed form already
-    simplex = np.array(place) + SETTLING * np.array([[0, 0], [1, 0], [0, 1]])
-    options = {"initial_simplex": simplex, "xatol": SETTLED, "fatol": 0.0}
-    scale = 1 / abs(float(surface_at(field, *np.array(place)[:, None])[0]))
-    found = scipy.optimize.minimize(
-        lambda nodes: scale * float(surface_at(field, *nodes[:, None])[0]),
-        place,
-        method="Nelder-Mead",
-        options=options,
-    )
-    return float(found.x[0]), float(found.x[1])
+    cell = np.floor(np.minimum(place, np.array(field.shape) - 2))
+    within = np.array(place) - cell
+    for _ in range(MOST_CELLS):
+        parts = np.arange(4) / 3
+        i, j = np.meshgrid(cell[0] + parts, cell[1] + parts, indexing="ij")
+        values = surface_at(field, i.ravel(), j.ravel()).reshape(4, 4)
+        inverse = np.linalg.inv(np.vander(parts, increasing=True))
+        within = _stationary(inverse @ values @ inverse.T, within)
+        if ((within > 0) & (within < 1)).all():
+            break
+        cell, within = _next_cell(cell, within, np.array(field.shape))
+    return tuple(float(nodes) for nodes in cell + within)
+
+
+def _stationary(cubic: Array, within: Array) -> Array:
+    """Where a bicubic, by coefficients of powers, is least in the unit cell, its outline included."""
+    powers = np.polynomial.polynomial
+    x, y = (powers.polyder(cubic, axis=axis) for axis in (0, 1))
+    xx, xy, yy = powers.polyder(x, axis=0), powers.polyder(x, axis=1), powers.polyder(y, axis=1)
+    for _ in range(NEWTON_STEPS):
+        place = float(within[0]), float(within[1])
+        slope = [float(powers.polyval2d(*place, one)) for one in (x, y)]
+        a, b, c = (float(powers.polyval2d(*place, one)) for one in (xx, xy, yy))
+        if not (a > 0 and a * c > b * b):
+            break
+        move = np.array([c * slope[0] - b * slope[1], a * slope[1] - b * slope[0]]) / (
+            a * c - b * b
+        )
+        within = np.clip(within - move, 0.0, 1.0)
+    return within
+
+
+def _next_cell(cell: Array, within: Array, shape: Array) -> tuple[Array, Array]:
+    """The cell beyond the side of a cell on which a place lies, and the place there."""
+    turned = np.clip(cell + (within >= 1) - (within <= 0), 0, shape - 2)
+    return turned, np.clip(cell + within - turned, 0.0, 1.0)
 
 
 def _near(within: Array) -> slice:

@@ -4,7 +4,7 @@ A figure read between nodes is a sum of nodal values about its place, which to f
 Friction and loss are sums over the contact, whose outline moves with the pressure.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from math import hypot
 
 import numpy as np
@@ -21,19 +21,53 @@ Weights = dict[str, Array]
 """Weights of the nodes of some of the fields (`WEIGHED`)."""
 
 
-def weights_of_figures(level: Level) -> dict[str, Weights]:
-    """Weights of each figure that a film has, by its name."""
-    weights: dict[str, Callable[[Level], Weights]] = {
+OVER_CONTACT = ("friction_coefficient", "power_loss")
+"""Figures that are sums over the contact, within its outline (`CONTACT_PRESSURE`)."""
+
+LOAD_RATIOS = ("friction_coefficient", "power_loss", "asperity_load_fraction")
+"""Figures whose weights follow from the contact itself, its load and sliding, too."""
+
+
+def weights_of_figures(level: Level, names: Sequence[str] | None = None) -> dict[str, Weights]:
+    """Weights of each figure that a film has, or of some, by its name."""
+    found: dict[str, Callable[[Level], Weights]] = {
         "film_min": _film_min,
         "film_central": _film_central,
         "pressure_max": _pressure_max,
     }
-    if level.film.levels:
-        weights |= {"friction_coefficient": _friction, "power_loss": _power_loss}
+    if level.film.levels and level.scene.oil.flow is not None:
+        found["power_loss"] = _power_loss
+        if _slides(level):
+            found["friction_coefficient"] = _friction
     if level.film.rough:
-        weights["asperity_load_fraction"] = _asperity_load
-    known = level.read().figures
-    return {name: weigh(level) for name, weigh in weights.items() if name in known}
+        found["asperity_load_fraction"] = _asperity_load
+    return {name: weigh(level) for name, weigh in found.items() if names is None or name in names}
+
+
+def _slides(level: Level) -> bool:
+    """Whether the surfaces slide at the contact point: without, friction has no direction there."""
+    return hypot(*_sliding(level)) > 0
+
+
+def _sliding(level: Level) -> list[float]:
+    """Sliding velocity at the contact point [m/s]."""
+    origin = [np.array(0.0) for _ in level.film.pressure.shape]
+    return [float(component) for component in level.scene.sliding_at(*origin)]
+
+
+def fields_of(level: Level) -> Weights:
+    """The fields that figures weigh; of a sheared film with its shear, of a rough one with its asperities."""
+    found = {"film": level.film.thickness(), "pressure": level.film.pressure}
+    if level.film.levels:
+        shear = level.film.shear_fields()
+        wetted = 1 - level.film.asperities().area if level.film.rough else 1.0
+        found |= {
+            f"stress_{axis}": wetted * part for axis, part in zip("xy", shear.stress, strict=False)
+        }
+        found["heat"] = shear.friction
+    if level.film.rough:
+        found["asperities"] = level.film.asperities().pressure
+    return found
 
 
 def stacked(weights: Weights, shape: tuple[int, ...]) -> Array:
@@ -76,17 +110,12 @@ def _pressure_max(level: Level) -> Weights:
 
 def _friction(level: Level) -> Weights:
     """Those of the friction coefficient: the stress along the sliding at the contact point over the load."""
-    origin = [np.array(0.0) for _ in level.film.pressure.shape]
-    sliding = [float(component) for component in level.scene.sliding_at(*origin)]
-    speed = hypot(*sliding)
-    if not speed > 0:
-        return {}
-    direction = [-component / speed for component in sliding]
+    sliding = _sliding(level)
+    direction = [-component / hypot(*sliding) for component in sliding]
     per_node = level.share_of_contact() * level.grid.cell / max(level.carried(), LEAST_LOAD)
     weights = {
         f"stress_{axis}": part * per_node for axis, part in zip("xy", direction, strict=False)
     }
-    along = _oil_stress(level, direction)
     if level.film.rough:
         everywhere = level.scene.sliding_at(*level.grid.mesh())
         pace = np.maximum(np.sqrt(sum(part**2 for part in everywhere)), MIN_SLIDING_SPEED)
@@ -94,31 +123,16 @@ def _friction(level: Level) -> Weights:
             sum(part * local for part, local in zip(direction, everywhere, strict=True)) / pace
         )
         weights["asperities"] = rubbed * per_node
-        along = along + rubbed * level.film.asperities().pressure
-    weights["pressure"] = _by_outline(
-        level, along * level.grid.cell / max(level.carried(), LEAST_LOAD)
-    )
     return weights
-
-
-def _oil_stress(level: Level, direction: list[float]) -> Array:
-    """Stress of the oil along a direction, a mean over the area [Pa]."""
-    shear = level.film.present_shear()
-    stress: Array = sum(part * along for part, along in zip(shear.stress, direction, strict=True))
-    return stress * (1 - level.film.asperities().area) if level.film.rough else stress
 
 
 def _power_loss(level: Level) -> Weights:
     per_node = level.share_of_contact() * level.grid.cell
     weights = {"heat": per_node}
-    heat = level.film.present_shear().friction
     if level.film.rough:
-        _, rubbing = level.rubbing()
         everywhere = level.scene.sliding_at(*level.grid.mesh())
         pace = np.sqrt(sum(part**2 for part in everywhere))
         weights["asperities"] = level.film.boundary_friction * pace * per_node
-        heat = heat + rubbing
-    weights["pressure"] = _by_outline(level, heat * level.grid.cell)
     return weights
 
 
@@ -127,12 +141,17 @@ def _asperity_load(level: Level) -> Weights:
     return {"asperities": np.full(level.film.pressure.shape, per_node)}
 
 
-def _by_outline(level: Level, density: Array) -> Array:
-    """Change of sum(share density) by the pressure at each node, the shares those of the contact.
+def by_outline(level: Level, name: str, weights: Weights, fields: Weights) -> Array:
+    """Change of a sum over the contact by the pressure at each node that moves its outline.
 
     A share is 1/2 + (p - c max p)/(sum of slopes) where that lies within 0 and 1 (`share_of_contact`).
     """
     pressure = level.film.pressure
+    if name not in OVER_CONTACT:
+        return np.zeros(pressure.shape)
+    shares = level.share_of_contact()
+    weighed = sum(part * fields[field] for field, part in weights.items())
+    density = np.where(shares > 0, weighed / np.where(shares > 0, shares, 1.0), 0.0)
     above = pressure - CONTACT_PRESSURE * pressure.max()
     slopes = np.gradient(pressure)
     slopes = [slopes] if pressure.ndim == 1 else list(slopes)

@@ -23,6 +23,7 @@ from pyworm.solver.line.level import (
     isolated_level,
     lone_level,
     next_level,
+    unsolved_level,
 )
 from pyworm.solver.newton import NewtonStep, iterate
 from pyworm.solver.oil_supply import mostly_full
@@ -119,6 +120,13 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
         level = isolated_level(self._scene, self._size, grid, guess, self._transient_term)
         self._shear_and_warm(level, guess)
         return level
+
+    def unsolved(self, level: LineLevel) -> LineLevel:
+        """This contact on the grid of an isolated film, not started."""
+        other = unsolved_level(self._scene, self._size, level)
+        if level.film.levels:
+            self._shear(other)
+        return other
 
     def with_rate(self, level: LineLevel) -> LineLevel:
         """The film of a level with this solver's transient term."""

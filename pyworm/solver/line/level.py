@@ -113,6 +113,11 @@ def isolated_level(
     return level
 
 
+def unsolved_level(scene: LineScene, size: LineScales, level: LineLevel) -> LineLevel:
+    """A scene on the grid of an isolated film, not started."""
+    return _level(scene, size, level.grid, scene.load, None)
+
+
 def _supplied(
     scene: LineScene,
     size: LineScales,

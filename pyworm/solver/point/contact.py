@@ -33,6 +33,7 @@ from pyworm.solver.point.level import (
     next_level,
     restart,
     same_grid,
+    unsolved_level,
 )
 from pyworm.solver.solution import DryFigures
 
@@ -187,6 +188,13 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
     def isolated(self, grid: Grid, guess: InitialGuess) -> PointLevel:
         """The film on a grid from an initial guess, which bears the whole load."""
         return self.on_grid(grid, guess)
+
+    def unsolved(self, level: PointLevel) -> PointLevel:
+        """This contact on the grid of an isolated film, not started."""
+        other = unsolved_level(self._scene, self._size, level)
+        if level.film.levels:
+            self._shear(other)
+        return other
 
     def with_rate(self, level: PointLevel) -> PointLevel:
         """The film of a level with this solver's transient term, on the same grid."""

@@ -212,6 +212,11 @@ def same_grid(
     return again
 
 
+def unsolved_level(scene: Scene, size: Scales, level: PointLevel) -> PointLevel:
+    """A scene on the grid of an isolated film, not started."""
+    return _level(scene, size, level.grid, 0.0, scene.load, None)
+
+
 def _same_window(level: PointLevel, grid: Grid) -> bool:
     """Whether a grid of half the spacing covers all of a level's window."""
     return bool(grid.shape == level.grid.finer().shape)

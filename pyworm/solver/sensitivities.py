@@ -1,0 +1,159 @@
+"""Sensitivities of the figures of a steady contact to all its inputs, with error bars by two grids."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite
+
+from pyworm.formulas.arrays import Array
+from pyworm.io.given import Names, WithUnit
+from pyworm.io.shown import Shown
+from pyworm.kernel.core import KernelError
+from pyworm.planning.plan import Plan
+from pyworm.planning.plan import plan as make_plan
+from pyworm.scene.any_contact import AnyContact
+from pyworm.scene.inputs import inputs_of, with_input
+from pyworm.solver.adjoint import Adjoint, NoAdjointError, adjoint_of
+from pyworm.solver.solution import Solution
+
+STEP = 1e-5
+"""Relative change of an input in differences of the equations at one film, which are smooth in it."""
+
+GRID_SHARE = 0.7
+"""Error of a sensitivity over its change from a grid of twice the spacing: an error of second order leaves a
+third of it, a minimum film thickness that goes from one valley to another more."""
+
+SHOWN = 6
+"""Number of inputs that are shown, the most influential."""
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """Relative change of a figure over that of an input, d ln J/d ln z."""
+
+    value: float
+    """The value [-]."""
+    error: float
+    """Its numerical uncertainty [-]; infinite where one grid alone has a film."""
+
+
+@dataclass(frozen=True, repr=False)
+class Sensitivities(Shown):
+    """How each figure of a contact follows each of its inputs."""
+
+    name: str
+    """The scene's name."""
+    figures: dict[str, float]
+    """Figures of the film on the grid of the sensitivities, in SI units."""
+    inputs: dict[str, float]
+    """Inputs of the contact other than zero, in SI units (`pyworm.scene.inputs`)."""
+    table: dict[str, dict[str, Sensitivity]]
+    """Of each figure by each input."""
+    adjoint: Adjoint
+    """Adjoint of the film on the grid, which has the sensitivity to the gap as a field."""
+
+    def of(self, figure: str, by: str) -> float:
+        """Change of a figure by an input, dJ/dz, in SI units; KeyError without it."""
+        return self.table[figure][by].value * self.figures[figure] / self.inputs[by]
+
+    def by_gap(self, figure: str) -> Array:
+        """Change of a figure by the undeformed gap at each node of the grid [figure/m]."""
+        return self.adjoint.by_gap(figure)
+
+    def shown(self) -> tuple[str, dict[str, str]]:
+        """Heading, and of each figure the inputs that it follows most."""
+        rows = {}
+        for figure, by_input in self.table.items():
+            largest = sorted(by_input.items(), key=lambda item: -abs(item[1].value))[:SHOWN]
+            rows[figure] = ", ".join(f"{name} {one.value:+.3f}" for name, one in largest)
+        return f"Sensitivities of {self.name} (d ln J/d ln z)", rows
+
+    def summary(self) -> dict[str, dict[str, dict[str, float | None]]]:
+        """The table as one object: by figure and input the value, and its error if that is known."""
+        return {
+            figure: {
+                name: {"value": one.value, "error": one.error if isfinite(one.error) else None}
+                for name, one in by_input.items()
+            }
+            for figure, by_input in self.table.items()
+        }
+
+
+def sensitivities(
+    scene: AnyContact,
+    plan: Plan | None = None,
+    solution: Solution | None = None,
+    *,
+    accuracy: WithUnit = 0.02,
+    effects: Names = "auto",
+    inputs: Sequence[str] | None = None,
+) -> Sensitivities:
+    """Sensitivities of the figures of a steady contact to its inputs, by one linear solve for each figure.
+
+    Args:
+        scene: The contact.
+        plan: Its plan, by `pyworm.plan`; by default it is made with the accuracy and effects.
+        solution: Its solution, from which the film on the grid of the sensitivities starts; by default that
+            is solved on coarser grids first.
+        accuracy, effects: As of `pyworm.plan`.
+        inputs: Names of inputs; by default all that the effects of the plan take.
+
+    Returns:
+        d ln J/d ln z, exact on its grid at a fixed rupture line, with an error bar by a grid of twice the
+        spacing. A temperature's is relative to its value in K.
+
+    Raises:
+        ValueError: A name that the contact has not, or as of `pyworm.plan`.
+        NoAdjointError: No sensitivities: a limited supply of oil, or no film on the grid.
+    """
+    plan = make_plan(scene, accuracy, effects) if plan is None else plan
+    numbers = inputs_of(scene, heated=plan.model.heated, rough=plan.model.rough)
+    chosen = numbers if inputs is None else {name: _number(scene, name) for name in inputs}
+    fine = adjoint_of(scene, plan, solution)
+    found = _relative(fine, scene, chosen)
+    try:
+        coarse = adjoint_of(scene, plan, solution, grid=fine.level.grid.coarser())
+        before = _relative(coarse, scene, chosen)
+    except (NoAdjointError, KernelError):
+        before = {}
+    table = {
+        figure: {
+            name: Sensitivity(value, _error(value, before.get(figure, {}).get(name)))
+            for name, value in by_input.items()
+        }
+        for figure, by_input in found.items()
+    }
+    return Sensitivities(scene.name, fine.figures, chosen, table, fine)
+
+
+def _number(scene: AnyContact, name: str) -> float:
+    numbers = inputs_of(scene)
+    if name not in numbers:
+        raise ValueError(
+            f"inputs = {name}: {scene.name} has no such number other than zero; it has "
+            f"{', '.join(numbers)}"
+        )
+    return numbers[name]
+
+
+def _error(value: float, coarse: float | None) -> float:
+    return float("inf") if coarse is None else GRID_SHARE * abs(value - coarse)
+
+
+def _relative(
+    adjoint: Adjoint, scene: AnyContact, inputs: Mapping[str, float]
+) -> dict[str, dict[str, float]]:
+    """d ln J/d ln z of each figure by each input."""
+    changes = dict(_changes(adjoint, scene, inputs))
+    return {
+        figure: {name: change[figure] / (STEP * value) for name, change in changes.items()}
+        for figure, value in adjoint.figures.items()
+        if value
+    }
+
+
+def _changes(
+    adjoint: Adjoint, scene: AnyContact, inputs: Mapping[str, float]
+) -> Iterator[tuple[str, dict[str, float]]]:
+    """Change of the figures by each input, changed by `STEP` of itself."""
+    for name, value in inputs.items():
+        yield name, adjoint.towards(with_input(scene, name, value * (1 + STEP)))
