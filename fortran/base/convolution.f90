@@ -21,6 +21,7 @@ module pyworm_convolution
     complex(c_float_complex), allocatable :: kernel(:, :)
   contains
     procedure :: convolve
+    procedure :: convolve_transposed
   end type grid_convolution
 
 contains
@@ -80,6 +81,26 @@ contains
     class(grid_convolution), intent(inout) :: self
     real(wp), intent(in) :: x(self%transform%nx, self%transform%ny)
     real(wp), intent(out) :: y(self%transform%nx, self%transform%ny)
+
+    call apply(self, .false., x, y)
+  end subroutine convolve
+
+  !> Computes the product `y` of the transposed convolution with the field `x`, both (nx, ny): the convolution with the
+  !> reflected kernel, whose transform is the conjugate one.
+  subroutine convolve_transposed(self, x, y)
+    class(grid_convolution), intent(inout) :: self
+    real(wp), intent(in) :: x(self%transform%nx, self%transform%ny)
+    real(wp), intent(out) :: y(self%transform%nx, self%transform%ny)
+
+    call apply(self, .true., x, y)
+  end subroutine convolve_transposed
+
+  !> Computes the convolution with the kernel or with the `reflected` one.
+  subroutine apply(self, reflected, x, y)
+    class(grid_convolution), intent(inout) :: self
+    logical, intent(in) :: reflected
+    real(wp), intent(in) :: x(self%transform%nx, self%transform%ny)
+    real(wp), intent(out) :: y(self%transform%nx, self%transform%ny)
     integer :: first, count, k, thread
 
     call transform_rows(self%transform, x)
@@ -90,12 +111,16 @@ contains
       associate (columns => self%transform%columns(:, :, thread))
         call transform_columns(self%transform, first, count, columns)
         do k = 1, count
-          columns(:, k) = columns(:, k)*self%kernel(:, first + k - 1)
+          if (reflected) then
+            columns(:, k) = columns(:, k)*conjg(self%kernel(:, first + k - 1))
+          else
+            columns(:, k) = columns(:, k)*self%kernel(:, first + k - 1)
+          end if
         end do
         call transform_columns_back(self%transform, first, count, columns)
       end associate
     end do
     call transform_rows_back(self%transform, self%unit, y)
-  end subroutine convolve
+  end subroutine apply
 
 end module pyworm_convolution

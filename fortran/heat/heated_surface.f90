@@ -14,6 +14,7 @@ module pyworm_heated_surface
     real(wp) :: own = 0
   contains
     procedure(rise_under), deferred :: rise
+    procedure(rise_under_transposed), deferred :: rise_transposed
   end type heated_body
 
   abstract interface
@@ -25,6 +26,16 @@ module pyworm_heated_surface
       real(wp), intent(in) :: q(self%nx, self%ny)
       real(wp), intent(out) :: temperature_rise(self%nx, self%ny)
     end subroutine rise_under
+
+    !> Product `by_flux` of the transposed operator of `rise` with `weight`: the derivative by the flux [m2/W] of the sum of
+    !> the rise weighted so [1/K], to the rounding of `rise`.
+    subroutine rise_under_transposed(self, weight, by_flux)
+      import :: heated_body, wp
+      implicit none(type, external)
+      class(heated_body), intent(inout) :: self
+      real(wp), intent(in) :: weight(self%nx, self%ny)
+      real(wp), intent(out) :: by_flux(self%nx, self%ny)
+    end subroutine rise_under_transposed
   end interface
 
 end module pyworm_heated_surface

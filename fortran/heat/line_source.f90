@@ -21,6 +21,7 @@ module pyworm_line_source
     type(grid_convolution) :: response
   contains
     procedure :: rise
+    procedure :: rise_transposed
   end type line_body
 
 contains
@@ -82,5 +83,14 @@ contains
 
     call self%response%convolve(q, temperature_rise)
   end subroutine rise
+
+  !> Transposed product of `rise` (`heated_surface`).
+  subroutine rise_transposed(self, weight, by_flux)
+    class(line_body), intent(inout) :: self
+    real(wp), intent(in) :: weight(self%nx, self%ny)
+    real(wp), intent(out) :: by_flux(self%nx, self%ny)
+
+    call self%response%convolve_transposed(weight, by_flux)
+  end subroutine rise_transposed
 
 end module pyworm_line_source

@@ -33,6 +33,7 @@ module pyworm_moving_source
     type(grid_convolution) :: response
   contains
     procedure :: rise
+    procedure :: rise_transposed
   end type moving_body
 
 contains
@@ -68,6 +69,15 @@ contains
 
     call self%response%convolve(q, temperature_rise)
   end subroutine rise
+
+  !> Transposed product of `rise` (`heated_surface`).
+  subroutine rise_transposed(self, weight, by_flux)
+    class(moving_body), intent(inout) :: self
+    real(wp), intent(in) :: weight(self%nx, self%ny)
+    real(wp), intent(out) :: by_flux(self%nx, self%ny)
+
+    call self%response%convolve_transposed(weight, by_flux)
+  end subroutine rise_transposed
 
   !> Temperature [K m2/W] at all offsets from a cell under unit flux. Time is parametrised by the depth
   !> sqrt(kappa t) [m].

@@ -61,6 +61,7 @@ module pyworm_surface_path
     real(pp), allocatable :: history(:, :, :)
   contains
     procedure :: rise
+    procedure :: rise_transposed
   end type fast_body
 
 contains
@@ -345,6 +346,107 @@ contains
       end do
     end do
   end subroutine remember
+
+  !> Transposed product of `rise` (`heated_surface`): lines are taken against the motion.
+  subroutine rise_transposed(self, weight, by_flux)
+    class(fast_body), intent(inout) :: self
+    real(wp), intent(in) :: weight(self%nx, self%ny)
+    real(wp), intent(out) :: by_flux(self%nx, self%ny)
+    !> Derivatives by the flux at the nodes and at the feet of their paths through each group, (nodes, lines, groups).
+    real(pp), allocatable :: by_here(:, :, :), by_there(:, :, :)
+    integer :: line, group
+
+    allocate (by_here(self%nodes, self%lines, self%groups), by_there(self%nodes, self%lines, self%groups))
+    call to_sweep(self%way, weight, self%risen)
+    self%risen = self%effusion*self%risen
+    !$omp parallel do schedule(static)
+    do group = 1, self%groups
+      call recall(self, group, by_here(:, :, group), by_there(:, :, group))
+    end do
+    !$omp parallel do private(group) schedule(static)
+    do line = 1, self%lines
+      self%flux(:, line) = 4*self%root(:, line)*self%risen(:, line)/3
+      self%before(:, line) = 2*self%root(:, line)*self%risen(:, line)/3
+      do group = 1, self%groups
+        self%flux(:, line) = self%flux(:, line) + by_here(:, line, group)
+        self%before(:, line) = self%before(:, line) + by_there(:, line, group)
+      end do
+    end do
+    do line = 2, self%lines
+      call flux_from_feet(self, line)
+    end do
+    call from_sweep(self%way, self%flux, by_flux)
+  end subroutine rise_transposed
+
+  !> Derivatives of a group's contributions, weighted by `risen`, by the flux at the nodes and at the feet: `remember`
+  !> transposed, line after line against the motion.
+  subroutine recall(self, group, by_here, by_there)
+    class(fast_body), intent(in) :: self
+    integer, intent(in) :: group
+    real(pp), intent(out) :: by_here(:, :), by_there(:, :)
+    !> Derivatives by the integrals up to a line and by those convected to it.
+    real(pp) :: past(lanes, self%nodes), brought(lanes, self%nodes)
+    real(pp), dimension(lanes) :: spread, loss, whole, early, product
+    real(pp) :: pace
+    integer :: line, node, foot, k
+
+    past = 0
+    by_here(:, 1) = 0
+    by_there(:, 1) = 0
+    do line = self%lines, 2, -1
+      spread = 0
+      do node = 1, self%nodes
+        pace = real(1/self%duration(node, line), pp)
+        loss = self%loss(:, node, line, group)
+        whole = loss*self%persistence(:, group)
+        early = (whole*pace - (1 - loss))*self%persistence(:, group)
+        product = past(:, node)*(whole - early)
+        by_here(node, line) = sum_of_lanes(product)
+        product = past(:, node)*early
+        by_there(node, line) = sum_of_lanes(product)
+        spread = past(:, node) + self%weight(:, group)*real(self%risen(node, line), pp) + spread
+        brought(:, node) = spread
+        spread = self%passed(node, line)*spread
+      end do
+
+      past = 0
+      spread = 0
+      do node = self%nodes, 1, -1
+        spread = brought(:, node) + spread
+        product = (1 - self%loss(:, node, line, group))*spread
+        foot = self%foot(node, line)
+        do k = 1, 4
+          past(:, foot + k - 1) = past(:, foot + k - 1) + self%stencil(k, node, line)*product
+        end do
+        spread = self%passed(node, line)*spread
+      end do
+    end do
+  end subroutine recall
+
+  !> Adds to the derivatives by the flux on the line before those through the flux at the feet of a line's paths:
+  !> `flux_at_feet` transposed.
+  subroutine flux_from_feet(self, line)
+    class(fast_body), intent(inout) :: self
+    integer, intent(in) :: line
+    real(wp) :: spread
+    integer :: node
+
+    associate (before => self%before(:, line), passed => self%passed(:, line), flux => self%flux(:, line - 1))
+      spread = 0
+      do node = 1, self%nodes
+        before(node) = before(node) + spread
+        spread = passed(node)*before(node)
+      end do
+      spread = 0
+      do node = self%nodes, 1, -1
+        spread = before(node) + spread
+        associate (foot => self%foot(node, line))
+          flux(foot:foot + 3) = flux(foot:foot + 3) + self%stencil(:, node, line)*spread
+        end associate
+        spread = passed(node)*spread
+      end do
+    end associate
+  end subroutine flux_from_feet
 
   !> Sum over a group, by halves.
   pure real(pp) function sum_of_lanes(a)

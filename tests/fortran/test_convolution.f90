@@ -20,7 +20,7 @@ contains
   subroutine against_direct_sum(nx, ny)
     integer, intent(in) :: nx, ny
     type(grid_convolution) :: space
-    real(wp) :: kernel(1 - nx:nx - 1, 1 - ny:ny - 1), x(nx, ny), y(nx, ny), direct(nx, ny)
+    real(wp) :: kernel(1 - nx:nx - 1, 1 - ny:ny - 1), x(nx, ny), y(nx, ny), direct(nx, ny), transposed(nx, ny)
     integer :: i, j, k, l
 
     do j = 1 - ny, ny - 1
@@ -37,17 +37,21 @@ contains
     call check(stat == status_ok, "a convolution is made")
     call space%convolve(x, y)
     direct = 0
+    transposed = 0
     do l = 1, ny
       do k = 1, nx
         do j = 1, ny
           do i = 1, nx
             direct(i, j) = direct(i, j) + kernel(i - k, j - l)*x(k, l)
+            transposed(i, j) = transposed(i, j) + kernel(k - i, l - j)*x(k, l)
           end do
         end do
       end do
     end do
     call close_to(maxval(abs(y - direct)), 0.0_wp, 1e-6_wp*maxval(abs(direct)), &
       "convolution is the direct sum but for rounding")
+    call space%convolve_transposed(x, y)
+    call close_to(maxval(abs(y - transposed)), 0.0_wp, 1e-6_wp*maxval(abs(transposed)), "and so is its transpose")
   end subroutine against_direct_sum
 
   subroutine refusal()

@@ -29,6 +29,8 @@ program test_surface_path
   call against_conduction_all_round(0.0_wp)
   call against_conduction_all_round(0.3_wp)
   call directions()
+  call transposed(2.0_wp, 0.3_wp)
+  call transposed(-0.2_wp, -1.5_wp)
   call refusals()
   call done()
 
@@ -260,6 +262,32 @@ contains
     call new_fast_body(body, 1e-5_wp, 1e-5_wp, u, v, k, rho_c, stat)
     call body%rise(q, t)
   end subroutine against
+
+  !> Rises weighted by a field add up to fluxes weighted by its transposed product.
+  subroutine transposed(ahead, aside)
+    real(wp), intent(in) :: ahead, aside
+    integer, parameter :: nx = 37, ny = 23
+    type(fast_body) :: body
+    real(wp), dimension(nx, ny) :: u, v, q, t, weight, by_flux
+    integer :: i, j
+
+    do j = 1, ny
+      do i = 1, nx
+        u(i, j) = ahead + 0.01_wp*j
+        v(i, j) = aside - 0.005_wp*i
+        q(i, j) = flux*modulo(7*i*i + 13*j + i*j, 17)
+        weight(i, j) = modulo(5*i*i + 3*j + i*j, 11) + 1
+      end do
+    end do
+    call new_fast_body(body, 1e-5_wp, 2e-5_wp, u, v, k, rho_c, stat)
+    call body%rise(q, t)
+    call body%rise_transposed(weight, by_flux)
+    call close_to(sum(by_flux*q)/sum(weight*t), 1.0_wp, 1e-6_wp, "the transposed rise")
+    q = 0
+    q(20, 11) = flux
+    call body%rise(q, t)
+    call close_to(sum(by_flux*q)/sum(weight*t), 1.0_wp, 1e-5_wp, "the transposed rise of one node")
+  end subroutine transposed
 
   subroutine refusals()
     type(fast_body) :: body

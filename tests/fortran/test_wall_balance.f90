@@ -8,6 +8,7 @@ module local_surface
   type, extends(heated_body), public :: local_body
   contains
     procedure :: rise
+    procedure :: rise_transposed
   end type local_body
 
 contains
@@ -19,6 +20,14 @@ contains
 
     temperature_rise = self%own*q
   end subroutine rise
+
+  subroutine rise_transposed(self, weight, by_flux)
+    class(local_body), intent(inout) :: self
+    real(wp), intent(in) :: weight(self%nx, self%ny)
+    real(wp), intent(out) :: by_flux(self%nx, self%ny)
+
+    by_flux = self%own*weight
+  end subroutine rise_transposed
 
 end module local_surface
 !> Balance of walls and bodies: partition of heat in closed form, symmetries, a direct solution, and
