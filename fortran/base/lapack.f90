@@ -4,7 +4,7 @@ module pyworm_lapack
   implicit none(type, external)
   private
 
-  public :: dgbtrf, dgbtrs, dgemm, sgbtrf, sgbtrs
+  public :: dgbtrf, dgbtrs, dgemm, dgesv, sgbtrf, sgbtrs
 
   interface
     !> LU factors of a general band matrix.
@@ -38,6 +38,16 @@ module pyworm_lapack
       real(wp), intent(in) :: alpha, beta, a(lda, *), b(ldb, *)
       real(wp), intent(inout) :: c(ldc, *)
     end subroutine dgemm
+
+    !> Solution of a general system, whose matrix is replaced by its LU factors.
+    pure subroutine dgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
+      import :: wp
+      implicit none(type, external)
+      integer, intent(in) :: n, nrhs, lda, ldb
+      real(wp), intent(inout) :: a(lda, *), b(ldb, *)
+      integer, intent(out) :: ipiv(*)
+      integer, intent(out) :: info
+    end subroutine dgesv
 
     !> LU factors of a general band matrix, single precision.
     pure subroutine sgbtrf(m, n, kl, ku, ab, ldab, ipiv, info)

@@ -5,7 +5,7 @@ module pyworm_sweep_order
   implicit none(type, external)
   private
 
-  public :: sweep_frame, new_sweep_frame, to_sweep, from_sweep
+  public :: sweep_frame, new_sweep_frame, to_sweep, from_sweep, grid_node
 
   !> Nodes copied together in each direction, so that both sides of a transposition stay in cache.
   integer, parameter :: block = 16
@@ -86,6 +86,14 @@ contains
       end do
     end do
   end subroutine from_sweep
+
+  !> Number of a line's node among those of the grid, along x first.
+  pure integer function grid_node(way, node, line)
+    type(sweep_frame), intent(in) :: way
+    integer, intent(in) :: node, line
+
+    grid_node = merge(place(way, line) + (node - 1)*way%lines, node + (place(way, line) - 1)*way%length, way%along_x)
+  end function grid_node
 
   !> Index on the grid of a line of the sweep.
   pure integer function place(way, line)

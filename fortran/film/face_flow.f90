@@ -10,13 +10,13 @@ module pyworm_face_flow
   use pyworm_rough_surfaces, only: rough_film
   use pyworm_shear_flow, only: deficit_change, new_deficit_change, flow_change, flow_change_by_stresses
   use pyworm_shear_stress, only: solve_shear
-  use pyworm_sheared_oil, only: sheared_oil
+  use pyworm_sheared_oil, only: sheared_oil, oil_warming
   use pyworm_status, only: status_ok, status_no_memory
   use pyworm_strip_of_points, only: shear_strip, new_shear_strip
   implicit none(type, external)
   private
 
-  public :: face_flow, new_face_flow, face_strip, face_work, new_face_work, flow_through
+  public :: face_flow, new_face_flow, face_strip, face_work, new_face_work, flow_through, flow_by_temperature
 
   !> Faces treated together: enough for vectors, few enough to stay in the first cache.
   integer, parameter, public :: most_faces = 64
@@ -63,8 +63,9 @@ module pyworm_face_flow
     real(wp), allocatable :: geometric(:, :)
   end type face_mean
 
-  !> Scratch of a thread.
+  !> Scratch of a thread; `by_stresses` asks for the changes by the flow law's stresses of a law that does not harden, too.
   type :: face_work
+    logical :: by_stresses = .false.
     type(shear_strip) :: shear
     type(deficit_change) :: deficit
     type(node_strip) :: before, after
@@ -117,7 +118,7 @@ contains
     call set_nodes(fields, floor, merge(1, 2, faces%di == 1), work%before)
     call set_nodes(fields, floor, merge(1, 2, faces%di == 1), work%after)
     call average(nodes, faces, work%before, work%after, work%mean, work%shear)
-    call shear_faces(nodes, faces, work%shear, work%deficit, flows)
+    call shear_faces(nodes, faces, work%by_stresses .or. hardens(nodes%law), work%shear, work%deficit, flows)
     if (fields%is_rough()) then
       call turn_flow(fields%rough, faces, nodes%levels%count, work%before, work%after, work%deficit)
     end if
@@ -204,10 +205,11 @@ contains
   end subroutine average
 
   !> Solves for the stresses of the faces, from those found last, and computes the flow that they make with its changes; of
-  !> these x then is through the faces and y along them.
-  subroutine shear_faces(nodes, faces, shear, deficit, flows)
+  !> these x then is through the faces and y along them. Those by the flow law's stresses are computed if `by_stresses`.
+  subroutine shear_faces(nodes, faces, by_stresses, shear, deficit, flows)
     type(sheared_oil), intent(in) :: nodes
     type(face_strip), intent(in) :: faces
+    logical, intent(in) :: by_stresses
     type(shear_strip), intent(inout) :: shear
     type(deficit_change), intent(inout) :: deficit
     type(face_flow), intent(inout) :: flows
@@ -223,7 +225,7 @@ contains
       flows%stress_y(first:last, j) = shear%tau_y(:m)
     end associate
     call flow_change(nodes%levels, shear, deficit)
-    if (hardens(nodes%law)) then
+    if (by_stresses) then
       call flow_change_by_stresses(nodes%law, nodes%levels, shear, deficit)
     else
       deficit%by_onset_x = 0
@@ -378,23 +380,16 @@ contains
     type(film_fields), intent(in) :: fields
     type(face_strip), intent(in) :: faces
     type(face_flow), intent(inout) :: flows
-    real(wp) :: dragged(0:1), by_gap(0:1), normal, aside
-    integer :: i, j, k, l, side, xx
+    real(wp) :: dragged(0:1), by_gap(0:1)
+    integer :: i, j, k, l
 
     j = faces%row
-    xx = merge(1, 2, faces%di == 1)
-    associate (shear => fields%rough%shear, shear_h => fields%rough%shear_h, rho => fields%rho, rho_p => fields%rho_p)
+    l = j + faces%dj
+    associate (rho => fields%rho, rho_p => fields%rho_p)
       do i = faces%first, faces%last
-        do side = 0, 1
-          k = i + side*faces%di
-          l = j + side*faces%dj
-          normal = merge(nodes%sliding_x(k, l), nodes%sliding_y(k, l), faces%di == 1)/2
-          aside = merge(nodes%sliding_y(k, l), nodes%sliding_x(k, l), faces%di == 1)/2
-          dragged(side) = shear(k, l, xx)*normal + shear(k, l, 3)*aside
-          by_gap(side) = rho(k, l)*(shear_h(k, l, xx)*normal + shear_h(k, l, 3)*aside)
-        end do
-        ! the flow is subtracted: thickness travels against its change by the gap
-        if (sum(by_gap) <= 0) then
+        k = i + faces%di
+        call set_dragged(nodes, fields, faces, i, dragged, by_gap)
+        if (from_before(by_gap)) then
           flows%flow(i, j) = flows%flow(i, j) + rho(i, j)*dragged(0)
           flows%before(i, j) = flows%before(i, j) + rho_p(i, j)*dragged(0)
           flows%film_before(i, j) = flows%film_before(i, j) + by_gap(0)
@@ -406,5 +401,73 @@ contains
       end do
     end associate
   end subroutine add_dragged
+
+  !> Whether the dragged oil is that of the node before: the flow is subtracted, thickness travels against its change by the
+  !> gap.
+  pure logical function from_before(by_gap)
+    real(wp), intent(in) :: by_gap(0:1)
+
+    from_before = sum(by_gap) <= 0
+  end function from_before
+
+  !> Volume of oil dragged along at the nodes before and after the face of node i [m2/s], and the change of its mass by the gap.
+  pure subroutine set_dragged(nodes, fields, faces, i, dragged, by_gap)
+    type(sheared_oil), intent(in) :: nodes
+    type(film_fields), intent(in) :: fields
+    type(face_strip), intent(in) :: faces
+    integer, intent(in) :: i
+    real(wp), intent(out) :: dragged(0:1), by_gap(0:1)
+    real(wp) :: normal, aside
+    integer :: k, l, side, xx
+
+    xx = merge(1, 2, faces%di == 1)
+    associate (shear => fields%rough%shear, shear_h => fields%rough%shear_h, rho => fields%rho)
+      do side = 0, 1
+        k = i + side*faces%di
+        l = faces%row + side*faces%dj
+        normal = merge(nodes%sliding_x(k, l), nodes%sliding_y(k, l), faces%di == 1)/2
+        aside = merge(nodes%sliding_y(k, l), nodes%sliding_x(k, l), faces%di == 1)/2
+        dragged(side) = shear(k, l, xx)*normal + shear(k, l, 3)*aside
+        by_gap(side) = rho(k, l)*(shear_h(k, l, xx)*normal + shear_h(k, l, 3)*aside)
+      end do
+    end associate
+  end subroutine set_dragged
+
+  !> Computes the derivatives of the flow through a strip of faces by the temperatures of the nodes before and after each
+  !> [m2/(s K)], (level, node, face), right after `flow_through` with `by_stresses` for the same strip.
+  pure subroutine flow_by_temperature(nodes, fields, warming, faces, work, by_temperature)
+    type(sheared_oil), intent(in) :: nodes
+    type(film_fields), intent(in) :: fields
+    type(oil_warming), intent(in) :: warming
+    type(face_strip), intent(in) :: faces
+    type(face_work), intent(in) :: work
+    real(wp), intent(out) :: by_temperature(:, 0:, :)
+    real(wp) :: share(0:1), by_mass(0:1), by_mean, dragged(0:1), by_gap(0:1)
+    integer :: c, i, j, k, side
+
+    associate (s => work%deficit, mean => work%mean, arithmetic => nodes%arithmetic)
+      do c = 1, faces%last - faces%first + 1
+        share = [mean%weight(c), 1 - mean%weight(c)]
+        ! as in `linearise`
+        by_mass = s%x(c)*[work%before%mass(c), work%after%mass(c)]/(2*work%shear%film(c)**3) &
+          + [1, -1]*mean%rho(c)*mean%by_weight(c)
+        dragged = 0
+        if (fields%is_rough()) then
+          call set_dragged(nodes, fields, faces, faces%first + c - 1, dragged, by_gap)
+          dragged(merge(1, 0, from_before(by_gap))) = 0
+        end if
+        do side = 0, 1
+          i = faces%first + c - 1 + side*faces%di
+          j = faces%row + side*faces%dj
+          by_mean = warming%rho(i, j)*(by_mass(side)/fields%rho(i, j) + dragged(side)) &
+            + mean%rho(c)*s%by_onset_x(c)*warming%onset(i, j)/2
+          do k = 1, nodes%levels%count
+            by_temperature(k, side, c) = nodes%levels%weight(k)*by_mean + mean%rho(c)*s%by_fluidity_x(c, k) &
+              *warming%fluidity(i, j, k)*(arithmetic*share(side)*nodes%fluidity(i, j, k) + mean%geometric(c, k))
+          end do
+        end do
+      end do
+    end associate
+  end subroutine flow_by_temperature
 
 end module pyworm_face_flow

@@ -12,7 +12,8 @@ module pyworm_line_reynolds
   implicit none(type, external)
   private
 
-  public :: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, band_product, transposed_band_product
+  public :: line_grid, line_flow, new_line_flow, newtonian_flow, line_imbalance, line_bands, band_product, &
+    transposed_band_product, wedge_weights
 
   !> Grid of the film: points, spacing [m], and kinematics [m/s].
   type :: line_grid

@@ -15,7 +15,7 @@ module pyworm_line_shear
   implicit none(type, external)
   private
 
-  public :: sheared_flow
+  public :: sheared_flow, faces_of_line
 
 contains
 
@@ -62,13 +62,23 @@ contains
     type(sheared_film), intent(inout) :: film
     type(face_strip) :: faces
 
+    call faces_of_line(grid, fields%p, first, last, faces)
+    call flow_through(film%nodes, fields, floor, faces, film%work(omp_get_thread_num()), film%along_x)
+  end subroutine flow_through_strip
+
+  !> Sets the strip of the faces after the nodes first..last.
+  pure subroutine faces_of_line(grid, p, first, last, faces)
+    type(line_grid), intent(in) :: grid
+    real(wp), intent(in) :: p(:, :)
+    integer, intent(in) :: first, last
+    type(face_strip), intent(inout) :: faces
+
     faces%row = 1
     faces%first = first
     faces%last = last
     faces%per_length = 1/grid%dx
-    faces%normal(:last - first + 1) = (fields%p(first + 1:last + 1, 1) - fields%p(first:last, 1))/grid%dx
+    faces%normal(:last - first + 1) = (p(first + 1:last + 1, 1) - p(first:last, 1))/grid%dx
     faces%aside = 0
-    call flow_through(film%nodes, fields, floor, faces, film%work(omp_get_thread_num()), film%along_x)
-  end subroutine flow_through_strip
+  end subroutine faces_of_line
 
 end module pyworm_line_shear

@@ -9,7 +9,7 @@ module pyworm_reynolds_adjoint
   implicit none(type, external)
   private
 
-  public :: flow_imbalance_adjoint, sheared_imbalance_adjoint
+  public :: flow_imbalance_adjoint, sheared_imbalance_adjoint, upwind_weights
 
 contains
 

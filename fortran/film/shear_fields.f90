@@ -13,7 +13,7 @@ module pyworm_shear_fields
   implicit none(type, external)
   private
 
-  public :: shear_nodes, shear_columns, nodal_shear, film_profile
+  public :: shear_nodes, gather_nodes, shear_columns, nodal_shear, film_profile
 
   !> Nodes treated together.
   integer, parameter :: most_nodes = 64
@@ -39,6 +39,17 @@ contains
     integer, intent(in) :: first, last, j
     type(shear_strip), intent(inout) :: shear
     real(wp), contiguous, intent(inout) :: mean(:), rise(:, :), softening(:, :)
+
+    call gather_nodes(contact, first, last, j, shear, rise)
+    call shear_columns(contact%oil, contact%model%shear%nodes, contact%model%fields%p(first:last, j), rise, shear, mean, softening)
+  end subroutine shear_nodes
+
+  !> Sets film, gradient and sliding of the inner nodes first..last of row j, and their temperature above the inlet's, `rise` [K].
+  subroutine gather_nodes(contact, first, last, j, shear, rise)
+    class(film_contact), intent(in) :: contact
+    integer, intent(in) :: first, last, j
+    type(shear_strip), intent(inout) :: shear
+    real(wp), contiguous, intent(inout) :: rise(:, :)
     integer :: m
 
     m = last - first + 1
@@ -55,9 +66,8 @@ contains
       shear%vs(:m) = nodes%sliding_y(first:last, j)
       if (contact%model%is_rough()) shear%wetted(:m) = 1 - contact%model%fields%rough%area(first:last, j)
       rise(:m, :) = nodes%rise(first:last, j, :)
-      call shear_columns(contact%oil, nodes, p(first:last, j), rise, shear, mean, softening)
     end associate
-  end subroutine shear_nodes
+  end subroutine gather_nodes
 
   !> Computes the shear of the columns of a strip from their film, gradient, sliding and initial stress.
   !>

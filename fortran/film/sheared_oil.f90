@@ -5,11 +5,11 @@ module pyworm_sheared_oil
   use pyworm_kinds, only: wp
   use pyworm_reynolds, only: arithmetic_share, film_fields
   use pyworm_status, only: status_ok, status_no_memory
-  use pyworm_viscosity_density, only: oil_law, hot_density, hot_fluidity
+  use pyworm_viscosity_density, only: oil_law, hot_density, hot_fluidity, density_by_rise
   implicit none(type, external)
   private
 
-  public :: sheared_oil, new_sheared_oil, set_oil
+  public :: sheared_oil, new_sheared_oil, set_oil, oil_warming, new_oil_warming
 
   !> The oil at the nodes.
   type :: sheared_oil
@@ -26,6 +26,12 @@ module pyworm_sheared_oil
     !> Stress at which the law departs from Newton's and limiting stress [Pa], and their derivatives by pressure.
     real(wp), allocatable :: onset(:, :), onset_p(:, :), limit(:, :), limit_p(:, :)
   end type sheared_oil
+
+  !> Changes of the oil at the nodes by temperature: logarithmic derivative of the fluidity at the levels [1/K], and derivatives by
+  !> the mean temperature across the film of density [1/K] and of the stress at which the law departs from Newton's [Pa/K].
+  type :: oil_warming
+    real(wp), allocatable :: fluidity(:, :, :), rho(:, :), onset(:, :)
+  end type oil_warming
 
 contains
 
@@ -73,5 +79,27 @@ contains
         nodes%limit(first:last, j), nodes%limit_p(first:last, j))
     end associate
   end subroutine set_oil
+
+  !> Computes the changes of the oil by temperature at the pressure and temperature of the nodes.
+  subroutine new_oil_warming(oil, nodes, p, self, stat)
+    type(oil_law), intent(in) :: oil
+    type(sheared_oil), intent(in) :: nodes
+    real(wp), intent(in) :: p(:, :)
+    type(oil_warming), intent(out) :: self
+    integer, intent(out) :: stat
+    real(wp), dimension(size(p, 1), nodes%levels%count) :: fluidity, by_pressure, by_temperature
+    integer :: j, err
+
+    allocate (self%fluidity, mold=nodes%fluidity, stat=err)
+    if (err == 0) allocate (self%rho, self%onset, mold=nodes%onset, stat=err)
+    stat = merge(status_ok, status_no_memory, err == 0)
+    if (stat /= status_ok) return
+    do j = 1, size(p, 2)
+      call hot_fluidity(oil, p(:, j), nodes%rise(:, j, :), fluidity, by_pressure, by_temperature)
+      self%fluidity(:, j, :) = by_temperature
+      self%rho(:, j) = density_by_rise(oil, p(:, j), matmul(nodes%rise(:, j, :), nodes%levels%weight))
+      self%onset(:, j) = -nodes%law%reference_decay*nodes%onset(:, j)
+    end do
+  end subroutine new_oil_warming
 
 end module pyworm_sheared_oil

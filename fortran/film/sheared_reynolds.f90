@@ -21,7 +21,8 @@ module pyworm_sheared_reynolds
   implicit none(type, external)
   private
 
-  public :: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, sheared_imbalance_change, still_ambient_faces
+  public :: sheared_film, new_sheared_film, set_sheared_fields, sheared_imbalance, sheared_imbalance_change, still_ambient_faces, &
+    faces_within_row, faces_between_rows
 
   type :: sheared_film
     type(sheared_oil) :: nodes
@@ -96,19 +97,10 @@ contains
     type(film_fields), intent(in) :: fields
     type(sheared_film), intent(inout) :: film
     type(face_strip) :: faces
-    integer :: first, i
+    integer :: first
 
-    faces%row = j
-    faces%per_length = 1/grid%dx
     do first = 1, grid%nx - 1, most_faces
-      faces%first = first
-      faces%last = min(first + most_faces - 1, grid%nx - 1)
-      associate (p => fields%p)
-        do i = first, faces%last
-          faces%normal(i - first + 1) = (p(i + 1, j) - p(i, j))/grid%dx
-          faces%aside(i - first + 1) = (p(i, j + 1) - p(i, j - 1) + p(i + 1, j + 1) - p(i + 1, j - 1))/(4*grid%dy)
-        end do
-      end associate
+      call faces_within_row(grid, fields%p, first, j, faces)
       call flow_through(film%nodes, fields, floor, faces, film%work(omp_get_thread_num()), film%along_x)
     end do
   end subroutine flow_within_row
@@ -121,24 +113,53 @@ contains
     type(film_fields), intent(in) :: fields
     type(sheared_film), intent(inout) :: film
     type(face_strip) :: faces
-    integer :: first, i
+    integer :: first
+
+    do first = 2, grid%nx - 1, most_faces
+      call faces_between_rows(grid, fields%p, first, j, faces)
+      call flow_through(film%nodes, fields, floor, faces, film%work(omp_get_thread_num()), film%along_y)
+    end do
+  end subroutine flow_between_rows
+
+  !> Sets a strip of faces from the nodes of row j to the next ones in it, from node `first` on.
+  pure subroutine faces_within_row(grid, p, first, j, faces)
+    type(film_grid), intent(in) :: grid
+    real(wp), contiguous, intent(in) :: p(:, :)
+    integer, intent(in) :: first, j
+    type(face_strip), intent(inout) :: faces
+    integer :: i
+
+    faces%row = j
+    faces%di = 1
+    faces%dj = 0
+    faces%per_length = 1/grid%dx
+    faces%first = first
+    faces%last = min(first + most_faces - 1, grid%nx - 1)
+    do i = first, faces%last
+      faces%normal(i - first + 1) = (p(i + 1, j) - p(i, j))/grid%dx
+      faces%aside(i - first + 1) = (p(i, j + 1) - p(i, j - 1) + p(i + 1, j + 1) - p(i + 1, j - 1))/(4*grid%dy)
+    end do
+  end subroutine faces_within_row
+
+  !> Sets a strip of faces from the nodes of row j to those of the next row, from node `first` on.
+  pure subroutine faces_between_rows(grid, p, first, j, faces)
+    type(film_grid), intent(in) :: grid
+    real(wp), contiguous, intent(in) :: p(:, :)
+    integer, intent(in) :: first, j
+    type(face_strip), intent(inout) :: faces
+    integer :: i
 
     faces%row = j
     faces%di = 0
     faces%dj = 1
     faces%per_length = 1/grid%dy
-    do first = 2, grid%nx - 1, most_faces
-      faces%first = first
-      faces%last = min(first + most_faces - 1, grid%nx - 1)
-      associate (p => fields%p)
-        do i = first, faces%last
-          faces%normal(i - first + 1) = (p(i, j + 1) - p(i, j))/grid%dy
-          faces%aside(i - first + 1) = (p(i + 1, j) - p(i - 1, j) + p(i + 1, j + 1) - p(i - 1, j + 1))/(4*grid%dx)
-        end do
-      end associate
-      call flow_through(film%nodes, fields, floor, faces, film%work(omp_get_thread_num()), film%along_y)
+    faces%first = first
+    faces%last = min(first + most_faces - 1, grid%nx - 1)
+    do i = first, faces%last
+      faces%normal(i - first + 1) = (p(i, j + 1) - p(i, j))/grid%dy
+      faces%aside(i - first + 1) = (p(i + 1, j) - p(i - 1, j) + p(i + 1, j + 1) - p(i - 1, j + 1))/(4*grid%dx)
     end do
-  end subroutine flow_between_rows
+  end subroutine faces_between_rows
 
   !> Stops the flow between nodes that are both at ambient pressure, where the gap may be filled in part: all that is carried
   !> there is the wedge's.

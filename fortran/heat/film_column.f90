@@ -16,7 +16,7 @@ module pyworm_film_column
   implicit none(type, external)
   private
 
-  public :: film_strip, new_film_strip, solve_columns, solve_column, warm_walls
+  public :: film_strip, new_film_strip, level_residuals, solve_columns, solve_column, warm_walls
 
   !> Columns solved together: their matrices stay in the first cache, and loops over them are long enough for gfortran to
   !> vectorise as they are; those of 16 it unrolls and shuffles.
@@ -99,6 +99,26 @@ contains
       strip%work%change(lanes, n, 3), stat=err)
     stat = merge(status_ok, status_no_memory, err == 0)
   end subroutine new_film_strip
+
+  !> Heat that the levels lack at the temperature `known` [W/m2]: the left side of their equations, without flux into the walls.
+  pure subroutine level_residuals(strip, residual)
+    type(film_strip), intent(in) :: strip
+    real(wp), contiguous, intent(out) :: residual(:, :)
+    integer :: c, k, l
+
+    associate (levels => strip%levels, known => strip%known)
+      do k = 1, levels%count
+        do c = 1, strip%columns
+          residual(c, k) = strip%thickness(c)*levels%weight(k)*(strip%absorption(c, k)*known(c, k) - strip%source(c, k))
+        end do
+        do l = 1, levels%count
+          do c = 1, strip%columns
+            residual(c, k) = residual(c, k) + strip%conductivity(c)/strip%thickness(c)*levels%stiffness(k, l)*known(c, l)
+          end do
+        end do
+      end do
+    end associate
+  end subroutine level_residuals
 
   !> Solves for temperature, fluxes and their derivatives with respect to the walls.
   pure subroutine solve_columns(strip)

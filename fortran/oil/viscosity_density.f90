@@ -5,7 +5,7 @@ module pyworm_viscosity_density
   implicit none(type, external)
   private
 
-  public :: oil_law, viscosity, viscosities, density, densities, hot_fluidity, hot_density, expansivity
+  public :: oil_law, viscosity, viscosities, density, densities, hot_fluidity, hot_density, density_by_rise, expansivity
 
   !> eta = eta0 exp(alpha p) (Barus 1893)
   integer, parameter, public :: law_barus = 1
@@ -190,6 +190,20 @@ contains
     rho = cold*(1 - expansion)
     slope = cold_slope*(1 - expansion) + cold*expansion*oil%expansivity_decay
   end subroutine hot_density
+
+  !> Derivative of the density of `hot_density` by `rise` [1/K].
+  elemental real(wp) function density_by_rise(oil, p, rise)
+    type(oil_law), intent(in) :: oil
+    real(wp), intent(in) :: p, rise
+    real(wp) :: rho, slope
+
+    if (allocated(oil%density_table)) then
+      call tabulated(oil%density_table, p, rise, rho, slope, density_by_rise)
+      return
+    end if
+    call density(oil, p, rho, slope)
+    density_by_rise = -rho*expansivity(oil, p)
+  end function density_by_rise
 
   !> The same over a row of pressures.
   pure subroutine densities(oil, p, rho, slope)

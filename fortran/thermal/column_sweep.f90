@@ -3,36 +3,27 @@
 !> Lines lie across the direction of a sweep. The temperature of a column takes its upwind values, by the velocity of each
 !> level, from the lines before; values of later lines, and along a line, lag behind.
 module pyworm_column_sweep
-  use pyworm_column_sources, only: column_oil, new_column_oil, set_heat, carried_away
-  use pyworm_film_column, only: film_strip, new_film_strip, solve_columns
+  use pyworm_column_sources, only: set_heat, carried_away
+  use pyworm_column_work, only: column_work
+  use pyworm_film_column, only: film_strip, solve_columns
   use pyworm_film_newton, only: film_contact
   use pyworm_gauss_lobatto, only: levels_across
   use pyworm_kinds, only: wp
   use pyworm_oil_convection, only: line_cut, carry_level, most_columns
-  use omp_lib, only: omp_get_max_threads, omp_get_thread_num
+  use omp_lib, only: omp_get_thread_num
   use pyworm_shear_fields, only: shear_columns
   use pyworm_shear_profile, only: film_shear_rate
   use pyworm_status, only: status_ok, status_no_memory
-  use pyworm_strip_of_points, only: shear_strip, new_shear_strip
   use pyworm_sweep_order, only: sweep_frame, to_sweep, from_sweep
   use pyworm_thermal_properties, only: oil_heat_law
   implicit none(type, external)
   private
 
-  public :: swept_columns, column_work, new_swept_columns, new_column_work, change_swept, enter_sweep, sweep_lines, swept_rise
+  public :: swept_columns, new_swept_columns, change_swept, enter_sweep, gather, set_sources, cut_of_line, sweep_lines, &
+    swept_rise
 
   !> Heat capacity flow that holds the temperature of a level [W/(m3 K)], far above any other.
   real(wp), parameter :: fixed_capacity = 1e30_wp
-
-  !> Scratch of a thread: columns, their shear and their oil, and at their levels the rate of shear [1/s] and the heat convected
-  !> to them [W/m3]; heat of shearing [W/m2].
-  type :: column_work
-    type(film_strip) :: columns
-    type(shear_strip) :: shear
-    type(column_oil) :: oil
-    real(wp), allocatable :: rate(:, :), inflow(:, :)
-    real(wp) :: friction(most_columns) = 0
-  end type column_work
 
   !> Fields of the columns in the order of a sweep, (length, lines).
   type :: swept_columns
@@ -118,29 +109,6 @@ contains
       call to_sweep(self%way, warming(:, :, k), self%warming(:, :, k))
     end do
   end subroutine change_swept
-
-  !> Scratch of each thread.
-  subroutine new_column_work(threads, film, stat)
-    type(column_work), allocatable, intent(out) :: threads(:)
-    class(film_contact), intent(in) :: film
-    integer, intent(out) :: stat
-    integer :: thread, err
-
-    allocate (threads(0:omp_get_max_threads() - 1), stat=err)
-    stat = merge(status_ok, status_no_memory, err == 0)
-    if (stat /= status_ok) return
-    associate (levels => film%model%shear%nodes%levels%count)
-      do thread = 0, ubound(threads, 1)
-        associate (own => threads(thread))
-          if (stat == status_ok) call new_film_strip(own%columns, most_columns, film%model%shear%nodes%levels, stat)
-          if (stat == status_ok) call new_shear_strip(most_columns, levels, own%shear, stat)
-          if (stat == status_ok) call new_column_oil(most_columns, levels, own%oil, stat)
-          allocate (own%rate(most_columns, levels), own%inflow(most_columns, levels), stat=err)
-          if (err /= 0) stat = status_no_memory
-        end associate
-      end do
-    end associate
-  end subroutine new_column_work
 
   !> Copies pressure, film and temperature of the nodes into the order of the sweep.
   subroutine enter_sweep(self, film)
@@ -231,16 +199,9 @@ contains
     m = last - first + 1
     associate (nodes => film%model%shear%nodes, shear => work%shear, columns => work%columns, oil => work%oil)
       call gather(self, film, line, first, last, work)
-      call shear_columns(film%oil, nodes, oil%p, columns%known, shear, oil%mean, oil%softening)
-      call set_heat(law, film%oil, nodes, shear, oil, columns)
+      call set_sources(self, film, law, line, cut, self%old(first - 1:last + 1, mod(line, 2), :), work)
       self%stress_x(first:last, line) = shear%tau_x(:m)
       self%stress_y(first:last, line) = shear%tau_y(:m)
-      if (self%way%along_x) then
-        call carry(self, line, cut, first, last, oil%capacity, oil%v, oil%u, columns%absorption, work%inflow)
-      else
-        call carry(self, line, cut, first, last, oil%capacity, oil%u, oil%v, columns%absorption, work%inflow)
-      end if
-      call add_sources(self, line, first, nodes%levels, work)
       call solve_columns(columns)
       if (self%way%along_x) then
         call take_changes(self, columns, oil%v, oil%u, self%backward(cut, line), oil%p(:m) > least, change, change_backward, &
@@ -255,6 +216,28 @@ contains
       if (.not. self%aside) call keep_heat(self, line, first, nodes%levels, work)
     end associate
   end subroutine heat_cut
+
+  !> Computes shear, absorption and sources of the gathered columns of a cut of a line; `here` is the temperature of the line
+  !> at the nodes from the one before the cut to the one after it.
+  subroutine set_sources(self, film, law, line, cut, here, work)
+    type(swept_columns), intent(inout) :: self
+    class(film_contact), intent(in) :: film
+    type(oil_heat_law), intent(in) :: law
+    integer, intent(in) :: line, cut
+    real(wp), intent(in) :: here(0:, :)
+    type(column_work), intent(inout) :: work
+
+    associate (nodes => film%model%shear%nodes, shear => work%shear, columns => work%columns, oil => work%oil)
+      call shear_columns(film%oil, nodes, oil%p, columns%known, shear, oil%mean, oil%softening)
+      call set_heat(law, film%oil, nodes, shear, oil, columns)
+      if (self%way%along_x) then
+        call carry(self, line, cut, here, oil%capacity, oil%v, oil%u, columns%absorption, work%inflow)
+      else
+        call carry(self, line, cut, here, oil%capacity, oil%u, oil%v, columns%absorption, work%inflow)
+      end if
+      call add_sources(self, line, 2 + (cut - 1)*most_columns, nodes%levels, work)
+    end associate
+  end subroutine set_sources
 
   !> Sets film, gradient, sliding and last stress, temperature and pressure of the columns at nodes first..last of a line.
   pure subroutine gather(self, film, line, first, last, work)
@@ -374,26 +357,28 @@ contains
   end subroutine take_gradient
 
   !> Heat convected away from the levels of a line's columns for each kelvin, `absorption` [W/(m3 K)], and to them,
-  !> `inflow` [W/m3], by oil that moves with (along, across) the line [m/s].
-  subroutine carry(self, line, cut, first, last, capacity, along, across, absorption, inflow)
+  !> `inflow` [W/m3], by oil that moves with (along, across) the line [m/s]; `here` as of `set_sources`.
+  subroutine carry(self, line, cut, here, capacity, along, across, absorption, inflow)
     type(swept_columns), intent(inout) :: self
-    integer, intent(in) :: line, cut, first, last
+    integer, intent(in) :: line, cut
+    real(wp), intent(in) :: here(0:, :)
     real(wp), contiguous, intent(in) :: capacity(:), along(:, :), across(:, :)
     real(wp), contiguous, intent(inout) :: absorption(:, :), inflow(:, :)
     real(wp) :: across_rate(most_columns), along_rate(most_columns)
     type(line_cut) :: part
-    integer :: k, before, m
+    integer :: k, before, m, first, last
 
+    first = 2 + (cut - 1)*most_columns
+    last = min(1 + cut*most_columns, self%way%length - 1)
     m = last - first + 1
     ! the first line in work has but one before it
     before = max(line - 2, 1)
     self%onward(cut, line) = .false.
     self%backward(cut, line) = .false.
-    part = line_cut(m, first == 2, last == self%way%length - 1, line > 2 .and. .not. self%aside, self%way%per_node, &
-      self%way%per_line)
+    part = cut_of_line(self, line, cut)
     do k = 1, size(along, 2)
       call carry_level(part, self%rise(first - 2:last + 2, before, k), self%rise(first - 1:last + 1, line - 1, k), &
-        self%old(first - 1:last + 1, mod(line, 2), k), self%rise(first - 1:last + 1, line + 1, k), capacity, along(:, k), &
+        here(:m + 1, k), self%rise(first - 1:last + 1, line + 1, k), capacity, along(:, k), &
         across(:, k), absorption(:, k), inflow(:, k))
       along_rate(:m) = merge(1, 0, self%aside)*abs(along(:m, k))*self%way%per_node
       across_rate(:m) = across(:m, k)*self%way%per_line
@@ -407,5 +392,17 @@ contains
       end if
     end do
   end subroutine carry
+
+  !> A cut of a line as `carry_level` takes it.
+  pure type(line_cut) function cut_of_line(self, line, cut)
+    type(swept_columns), intent(in) :: self
+    integer, intent(in) :: line, cut
+    integer :: first, last
+
+    first = 2 + (cut - 1)*most_columns
+    last = min(1 + cut*most_columns, self%way%length - 1)
+    cut_of_line = line_cut(last - first + 1, first == 2, last == self%way%length - 1, line > 2 .and. .not. self%aside, &
+      self%way%per_node, self%way%per_line)
+  end function cut_of_line
 
 end module pyworm_column_sweep

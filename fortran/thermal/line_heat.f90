@@ -7,11 +7,14 @@ module pyworm_line_heat
   use pyworm_column_sources, only: column_oil, new_column_oil, set_heat, carried_away
   use pyworm_film_column, only: film_strip, new_film_strip, solve_column
   use pyworm_film_newton, only: film_contact
+  use pyworm_heat_columns, only: heat_columns
   use pyworm_heated_surface, only: heated_body
   use pyworm_kinds, only: wp
+  use pyworm_line_columns, only: line_columns, new_line_columns, gather_line
+  use pyworm_line_convection, only: bring
   use pyworm_line_film, only: line_contact
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
-  use pyworm_shear_fields, only: shear_nodes
+  use pyworm_shear_fields, only: shear_columns
   use pyworm_strip_of_points, only: shear_strip, new_shear_strip
   use pyworm_status, only: status_ok, status_bad_argument, status_no_memory
   use pyworm_thermal_properties, only: oil_heat_law
@@ -27,8 +30,6 @@ module pyworm_line_heat
   !> sweep, and its largest number of Krylov iterations.
   real(wp), parameter :: judged_pressure = 0.005_wp, wall_tolerance = 0.01_wp
   integer, parameter :: most_wall_iterations = 20
-  !> Velocity over that of the faster body below which oil is slow.
-  real(wp), parameter :: slow_fraction = 0.2_wp
 
   type, extends(film_heat) :: line_film_heat
     !> Direction of the entrainment, 1 or -1.
@@ -54,6 +55,7 @@ module pyworm_line_heat
     procedure :: cool
     procedure :: unsolved
     procedure :: carried_heat
+    procedure :: copy_columns
   end type line_film_heat
 
 contains
@@ -148,6 +150,21 @@ contains
     carried(:, 1) = self%carried
   end subroutine carried_heat
 
+  !> Columns of the line contact in the state of its film, each alone in the order of the entrainment (`heat_columns`).
+  subroutine copy_columns(self, film, columns, stat)
+    class(line_film_heat), intent(in) :: self
+    class(film_contact), intent(in) :: film
+    class(heat_columns), allocatable, intent(out) :: columns
+    integer, intent(out) :: stat
+    type(line_columns), allocatable :: line
+
+    stat = status_bad_argument
+    if (allocated(self%warming)) return
+    allocate (line)
+    call new_line_columns(line, film, self%onward < 0, self%u1, self%stress, stat)
+    if (stat == status_ok) call move_alloc(line, columns)
+  end subroutine copy_columns
+
   !> Makes one sweep over the columns with fixed walls: against the entrainment, then with it.
   !>
   !> `change` is the largest change of temperature [K] where the pressure exceeds `least` [Pa].
@@ -188,12 +205,9 @@ contains
     m = last - first + 1
     shear%tau_x(:m) = self%stress(first:last)
     shear%tau_y(:m) = 0
-    call shear_nodes(film, first, last, 1, shear, oil%mean, columns%known, oil%softening)
+    call gather_line(film, self%u1, first, last, columns, shear, oil)
+    call shear_columns(film%oil, film%model%shear%nodes, oil%p, columns%known, shear, oil%mean, oil%softening)
     self%stress(first:last) = shear%tau_x(:m)
-    oil%p(:m) = film%model%fields%p(first:last, 1)
-    oil%u1(:m) = self%u1(first:last)
-    oil%v1(:m) = 0
-    oil%pressing(:m) = 0
     if (allocated(self%pressing)) oil%pressing(:m) = self%pressing(first:last)
     call set_heat(self%law, film%oil, film%model%shear%nodes, shear, oil, columns)
     associate (capacity => oil%capacity, compression => oil%compression)
@@ -232,50 +246,6 @@ contains
       end do
     end associate
   end subroutine sweep_nodes
-
-  !> Computes the heat convected from the levels at node i per kelvin, `absorption` [W/(m3 K)], and to them, `inflow`
-  !> [W/m3], by differences to one or two upstream nodes.
-  !>
-  !> Where oil flows in both directions, levels of little velocity convect from both sides; else one whose direction
-  !> changes from sweep to sweep would jump between the temperatures of inlet and contact.
-  pure subroutine bring(rise, flow, i, absorption, inflow)
-    real(wp), intent(in) :: rise(:, :), flow(:)
-    integer, intent(in) :: i
-    real(wp), intent(out) :: absorption(:), inflow(:)
-    real(wp) :: slow, from_before
-    integer :: k
-
-    slow = 0
-    if (minval(flow) < 0 .and. maxval(flow) > 0) slow = slow_fraction*maxval(abs(flow([1, size(flow)])))
-    do k = 1, size(flow)
-      if (abs(flow(k)) < slow) then
-        from_before = (1 + flow(k)/slow)/2
-      else
-        from_before = merge(1, 0, flow(k) > 0)
-      end if
-      absorption(k) = 0
-      inflow(k) = 0
-      call bring_from(-1, rise(:, k), i, from_before*abs(flow(k)), from_before >= 1, absorption(k), inflow(k))
-      call bring_from(1, rise(:, k), i, (1 - from_before)*abs(flow(k)), from_before <= 0, absorption(k), inflow(k))
-    end do
-  end subroutine bring
-
-  !> Adds the convection of a `rate` [W/(m3 K)] of oil from one side of node i, by a difference of `second` order or of
-  !> first, with which errors of lagging values do not grow from sweep to sweep.
-  pure subroutine bring_from(side, rise, i, rate, second, absorption, inflow)
-    integer, intent(in) :: side, i
-    real(wp), intent(in) :: rise(:), rate
-    logical, intent(in) :: second
-    real(wp), intent(inout) :: absorption, inflow
-
-    if (second .and. i + 2*side >= 1 .and. i + 2*side <= size(rise)) then
-      absorption = absorption + 1.5_wp*rate
-      inflow = inflow + rate*(2*rise(i + side) - 0.5_wp*rise(i + 2*side))
-    else
-      absorption = absorption + rate
-      inflow = inflow + rate*rise(i + side)
-    end if
-  end subroutine bring_from
 
   !> Gathers fluxes and admittances of a strip's columns for the walls, convected heat, and the largest change of
   !> temperature [K] where the pressure exceeds `least` [Pa].

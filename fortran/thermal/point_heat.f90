@@ -4,11 +4,13 @@
 !> entrained oil, takes its upwind temperature from later columns or from its own line: until it converges, sweeps in its
 !> own directions precede. Without them heat would be convected by one node a sweep there.
 module pyworm_point_heat
-  use pyworm_column_sweep, only: swept_columns, column_work, new_swept_columns, new_column_work, change_swept, enter_sweep, &
-    sweep_lines, swept_rise
+  use pyworm_column_sweep, only: swept_columns, new_swept_columns, change_swept, enter_sweep, sweep_lines, swept_rise
+  use pyworm_column_work, only: column_work, new_column_work
   use pyworm_film_newton, only: film_contact
+  use pyworm_heat_columns, only: heat_columns
   use pyworm_heated_surface, only: heated_body
   use pyworm_kinds, only: wp
+  use pyworm_point_columns, only: point_columns, new_point_columns
   use pyworm_point_film, only: point_contact
   use pyworm_status, only: status_ok, status_bad_argument
   use pyworm_sweep_order, only: sweep_frame, new_sweep_frame, from_sweep
@@ -39,6 +41,7 @@ module pyworm_point_heat
     procedure :: cool
     procedure :: unsolved
     procedure :: carried_heat
+    procedure :: copy_columns
   end type point_film_heat
 
 contains
@@ -130,6 +133,21 @@ contains
 
     call from_sweep(self%main%way, self%main%carried, carried)
   end subroutine carried_heat
+
+  !> Columns of the point contact in the state of its film, in the order of the sweep with the entrainment (`heat_columns`).
+  subroutine copy_columns(self, film, columns, stat)
+    class(point_film_heat), intent(in) :: self
+    class(film_contact), intent(in) :: film
+    class(heat_columns), allocatable, intent(out) :: columns
+    integer, intent(out) :: stat
+    type(point_columns), allocatable :: point
+
+    stat = status_bad_argument
+    if (allocated(self%main%warming)) return
+    allocate (point)
+    call new_point_columns(point, film, self%main, stat)
+    if (stat == status_ok) call move_alloc(point, columns)
+  end subroutine copy_columns
 
   !> Stress at the middle of the film [Pa], heat of shearing [W/m2] and the largest shear rate across the film [1/s] at the
   !> nodes, as of the last sweep.

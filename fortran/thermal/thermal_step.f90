@@ -10,6 +10,7 @@ module pyworm_thermal_step
   use pyworm_column_sources, only: hottest
   use pyworm_film_newton, only: newton_step, film_contact, film_direction, move_film, film_balance, acceptable, note_progress, &
     search_step, first_row, last_row
+  use pyworm_heat_columns, only: heat_columns
   use pyworm_heated_surface, only: heated_body
   use pyworm_interruption, only: interrupted
   use pyworm_kinds, only: wp
@@ -21,7 +22,8 @@ module pyworm_thermal_step
   implicit none(type, external)
   private
 
-  public :: film_heat, thermal_contact, new_film_heat, enclose_film, heated_step, heat_sweep, start_temperature
+  public :: film_heat, thermal_contact, new_film_heat, enclose_film, heated_step, heat_sweep, start_temperature, rubbed_heat, &
+    entering_oil
 
   !> Least relaxation factor of a sweep's change.
   real(wp), parameter :: least_fraction = 0.125_wp
@@ -46,6 +48,7 @@ module pyworm_thermal_step
     procedure(reset), deferred :: cool
     procedure(unsolved_columns), deferred :: unsolved
     procedure(convection), deferred :: carried_heat
+    procedure(copier), deferred :: copy_columns
   end type film_heat
 
   !> A film and, where heat is simulated, its temperature.
@@ -97,6 +100,17 @@ module pyworm_thermal_step
       class(film_heat), intent(in) :: self
       real(wp), intent(out) :: carried(:, :)
     end subroutine convection
+
+    !> Copies the columns in the state of the film, in the order of the main sweep; `status_bad_argument` of oil that stores
+    !> heat, whose state is another one.
+    subroutine copier(self, film, columns, stat)
+      import :: film_heat, film_contact, heat_columns
+      implicit none(type, external)
+      class(film_heat), intent(in) :: self
+      class(film_contact), intent(in) :: film
+      class(heat_columns), allocatable, intent(out) :: columns
+      integer, intent(out) :: stat
+    end subroutine copier
   end interface
 
 contains
@@ -271,15 +285,26 @@ contains
     real(wp) :: rubbed(size(film%gap, 1))
     integer :: j
 
-    associate (nodes => film%model%shear%nodes, rough => film%model%fields%rough, flux => heat%walls%flux)
+    associate (flux => heat%walls%flux)
       do j = first_row(film), last_row(film)
-        rubbed = rough%boundary_friction*asperity_pressure(rough, film%model%fields%p, j) &
-          *hypot(nodes%sliding_x(:, j), nodes%sliding_y(:, j))
+        rubbed = rubbed_heat(film, j)
         flux(:, j, 1) = flux(:, j, 1) + rubbed/2
         flux(:, j, 2) = flux(:, j, 2) + rubbed/2
       end do
     end associate
   end subroutine rub
+
+  !> Heat of the asperities' friction in row j of rough surfaces [W/m2].
+  pure function rubbed_heat(film, j) result(rubbed)
+    class(film_contact), intent(in) :: film
+    integer, intent(in) :: j
+    real(wp) :: rubbed(size(film%gap, 1))
+
+    associate (nodes => film%model%shear%nodes, rough => film%model%fields%rough)
+      rubbed = rough%boundary_friction*asperity_pressure(rough, film%model%fields%p, j) &
+        *hypot(nodes%sliding_x(:, j), nodes%sliding_y(:, j))
+    end associate
+  end function rubbed_heat
 
   !> Checks that the film is above absolute zero and below the largest rise; if not it is cooled down.
   subroutine judge_temperature(film, heat, stat)
@@ -337,15 +362,26 @@ contains
     integer :: k, nx
 
     nx = size(film%gap, 1)
-    associate (rise => film%model%shear%nodes%rise, levels => film%model%shear%nodes%levels, body => heat%walls%body)
-      do k = 2, levels%count - 1
-        entering = (0.5_wp - levels%z(k))*body(1)%bulk + (0.5_wp + levels%z(k))*body(2)%bulk
+    associate (rise => film%model%shear%nodes%rise)
+      do k = 2, size(rise, 3) - 1
+        entering = entering_oil(film, heat, k)
         rise([1, nx], :, k) = entering
         rise(:, :first_row(film) - 1, k) = entering
         rise(:, last_row(film) + 1:, k) = entering
       end do
     end associate
   end subroutine admit_oil
+
+  !> Temperature of the oil that enters at a level between the walls, above the inlet's [K].
+  pure real(wp) function entering_oil(film, heat, level)
+    class(film_contact), intent(in) :: film
+    class(film_heat), intent(in) :: heat
+    integer, intent(in) :: level
+
+    associate (z => film%model%shear%nodes%levels%z(level), body => heat%walls%body)
+      entering_oil = (0.5_wp - z)*body(1)%bulk + (0.5_wp + z)*body(2)%bulk
+    end associate
+  end function entering_oil
 
   !> Sets the film's walls to those of the balance; the levels between change as by conduction alone, but for those on the
   !> outline (`admit_oil`). `change` is the largest of a wall [K] where the pressure exceeds `least` [Pa].

@@ -1,0 +1,113 @@
+!> Approximate solution of the linearised equations of a film's temperature, and of the transposed ones.
+!>
+!> One sweep of block Gauss-Seidel: the columns are solved in the order of the sweep with the entrainment, each with the
+!> temperature upstream of it where that is known, and with bodies whose rise at a node is that by the flux of its
+!> neighbourhood alone (`wall_balance`). The transposed sweep is its exact transpose, from the last column to the first.
+module pyworm_heat_preconditioner
+  use pyworm_heat_columns, only: most_upstream
+  use pyworm_heat_linearisation, only: heat_linearisation, before_levels
+  use pyworm_kinds, only: pp, wp
+  use pyworm_lapack, only: dgesv
+  use pyworm_status, only: status_ok, status_not_finite, status_no_memory
+  use pyworm_wall_balance, only: wall_pair, neighbourhood
+  implicit none(type, external)
+  private
+
+  public :: heat_preconditioner, new_heat_preconditioner, solve_heat, solve_heat_transposed
+
+  type :: heat_preconditioner
+    !> Inverse of each column's equations at a given temperature upstream, (level, level, column).
+    real(pp), allocatable :: inverse(:, :, :)
+    !> Equations by the heat that levels lack: one, of the walls' levels the rise of the bodies by the flux of a neighbourhood
+    !> [K m2/W].
+    real(wp), allocatable :: scale(:)
+  end type heat_preconditioner
+
+contains
+
+  !> Inverts the columns' equations; `status_not_finite` if one is singular.
+  subroutine new_heat_preconditioner(linear, walls, self, stat)
+    type(heat_linearisation), intent(in) :: linear
+    type(wall_pair), intent(in) :: walls
+    type(heat_preconditioner), intent(out) :: self
+    integer, intent(out) :: stat
+    real(wp), dimension(linear%levels, linear%levels) :: equations, inverse
+    integer :: pivots(linear%levels), s, k, info, failures, err
+
+    associate (n => linear%levels)
+      allocate (self%inverse(n, n, size(linear%node)), self%scale(n), stat=err)
+      stat = merge(status_ok, status_no_memory, err == 0)
+      if (stat /= status_ok) return
+      self%scale = 1
+      self%scale(1) = neighbourhood*walls%body(1)%surface%own
+      self%scale(n) = neighbourhood*walls%body(2)%surface%own
+      failures = 0
+      !$omp parallel do private(equations, inverse, pivots, k, info) reduction(+:failures) schedule(static)
+      do s = 1, size(linear%node)
+        inverse = 0
+        do k = 1, n
+          equations(k, :) = self%scale(k)*linear%block(k, before_levels + 1:, s)
+          inverse(k, k) = 1
+        end do
+        equations(1, 1) = equations(1, 1) + 1
+        equations(n, n) = equations(n, n) + 1
+        call dgesv(n, n, equations, n, pivots, inverse, n, info)
+        if (info /= 0) failures = failures + 1
+        self%inverse(:, :, s) = real(inverse, pp)
+      end do
+    end associate
+    if (failures > 0) stat = status_not_finite
+  end subroutine new_heat_preconditioner
+
+  !> Solves for the temperature by which the equations change by `change`, approximately; both (nx, ny, levels).
+  pure subroutine solve_heat(linear, self, change, warming)
+    type(heat_linearisation), intent(in) :: linear
+    type(heat_preconditioner), intent(in) :: self
+    real(wp), intent(in) :: change(linear%nx*linear%ny, linear%levels)
+    real(wp), intent(out) :: warming(linear%nx*linear%ny, linear%levels)
+    real(wp) :: rest(linear%levels)
+    integer :: step, s, k, t
+
+    ! what is not known yet is zero; on the outline the equations are those of the temperature itself
+    warming = change
+    warming(linear%node, :) = 0
+    do step = 1, size(linear%node)
+      s = merge(size(linear%node) + 1 - step, step, linear%backward)
+      rest = change(linear%node(s), :)
+      do k = 1, linear%levels
+        do t = 1, most_upstream
+          rest(k) = rest(k) - self%scale(k)*linear%weight(t, k, s)*warming(linear%place(t, k, s), k)
+        end do
+      end do
+      warming(linear%node(s), :) = matmul(self%inverse(:, :, s), rest)
+    end do
+  end subroutine solve_heat
+
+  !> Transpose of `solve_heat`: solves approximately for the weights of the equations by which the temperature has the
+  !> weights `by_warming`.
+  pure subroutine solve_heat_transposed(linear, self, by_warming, weight)
+    type(heat_linearisation), intent(in) :: linear
+    type(heat_preconditioner), intent(in) :: self
+    real(wp), intent(in) :: by_warming(linear%nx*linear%ny, linear%levels)
+    real(wp), intent(out) :: weight(linear%nx*linear%ny, linear%levels)
+    real(wp) :: rest(linear%nx*linear%ny, linear%levels)
+    integer :: step, s, k, t
+
+    rest = by_warming
+    do step = 1, size(linear%node)
+      s = merge(step, size(linear%node) + 1 - step, linear%backward)
+      weight(linear%node(s), :) = matmul(rest(linear%node(s), :), self%inverse(:, :, s))
+      do k = 1, linear%levels
+        do t = 1, most_upstream
+          associate (place => linear%place(t, k, s))
+            rest(place, k) = rest(place, k) - self%scale(k)*linear%weight(t, k, s)*weight(linear%node(s), k)
+          end associate
+        end do
+      end do
+    end do
+    ! what is added to the rest of a column that is solved already is of a temperature that was not known in the sweep
+    rest(linear%node, :) = weight(linear%node, :)
+    weight = rest
+  end subroutine solve_heat_transposed
+
+end module pyworm_heat_preconditioner
