@@ -23,7 +23,7 @@ GRADE = 220
 
 def row(*cells: object) -> str:
     """A row of a table in Markdown."""
-    return f"| {' | '.join(map(str, cells))} |\n"
+    return f"|{' |'.join(map(str, cells))} |\n"
 
 
 def head(*cells: str) -> str:

@@ -38,6 +38,28 @@ OPTIONAL = {
 PLAIN = ("threads", "teeth", "diameter_factor", "application_factor", "starts_per_hour")
 """Those that are numbers without unit."""
 
+CASE_KEYS = {
+    **{
+        key: f"drive.{key}"
+        for key in (
+            *("centre_distance", "threads", "teeth", "module", "diameter_factor"),
+            *("profile", "pressure_angle", "face_width", "hand"),
+        )
+    },
+    "worm_speed": "operation.worm_speed",
+    "wheel_torque": "operation.wheel_torque",
+    "worm_material": "bodies.worm.material",
+    "wheel_material": "bodies.wheel.material",
+    "oil": "oil.name",
+    "oil_temperature": "oil.temperature",
+    "hob_oversize": "drive.hob.oversize",
+    **{
+        key: f"worm_rating.{key}"
+        for key in ("life", "application_factor", "starts_per_hour", "ambient_temperature")
+    },
+}
+"""Number of `ASKED` or `OPTIONAL` -> its key in a case file."""
+
 _COMMENTS = {
     "centre_distance": "a",
     "threads": "z1",
@@ -126,11 +148,17 @@ def _rating_rows(answers: Mapping[str, str]) -> list[str]:
     ]
 
 
+def answer_value(key: str, answer: str) -> str | int | float:
+    """An answer as a value of a case file: a number where it has no unit, else a text."""
+    if key in PLAIN and answer.replace(".", "", 1).isdigit():
+        return int(answer) if answer.isdigit() else float(answer)
+    return answer
+
+
 def _toml(key: str, answer: str) -> str:
     """An answer as TOML has it: a number alone where it has no unit, else a text."""
-    if key in PLAIN and answer.replace(".", "", 1).isdigit():
-        return answer
-    return json.dumps(answer, ensure_ascii=False)
+    value = answer_value(key, answer)
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str) else answer
 
 
 _AFTER = (

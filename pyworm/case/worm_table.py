@@ -19,7 +19,7 @@ from pyworm.drives.worm.drawing.base_cylinders import (
 )
 from pyworm.drives.worm.drawing.design import Assembly, Design, Hand
 from pyworm.drives.worm.drawing.deviations import FlankDeviations
-from pyworm.drives.worm.drawing.drawing import Drawing
+from pyworm.drives.worm.drawing.drawing import Drawing, key_of
 from pyworm.drives.worm.drawing.drawing_checks import (
     DERIVED,
     check_drawing,
@@ -230,6 +230,20 @@ class WormDriveTable(Table):
             hob_centre_distance=None if part < 1 else drawing.hob_centre_distance,
         )
         return smaller.hob_oversize, self._design(smaller, assumed)
+
+    def completed_numbers(self) -> dict[str, Any]:
+        """Numbers of the design by their keys in `[drive]`, with those assumed and the hob's settings, in SI.
+
+        ValueError as of `design`.
+        """
+        if self.module is None:
+            found = self._numbers()
+        else:
+            drawing, _ = self._drawing()
+            if drawing.hob_swivel is None:
+                drawing, _ = with_swivel(drawing)
+            found = vars(drawing) | {"hob_centre_distance": drawing.hob.centre_distance}
+        return {key_of(name): value for name, value in found.items() if value is not None}
 
     def _drawing(self) -> tuple[Drawing, tuple[str, ...]]:
         """The complete drawing, and the dimensions assumed by common practice."""

@@ -21,6 +21,7 @@ EXAMPLES = {
     "oil show": '"PAG VG 460" "PAO VG 220"',
     "oil chart": '"PAG VG 460" "PAO VG 220"',
     "oil list": "",
+    "rexs": "cases/worm_drawing.toml --out worm.rexs",
     "setup": 'cases/zi_drive.toml --place "2 mm" --size 30%',
     "surface": "cases/surfaces/ground.toml",
     "doctor": "",

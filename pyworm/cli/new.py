@@ -7,13 +7,21 @@ import tomllib
 from pathlib import Path
 
 from pyworm.case.case import case_of
-from pyworm.case.new_worm import ASKED, OPTIONAL, loaded_phases, new_worm_text
+from pyworm.case.new_worm import (
+    ASKED,
+    CASE_KEYS,
+    OPTIONAL,
+    answer_value,
+    loaded_phases,
+    new_worm_text,
+)
 from pyworm.case.shipped import KINDS, TEMPLATES
 from pyworm.cli.shared import CONVERGED, warn_of_unusual
 from pyworm.io.atomic import check_writable, whole_file
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
 from pyworm.io.terminal import print_message, print_result
+from pyworm.io.toml import toml_text
 
 WORM = "worm"
 """Kind whose file is made from the numbers of its drawing."""
@@ -28,6 +36,13 @@ def add(commands: argparse._SubParsersAction) -> None:
         choices=(WORM, *KINDS),
         default=WORM,
         help="worm (default); other kinds: a file with example values to replace",
+    )
+    new.add_argument(
+        "--from",
+        dest="rexs",
+        type=Path,
+        metavar="FILE.rexs",
+        help="take the worm drive of a REXS file; other options replace its values",
     )
     new.add_argument("--title", help="default: size of the gear unit")
     for key, (what, example) in (ASKED | OPTIONAL).items():
@@ -48,6 +63,8 @@ def _new(options: argparse.Namespace) -> int:
         raise CaseError(f"{path}: must end in .toml")
     if options.kind != WORM:
         return _filled_in(path, options)
+    if options.rexs is not None:
+        return _from_rexs(path, options)
     answers = {key: getattr(options, key) for key in OPTIONAL if getattr(options, key) is not None}
     for key, (what, example) in ASKED.items():
         given = getattr(options, key)
@@ -65,9 +82,32 @@ def _new(options: argparse.Namespace) -> int:
     return CONVERGED
 
 
+def _from_rexs(path: Path, options: argparse.Namespace) -> int:
+    """Write the case of the worm drive in a REXS file."""
+    from pyworm.case.from_rexs import rexs_content
+
+    instead = {
+        key: answer_value(name, getattr(options, name))
+        for name, key in CASE_KEYS.items()
+        if getattr(options, name) is not None
+    }
+    content, case = rexs_content(options.rexs, instead)
+    if options.title is not None:
+        content["title"] = options.title
+    check_writable(path.parent)
+    drive = present(case.drive, "drive")
+    content["operation"] = {**content["operation"], "phases": [*loaded_phases(drive.normal_load)]}
+    with whole_file(path) as partial:
+        partial.write_text(toml_text(content), encoding="utf-8")
+    warn_of_unusual(case)
+    print_result(f"{path}: {content['title']}. Next: pyworm check {path}")
+    return CONVERGED
+
+
 def _filled_in(path: Path, options: argparse.Namespace) -> int:
     """Write the template of a kind; its values are replaced in the file, and no options."""
-    given = [key for key in ("title", *ASKED, *OPTIONAL) if getattr(options, key) is not None]
+    names = {"rexs": "from"} | {key: key for key in ("title", *ASKED, *OPTIONAL)}
+    given = [name for key, name in names.items() if getattr(options, key) is not None]
     if given:
         raise CaseError(
             f"--{given[0].replace('_', '-')} has no effect with --kind {options.kind}; replace the values "

@@ -1,9 +1,11 @@
 """Reading TOML files, in spite of wrong encodings, sizes and types of files."""
 
 import codecs
+import json
 import re
 import stat
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -31,6 +33,19 @@ def read_toml(path: Path) -> dict[str, Any]:
     except ValueError as error:
         raise CaseError(f"{path}: {error}") from None
     return content
+
+
+def toml_text(content: Mapping[str, Any], table: str = "") -> str:
+    """The text of a TOML file with some content: tables by name, texts, numbers, and lists of them."""
+    rows = {key: value for key, value in content.items() if not isinstance(value, Mapping)}
+    lines = [f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in rows.items()]
+    text = "\n".join([f"[{table}]", *lines] if table and lines else lines)
+    below = [
+        toml_text(value, f"{table}.{key}".lstrip("."))
+        for key, value in content.items()
+        if isinstance(value, Mapping)
+    ]
+    return "\n\n".join(filter(None, [text, *(part.rstrip("\n") for part in below)])) + "\n"
 
 
 def _require_bounded(value: object, keys: list[str | int]) -> None:

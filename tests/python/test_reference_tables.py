@@ -13,7 +13,7 @@ import pyworm.case
 from pyworm.io.units import Quantity
 
 PAGE = REFERENCE / "symbols.md"
-INPUT = re.compile(r"^\| (\$.+?\$) \| (.+?) \| (.+?) \| `([\w.*]+)` \|$", re.M)
+INPUT = re.compile(r"^\|(\$.+?\$) \|(.+?) \|(.+?) \|`([\w.*]+)` \|$", re.M)
 """Symbol, quantity, unit and key of an input."""
 
 
