@@ -64,6 +64,8 @@ Solving
     FormulaFilms    what they give
     compare_formulas    films of a scene by every formula, with ranges and deviations
     FormulaComparison, FormulaFilm      what `compare_formulas` gives
+    sensitivities   how the figures of a scene follow each of its inputs
+    Sensitivities, Sensitivity      what `sensitivities` gives
     traction_curve  friction over the slide-roll ratio
     sweep           many scenes to labelled arrays
     draw            values of a sweep that fill ranges evenly
@@ -87,6 +89,7 @@ Results
 What goes wrong
     CaseError       invalid input, one sentence
     KernelError     the kernel gave up
+    NoAdjointError  a film has no sensitivities
     UnusualWarning  a value that is mostly a slip
 
 Beside

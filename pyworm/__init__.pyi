@@ -69,9 +69,13 @@ from .scene.point import RigidMotion as RigidMotion
 from .scene.point import Scene as Scene
 from .scene.sampled_gap import SampledGap as SampledGap
 from .scene.slide_roll import with_slide_roll_ratio as with_slide_roll_ratio
+from .solver.adjoint import NoAdjointError as NoAdjointError
 from .solver.estimate import Estimate as Estimate
 from .solver.passes import passes as passes
 from .solver.point.dry import dry_contact as dry_contact
+from .solver.sensitivities import Sensitivities as Sensitivities
+from .solver.sensitivities import Sensitivity as Sensitivity
+from .solver.sensitivities import sensitivities as sensitivities
 from .solver.solution import Figures as Figures
 from .solver.solution import Solution as Solution
 from .solver.solve import solve as solve

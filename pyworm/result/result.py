@@ -339,7 +339,7 @@ def plain_attributes(summary: Mapping[str, Any]) -> dict[str, Any]:
 def _scalars(value: Any) -> Any:
     """A dataclass as nested dictionaries, without its datasets."""
     if is_dataclass(value):
-        names = [part.name for part in fields(value) if part.name not in DATASETS]
+        names = [part.name for part in fields(value) if part.compare and part.name not in DATASETS]
         return {name: _scalars(getattr(value, name)) for name in names}
     if isinstance(value, tuple):
         return [_scalars(part) for part in value]

@@ -55,8 +55,8 @@ def with_input(scene: AnyContact, name: str, value: float) -> AnyContact:
         raise KeyError(f"{scene.name} has no number {name}; it has {', '.join(inputs_of(scene))}")
     if name == TEMPERATURE:
         warmer = value - scene.oil.thermal.inlet_temperature
-        bodies = tuple(_warmed(body, warmer) for body in scene.bodies or ())
-        return replace(scene, oil=scene.oil.warmed(warmer), bodies=bodies or None)
+        first, second = (_warmed(body, warmer) for body in scene.bodies)
+        return replace(scene, oil=scene.oil.warmed(warmer), bodies=(first, second))
     path = name.replace("[", ".").replace("]", "").split(".")
     changed: AnyContact = (
         _SHAPES[name](scene, value) if name in _SHAPES else _replaced(scene, path, value)
@@ -104,16 +104,20 @@ def _numbers(part: Any, path: str, counts: Callable[[str, str], bool]) -> dict[s
     if isinstance(part, float):
         return {path: part} if part else {}
     if isinstance(part, tuple):
-        inner = [(f"{path}[{index}]", one) for index, one in enumerate(part)]
+        inner = [(f"{path}[{index}]", item) for index, item in enumerate(part)]
     elif is_dataclass(part):
         inner = [
-            (f"{path}.{one.name}", getattr(part, one.name))
-            for one in fields(part)
-            if counts(path, one.name)
+            (f"{path}.{attribute.name}", getattr(part, attribute.name))
+            for attribute in fields(part)
+            if counts(path, attribute.name)
         ]
     else:
         return {}
-    return {name: value for at, one in inner for name, value in _numbers(one, at, counts).items()}
+    return {
+        name: value
+        for place, item in inner
+        for name, value in _numbers(item, place, counts).items()
+    }
 
 
 def _replaced(part: Any, path: list[str], value: float) -> Any:
@@ -123,7 +127,7 @@ def _replaced(part: Any, path: list[str], value: float) -> Any:
     first, *rest = path
     if isinstance(part, tuple):
         return tuple(
-            _replaced(one, rest, value) if index == int(first) else one
-            for index, one in enumerate(part)
+            _replaced(item, rest, value) if index == int(first) else item
+            for index, item in enumerate(part)
         )
     return replace(part, **{first: _replaced(getattr(part, first), rest, value)})

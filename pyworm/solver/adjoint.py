@@ -35,8 +35,8 @@ TOLERANCE, MOST_ITERATIONS = 1e-5, 240
 """Residual of a linear solve over that of no solution, and most iterations of it. The change by the load, a
 small rest of large weights, is known ten times less well than films by oil."""
 
-SETTLED, UNSETTLED, MOST_STEPS = 1e-6, 1e-4, 40
-"""Residual to which a film is settled before its adjoint, that beyond which it is not found, and most Newton
+CONVERGED_RESIDUAL, MAX_RESIDUAL, MOST_STEPS = 1e-6, 1e-4, 40
+"""Residual to which a film is solved before its adjoint, that beyond which it is not found, and most Newton
 steps to it."""
 
 FORCING = 0.1
@@ -56,7 +56,7 @@ class Adjoint:
     solver: ContactSolver[Any, Any]
     """Solver of the contact."""
     level: Level
-    """The film, settled on its grid, which bears the whole load."""
+    """The film, solved on its grid, which bears the whole load."""
     figures: dict[str, float]
     """Its figures that have an adjoint solution."""
     weights: dict[str, Weights]
@@ -82,9 +82,9 @@ class Adjoint:
         by_rows = np.tensordot(missed, self.adjoints.rows, axes=(nodes, nodes))
         load = other.scene.load - self.level.scene.load
         followed = self.adjoints.by_load * load - by_rows
-        own = self._own_changes(other)
+        by_contact = self._own_changes(other)
         return {
-            name: own[name] + float(change)
+            name: by_contact[name] + float(change)
             for name, change in zip(self.figures, followed, strict=True)
         }
 
@@ -126,7 +126,7 @@ def adjoint_of(
     solution: Solution | None = None,
     grid: Any | None = None,
     tolerance: float = TOLERANCE,
-    settled: float = SETTLED,
+    residual: float = CONVERGED_RESIDUAL,
 ) -> Adjoint:
     """Solve a steady contact on one grid, and the adjoint for each of its figures.
 
@@ -136,7 +136,7 @@ def adjoint_of(
         solution: Its solution, from which the film starts; by default it is solved on coarser grids first.
         grid: The grid, by default the planned wider one: nothing bears load beyond it.
         tolerance: Residual of the linear solves over that of no solution.
-        settled: Residual to which the film is settled.
+        residual: Residual to which the film is solved.
 
     Raises:
         NoAdjointError: A limited supply of oil, or a film that is not found on the grid.
@@ -144,10 +144,10 @@ def adjoint_of(
     """
     if scene.oil.supply is not None:
         raise NoAdjointError(
-            f"{scene.name}: a film of a limited supply of oil has no adjoint; give it oil in plenty"
+            f"{scene.name}: a film of a limited supply of oil has no adjoint; leave the supply out"
         )
     solver = SOLVERS[type(scene)](plan.simplified(scene), plan)
-    level = _settled_level(solver, plan, solution, grid, settled)
+    level = _solved_level(solver, plan, solution, grid, residual)
     weights = weights_of_figures(level)
     shape = level.film.pressure.shape
     fields = fields_of(level)
@@ -166,16 +166,16 @@ def adjoint_of(
 
 def _by_pressure(level: Level, name: str, weights: Weights, fields: Weights) -> Array:
     """Weights of the pressure in a figure: its own, and those by the outline of the contact."""
-    own = weights.get("pressure", 0.0)
-    return np.asarray(own + by_outline(level, name, weights, fields))
+    direct = weights.get("pressure", 0.0)
+    return np.asarray(direct + by_outline(level, name, weights, fields))
 
 
-def _settled_level(
+def _solved_level(
     solver: ContactSolver[Any, Any],
     plan: Plan,
     solution: Solution | None,
     grid: Any | None,
-    settled: float,
+    residual: float,
 ) -> Level:
     """The film of a contact on one grid that bears the whole load; NoAdjointError where it is not found."""
     nest = plan.wider_grids or plan.grids
@@ -189,11 +189,11 @@ def _settled_level(
         guess = interpolated_guess(solver, solution, grid, plan.model.levels)
     level = solver.isolated(grid, guess)
     for _ in range(MOST_STEPS):
-        if level.film.balance.worst <= settled or newton_step(level, FORCING) is None:
+        if level.film.balance.worst <= residual or newton_step(level, FORCING) is None:
             break
-    if not level.film.balance.worst <= UNSETTLED:
+    if not level.film.balance.worst <= MAX_RESIDUAL:
         raise NoAdjointError(
-            f"{level.scene.name}: no film was settled on {grid.nodes} nodes for its sensitivities: the "
+            f"{level.scene.name}: no film was found on {grid.nodes} nodes for its sensitivities: the "
             f"residual stayed at {level.film.balance.worst:.1e}"
         )
     return level

@@ -16,7 +16,7 @@ SEARCHES = ((8, 2.0), (128, 0.125))
 each side. The error is 1e-4 of that of the lowest node; places do not depend on which node is the lowest."""
 
 MOST_CELLS, NEWTON_STEPS = 4, 8
-"""Cells in which the place of a least value is settled, and steps of Newton's method in each."""
+"""Cells in which the place of a least value is refined, and steps of Newton's method in each."""
 
 MARGIN_NODES = 6
 """Nodes to each side on which the surface depends: one beyond its cell, and three more from which that one is
@@ -77,7 +77,7 @@ def weights_at(place: tuple[float, ...], shape: tuple[int, ...]) -> Array:
     return weights
 
 
-def settled(field: Array, place: tuple[float, ...]) -> tuple[float, ...]:
+def refined_place(field: Array, place: tuple[float, ...]) -> tuple[float, ...]:
     """The place of the least value of the surface, or curve, beside that found by `minimum`.
 
     Within a cell the surface is bicubic, and its least value is found by Newton's method, in the next cell
@@ -106,8 +106,8 @@ def _stationary(cubic: Array, within: Array) -> Array:
     xx, xy, yy = powers.polyder(x, axis=0), powers.polyder(x, axis=1), powers.polyder(y, axis=1)
     for _ in range(NEWTON_STEPS):
         place = float(within[0]), float(within[1])
-        slope = [float(powers.polyval2d(*place, one)) for one in (x, y)]
-        a, b, c = (float(powers.polyval2d(*place, one)) for one in (xx, xy, yy))
+        slope = [float(powers.polyval2d(*place, slope)) for slope in (x, y)]
+        a, b, c = (float(powers.polyval2d(*place, bend)) for bend in (xx, xy, yy))
         if not (a > 0 and a * c > b * b):
             break
         move = np.array([c * slope[0] - b * slope[1], a * slope[1] - b * slope[0]]) / (

@@ -62,7 +62,8 @@ def fields_of(level: Level) -> Weights:
         shear = level.film.shear_fields()
         wetted = 1 - level.film.asperities().area if level.film.rough else 1.0
         found |= {
-            f"stress_{axis}": wetted * part for axis, part in zip("xy", shear.stress, strict=False)
+            f"stress_{axis}": wetted * part
+            for axis, part in zip("xy"[: len(shear.stress)], shear.stress, strict=True)
         }
         found["heat"] = shear.friction
     if level.film.rough:
@@ -78,7 +79,7 @@ def stacked(weights: Weights, shape: tuple[int, ...]) -> Array:
 def _film_min(level: Level) -> Weights:
     film = level.film.thickness()
     _, place = extremum.minimum(film, level.borne(), level.covered)
-    return {"film": weights_at(extremum.settled(film, place), film.shape)}
+    return {"film": weights_at(extremum.refined_place(film, place), film.shape)}
 
 
 def _film_central(level: Level) -> Weights:
@@ -105,7 +106,7 @@ def _pressure_max(level: Level) -> Weights:
     counted = np.broadcast_to(level.covered, pressure.shape)
     upper = counted & (pressure > pressure.max() / 2)
     _, place = extremum.minimum(-pressure, upper, counted)
-    return {"pressure": weights_at(extremum.settled(-pressure, place), pressure.shape)}
+    return {"pressure": weights_at(extremum.refined_place(-pressure, place), pressure.shape)}
 
 
 def _friction(level: Level) -> Weights:
@@ -114,7 +115,8 @@ def _friction(level: Level) -> Weights:
     direction = [-component / hypot(*sliding) for component in sliding]
     per_node = level.share_of_contact() * level.grid.cell / max(level.carried(), LEAST_LOAD)
     weights = {
-        f"stress_{axis}": part * per_node for axis, part in zip("xy", direction, strict=False)
+        f"stress_{axis}": part * per_node
+        for axis, part in zip("xy"[: len(direction)], direction, strict=True)
     }
     if level.film.rough:
         everywhere = level.scene.sliding_at(*level.grid.mesh())

@@ -1,4 +1,4 @@
-"""Sensitivities of the figures of a steady contact to all its inputs, with error bars by two grids."""
+"""Sensitivities of a steady contact to all its inputs, with their numerical uncertainties."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -6,7 +6,7 @@ from math import isfinite
 
 from pyworm.formulas.arrays import Array
 from pyworm.io.given import Names, WithUnit
-from pyworm.io.shown import Shown
+from pyworm.io.shown import Shown, ShownFields
 from pyworm.kernel.core import KernelError
 from pyworm.planning.plan import Plan
 from pyworm.planning.plan import plan as make_plan
@@ -14,6 +14,7 @@ from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.inputs import inputs_of, with_input
 from pyworm.solver.adjoint import Adjoint, NoAdjointError, adjoint_of
 from pyworm.solver.solution import Solution
+from pyworm.solver.solve import solve
 
 STEP = 1e-5
 """Relative change of an input in differences of the equations at one film, which are smooth in it."""
@@ -22,12 +23,12 @@ GRID_SHARE = 0.7
 """Error of a sensitivity over its change from a grid of twice the spacing: an error of second order leaves a
 third of it, a minimum film thickness that goes from one valley to another more."""
 
-SHOWN = 6
+MOST_SHOWN = 6
 """Number of inputs that are shown, the most influential."""
 
 
-@dataclass(frozen=True)
-class Sensitivity:
+@dataclass(frozen=True, repr=False)
+class Sensitivity(ShownFields):
     """Relative change of a figure over that of an input, d ln J/d ln z."""
 
     value: float
@@ -38,7 +39,7 @@ class Sensitivity:
 
 @dataclass(frozen=True, repr=False)
 class Sensitivities(Shown):
-    """How each figure of a contact follows each of its inputs."""
+    """How the output quantities of a contact follow its inputs."""
 
     name: str
     """The scene's name."""
@@ -47,7 +48,7 @@ class Sensitivities(Shown):
     inputs: dict[str, float]
     """Inputs of the contact other than zero, in SI units (`pyworm.scene.inputs`)."""
     table: dict[str, dict[str, Sensitivity]]
-    """Of each figure by each input."""
+    """By output quantity and input."""
     adjoint: Adjoint
     """Adjoint of the film on the grid, which has the sensitivity to the gap as a field."""
 
@@ -60,19 +61,19 @@ class Sensitivities(Shown):
         return self.adjoint.by_gap(figure)
 
     def shown(self) -> tuple[str, dict[str, str]]:
-        """Heading, and of each figure the inputs that it follows most."""
+        """Heading, and by output quantity the inputs that it follows most."""
         rows = {}
         for figure, by_input in self.table.items():
-            largest = sorted(by_input.items(), key=lambda item: -abs(item[1].value))[:SHOWN]
-            rows[figure] = ", ".join(f"{name} {one.value:+.3f}" for name, one in largest)
+            largest = sorted(by_input.items(), key=lambda item: -abs(item[1].value))[:MOST_SHOWN]
+            rows[figure] = ", ".join(f"{name} {item.value:+.3f}" for name, item in largest)
         return f"Sensitivities of {self.name} (d ln J/d ln z)", rows
 
     def summary(self) -> dict[str, dict[str, dict[str, float | None]]]:
         """The table as one object: by figure and input the value, and its error if that is known."""
         return {
             figure: {
-                name: {"value": one.value, "error": one.error if isfinite(one.error) else None}
-                for name, one in by_input.items()
+                name: {"value": item.value, "error": item.error if isfinite(item.error) else None}
+                for name, item in by_input.items()
             }
             for figure, by_input in self.table.items()
         }
@@ -87,25 +88,26 @@ def sensitivities(
     effects: Names = "auto",
     inputs: Sequence[str] | None = None,
 ) -> Sensitivities:
-    """Sensitivities of the figures of a steady contact to its inputs, by one linear solve for each figure.
+    """Sensitivities of a steady contact to its inputs, by one linear solve for each output quantity.
 
     Args:
         scene: The contact.
         plan: Its plan, by `pyworm.plan`; by default it is made with the accuracy and effects.
-        solution: Its solution, from which the film on the grid of the sensitivities starts; by default that
-            is solved on coarser grids first.
+        solution: Its solution, from which the film on the grid of the sensitivities starts; by default it is
+            solved first.
         accuracy, effects: As of `pyworm.plan`.
         inputs: Names of inputs; by default all that the effects of the plan take.
 
     Returns:
-        d ln J/d ln z, exact on its grid at a fixed rupture line, with an error bar by a grid of twice the
-        spacing. A temperature's is relative to its value in K.
+        d ln J/d ln z, exact on its grid at a fixed rupture line, with the numerical uncertainty by a grid of
+        twice the spacing. A temperature's is relative to its value in K.
 
     Raises:
         ValueError: A name that the contact has not, or as of `pyworm.plan`.
         NoAdjointError: No sensitivities: a limited supply of oil, or no film on the grid.
     """
     plan = make_plan(scene, accuracy, effects) if plan is None else plan
+    solution = solve(scene, plan) if solution is None else solution
     numbers = inputs_of(scene, heated=plan.model.heated, rough=plan.model.rough)
     chosen = numbers if inputs is None else {name: _number(scene, name) for name in inputs}
     fine = adjoint_of(scene, plan, solution)

@@ -1,8 +1,8 @@
 """The result of one solve: fields, figures with error bars, convergence history and cost."""
 
 import os
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, dataclass, fields, is_dataclass, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
@@ -227,6 +227,9 @@ class Solution(Shown):
     """Names of the figures to which it refers (`pyworm.planning.target.AccuracyTarget`); empty where that is
     not known."""
 
+    solved: Any = field(default=None, compare=False)
+    """The contact and its plan; None of a solution from a file."""
+
     plot = lazy_property(
         "pyworm.plots.of_solution", "Pictures", "Its pictures, such as `solution.plot.film()`."
     )
@@ -259,7 +262,7 @@ class Solution(Shown):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Solution):
             return NotImplemented
-        plain = (part.name for part in fields(self) if part.name not in DATASETS)
+        plain = (part.name for part in fields(self) if part.compare and part.name not in DATASETS)
         return all(getattr(self, name) == getattr(other, name) for name in plain) and all(
             same_data(getattr(self, name), getattr(other, name)) for name in DATASETS
         )
@@ -300,6 +303,20 @@ class Solution(Shown):
     def changed(self, **changes: Any) -> "Solution":
         """The solution with other values of some attributes; xarray is not loaded for it."""
         return replace(self, **{part: self.held(part) for part in DATASETS} | changes)
+
+    def sensitivities(self, inputs: Sequence[str] | None = None) -> Any:
+        """Sensitivities of the figures to the contact's inputs, as of `pyworm.sensitivities`.
+
+        ValueError of a solution from a file, whose contact is not in it, besides.
+        """
+        if self.solved is None:
+            raise ValueError(
+                f"{self.name}: read from a file, which has no contact; "
+                "use pyworm.sensitivities(case.scene(...)) with its case"
+            )
+        scene, plan = self.solved
+        find: Callable[..., Any] = attribute_of("pyworm.solver.sensitivities", "sensitivities")
+        return find(scene, plan, self, inputs=inputs)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write one NetCDF file, which `pyworm.open_solution` and the commands read; returns its path."""

@@ -75,7 +75,7 @@ def solve(
             figures = solution.figures.values() if solution.converged else None
             updated = _updated(scene, plan, figures)
             if updated.on <= plan.on:
-                solution = solution.changed(effects=updated.effects)
+                solution = solution.changed(effects=updated.effects, solved=(scene, plan))
                 return _no_worse(scene, plan, solution, rates, report)
         missed = updated.on - plan.on
         if STARVATION.name in missed:

@@ -564,6 +564,12 @@ PLAIN = {
     "wear": (
         "case hours coefficient energy calibrate worm_ratio accuracy phases out processes scheduler progress"
     ),
+    "Sensitivity": "value error",
+    "Sensitivities": "figures name inputs table adjoint",
+    "Sensitivities.of": "figure by",
+    "Sensitivities.by_gap": "figure",
+    "sensitivities": "scene plan solution accuracy effects inputs",
+    "Solution.sensitivities": "inputs",
     "Solution.held": "part",
     "Solution.dataset": "part",
     "Solution.figure_text": "quantity",

@@ -15,7 +15,7 @@ from synthetic_solution import make_result, make_solution
 import pyworm
 from pyworm.result.calibration import FittedValue
 
-EXCEPTIONS = ("CaseError", "KernelError", "UnusualWarning")
+EXCEPTIONS = ("CaseError", "KernelError", "NoAdjointError", "UnusualWarning")
 
 
 def built():
@@ -80,6 +80,11 @@ def built():
         "SampledGap": (pyworm.SampledGap(square, square, heights), "9 x 9 heights"),
         "Roughness": (pyworm.Roughness("0.4 um", lay="30 deg"), "rms 0.4 µm, lay 30 °"),
         "Scene": (ball(), "load"),
+        "Sensitivities": (
+            pyworm.sensitivities(roller(), accuracy=0.1, effects="isothermal", inputs=["load"]),
+            "film_min load -0.",
+        ),
+        "Sensitivity": (pyworm.Sensitivity(0.7, 0.1), "value 0.7"),
         "Solution": (solution, "status accurate, film_min 0."),
         "SweepResult": (
             pyworm.SweepResult("loads", "Loads", [["load"]], table, {}),
