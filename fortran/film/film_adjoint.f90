@@ -20,7 +20,7 @@ module pyworm_film_adjoint
   implicit none(type, external)
   private
 
-  public :: adjoint_system, film_adjoint, new_adjoint_system, solve_adjoint, rows_adjoint
+  public :: adjoint_system, film_adjoint, new_adjoint_system, solve_adjoint, rows_adjoint, changeable
 
   !> Iterations after which GMRES is restarted.
   integer, parameter :: cycle_length = 30

@@ -1,8 +1,8 @@
 !> Approximate solution of the linearised equations of a film's temperature, and of the transposed ones.
 !>
-!> One sweep of block Gauss-Seidel: the columns are solved in the order of the sweep with the entrainment, each with the
-!> temperature upstream of it where that is known, and with bodies whose rise at a node is that by the flux of its
-!> neighbourhood alone (`wall_balance`). The transposed sweep is its exact transpose, from the last column to the first.
+!> Block Gauss-Seidel, once against the entrainment, for oil that flows back, and once with it: the columns are solved in this
+!> order, each with the temperature upstream of it as far as it is known, and with bodies whose rise at a node is that by the flux
+!> of its neighbourhood alone (`wall_balance`). The transposed solve is the exact transpose.
 module pyworm_heat_preconditioner
   use pyworm_heat_columns, only: most_upstream
   use pyworm_heat_linearisation, only: heat_linearisation, before_levels
@@ -66,46 +66,53 @@ contains
     real(wp), intent(in) :: change(linear%nx*linear%ny, linear%levels)
     real(wp), intent(out) :: warming(linear%nx*linear%ny, linear%levels)
     real(wp) :: rest(linear%levels)
-    integer :: step, s, k, t
+    integer :: sweep, step, s, k, t
 
-    ! what is not known yet is zero; on the outline the equations are those of the temperature itself
+    ! on the outline the equations are those of the temperature itself
     warming = change
     warming(linear%node, :) = 0
-    do step = 1, size(linear%node)
-      s = merge(size(linear%node) + 1 - step, step, linear%backward)
-      rest = change(linear%node(s), :)
-      do k = 1, linear%levels
-        do t = 1, most_upstream
-          rest(k) = rest(k) - self%scale(k)*linear%weight(t, k, s)*warming(linear%place(t, k, s), k)
+    do sweep = 1, 2
+      do step = 1, size(linear%node)
+        s = merge(step, size(linear%node) + 1 - step, (sweep == 1) .eqv. linear%backward)
+        rest = change(linear%node(s), :)
+        do k = 1, linear%levels
+          do t = 1, most_upstream
+            rest(k) = rest(k) - self%scale(k)*linear%weight(t, k, s)*warming(linear%place(t, k, s), k)
+          end do
         end do
+        warming(linear%node(s), :) = matmul(self%inverse(:, :, s), rest)
       end do
-      warming(linear%node(s), :) = matmul(self%inverse(:, :, s), rest)
     end do
   end subroutine solve_heat
 
   !> Transpose of `solve_heat`: solves approximately for the weights of the equations by which the temperature has the
-  !> weights `by_warming`.
+  !> weights `by_warming`. Both sweeps are taken from their ends.
   pure subroutine solve_heat_transposed(linear, self, by_warming, weight)
     type(heat_linearisation), intent(in) :: linear
     type(heat_preconditioner), intent(in) :: self
     real(wp), intent(in) :: by_warming(linear%nx*linear%ny, linear%levels)
     real(wp), intent(out) :: weight(linear%nx*linear%ny, linear%levels)
-    real(wp) :: rest(linear%nx*linear%ny, linear%levels)
-    integer :: step, s, k, t
+    real(wp) :: rest(linear%nx*linear%ny, linear%levels), solved(linear%levels)
+    integer :: sweep, step, s, k, t
 
     rest = by_warming
-    do step = 1, size(linear%node)
-      s = merge(step, size(linear%node) + 1 - step, linear%backward)
-      weight(linear%node(s), :) = matmul(rest(linear%node(s), :), self%inverse(:, :, s))
-      do k = 1, linear%levels
-        do t = 1, most_upstream
-          associate (place => linear%place(t, k, s))
-            rest(place, k) = rest(place, k) - self%scale(k)*linear%weight(t, k, s)*weight(linear%node(s), k)
-          end associate
+    weight = 0
+    do sweep = 2, 1, -1
+      do step = size(linear%node), 1, -1
+        s = merge(step, size(linear%node) + 1 - step, (sweep == 1) .eqv. linear%backward)
+        solved = matmul(rest(linear%node(s), :), self%inverse(:, :, s))
+        weight(linear%node(s), :) = weight(linear%node(s), :) + solved
+        rest(linear%node(s), :) = 0
+        do k = 1, linear%levels
+          do t = 1, most_upstream
+            associate (place => linear%place(t, k, s))
+              rest(place, k) = rest(place, k) - self%scale(k)*linear%weight(t, k, s)*solved(k)
+            end associate
+          end do
         end do
       end do
     end do
-    ! what is added to the rest of a column that is solved already is of a temperature that was not known in the sweep
+    ! what is left of the columns is of a temperature that was not known in the first sweep
     rest(linear%node, :) = weight(linear%node, :)
     weight = rest
   end subroutine solve_heat_transposed
