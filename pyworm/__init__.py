@@ -50,6 +50,8 @@ Gear sets
     CaseSetup       what `setup` gives
     calibrate       values of a case, such as boundary friction, fitted to measurements
     Calibration     what `calibrate` gives
+    design          the best gear set between bounds, under constraints
+    BestDesign      what `design` gives
     wear            wear of the wheel over its service life
     CaseWear        what `wear` gives
 

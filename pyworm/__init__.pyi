@@ -4,6 +4,7 @@ from .batch.calibrate import calibrate as calibrate
 from .batch.check import CheckedCase as CheckedCase
 from .batch.check import PlannedContact as PlannedContact
 from .batch.check import check as check
+from .batch.design import design as design
 from .batch.run import run as run
 from .batch.study import sweep as sweep
 from .batch.study import traction_curve as traction_curve
@@ -46,6 +47,7 @@ from .ratings.rate import rate as rate
 from .result.calibration import Calibration as Calibration
 from .result.compare import Comparison as Comparison
 from .result.compare import compare as compare
+from .result.design import BestDesign as BestDesign
 from .result.export import write_csv as write_csv
 from .result.export import write_vtk as write_vtk
 from .result.formula_comparison import FormulaComparison as FormulaComparison

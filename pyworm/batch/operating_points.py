@@ -119,7 +119,7 @@ class Solving:
 
     def _results(self, points: Sequence[OperatingPoint]) -> list[Results]:
         tasks = [[] if point.by_formula else self.tasks(point) for point in points]
-        known = self._solved([task for some in tasks for task in some])
+        known = self.solved([task for some in tasks for task in some])
         return [
             _by_formula(point)
             if point.by_formula
@@ -127,8 +127,12 @@ class Solving:
             for point, some in zip(points, tasks, strict=True)
         ]
 
-    def _solved(self, tasks: Sequence[Task]) -> dict[str, dict[str, Any]]:
-        """Scalars of the solutions of some contacts by key, each solved once."""
+    def solved(self, tasks: Sequence[Task]) -> dict[str, dict[str, Any]]:
+        """Scalars of the solutions of some contacts by key, each solved once.
+
+        Raises:
+            NotSolvedError: A contact could not be solved, or did not converge.
+        """
         store = Store(self.directory.absolute() / SCENES, False)
         reasons = solve_all(store.missing(tasks), store, self.executor, self.progress)
         for task in tasks:

@@ -94,15 +94,15 @@ def read_fitted(path: Path) -> FittedTable:
 
 
 def fitted_file(
-    source: str, values: Mapping[str, str | float], correlation: Sequence[Sequence[float]]
+    source: str, values: Mapping[str, str | float], correlation: Sequence[Sequence[float]] = ()
 ) -> str:
-    """The text of a file of fitted values."""
+    """The text of a file of fitted values, without correlations where there are none."""
     rows = [f'"{key}" = {toml(value)}' for key, value in values.items()]
     matrix = [f"    [{', '.join(f'{entry:.4f}' for entry in row)}]," for row in correlation]
-    return "\n".join(
-        [f"source = {toml(source)}", "", *_correlation(matrix), "", "[values]", *rows, ""]
-    )
+    return "\n".join([f"source = {toml(source)}", "", *_correlation(matrix), "[values]", *rows, ""])
 
 
 def _correlation(matrix: Sequence[str]) -> list[str]:
-    return ["# Of the values below, in their order.", "correlation = [", *matrix, "]"]
+    if not matrix:
+        return []
+    return ["# Of the values below, in their order.", "correlation = [", *matrix, "]", ""]

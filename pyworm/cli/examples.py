@@ -11,6 +11,7 @@ EXAMPLES = {
     "film": "cases/zi_drive.toml --phase 0.5",
     "sweep": "cases/sweeps/film_of_speed_and_load.toml -j 2",
     "calibrate": "cases/film_rig.toml --measured films.csv --fit z",
+    "design": "cases/designs/addenda.toml",
     "wear": "cases/zi_drive.toml --hours 1000",
     "plot": "results/zi_drive/result.nc --pictures all",
     "report": "results/zi_drive/result.nc --pdf",

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from pyworm.batch.task import Task
     from pyworm.io.console import Console
     from pyworm.result.result import Result
+from pyworm.cli.sensitive_run import SensitiveRun
 from pyworm.cli.shared import (
     CONVERGED,
     FAILED,
@@ -58,6 +59,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         action="store_true",
         help='uncertainty of the results by inputs written "0.4 um +- 0.1 um": two more solves for each',
     )
+    run.add_argument(
+        "--sensitivities",
+        action="store_true",
+        help="changes of the results with every number of the case, by adjoint solutions",
+    )
     run.set_defaults(command=_run)
 
 
@@ -70,6 +76,7 @@ def _run(options: argparse.Namespace) -> int:
     warn_of_refusals(planned)
     uncertain = UncertainRun(case, options)
     uncertain.announce()
+    sensitive = SensitiveRun(options)
 
     from pyworm.batch.case_run import RESULT_NAME, NothingSolvedError
     from pyworm.batch.drive_iteration import run_balanced
@@ -93,6 +100,9 @@ def _run(options: argparse.Namespace) -> int:
         if not options.json:
             _show_run(case, tasks, result)
             uncertain.show(result)
+        sensitive.complete(result, tasks, directory)
+        if not options.json:
+            sensitive.show(directory)
             print_result(f"Results   {directory / RESULT_NAME}")
         # After the figures, which no picture may cost; and by this machine, since others need not reach
         # this place.
@@ -100,7 +110,7 @@ def _run(options: argparse.Namespace) -> int:
         pictures = _pictures(result, directory, options.pictures, drawers)
         pictures += uncertain.pictures(result, directory)
         table = _table_of_lives(result, directory)
-    _show_files(case, tasks, result, options, directory, pictures, table)
+    _show_files(case, tasks, result, options, directory, pictures, table, sensitive.summary)
     if not options.scheduler and (
         why := overrun(case, planned, result, processor_seconds() - began)
     ):
@@ -118,8 +128,9 @@ def _show_files(
     directory: Path,
     pictures: Sequence[str],
     table: Path | None,
+    more_found: dict[str, Any],
 ) -> None:
-    """Show which files a run has left; under `--json` beside all that it found."""
+    """Show which files a run has left; under `--json` beside all that it found, and more."""
     from pyworm.batch.case_run import RESULT_NAME
 
     if options.json:
@@ -128,7 +139,7 @@ def _show_files(
             **({} if table is None else {"life_table": str(table)}),
             "pictures": [str(directory / name) for name in pictures],
         }
-        print_json(_summary(case, tasks, result) | files)
+        print_json(_summary(case, tasks, result) | more_found | files)
     else:
         more = "; --pictures all: those of every contact" if options.pictures == "key" else ""
         print_result(f"Pictures  {directory}/*.png ({len(pictures)}{more})")

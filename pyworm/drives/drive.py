@@ -155,6 +155,11 @@ class Drive(Shown, Lubricated, ABC):
         """
         return None
 
+    @property
+    def pattern_margin(self) -> float | None:
+        """Distance of the contact pattern without load from the nearer end of the face [m]; None without."""
+        return None
+
     def allowed_errors(self) -> AllowedErrors:
         """Errors of the assembly that it allows, each alone; empty where they are not known."""
         return {}

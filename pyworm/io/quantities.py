@@ -295,6 +295,8 @@ MESH_CYCLE = (
     Quantity("worm_torque", "N m", "torque of the worm", "N m", "T_1"),
     Quantity("wheel_turn", "rad", "transmission error (loaded)", "µrad"),
     Quantity("transmission_error", "rad", "transmission error (unloaded)", "µrad"),
+    Quantity("pattern_margin", "m", "distance of the contact pattern from the end of the face", "mm",
+        extreme="minimum"),
 )  # fmt: skip
 """Figures of a whole mesh cycle."""
 
@@ -424,9 +426,11 @@ IN_DATASETS = (
     Quantity("viscosity_parameter", "1", "Johnson's g_V"),
     Quantity("elasticity_parameter", "1", "Johnson's g_E"),
     Quantity("regime_number", "1", "which regime, counted from 0"),
-    Quantity("formula_film_min", "m", "minimum film thickness by Dowson and Higginson"),
+    Quantity("formula_film_min", "m", "minimum film thickness by Dowson and Higginson", "µm",
+        extreme="minimum"),
     Quantity("formula_film_central", "m", "central film thickness by Moes"),
-    Quantity("printed_film_min", "m", "minimum film thickness by the source's formula"),
+    Quantity("printed_film_min", "m", "minimum film thickness by the source's formula", "µm",
+        extreme="minimum"),
     Quantity("film_by_regime", "m", "minimum film thickness by the formula of each regime"),
     Quantity("printed_film_by_regime", "1", "the source's formula of each regime with SI numbers"),
     Quantity("heated_share", "1",
@@ -484,6 +488,15 @@ QUANTITIES = {
     quantity.name: quantity for quantity in (*EVERY_CONTACT, *MESH_CYCLE, *FIELDS, *IN_DATASETS)
 }
 """Name -> quantity."""
+
+
+SHOWN_AS = {"efficiency": "mesh_efficiency"}
+"""Result of gears -> its name in `QUANTITIES`, where that differs."""
+
+
+def quantity_of(name: str) -> Quantity:
+    """How a result is shown; KeyError of one without an entry."""
+    return QUANTITIES[SHOWN_AS.get(name, name)]
 
 
 def listed(place: str) -> tuple[Quantity, ...]:

@@ -4,8 +4,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from pyworm.io.quantities import quantity_of
 from pyworm.plots.layout import add_grids, placed_panels
-from pyworm.result.calibration import Calibration, FittedRow, quantity_of
+from pyworm.result.calibration import Calibration, FittedRow
 
 COVERAGE = 2.0
 """Half length of a bar over the standard uncertainty."""

@@ -11,20 +11,11 @@ import numpy as np
 from pyworm.case.fitted_values import fitted_file
 from pyworm.formulas.least_squares import Combination
 from pyworm.io.atomic import whole_file
-from pyworm.io.quantities import QUANTITIES, Quantity
 from pyworm.io.quantity_text import percent
 from pyworm.io.shown import Shown
 
-SHOWN_AS = {"efficiency": "mesh_efficiency"}
-"""Measured quantity -> its name in `QUANTITIES`, where that differs."""
-
 STRONG_CORRELATION = 0.9
 """Correlation of two values from which they are reported as hardly told apart."""
-
-
-def quantity_of(name: str) -> Quantity:
-    """How a measured quantity is shown."""
-    return QUANTITIES[SHOWN_AS.get(name, name)]
 
 
 @dataclass(frozen=True)

@@ -15,9 +15,8 @@ import numpy as np
 
 from pyworm.case.uncertain_inputs import UncertainInputs
 from pyworm.formulas.arrays import Array
-from pyworm.io.quantities import Quantity
+from pyworm.io.quantities import Quantity, quantity_of
 from pyworm.io.shown import Shown
-from pyworm.result.calibration import quantity_of
 from pyworm.result.result import Result
 
 BOUND = 2.0

@@ -18,6 +18,24 @@ BRANCHES: dict[str, str] = tomllib.loads(
 MADE_BY = {
     "batch/calibrate.py bench_of CaseError":
         "case/test_measured_table.py::test_measurements_that_do_not_fit_the_case_are_refused",
+    "batch/adjoint_changes.py _kept (ValueError, KernelError)":
+        "batch/test_design.py::test_slopes_are_those_of_closed_forms_where_there_is_no_adjoint",
+    "batch/adjoint_changes.py _kept suppress OSError":
+        "batch/test_design.py::test_solved_contacts_lead_to_the_limit_and_are_found_again",
+    "batch/design.py _Search._known NotSolvedError":
+        "batch/test_design.py::test_a_design_of_a_front_without_a_solution_is_its_neighbour",
+    "batch/design.py _Search._descended NotSolvedError":
+        "batch/test_design.py::test_a_contact_without_a_solution_is_passed_over_but_not_that_of_the_case",
+    "batch/design.py _Search._slopes CaseError":
+        "batch/test_design.py::test_slopes_are_those_of_closed_forms_where_a_variable_cannot_be_moved",
+    "batch/design_model.py laid_out (ValueError, ArithmeticError)":
+        "batch/test_design.py::test_designs_that_there_cannot_be_are_avoided",
+    "batch/run_sensitivities.py sensitivities_of_run (NoAdjointError, KernelError)":
+        "batch/test_key_sensitivities.py::test_a_run_has_sensitivities_by_adjoints_or_by_closed_forms",
+    "batch/key_sensitivities.py both_sides ValueError":
+        "batch/test_key_sensitivities.py::test_numbers_that_cannot_be_moved_are_named_with_the_reason",
+    "batch/key_sensitivities.py key_sensitivities ValueError":
+        "batch/test_key_sensitivities.py::test_numbers_that_cannot_be_moved_are_named_with_the_reason",
     "batch/calibration.py Bench._point CaseError":
         "case/test_measured_table.py::test_measurements_that_do_not_fit_the_case_are_refused",
     "batch/uncertain_run.py _moved CaseError":

@@ -558,6 +558,11 @@ PLAIN = {
         "case_name data_name values rows correlation combinations chi_squared degrees numerical"
     ),
     "Calibration.save": "path",
+    "design": "path out processes scheduler progress",
+    "BestDesign": (
+        "name title case_name variables figures violated open front estimates solved method"
+    ),
+    "BestDesign.save": "path",
     "rate": "case result",
     "setup": "case",
     "shim": "case",

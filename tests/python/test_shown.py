@@ -32,6 +32,10 @@ def built():
         depth_allowed=1e-5,
     )
     return {
+        "BestDesign": (
+            pyworm.BestDesign("b", "b", "worm", (), (), (), (), (), 48, 0, ""),
+            "BestDesign of worm",
+        ),
         "Calibration": (
             pyworm.Calibration(
                 "rig",

@@ -166,6 +166,12 @@ class WormDrive(WormMesh, Drive):
         """Contact patterns under the load, of the flank that the worm drives and of the other one."""
         return both_flanks(self, loaded_pattern)
 
+    @property
+    def pattern_margin(self) -> float:
+        """Distance of the driven flank's contact pattern without load from the nearer end of the face [m]."""
+        first, last = self.driven_pattern.along_face()
+        return self.wheel.face_width / 2 - max(-first, last)
+
     def allowed_errors(self) -> AllowedErrors:
         """Errors of the assembly that it allows, each alone."""
         return {tolerance.entry: tolerance.row for tolerance in self.tolerances}

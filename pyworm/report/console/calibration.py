@@ -6,8 +6,9 @@ from typing import Any
 
 from pyworm.io.console import Console
 from pyworm.io.number_with_unit import number_and_unit
+from pyworm.io.quantities import quantity_of
 from pyworm.report.table import Table
-from pyworm.result.calibration import Calibration, FittedRow, FittedValue, quantity_of
+from pyworm.result.calibration import Calibration, FittedRow, FittedValue
 
 MAX_ROWS = 40
 """Measurements beyond which the table is left to the file."""

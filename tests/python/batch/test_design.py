@@ -1,0 +1,212 @@
+"""The best design: a source's optimum found again, constraints that cannot be met, solved contacts reused."""
+
+import pytest
+from folders import ROOT
+
+import pyworm
+from pyworm.batch import adjoint_changes, operating_points
+from pyworm.batch.case_figures import closed_form_summary
+from pyworm.batch.design import best_design
+from pyworm.batch.operating_points import NotSolvedError, Solving
+from pyworm.case.design import load_design
+from pyworm.planning.closed_form_figures import ClosedFormChanges
+from pyworm.solver.adjoint import NoAdjointError
+
+BALL = f"""
+title = "A ball on a disc"
+case = "{ROOT}/cases/ball_pag_460.toml"
+effects = "isothermal"
+accuracy = "10 %"
+solves = 2
+[variables]
+"contact.radii[0]" = {{ low = "10 mm", high = "16 mm" }}
+[follow]
+"contact.radii[1]" = {{ variable = "contact.radii[0]" }}
+"""
+
+SMALLEST = '[objective]\nmaximise = "pressure_max"\n[constraints]\nfilm_min = { low = "LIMIT" }\n'
+
+
+def written(tmp_path, text, name="unit"):
+    path = tmp_path / f"{name}.toml"
+    path.write_text(text)
+    return path
+
+
+def test_the_addenda_of_least_flash_temperature_are_those_of_the_source(tmp_path):
+    """Errichello (1991): 0.22 to 0.23 for teeth of full depth."""
+    found = pyworm.design(ROOT / "cases/designs/addenda.toml", progress=False)
+    shift = found.values["drive.pinion.profile_shift"]
+    assert 0.22 <= shift <= 0.23 and found.feasible
+    assert found.values["drive.gear.profile_shift"] == pytest.approx(0.258 - shift)
+    assert found["flash_temperature_K"].change < -0.3 and found.solved == 0
+    text = found.save(tmp_path / "best.toml").read_text()
+    assert f'"drive.pinion.profile_shift" = {shift!r}' in text
+
+
+def test_a_design_that_cannot_meet_a_constraint_says_which_and_by_how_much(tmp_path):
+    """The film of a ball of 16 mm is far below 2 um; its largest radius comes nearest."""
+    text = BALL.replace("accuracy", 'figures = "formula"\naccuracy')
+    path = written(tmp_path, text + SMALLEST.replace("LIMIT", "2 um"))
+    found = best_design(load_design(path), tmp_path)
+    assert not found.feasible and len(found.violated) == 1
+    assert found.violated[0].startswith(
+        "No design was found that meets film_min >= 2 µm: the best has 0.3"
+    )
+    assert "beyond the limit" in found.violated[0]
+    assert found.values["contact.radii[0]"] == "16 mm" and found.variables[0].at_bound
+
+
+def test_solved_contacts_lead_to_the_limit_and_are_found_again(tmp_path, monkeypatch):
+    path = written(tmp_path, BALL + SMALLEST.replace("LIMIT", "0.35 um"))
+    said = []
+    found = best_design(load_design(path), tmp_path / "kept", print_message=said.append)
+    film = found["film_min"]
+    assert found.solved >= 2 and film.best_error > 0
+    assert abs(film.best - 0.35e-6) < 0.02e-6 and "design 1: " in said[0]
+    assert found["pressure_max"].role == "maximised"
+
+    def unsolved(*arguments):
+        assert not arguments[0], "a contact was solved again"
+        return {}
+
+    monkeypatch.setattr(operating_points, "solve_all", unsolved)
+    assert best_design(load_design(path), tmp_path / "kept").summary() == found.summary()
+
+
+def test_a_front_goes_from_one_objective_to_the_other(tmp_path):
+    text = BALL.replace("accuracy", 'figures = "formula"\naccuracy')
+    goals = '[objective]\nminimise = "pressure_max"\n[front]\nminimise = "film_min"\ndesigns = 4\n'
+    found = best_design(load_design(written(tmp_path, text + goals)), tmp_path)
+    pressures = [each.figures["pressure_max"] for each in found.front]
+    films = [each.figures["film_min"] for each in found.front]
+    assert len(found.front) == 4
+    assert pressures == sorted(pressures) and films == sorted(films, reverse=True)
+
+
+def test_the_better_of_two_oils_is_chosen_and_the_worst_error_counts(tmp_path):
+    text = BALL.replace("accuracy", 'figures = "formula"\naccuracy')
+    text = text.replace("[follow]", '"oil.name" = ["PAG VG 220", "PAG VG 460"]\n[follow]')
+    text += '[objective]\nmaximise = "film_min"\n[errors]\n"contact.load" = "6 N"\n'
+    found = best_design(load_design(written(tmp_path, text)), tmp_path)
+    film = found["film_min"]
+    assert found.values["oil.name"] == "PAG VG 460"
+    assert 0.95 * film.best < film.worst < film.best  # F^-0.2 of a tenth more
+
+
+def test_a_contact_without_a_solution_is_passed_over_but_not_that_of_the_case(
+    tmp_path, monkeypatch
+):
+    path = written(tmp_path, BALL + SMALLEST.replace("LIMIT", "0.35 um"))
+    solve, calls = Solving.solved, []
+
+    def second_fails(self, tasks):
+        calls.append(tasks)
+        if len(calls) == 2:
+            raise NotSolvedError("no film")
+        return solve(self, tasks)
+
+    monkeypatch.setattr(Solving, "solved", second_fails)
+    said = []
+    found = best_design(load_design(path), tmp_path, print_message=said.append)
+    assert any("is passed over: no film" in line for line in said) and found.solved >= 1
+
+    def never(self, tasks):
+        raise NotSolvedError("no film")
+
+    monkeypatch.setattr(Solving, "solved", never)
+    with pytest.raises(NotSolvedError, match="no film"):
+        best_design(load_design(path), tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('low = "10 mm"', 'low = "10 K"', "must be a number like that of the case, 12.7 mm"),
+        ('low = "10 mm"', 'low = "20 mm"', "low must be below high"),
+        ('"contact.radii[1]"', '"contact.radius"', "no such number; it has contact.radii"),
+        ('"0.35 um"', '"0.35 K"', 'must be a number with its unit, such as "1 µm"'),
+        ("film_min = {", "film_least = {", "must be a plain number, in the unit at the end"),
+        ("maximise =", "largest =", "objective.largest: no such key"),
+        ('maximise = "pressure_max"', 'maximise = "pressure_peak"', "no figure pressure_peak; it has film"),
+        ('variable = "contact.radii[0]"', 'variable = "contact.load"', "is no variable with bounds"),
+    ],
+)  # fmt: skip
+def test_wrong_input_is_one_sentence(tmp_path, old, new, message):
+    text = BALL.replace("accuracy", 'figures = "formula"\naccuracy')
+    text = (text + SMALLEST.replace("LIMIT", "0.35 um")).replace(old, new, 1)
+    with pytest.raises(pyworm.CaseError, match=message) as refused:
+        best_design(load_design(written(tmp_path, text)), tmp_path)
+    assert "\n" not in str(refused.value)
+
+
+def solved_by_closed_forms(self, tasks):
+    """Contacts by closed forms in place of solved ones."""
+    return {task.key: closed_form_summary(task.scene) for task in tasks}
+
+
+def test_slopes_are_those_of_closed_forms_where_there_is_no_adjoint(tmp_path, monkeypatch):
+    """A contact whose oil is short has none."""
+    path = written(tmp_path, BALL + SMALLEST.replace("LIMIT", "0.32 um"))
+
+    def none(scene, plan):
+        raise NoAdjointError("oil in plenty")
+
+    monkeypatch.setattr(Solving, "solved", solved_by_closed_forms)
+    monkeypatch.setattr(adjoint_changes, "adjoint_of", none)
+    said = []
+    found = best_design(load_design(path), tmp_path, print_message=said.append)
+    assert any("slopes by closed forms: oil in plenty" in line for line in said)
+    assert found["film_min"].best == pytest.approx(0.32e-6, rel=1e-3)
+
+
+def test_slopes_are_those_of_closed_forms_where_a_variable_cannot_be_moved(tmp_path, monkeypatch):
+    """A Poisson ratio of a half is the largest possible value."""
+    ratio = '"bodies.body_1.poisson_ratio" = { low = 0.4999, high = 0.6 }'
+    text = BALL.replace("[follow]", f"{ratio}\n[follow]")
+    monkeypatch.setattr(Solving, "solved", solved_by_closed_forms)
+    monkeypatch.setattr(adjoint_changes, "adjoint_of", lambda scene, plan: ClosedFormChanges(scene))
+    said = []
+    path = written(tmp_path, text + SMALLEST.replace("LIMIT", "0.32 um"))
+    best_design(load_design(path), tmp_path, print_message=said.append)
+    assert any("poisson_ratio" in line for line in said), said
+
+
+def test_a_design_of_a_front_without_a_solution_is_its_neighbour(tmp_path, monkeypatch):
+    goals = '[objective]\nminimise = "pressure_max"\n[front]\nminimise = "film_min"\ndesigns = 3\n'
+    count = []
+
+    def some(self, tasks):
+        count.append(tasks)
+        if len(count) == limit:
+            raise NotSolvedError("no film")
+        return solved_by_closed_forms(self, tasks)
+
+    monkeypatch.setattr(Solving, "solved", some)
+    monkeypatch.setattr(adjoint_changes, "adjoint_of", lambda scene, plan: ClosedFormChanges(scene))
+    path, limit = written(tmp_path, BALL + goals), 0
+    best_design(load_design(path), tmp_path)
+    limit, _ = len(count) - 2, count.clear()  # the last two confirm
+    found = best_design(load_design(path), tmp_path)
+    assert len({each.figures["pressure_max"] for each in found.front}) == 2
+
+
+def test_designs_that_there_cannot_be_are_avoided(tmp_path):
+    """Rollers of the shipped drive that would touch each other."""
+    path = written(
+        tmp_path,
+        f"""
+title = "Rollers"
+case = "{ROOT}/cases/roller_ref.toml"
+figures = "formula"
+[fixed]
+"operation.phases" = [0.0]
+"operation.stations" = [0.5]
+[variables]
+"drive.rollers.radius" = {{ low = "6 mm", high = "30 mm" }}
+[objective]
+maximise = "film_min"
+""",
+    )
+    found = best_design(load_design(path), tmp_path)
+    assert found["film_min"].change > 0.01 and not found.variables[0].at_bound
