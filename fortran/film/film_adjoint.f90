@@ -20,7 +20,7 @@ module pyworm_film_adjoint
   implicit none(type, external)
   private
 
-  public :: adjoint_system, film_adjoint, new_adjoint_system, solve_adjoint, rows_adjoint, changeable
+  public :: adjoint_system, film_adjoint, new_adjoint_system, solve_adjoint, rows_adjoint
 
   !> Iterations after which GMRES is restarted.
   integer, parameter :: cycle_length = 30
@@ -49,6 +49,7 @@ module pyworm_film_adjoint
   contains
     procedure :: multiply
     procedure :: precondition
+    procedure :: close_film
   end type adjoint_system
 
 contains
@@ -115,9 +116,7 @@ contains
     allocate (right(n + 1), solution(n + 1), basis(n + 1, cycle_length), stat=err)
     stat = status_no_memory
     if (err /= 0) return
-    call self%film%deflection(by_film, self%deflected)
-    right(:n) = reshape(merge(by_pressure + self%deflected, 0.0_wp, changeable(self%film)), [n])
-    right(n + 1) = total(by_film)
+    call self%close_film(by_pressure, by_film, 0.0_wp, right)
     call gmres(self, right, tolerance, most, basis, solution, found%iterations, found%reduction)
     stat = status_not_finite
     if (.not. all(abs(solution) <= huge(1.0_wp))) return
@@ -149,18 +148,32 @@ contains
     class(adjoint_system), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: x(:)
     real(wp), contiguous, target, intent(out) :: y(:)
-    real(wp), contiguous, pointer :: rows(:, :), by_p(:, :)
+    real(wp), contiguous, pointer :: rows(:, :)
     integer :: n
 
     n = size(self%by_p)
     rows(1:size(self%by_p, 1), 1:size(self%by_p, 2)) => x(:n)
-    by_p(1:size(self%by_p, 1), 1:size(self%by_p, 2)) => y(:n)
     call rows_adjoint(self%film, rows, self%by_p, self%by_h)
-    call self%film%deflection(self%by_h, self%deflected)
-    by_p = merge(self%by_p + self%deflected, 0.0_wp, changeable(self%film)) + load_column(self%film)*x(n + 1)
-    y(n + 1) = total(self%by_h)
-    if (self%film%rigid_film_fixed) y(n + 1) = y(n + 1) + x(n + 1)
+    call self%close_film(self%by_p, self%by_h, x(n + 1), y)
   end subroutine multiply
+
+  !> Sets what is counted by the unknown pressures and the rigid film, from that by the pressure at a given film and by the film at
+  !> each node; `load_row` is the weight of the load's row.
+  subroutine close_film(self, by_p, by_h, load_row, y)
+    class(adjoint_system), intent(inout) :: self
+    real(wp), contiguous, target, intent(in) :: by_p(:, :), by_h(:, :)
+    real(wp), intent(in) :: load_row
+    real(wp), contiguous, target, intent(out) :: y(:)
+    real(wp), contiguous, pointer :: pressures(:, :)
+    integer :: n
+
+    n = size(by_p)
+    pressures(1:size(by_p, 1), 1:size(by_p, 2)) => y(:n)
+    call self%film%deflection(by_h, self%deflected)
+    pressures = merge(by_p + self%deflected, 0.0_wp, changeable(self%film)) + load_column(self%film)*load_row
+    y(n + 1) = total(by_h)
+    if (self%film%rigid_film_fixed) y(n + 1) = y(n + 1) + load_row
+  end subroutine close_film
 
   !> Solves the transposed system approximately: the model of the kind of contact, with the load's row by its Schur complement.
   subroutine precondition(self, x, y)

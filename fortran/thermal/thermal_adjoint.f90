@@ -9,7 +9,7 @@
 !> that of the film's: in this order heat that thins the film much takes half or a quarter of the iterations of the other. Its
 !> vectors are weights times what typical residuals are, so that all parts of its norm are of the figure's unit.
 module pyworm_thermal_adjoint
-  use pyworm_film_adjoint, only: adjoint_system, film_adjoint, new_adjoint_system, rows_adjoint, changeable
+  use pyworm_film_adjoint, only: adjoint_system, film_adjoint, new_adjoint_system, rows_adjoint
   use pyworm_film_newton, only: film_contact, first_row, last_row
   use pyworm_film_warming, only: film_warming, new_film_warming, warm_imbalance_transposed
   use pyworm_heat_linearisation, only: heat_linearisation, linearise_heat
@@ -77,21 +77,19 @@ contains
     integer, intent(in) :: most
     type(thermal_adjoint), intent(out) :: found
     integer, intent(out) :: stat
-    real(wp), allocatable :: right(:), solution(:), by_p(:, :), by_h(:, :), deflected(:, :)
+    real(wp), allocatable :: right(:), solution(:), by_p(:, :), by_h(:, :)
     real(pp), allocatable :: basis(:, :)
     integer :: n, unknowns, err
 
     n = size(by_pressure)
     unknowns = n + 1 + size(by_rise)
     allocate (right(unknowns), solution(unknowns), basis(unknowns, cycle_length), stat=err)
-    if (err == 0) allocate (by_p, by_h, deflected, mold=by_pressure, stat=err)
+    if (err == 0) allocate (by_p, by_h, mold=by_pressure, stat=err)
     if (err == 0) allocate (found%heat, mold=by_rise, stat=err)
     stat = status_no_memory
     if (err /= 0) return
     associate (film => self%contact%film)
-      call film%deflection(by_film, deflected)
-      right(:n) = reshape(merge(by_pressure + deflected, 0.0_wp, changeable(film)), [n])
-      right(n + 1) = sum(by_film)
+      call self%film%close_film(by_pressure, by_film, 0.0_wp, right(:n + 1))
       right(n + 2:) = reshape(by_rise, [size(by_rise)])
       call gmres(self, right, tolerance, most, basis, solution, found%iterations, found%reduction)
       stat = status_not_finite
@@ -153,19 +151,20 @@ contains
     class(thermal_adjoint_system), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: x(:)
     real(wp), contiguous, target, intent(out) :: y(:)
-    real(wp), dimension(size(self%flow%mass, 1), size(self%flow%mass, 2)) :: by_p, by_h, deflected, rows
+    real(wp), dimension(size(self%flow%mass, 1), size(self%flow%mass, 2)) :: by_p, by_h, heat_by_p, heat_by_h, rows
     real(wp), dimension(size(by_p, 1), size(by_p, 2), self%heat%levels) :: weight, by_rise, by_flow
     integer :: n
 
     n = size(by_p)
     associate (film => self%contact%film)
-      call self%film%multiply(x(:n + 1)/self%typical_imbalance, y(:n + 1))
+      rows = reshape(x(:n), shape(rows))/self%typical_imbalance
+      call rows_adjoint(film, rows, by_p, by_h)
       call read_heat(self, x(n + 2:), weight)
-      call heat_rows_adjoint(self, weight, by_p, by_h)
-      call film%deflection(by_h, deflected)
-      y(:n) = y(:n) + reshape(merge(by_p + deflected, 0.0_wp, changeable(film)), [n])
-      y(n + 1) = y(n + 1) + sum(by_h)
-      rows = merge(reshape(x(:n), shape(rows))/self%typical_imbalance, 0.0_wp, film%free)
+      call heat_rows_adjoint(self, weight, heat_by_p, heat_by_h)
+      by_p = by_p + heat_by_p
+      by_h = by_h + heat_by_h
+      call self%film%close_film(by_p, by_h, x(n + 1)/self%typical_imbalance, y(:n + 1))
+      rows = merge(rows, 0.0_wp, film%free)
       call warm_imbalance_transposed(film, self%flow, rows, by_flow)
       call heat_by_temperature_transposed(self%heat, self%contact%heat%walls, weight, by_rise)
       y(n + 2:) = reshape(by_rise + by_flow, [size(by_rise)])
@@ -177,16 +176,15 @@ contains
     class(thermal_adjoint_system), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: x(:)
     real(wp), contiguous, target, intent(out) :: y(:)
-    real(wp), dimension(size(self%flow%mass, 1), size(self%flow%mass, 2)) :: by_p, by_h, deflected
+    real(wp), dimension(size(self%flow%mass, 1), size(self%flow%mass, 2)) :: by_p, by_h
     real(wp) :: weight(size(by_p, 1), size(by_p, 2), self%heat%levels), rest(size(by_p) + 1)
     integer :: n
 
     n = size(by_p)
     call solve_heat_transposed(self%heat, self%approximate, x(n + 2:), weight)
     call heat_rows_adjoint(self, weight, by_p, by_h)
-    call self%contact%film%deflection(by_h, deflected)
-    rest(:n) = x(:n) - reshape(merge(by_p + deflected, 0.0_wp, changeable(self%contact%film)), [n])
-    rest(n + 1) = x(n + 1) - sum(by_h)
+    call self%film%close_film(by_p, by_h, 0.0_wp, rest)
+    rest = x(:n + 1) - rest
     call self%film%precondition(rest, y(:n + 1))
     y(:n + 1) = self%typical_imbalance*y(:n + 1)
     call scale_levels(self, self%heat%conductance, weight)

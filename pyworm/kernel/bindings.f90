@@ -20,7 +20,7 @@ module bindings
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
     film_transient, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
-    film_heat_fields, film_profile, film_adjoints, film_adopt
+    film_heat_fields, film_profile, film_adjoints, film_adopt, film_heat_missed
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions, flow_tables
   public :: heated_times, extrapolated_flux, surface_residual_rise
@@ -443,26 +443,28 @@ contains
     end associate
   end subroutine film_adopt
 
-  !> Sensitivities of figures by the adjoint of a film at its solution; see `figure_adjoint` for the weights and `film_adjoint` for
-  !> what is found; `active` is 1 where the oil's flow is balanced.
-  subroutine film_adjoints(handle, weights, nx, ny, fields, figures, tolerance, most, rows, by_gap, by_load, active, &
-      iterations, reduction, stat)
-    use pyworm_figure_adjoint, only: figure_adjoints
-    use pyworm_film_adjoint, only: film_adjoint
+  !> Sensitivities of figures by the adjoint of a contact at its solution; see `contact_adjoint` for the weights and what is found;
+  !> `active` is 1 where the oil's flow is balanced.
+  subroutine film_adjoints(handle, weights, nx, ny, fields, figures, rise_weights, levels, tolerance, most, rows, heat_rows, &
+      by_gap, by_load, active, iterations, reduction, stat)
+    use pyworm_contact_adjoint, only: contact_adjoints
+    use pyworm_thermal_adjoint, only: thermal_adjoint
     integer(c_int64_t), intent(in) :: handle
-    integer(c_int), intent(in) :: nx, ny, fields, figures, most
-    real(c_double), intent(in) :: weights(nx, ny, fields, figures), tolerance
-    real(c_double), intent(out) :: rows(nx, ny, figures), by_gap(nx, ny, figures), by_load(figures), reduction(figures)
+    integer(c_int), intent(in) :: nx, ny, fields, figures, levels, most
+    real(c_double), intent(in) :: weights(nx, ny, fields, figures), rise_weights(nx, ny, levels, figures), tolerance
+    real(c_double), intent(out) :: rows(nx, ny, figures), heat_rows(nx, ny, levels, figures), by_gap(nx, ny, figures), &
+      by_load(figures), reduction(figures)
     integer(c_int), intent(out) :: active(nx, ny), iterations(figures), stat
     type(thermal_contact), pointer :: contact
-    type(film_adjoint) :: found(figures)
+    type(thermal_adjoint) :: found(figures)
     integer :: figure
     !f2py threadsafe
 
     contact => contact_of(handle)
     rows = 0
+    heat_rows = 0
     by_gap = 0
-    call figure_adjoints(contact%film, weights, tolerance, most, found, stat)
+    call contact_adjoints(contact, weights, rise_weights, tolerance, most, found, stat)
     active = merge(1, 0, contact%film%free)
     by_load = found%by_load
     iterations = found%iterations
@@ -471,8 +473,24 @@ contains
     do figure = 1, figures
       rows(:, :, figure) = found(figure)%rows
       by_gap(:, :, figure) = found(figure)%by_gap
+      if (allocated(found(figure)%heat)) heat_rows(:, :, :, figure) = found(figure)%heat
     end do
   end subroutine film_adjoints
+
+  !> What the equations of a heated contact's temperature miss at the present state; see `heat_residual`.
+  subroutine film_heat_missed(handle, nx, ny, levels, missed, stat)
+    use pyworm_heat_residual, only: heat_residual
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny, levels
+    real(c_double), intent(out) :: missed(nx, ny, levels)
+    integer(c_int), intent(out) :: stat
+    type(thermal_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    missed = 0
+    call heat_residual(contact%film, contact%heat, missed, stat)
+  end subroutine film_heat_missed
 
   !> Film [m], relative density and net outflow [m/s] as last evaluated.
   subroutine film_state(handle, nx, ny, film, density, imbalance)

@@ -125,6 +125,9 @@ class Adjoints:
     rows: Array
     """Weight of each node's equation: of its net outflow [1/(m/s)] where `active`; elsewhere, between rough
     surfaces, of the total pressure less the asperities' [1/Pa]."""
+    heat_rows: Array
+    """Weight of the equations of the temperature at the levels, along the axis before the last: of a wall's
+    balance [1/K], between the walls of the heat that a level lacks [1/(W/m2)]; zero without heat."""
     by_gap: Array
     """Whole change of each figure by the undeformed gap at each node [1/m]."""
     by_load: Array
@@ -223,26 +226,43 @@ class Film:
         core.bindings.film_adopt(self._handle, other._handle)
         return self._evaluate(other.pressure.copy(order="F"), other.rigid_film)
 
-    def adjoints(self, weights: Array, tolerance: float, most: int) -> Adjoints:
+    def adjoints(
+        self, weights: Array, rise_weights: Array, tolerance: float, most: int
+    ) -> Adjoints:
         """Solve the adjoint of the film, evaluated at its solution, for figures by their weights of fields.
 
-        `weights` (nodes, `WEIGHED`, figures) are those of sums over the nodes; linear systems are solved to
-        `tolerance` times their first residual, or within `most` iterations. KernelError if the film is
-        filled in part, stresses are weighed without a flow law, or memory does not suffice.
+        `weights` (nodes, `WEIGHED`, figures) are those of sums over the nodes, `rise_weights` (nodes, levels,
+        figures) of the rise at the levels; linear systems are solved to `tolerance` times their first
+        residual, or within `most` iterations. KernelError if the film is filled in part, stresses are
+        weighed without a flow law, or memory does not suffice.
         """
-        fields = np.asfortranarray(weights).reshape((*self._nodes, *weights.shape[-2:]), order="F")
-        rows, by_gap, by_load, active, iterations, reduction, status = core.bindings.film_adjoints(
-            self._handle, fields, tolerance, most
+        fields, rises = (
+            np.asfortranarray(given).reshape((*self._nodes, *given.shape[-2:]), order="F")
+            for given in (weights, rise_weights)
+        )
+        rows, heat_rows, by_gap, by_load, active, iterations, reduction, status = (
+            core.bindings.film_adjoints(self._handle, fields, rises, tolerance, most)
         )
         check_status(status)
         return Adjoints(
             self._on_grid(rows),
+            self._on_grid(heat_rows),
             self._on_grid(by_gap),
             by_load,
             self._on_grid(active) > 0,
             iterations,
             reduction,
         )
+
+    def heat_missed(self) -> Array:
+        """What the equations of a heated film's temperature miss, at the levels along the last axis.
+
+        Of the walls' balance [K], between them the heat that a level lacks [W/m2]. KernelError of a film
+        filled in part, and of one that remembers or stores heat.
+        """
+        missed, status = core.bindings.film_heat_missed(self._handle, *self._nodes, self.levels)
+        check_status(status)
+        return self._on_grid(missed)
 
     def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
         """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.

@@ -15,6 +15,7 @@ import numpy as np
 from pyworm.formulas.arrays import Array
 from pyworm.kernel.film import Adjoints
 from pyworm.planning.plan import Plan
+from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.any_contact import AnyContact
 from pyworm.solver.contact import ContactSolver
 from pyworm.solver.figure_weights import (
@@ -22,6 +23,7 @@ from pyworm.solver.figure_weights import (
     Weights,
     by_outline,
     fields_of,
+    rise_weights_of,
     stacked,
     weights_of_figures,
 )
@@ -82,6 +84,10 @@ class Adjoint:
         by_rows = np.tensordot(missed, self.adjoints.rows, axes=(nodes, nodes))
         load = other.scene.load - self.level.scene.load
         followed = self.adjoints.by_load * load - by_rows
+        if self.level.film.heated:
+            lacked = other.film.heat_missed() - self.level.film.heat_missed()
+            nodes = tuple(range(lacked.ndim))
+            followed -= np.tensordot(lacked, self.adjoints.heat_rows, axes=(nodes, nodes))
         by_contact = self._own_changes(other)
         return {
             name: by_contact[name] + float(change)
@@ -111,8 +117,14 @@ class Adjoint:
         """Change of each figure by the contact itself, at the same pressure and rigid film."""
         fields = fields_of(other)
         weights = self.weights | weights_of_figures(other, LOAD_RATIOS)
+        inlets = [
+            level.scene.oil.thermal.inlet_temperature if level.film.heated else 0.0
+            for level in (other, self.level)
+        ]
         return {
-            name: sum(
+            name: inlets[0] - inlets[1]
+            if name in HEAT_FIGURES
+            else sum(
                 float((part * fields[field] - self.weights[name][field] * self.fields[field]).sum())
                 for field, part in weights[name].items()
             )
@@ -158,9 +170,10 @@ def adjoint_of(
         ],
         axis=-1,
     )
-    solved = level.film.adjoints(whole, tolerance, MOST_ITERATIONS)
+    rises = np.stack([rise_weights_of(level, name) for name in weights], axis=-1)
+    solved = level.film.adjoints(whole, rises, tolerance, MOST_ITERATIONS)
     read = level.read().figures
-    figures = {name: read[name] for name in weights}
+    figures = {name: read[name] + solver.origins.get(name, 0.0) for name in weights}
     return Adjoint(plan, solver, level, figures, weights, fields, solved)
 
 

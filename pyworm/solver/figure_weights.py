@@ -9,12 +9,14 @@ from math import hypot
 
 import numpy as np
 
+from pyworm import kernel
 from pyworm.formulas.arrays import Array
 from pyworm.kernel.film import WEIGHED
 from pyworm.planning.grid import Grid
+from pyworm.planning.target import HEAT_FIGURES
 from pyworm.solver import extremum
 from pyworm.solver.extremum import weights_at
-from pyworm.solver.figures import value_at_origin
+from pyworm.solver.figures import FINE_LEVELS, lagrange_weights, value_at_origin
 from pyworm.solver.level import CONTACT_PRESSURE, LEAST_LOAD, MIN_SLIDING_SPEED, Level
 
 Weights = dict[str, Array]
@@ -41,7 +43,39 @@ def weights_of_figures(level: Level, names: Sequence[str] | None = None) -> dict
             found["friction_coefficient"] = _friction
     if level.film.rough:
         found["asperity_load_fraction"] = _asperity_load
+    if level.film.heated:
+        found |= dict.fromkeys(HEAT_FIGURES, _no_weights)
     return {name: weigh(level) for name, weigh in found.items() if names is None or name in names}
+
+
+def _no_weights(level: Level) -> Weights:
+    """A temperature weighs the rise alone (`rise_weights_of`)."""
+    return {}
+
+
+def rise_weights_of(level: Level, name: str) -> Array:
+    """Weights of the rise at the nodes and levels in a temperature; zero for other quantities."""
+    shape = (*level.film.pressure.shape, max(level.film.levels, 1))
+    weights = np.zeros(shape)
+    if name not in HEAT_FIGURES:
+        return weights
+    rise = level.film.rise()
+    if name == HEAT_FIGURES[-1]:
+        # across the film the polynomial through the levels, at the height of each column's largest value
+        places = np.linspace(-0.5, 0.5, FINE_LEVELS)
+        between = lagrange_weights(kernel.level_positions(level.film.levels), places)
+        columns = rise @ between.T
+        across = between[columns.argmax(axis=-1)]
+        field, counted = columns.max(axis=-1), level.contact()
+    else:
+        number = HEAT_FIGURES.index(name)
+        across = np.zeros(shape)
+        across[..., -number] = 1.0
+        field, counted = rise[..., -number], np.broadcast_to(True, shape[:-1])
+    upper = counted & (field >= (field[counted].max() + field[counted].min()) / 2)
+    _, place = extremum.minimum(-field, upper, np.asarray(counted))
+    along = weights_at(extremum.refined_place(-field, place), field.shape)
+    return np.asarray(along[..., None] * across)
 
 
 def _slides(level: Level) -> bool:

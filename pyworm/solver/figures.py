@@ -84,12 +84,12 @@ def maximum_across(field: Array, positions: Array, within: Array, highest: Array
     about = tuple(
         slice(max(index - SEARCHED_NODES, 0), index + SEARCHED_NODES + 1) for index in node
     )
-    between = _lagrange(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
+    between = lagrange_weights(positions, np.linspace(-0.5, 0.5, FINE_LEVELS))
     columns = (field[about] @ between.T).max(axis=-1)
     return maximum(columns, within[about])
 
 
-def _lagrange(nodes: Array, places: Array) -> Array:
+def lagrange_weights(nodes: Array, places: Array) -> Array:
     """Lagrange weights of values at nodes in the polynomial through them, at other places.
 
     SciPy's interpolator draws the order of its nodes at random, and with it the last digits.

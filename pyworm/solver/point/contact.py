@@ -194,6 +194,8 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         other = unsolved_level(self._scene, self._size, level)
         if level.film.levels:
             self._shear(other)
+        if level.film.heated:
+            self._heat(other, level.film.rise())
         return other
 
     def with_rate(self, level: PointLevel) -> PointLevel:

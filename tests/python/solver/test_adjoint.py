@@ -127,7 +127,7 @@ def test_a_solution_has_sensitivities_to_its_numbers():
     )
     assert found.summary()["film_min"]["load"]["value"] == found.table["film_min"]["load"].value
     assert found.by_gap("film_min").shape == found.adjoint.level.grid.shape
-    with pytest.raises(ValueError, match="inputs = wind: .* has no such number"):
+    with pytest.raises(ValueError, match=r"inputs = wind: .* has no such number"):
         solution.sensitivities(["wind"])
 
 
@@ -159,7 +159,7 @@ def test_what_has_no_adjoint_says_why(monkeypatch):
         pyworm.sensitivities(starved, accuracy=0.1)
     scene = circular(20, 10)
     monkeypatch.setattr(adjoint_module, "MOST_STEPS", 0)
-    with pytest.raises(pyworm.NoAdjointError, match="no film was found on .* nodes"):
+    with pytest.raises(pyworm.NoAdjointError, match=r"no film was found on .* nodes"):
         pyworm.sensitivities(scene, accuracy=0.1, effects="isothermal")
 
 
