@@ -16,7 +16,7 @@ module pyworm_heat_residual
   implicit none(type, external)
   private
 
-  public :: heat_residual, state_columns
+  public :: heat_residual, heat_residual_change, state_columns
 
 contains
 
@@ -28,19 +28,81 @@ contains
     class(film_heat), intent(inout) :: heat
     real(wp), contiguous, intent(out) :: residual(:, :, :)
     integer, intent(out) :: stat
+
+    call lacking_heat(film, heat, residual, stat)
+    if (stat /= status_ok) return
+    call wall_residual(film, heat, residual)
+    call outline_residual(film, heat, residual)
+  end subroutine heat_residual
+
+  !> Change of the residuals from those of another contact at the same pressure and temperature.
+  !>
+  !> With `same_bodies` both have bodies of the same motion and material: their rise, in single precision, is then taken
+  !> of the change of the flux, so that its rounding is of that. Otherwise it is of the whole rise.
+  subroutine heat_residual_change(film, heat, other_film, other_heat, same_bodies, change, stat)
+    class(film_contact), intent(in) :: film, other_film
+    class(film_heat), intent(inout) :: heat, other_heat
+    logical, intent(in) :: same_bodies
+    real(wp), contiguous, intent(out) :: change(:, :, :)
+    integer, intent(out) :: stat
+    real(wp), dimension(size(change, 1), size(change, 2), size(change, 3)) :: other
+    real(wp), dimension(size(change, 1), size(change, 2)) :: flux, before, risen, rise
+    integer :: wall, level
+
+    call lacking_heat(film, heat, change, stat)
+    if (stat == status_ok) call lacking_heat(other_film, other_heat, other, stat)
+    if (stat /= status_ok) return
+    do wall = 1, 2
+      level = merge(1, size(change, 3), wall == 1)
+      call wall_flux(film, change(:, :, level), flux)
+      call wall_flux(other_film, other(:, :, level), before)
+      flux = flux - before
+      call heat%walls%body(wall)%surface%rise(flux, rise)
+      if (.not. same_bodies) then
+        call heat%walls%body(wall)%surface%rise(before, risen)
+        rise = rise + risen
+        call other_heat%walls%body(wall)%surface%rise(before, risen)
+        rise = rise - risen
+      end if
+      change(:, :, level) = other_heat%walls%body(wall)%bulk - heat%walls%body(wall)%bulk - rise
+      other(:, :, level) = 0
+    end do
+    call outline_residual(film, heat, change)
+    call outline_residual(other_film, other_heat, other)
+    change = change - other
+  end subroutine heat_residual_change
+
+  !> Heat that the levels of all columns lack.
+  subroutine lacking_heat(film, heat, lacked, stat)
+    class(film_contact), intent(in) :: film
+    class(film_heat), intent(in) :: heat
+    real(wp), contiguous, intent(out) :: lacked(:, :, :)
+    integer, intent(out) :: stat
     class(heat_columns), allocatable :: columns
     integer :: strip
 
     call state_columns(film, heat, columns, stat)
     if (stat /= status_ok) return
-    residual = 0
+    lacked = 0
     !$omp parallel do schedule(dynamic)
     do strip = 1, size(columns%before) - 1
-      call level_residual(columns, film, heat, strip, columns%threads(omp_get_thread_num()), residual)
+      call level_residual(columns, film, heat, strip, columns%threads(omp_get_thread_num()), lacked)
     end do
-    call wall_residual(film, heat, residual)
-    call outline_residual(film, heat, residual)
-  end subroutine heat_residual
+  end subroutine lacking_heat
+
+  !> Flux into the body at a wall, from the heat that its level lacks.
+  subroutine wall_flux(film, lacked, flux)
+    class(film_contact), intent(in) :: film
+    real(wp), intent(in) :: lacked(:, :)
+    real(wp), intent(out) :: flux(:, :)
+    integer :: j
+
+    flux = -lacked
+    if (.not. film%model%is_rough()) return
+    do j = first_row(film), last_row(film)
+      flux(:, j) = flux(:, j) + rubbed_heat(film, j)/2
+    end do
+  end subroutine wall_flux
 
   !> Columns of a film in its present state; arguments as of `heat_residual`.
   subroutine state_columns(film, heat, columns, stat)
@@ -80,16 +142,11 @@ contains
     class(film_heat), intent(inout) :: heat
     real(wp), contiguous, intent(inout) :: residual(:, :, :)
     real(wp) :: flux(size(residual, 1), size(residual, 2)), rise(size(residual, 1), size(residual, 2))
-    integer :: wall, level, j
+    integer :: wall, level
 
     do wall = 1, 2
       level = merge(1, size(residual, 3), wall == 1)
-      flux = -residual(:, :, level)
-      if (film%model%is_rough()) then
-        do j = first_row(film), last_row(film)
-          flux(:, j) = flux(:, j) + rubbed_heat(film, j)/2
-        end do
-      end if
+      call wall_flux(film, residual(:, :, level), flux)
       call heat%walls%body(wall)%surface%rise(flux, rise)
       residual(:, :, level) = film%model%shear%nodes%rise(:, :, level) - heat%walls%body(wall)%bulk - rise
     end do

@@ -20,7 +20,7 @@ module bindings
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
     film_transient, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
-    film_heat_fields, film_profile, film_adjoints, film_adopt, film_heat_missed
+    film_heat_fields, film_profile, film_adjoints, film_adopt, film_heat_change
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions, flow_tables
   public :: heated_times, extrapolated_flux, surface_residual_rise
@@ -477,20 +477,21 @@ contains
     end do
   end subroutine film_adjoints
 
-  !> What the equations of a heated contact's temperature miss at the present state; see `heat_residual`.
-  subroutine film_heat_missed(handle, nx, ny, levels, missed, stat)
-    use pyworm_heat_residual, only: heat_residual
-    integer(c_int64_t), intent(in) :: handle
-    integer(c_int), intent(in) :: nx, ny, levels
-    real(c_double), intent(out) :: missed(nx, ny, levels)
+  !> Change of what the equations of a heated contact's temperature miss from another at the same state; see `heat_residual_change`.
+  subroutine film_heat_change(handle, other, same_bodies, nx, ny, levels, change, stat)
+    use pyworm_heat_residual, only: heat_residual_change
+    integer(c_int64_t), intent(in) :: handle, other
+    integer(c_int), intent(in) :: same_bodies, nx, ny, levels
+    real(c_double), intent(out) :: change(nx, ny, levels)
     integer(c_int), intent(out) :: stat
-    type(thermal_contact), pointer :: contact
+    type(thermal_contact), pointer :: contact, before
     !f2py threadsafe
 
     contact => contact_of(handle)
-    missed = 0
-    call heat_residual(contact%film, contact%heat, missed, stat)
-  end subroutine film_heat_missed
+    before => contact_of(other)
+    change = 0
+    call heat_residual_change(contact%film, contact%heat, before%film, before%heat, same_bodies /= 0, change, stat)
+  end subroutine film_heat_change
 
   !> Film [m], relative density and net outflow [m/s] as last evaluated.
   subroutine film_state(handle, nx, ny, film, density, imbalance)

@@ -254,15 +254,18 @@ class Film:
             reduction,
         )
 
-    def heat_missed(self) -> Array:
-        """What the equations of a heated film's temperature miss, at the levels along the last axis.
+    def heat_change(self, other: "Film", same_bodies: bool) -> Array:
+        """Change of what the equations of the temperature miss, from another film in the same state.
 
-        Of the walls' balance [K], between them the heat that a level lacks [W/m2]. KernelError of a film
-        filled in part, and of one that remembers or stores heat.
+        At the levels along the last axis: of the walls' balance [K], between them the heat that a level lacks
+        [W/m2]. The bodies' rise is rounded to single precision, that of `same_bodies`, of one motion and
+        material, as its change is. KernelError of a film filled in part, and of one that remembers heat.
         """
-        missed, status = core.bindings.film_heat_missed(self._handle, *self._nodes, self.levels)
+        change, status = core.bindings.film_heat_change(
+            self._handle, other._handle, same_bodies, *self._nodes, self.levels
+        )
         check_status(status)
-        return self._on_grid(missed)
+        return self._on_grid(change)
 
     def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
         """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.

@@ -56,7 +56,10 @@ def with_input(scene: AnyContact, name: str, value: float) -> AnyContact:
     if name == TEMPERATURE:
         warmer = value - scene.oil.thermal.inlet_temperature
         first, second = (_warmed(body, warmer) for body in scene.bodies)
-        return replace(scene, oil=scene.oil.warmed(warmer), bodies=(first, second))
+        # between bodies of a temperature of their own the oil is as warm as they (`Contact`)
+        follows = None not in (first.bulk_temperature, second.bulk_temperature)
+        oil = scene.oil if follows else scene.oil.warmed(warmer)
+        return replace(scene, oil=oil, bodies=(first, second))
     path = name.replace("[", ".").replace("]", "").split(".")
     changed: AnyContact = (
         _SHAPES[name](scene, value) if name in _SHAPES else _replaced(scene, path, value)

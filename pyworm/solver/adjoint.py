@@ -17,6 +17,7 @@ from pyworm.kernel.film import Adjoints
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.any_contact import AnyContact
+from pyworm.scene.line import LineScene
 from pyworm.solver.contact import ContactSolver
 from pyworm.solver.figure_weights import (
     LOAD_RATIOS,
@@ -85,7 +86,7 @@ class Adjoint:
         load = other.scene.load - self.level.scene.load
         followed = self.adjoints.by_load * load - by_rows
         if self.level.film.heated:
-            lacked = other.film.heat_missed() - self.level.film.heat_missed()
+            lacked = other.film.heat_change(self.level.film, self.spreads_alike(scene))
             nodes = tuple(range(lacked.ndim))
             followed -= np.tensordot(lacked, self.adjoints.heat_rows, axes=(nodes, nodes))
         by_contact = self._own_changes(other)
@@ -93,6 +94,10 @@ class Adjoint:
             name: by_contact[name] + float(change)
             for name, change in zip(self.figures, followed, strict=True)
         }
+
+    def spreads_alike(self, scene: AnyContact) -> bool:
+        """Whether heat spreads in the bodies of another contact as in the solved one's, or is not simulated."""
+        return not self.level.film.heated or _same_bodies(scene, self.level.scene)
 
     def by_gap(self, name: str) -> Array:
         """Change of a figure by the undeformed gap at each node of the grid [figure/m]."""
@@ -175,6 +180,16 @@ def adjoint_of(
     read = level.read().figures
     figures = {name: read[name] + solver.origins.get(name, 0.0) for name in weights}
     return Adjoint(plan, solver, level, figures, weights, fields, solved)
+
+
+def _same_bodies(first: AnyContact, second: AnyContact) -> bool:
+    """Whether heat spreads in both contacts' bodies alike: by motion and material."""
+    motion = "velocities" if isinstance(first, LineScene) else "motions"
+    return getattr(first, motion) == getattr(second, motion) and all(
+        (here.conductivity, here.density, here.specific_heat)
+        == (there.conductivity, there.density, there.specific_heat)
+        for here, there in zip(first.bodies, second.bodies, strict=True)
+    )
 
 
 def _by_pressure(level: Level, name: str, weights: Weights, fields: Weights) -> Array:
