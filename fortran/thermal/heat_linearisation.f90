@@ -40,7 +40,7 @@ module pyworm_heat_linearisation
     !> Whether the sweep takes the columns in the reverse order, and the numbers of their nodes, along x first.
     logical :: backward = .false.
     integer, allocatable :: node(:)
-    !> Derivative of what level k of a column lacks by its inputs, (level, input, column).
+    !> Derivative of what the levels of a column lack by its inputs, (input, level, column).
     real(wp), allocatable :: block(:, :, :)
     !> Nodes upstream and the derivative by their temperature at the same level [W/(m2 K)], (most_upstream, level, column).
     integer, allocatable :: place(:, :, :)
@@ -72,7 +72,7 @@ contains
     self%spacing = film%spacing
     self%backward = columns%backward
     associate (n => self%levels)
-      allocate (self%node(count), self%block(n, before_levels + n, count), self%place(most_upstream, n, count), &
+      allocate (self%node(count), self%block(before_levels + n, n, count), self%place(most_upstream, n, count), &
         self%weight(most_upstream, n, count), stat=err)
     end associate
     stat = merge(status_ok, status_no_memory, err == 0)
@@ -134,7 +134,7 @@ contains
       call evaluate(-down, less)
       call evaluate(up, more)
       do k = 1, self%levels
-        self%block(k, input, first:last) = slope(present(:m, k) - less(:m, k), more(:m, k) - present(:m, k), down(:m), up(:m))
+        self%block(input, k, first:last) = slope(present(:m, k) - less(:m, k), more(:m, k) - present(:m, k), down(:m), up(:m))
       end do
     end do
 

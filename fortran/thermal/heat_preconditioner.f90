@@ -16,7 +16,7 @@ module pyworm_heat_preconditioner
   public :: heat_preconditioner, new_heat_preconditioner, solve_heat, solve_heat_transposed
 
   type :: heat_preconditioner
-    !> Inverse of each column's equations at a given temperature upstream, (level, level, column).
+    !> Transposed inverse of each column's equations at a given temperature upstream, (level, level, column).
     real(pp), allocatable :: inverse(:, :, :)
     !> Equations by the heat that levels lack: one, of the walls' levels the rise of the bodies by the flux of a neighbourhood
     !> [K m2/W].
@@ -46,7 +46,7 @@ contains
       do s = 1, size(linear%node)
         inverse = 0
         do k = 1, n
-          equations(k, :) = self%scale(k)*linear%block(k, before_levels + 1:, s)
+          equations(:, k) = self%scale(k)*linear%block(before_levels + 1:, k, s)
           inverse(k, k) = 1
         end do
         equations(1, 1) = equations(1, 1) + 1
@@ -80,7 +80,7 @@ contains
             rest(k) = rest(k) - self%scale(k)*linear%weight(t, k, s)*warming(linear%place(t, k, s), k)
           end do
         end do
-        warming(linear%node(s), :) = matmul(self%inverse(:, :, s), rest)
+        warming(linear%node(s), :) = matmul(rest, self%inverse(:, :, s))
       end do
     end do
   end subroutine solve_heat
@@ -92,29 +92,37 @@ contains
     type(heat_preconditioner), intent(in) :: self
     real(wp), intent(in) :: by_warming(linear%nx*linear%ny, linear%levels)
     real(wp), intent(out) :: weight(linear%nx*linear%ny, linear%levels)
-    real(wp) :: rest(linear%nx*linear%ny, linear%levels), solved(linear%levels)
+    !> With the levels of a node together.
+    real(wp), dimension(linear%levels, linear%nx*linear%ny) :: rest, found
+    real(wp) :: solved(linear%levels), scaled
     integer :: sweep, step, s, k, t
 
-    rest = by_warming
-    weight = 0
+    rest = transpose(by_warming)
+    found = 0
     do sweep = 2, 1, -1
       do step = size(linear%node), 1, -1
         s = merge(step, size(linear%node) + 1 - step, (sweep == 1) .eqv. linear%backward)
-        solved = matmul(rest(linear%node(s), :), self%inverse(:, :, s))
-        weight(linear%node(s), :) = weight(linear%node(s), :) + solved
-        rest(linear%node(s), :) = 0
+        associate (node => linear%node(s))
+          solved = 0
+          do k = 1, linear%levels
+            solved = solved + self%inverse(:, k, s)*rest(k, node)
+          end do
+          found(:, node) = found(:, node) + solved
+          rest(:, node) = 0
+        end associate
         do k = 1, linear%levels
+          scaled = self%scale(k)*solved(k)
           do t = 1, most_upstream
             associate (place => linear%place(t, k, s))
-              rest(place, k) = rest(place, k) - self%scale(k)*linear%weight(t, k, s)*solved(k)
+              rest(k, place) = rest(k, place) - linear%weight(t, k, s)*scaled
             end associate
           end do
         end do
       end do
     end do
     ! what is left of the columns is of a temperature that was not known in the first sweep
-    rest(linear%node, :) = weight(linear%node, :)
-    weight = rest
+    rest(:, linear%node) = found(:, linear%node)
+    weight = transpose(rest)
   end subroutine solve_heat_transposed
 
 end module pyworm_heat_preconditioner

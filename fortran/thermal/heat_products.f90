@@ -28,23 +28,19 @@ contains
     type(wall_pair), intent(inout) :: walls
     real(wp), intent(in) :: warming(self%nx*self%ny, self%levels)
     real(wp), intent(out) :: change(self%nx*self%ny, self%levels)
-    integer :: s, k, l, t
+    real(wp) :: lacked
+    integer :: s, k, t
 
     change = 0
-    !$omp parallel do private(k, l, t) schedule(static)
+    !$omp parallel do private(k, t, lacked) schedule(static)
     do s = 1, size(self%node)
-      associate (node => self%node(s))
-        do l = 1, self%levels
-          do k = 1, self%levels
-            change(node, k) = change(node, k) + self%block(k, before_levels + l, s)*warming(node, l)
-          end do
+      do k = 1, self%levels
+        lacked = sum(self%block(before_levels + 1:, k, s)*warming(self%node(s), :))
+        do t = 1, most_upstream
+          lacked = lacked + self%weight(t, k, s)*warming(self%place(t, k, s), k)
         end do
-        do k = 1, self%levels
-          do t = 1, most_upstream
-            change(node, k) = change(node, k) + self%weight(t, k, s)*warming(self%place(t, k, s), k)
-          end do
-        end do
-      end associate
+        change(self%node(s), k) = lacked
+      end do
     end do
     call warm_walls(self, walls, change)
     change(:, [1, self%levels]) = change(:, [1, self%levels]) + warming(:, [1, self%levels])
@@ -57,18 +53,20 @@ contains
     type(wall_pair), intent(inout) :: walls
     real(wp), intent(in) :: dp(self%nx*self%ny), dh(self%nx*self%ny), asperities(self%nx*self%ny)
     real(wp), intent(out) :: change(self%nx*self%ny, self%levels)
-    real(wp) :: slope_y
+    real(wp) :: inputs(before_levels)
     integer :: s, k
 
     change = 0
-    !$omp parallel do private(k, slope_y) schedule(static)
+    !$omp parallel do private(k, inputs) schedule(static)
     do s = 1, size(self%node)
-      associate (node => self%node(s), slope_x => (dp(self%node(s) + 1) - dp(self%node(s) - 1))/(2*self%spacing(1)))
-        slope_y = 0
-        if (self%ny > 1) slope_y = (dp(node + self%nx) - dp(node - self%nx))/(2*self%spacing(2))
+      associate (node => self%node(s))
+        inputs = 0
+        inputs(by_pressure) = dp(node)
+        inputs(by_slope_x) = (dp(node + 1) - dp(node - 1))/(2*self%spacing(1))
+        if (self%ny > 1) inputs(by_slope_y) = (dp(node + self%nx) - dp(node - self%nx))/(2*self%spacing(2))
+        inputs(by_gap) = dh(node)
         do k = 1, self%levels
-          change(node, k) = self%block(k, by_pressure, s)*dp(node) + self%block(k, by_slope_x, s)*slope_x &
-            + self%block(k, by_slope_y, s)*slope_y + self%block(k, by_gap, s)*dh(node)
+          change(node, k) = sum(self%block(:before_levels, k, s)*inputs)
         end do
       end associate
     end do
@@ -115,30 +113,30 @@ contains
     type(wall_pair), intent(inout) :: walls
     real(wp), intent(in) :: weight(self%nx*self%ny, self%levels)
     real(wp), intent(out) :: by_warming(self%nx*self%ny, self%levels)
-    real(wp) :: lacked(self%nx*self%ny, self%levels)
-    integer :: s, k, l, t
+    !> With the levels of a node together.
+    real(wp) :: lacked(self%levels, self%nx*self%ny), by_levels(self%levels, self%nx*self%ny)
+    integer :: s, k, t
 
     call weigh_levels(self, walls, weight, lacked)
-    by_warming = 0
-    !$omp parallel do private(l) schedule(static)
+    by_levels = 0
+    !$omp parallel do private(k) schedule(static)
     do s = 1, size(self%node)
       associate (node => self%node(s))
-        do l = 1, self%levels
-          by_warming(node, l) = sum(self%block(:, before_levels + l, s)*lacked(node, :))
+        do k = 1, self%levels
+          by_levels(:, node) = by_levels(:, node) + self%block(before_levels + 1:, k, s)*lacked(k, node)
         end do
       end associate
     end do
-    ! levels are independent of each other
-    !$omp parallel do private(s, t) schedule(static)
-    do k = 1, self%levels
-      do s = 1, size(self%node)
+    do s = 1, size(self%node)
+      do k = 1, self%levels
         do t = 1, most_upstream
           associate (place => self%place(t, k, s))
-            by_warming(place, k) = by_warming(place, k) + self%weight(t, k, s)*lacked(self%node(s), k)
+            by_levels(k, place) = by_levels(k, place) + self%weight(t, k, s)*lacked(k, self%node(s))
           end associate
         end do
       end do
     end do
+    by_warming = transpose(by_levels)
     by_warming(:, [1, self%levels]) = by_warming(:, [1, self%levels]) + weight(:, [1, self%levels])
     call add_outline(self, weight, by_warming)
   end subroutine heat_by_temperature_transposed
@@ -149,41 +147,49 @@ contains
     type(wall_pair), intent(inout) :: walls
     real(wp), intent(in) :: weight(self%nx*self%ny, self%levels)
     real(wp), intent(out) :: by_p(self%nx*self%ny), by_h(self%nx*self%ny), by_asperities(self%nx*self%ny)
-    real(wp) :: lacked(self%nx*self%ny, self%levels), slope_x, slope_y
-    integer :: s
+    real(wp) :: lacked(self%levels, self%nx*self%ny), inputs(before_levels)
+    integer :: s, k
 
     call weigh_levels(self, walls, weight, lacked)
     by_p = 0
     by_h = 0
     do s = 1, size(self%node)
       associate (node => self%node(s))
-        slope_x = sum(self%block(:, by_slope_x, s)*lacked(node, :))/(2*self%spacing(1))
-        by_p(node) = by_p(node) + sum(self%block(:, by_pressure, s)*lacked(node, :))
-        by_p(node + 1) = by_p(node + 1) + slope_x
-        by_p(node - 1) = by_p(node - 1) - slope_x
-        by_h(node) = sum(self%block(:, by_gap, s)*lacked(node, :))
+        inputs = 0
+        do k = 1, self%levels
+          inputs = inputs + self%block(:before_levels, k, s)*lacked(k, node)
+        end do
+        inputs([by_slope_x, by_slope_y]) = inputs([by_slope_x, by_slope_y])/(2*self%spacing)
+        by_p(node) = by_p(node) + inputs(by_pressure)
+        by_p(node + 1) = by_p(node + 1) + inputs(by_slope_x)
+        by_p(node - 1) = by_p(node - 1) - inputs(by_slope_x)
+        by_h(node) = inputs(by_gap)
         if (self%ny == 1) cycle
-        slope_y = sum(self%block(:, by_slope_y, s)*lacked(node, :))/(2*self%spacing(2))
-        by_p(node + self%nx) = by_p(node + self%nx) + slope_y
-        by_p(node - self%nx) = by_p(node - self%nx) - slope_y
+        by_p(node + self%nx) = by_p(node + self%nx) + inputs(by_slope_y)
+        by_p(node - self%nx) = by_p(node - self%nx) - inputs(by_slope_y)
       end associate
     end do
     by_asperities = 0
-    if (allocated(self%rubbing)) by_asperities = -reshape(self%rubbing, [size(by_p)])*(lacked(:, 1) + lacked(:, self%levels))
+    if (allocated(self%rubbing)) by_asperities = -reshape(self%rubbing, [size(by_p)])*(lacked(1, :) + lacked(self%levels, :))
   end subroutine heat_by_film_transposed
 
-  !> Weights of the heat that levels lack, from those of the equations: of the walls' levels through the bodies' rise.
+  !> Weights of the heat that levels lack, with the levels of a node together, from those of the equations: of the walls' levels
+  !> through the bodies' rise.
   subroutine weigh_levels(self, walls, weight, lacked)
     type(heat_linearisation), intent(in) :: self
     type(wall_pair), intent(inout) :: walls
     real(wp), intent(in) :: weight(self%nx, self%ny, self%levels)
-    real(wp), intent(out) :: lacked(self%nx, self%ny, self%levels)
-    integer :: wall, level
+    real(wp), intent(out) :: lacked(self%levels, self%nx, self%ny)
+    real(wp) :: by_flux(self%nx, self%ny)
+    integer :: wall, level, k
 
-    lacked = weight
+    do k = 2, self%levels - 1
+      lacked(k, :, :) = weight(:, :, k)
+    end do
     do wall = 1, 2
       level = merge(1, self%levels, wall == 1)
-      call walls%body(wall)%surface%rise_transposed(weight(:, :, level), lacked(:, :, level))
+      call walls%body(wall)%surface%rise_transposed(weight(:, :, level), by_flux)
+      lacked(level, :, :) = by_flux
     end do
   end subroutine weigh_levels
 
