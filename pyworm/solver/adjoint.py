@@ -96,7 +96,7 @@ class Adjoint:
         }
 
     def spreads_alike(self, scene: AnyContact) -> bool:
-        """Whether heat spreads in the bodies of another contact as in the solved one's, or is not simulated."""
+        """Whether heat spreads in the bodies of another contact alike, or is not simulated."""
         return not self.level.film.heated or _same_bodies(scene, self.level.scene)
 
     def by_gap(self, name: str) -> Array:

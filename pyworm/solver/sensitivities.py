@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from math import isfinite
+from math import inf, isfinite, log
 
 from pyworm.formulas.arrays import Array
 from pyworm.io.given import Names, WithUnit
@@ -13,19 +13,16 @@ from pyworm.planning.plan import plan as make_plan
 from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.inputs import inputs_of, with_input
 from pyworm.solver.adjoint import Adjoint, NoAdjointError, adjoint_of
+from pyworm.solver.estimate import Estimate
 from pyworm.solver.solution import Solution
 from pyworm.solver.solve import solve
 
-STEP = 1e-6
-"""Relative change of an input in differences of the equations at one film. Convection of heat turns from one
-node upstream to another with the velocity: larger steps meet that."""
+STEP, WARM_STEP = 1e-4, 1e-5
+"""Relative change of an input in differences of the equations at one film, and of a heated one, where larger
+steps turn the convection of heat from one node upstream to another. Both err by less than grids do."""
 
 BODY_STEP = 1e-3
 """That of an input by which heat spreads otherwise in a body, to both sides: that is in single precision."""
-
-GRID_SHARE = 0.7
-"""Error of a sensitivity over its change from a grid of twice the spacing: an error of second order leaves a
-third of it, a minimum film thickness that goes from one valley to another more."""
 
 MOST_SHOWN = 6
 """Number of inputs that are shown, the most influential."""
@@ -115,15 +112,21 @@ def sensitivities(
     numbers = inputs_of(scene, heated=plan.model.heated, rough=plan.model.rough)
     chosen = numbers if inputs is None else {name: _number(scene, name) for name in inputs}
     fine = adjoint_of(scene, plan, solution)
-    found = _relative(fine, scene, chosen)
+    found = relative_changes(fine, scene, chosen)
     try:
         coarse = adjoint_of(scene, plan, solution, grid=fine.level.grid.coarser())
-        before = _relative(coarse, scene, chosen)
+        before = relative_changes(coarse, scene, chosen)
     except (NoAdjointError, KernelError):
         before = {}
+    missed = {
+        figure: _missed(value, getattr(solution.figures, figure, None))
+        for figure, value in fine.figures.items()
+    }
     table = {
         figure: {
-            name: Sensitivity(value, _error(value, before.get(figure, {}).get(name)))
+            name: Sensitivity(
+                value, _error(value, before.get(figure, {}).get(name), missed[figure])
+            )
             for name, value in by_input.items()
         }
         for figure, by_input in found.items()
@@ -141,14 +144,22 @@ def _number(scene: AnyContact, name: str) -> float:
     return numbers[name]
 
 
-def _error(value: float, coarse: float | None) -> float:
-    return float("inf") if coarse is None else GRID_SHARE * abs(value - coarse)
+def _missed(value: float, solved: Estimate | None) -> float:
+    """How far an output quantity on the grid of the sensitivities is from the solution's, d ln J."""
+    if solved is None or not solved.value * value > 0:
+        return 0.0
+    return abs(log(value / solved.value))
 
 
-def _relative(
+def _error(value: float, coarse: float | None, missed: float) -> float:
+    """Change from a grid of twice the spacing, and what a grid and window that miss the quantity may do."""
+    return inf if coarse is None else abs(value - coarse) + missed
+
+
+def relative_changes(
     adjoint: Adjoint, scene: AnyContact, inputs: Mapping[str, float]
 ) -> dict[str, dict[str, float]]:
-    """d ln J/d ln z of each figure by each input."""
+    """d ln J/d ln z of the output quantities by the inputs, on the grid of an adjoint."""
     changes = dict(_changes(adjoint, scene, inputs))
     return {
         figure: {name: change[figure] / value for name, change in changes.items()}
@@ -162,9 +173,10 @@ def _changes(
 ) -> Iterator[tuple[str, dict[str, float]]]:
     """Change of the figures by each input over its relative change."""
     for name, value in inputs.items():
-        more = with_input(scene, name, value * (1 + STEP))
+        step = WARM_STEP if adjoint.level.film.heated else STEP
+        more = with_input(scene, name, value * (1 + step))
         if adjoint.spreads_alike(more):
-            changes, step = adjoint.towards(more), STEP
+            changes = adjoint.towards(more)
         else:
             ends = (with_input(scene, name, value * (1 + side * BODY_STEP)) for side in (1, -1))
             changes, step = adjoint.change(*ends), 2 * BODY_STEP
