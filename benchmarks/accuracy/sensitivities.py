@@ -39,7 +39,7 @@ CONTACTS = {
 }
 """Case, phase and effects by name."""
 
-ACCURACY = 0.02
+ACCURACY = 0.01
 """Accuracy of the solves whose cost is compared."""
 
 SLIDE_ROLL_RATIO = 0.2

@@ -195,6 +195,8 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         if level.film.levels:
             self._shear(other)
         if level.film.heated:
+            # the model of the bodies' conduction is chosen by the pressure
+            other.film.evaluate_at(level.film)
             self._heat(other, level.film.rise())
         return other
 
