@@ -26,6 +26,7 @@ from pyworm.batch.design_model import (
     Design,
     Figure,
     Figures,
+    Incomplete,
     Refused,
     case_of_design,
 )
@@ -141,8 +142,7 @@ class _Search:
         start = self._start()
         first = self.formula.one(start)
         if isinstance(first, Refused):
-            raise CaseError(f"{self.task.name}: the case as it is: {first.reason}")
-        self._require_figures(first)
+            raise self._error(first)
         before = self._solved(start) if self.simulates else _Known(start, first, self.formula)
         scales = {
             name: abs(figure.value) if figure.value else 1.0
@@ -164,15 +164,14 @@ class _Search:
             chosen.append((key, now if now in values else values[0]))
         return Design(tuple(each.start for each in self.task.variables), tuple(chosen))
 
-    def _require_figures(self, figures: Figures) -> None:
-        """CaseError of a figure that the case does not have."""
-        missing = [name for name in self.task.names if name not in figures]
-        if missing:
-            known = figures_of_case(self.task)
-            raise CaseError(
-                f"{self.task.name}: {self.task.case.name} has no figure {missing[0]}; it has "
-                f"{', '.join(known)}"
-            )
+    def _error(self, refused: Refused) -> CaseError:
+        """The error of a case that cannot be, or lacks a figure that decides."""
+        if not isinstance(refused, Incomplete):
+            return CaseError(f"{self.task.name}: the case as it is: {refused.reason}")
+        return CaseError(
+            f"{self.task.name}: {self.task.case.name} has no figure {refused.missing[0]}; it has "
+            f"{', '.join(figures_of_case(self.task))}"
+        )
 
     def _best(self, goal: Goal, before: _Known) -> _Known:
         """The best design for a goal, over all choices of discrete values."""
@@ -345,7 +344,7 @@ class _Search:
             open=unsure,
             front=tuple(
                 FrontDesign(
-                    self.task.values(known.design.fractions, dict(known.design.chosen)),
+                    {each.key: each.best for each in variables(self.task, known.design)},
                     {name: known.figures[name].value for name in self.task.names},
                 )
                 for known in front

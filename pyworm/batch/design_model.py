@@ -103,6 +103,14 @@ def case_of_design(task: DesignTask, design: Design, error: Mapping[str, Any]) -
 
 
 @dataclass(frozen=True)
+class Incomplete(Refused):
+    """A design without figures that decide, such as a loss where too few contacts carry load."""
+
+    missing: tuple[str, ...] = ()
+    """Names of the figures."""
+
+
+@dataclass(frozen=True)
 class LaidOut:
     """Contacts of a design under an error of its assembly, by closed forms."""
 

@@ -39,13 +39,14 @@ def verdicts(goal: Goal, figures: Figures) -> tuple[tuple[str, ...], tuple[str, 
 
 def variables(task: DesignTask, best: Design) -> Iterator[DesignVariable]:
     """Variables, chosen values and numbers that follow, as the best design has them."""
-    values = task.values(best.fractions, dict(best.chosen))
+    numbers = {}
     for variable, fraction in zip(task.variables, best.fractions, strict=True):
         number = variable.number
+        numbers[number.key] = variable.at(fraction)
         yield DesignVariable(
             key=number.key,
             start=_text(number, number.value),
-            best=_text(number, variable.at(fraction)) if number.unit else variable.at(fraction),
+            best=_written(number, variable.at(fraction)),
             bounds=f"{_text(number, variable.low)} to {_text(number, variable.high)}",
             at_bound=not AT_BOUND < fraction < 1 - AT_BOUND,
         )
@@ -56,9 +57,14 @@ def variables(task: DesignTask, best: Design) -> Iterator[DesignVariable]:
         yield DesignVariable(
             key=each.number.key,
             start=_text(each.number, each.number.value),
-            best=values[each.number.key],
+            best=_written(each.number, each.at(numbers[each.variable])),
             bounds=f"follows {each.variable}",
         )
+
+
+def _written(number: NumericKey, value: float) -> str | float:
+    """A value in SI as a case file has it, in the unit in which it is shown."""
+    return _text(number, value) if number.unit else value
 
 
 def _text(number: NumericKey, value: float) -> str:

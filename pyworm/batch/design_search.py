@@ -18,6 +18,7 @@ from pyworm.batch.design_model import (
     Design,
     Figure,
     Figures,
+    Incomplete,
     LaidOut,
     Refused,
     estimated,
@@ -147,7 +148,9 @@ class Estimates:
         laid = self.laid[design]
         if isinstance(laid, Refused):
             return laid
-        return estimated(self.task, design, laid, self.correction)
+        figures = estimated(self.task, design, laid, self.correction)
+        missing = tuple(name for name in self.task.names if name not in figures)
+        return Incomplete(f"has no {missing[0]}", missing) if missing else figures
 
     def one(self, design: Design) -> Figures | Refused:
         """Figures of a design."""

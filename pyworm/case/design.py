@@ -167,6 +167,10 @@ class Followed:
     offset: float
     """Its value where the variable is 0 [SI]."""
 
+    def at(self, value: float) -> float:
+        """Its value for one of the variable, both in SI."""
+        return self.offset + self.factor * value
+
 
 @dataclass(frozen=True)
 class Limit:
@@ -217,7 +221,7 @@ class DesignTask:
             for variable in self.variables
         }
         following = {
-            each.number.key: each.number.written(each.offset + each.factor * numbers[each.variable])
+            each.number.key: each.number.written(each.at(numbers[each.variable]))
             for each in self.followed
         }
         return written | following | chosen

@@ -145,6 +145,11 @@ def solved_by_closed_forms(self, tasks):
     return {task.key: closed_form_summary(task.scene) for task in tasks}
 
 
+def by_closed_forms(scene, plan):
+    """Changes of the figures of a contact by closed forms in place of its adjoint."""
+    return ClosedFormChanges(scene)
+
+
 def test_slopes_are_those_of_closed_forms_where_there_is_no_adjoint(tmp_path, monkeypatch):
     """A contact whose oil is short has none."""
     path = written(tmp_path, BALL + SMALLEST.replace("LIMIT", "0.32 um"))
@@ -165,7 +170,7 @@ def test_slopes_are_those_of_closed_forms_where_a_variable_cannot_be_moved(tmp_p
     ratio = '"bodies.body_1.poisson_ratio" = { low = 0.4999, high = 0.6 }'
     text = BALL.replace("[follow]", f"{ratio}\n[follow]")
     monkeypatch.setattr(Solving, "solved", solved_by_closed_forms)
-    monkeypatch.setattr(adjoint_changes, "adjoint_of", lambda scene, plan: ClosedFormChanges(scene))
+    monkeypatch.setattr(adjoint_changes, "adjoint_of", by_closed_forms)
     said = []
     path = written(tmp_path, text + SMALLEST.replace("LIMIT", "0.32 um"))
     best_design(load_design(path), tmp_path, print_message=said.append)
@@ -183,7 +188,7 @@ def test_a_design_of_a_front_without_a_solution_is_its_neighbour(tmp_path, monke
         return solved_by_closed_forms(self, tasks)
 
     monkeypatch.setattr(Solving, "solved", some)
-    monkeypatch.setattr(adjoint_changes, "adjoint_of", lambda scene, plan: ClosedFormChanges(scene))
+    monkeypatch.setattr(adjoint_changes, "adjoint_of", by_closed_forms)
     path, limit = written(tmp_path, BALL + goals), 0
     best_design(load_design(path), tmp_path)
     limit, _ = len(count) - 2, count.clear()  # the last two confirm
