@@ -2,8 +2,10 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from pyworm.batch.case_figures import FigureChanges
+from pyworm.batch.case_run import RESULT_NAME
 from pyworm.batch.drive_iteration import steady
 from pyworm.batch.key_sensitivities import BY_ADJOINT, BY_CLOSED_FORMS, Solved, key_sensitivities
 from pyworm.batch.operating_points import OperatingPoint
@@ -12,7 +14,7 @@ from pyworm.batch.uncertain_run import MODERATE_ACCURACY
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import KernelError
 from pyworm.planning.closed_form_figures import ClosedFormChanges
-from pyworm.result.key_sensitivities import KeySensitivities
+from pyworm.result.key_sensitivities import IN_PROVENANCE, KeySensitivities
 from pyworm.result.result import Result
 from pyworm.scene.index import ContactIndex
 from pyworm.solver.adjoint import NoAdjointError, adjoint_of
@@ -52,6 +54,13 @@ def sensitivities_of_run(
     return key_sensitivities(
         solved, BY_ADJOINT if by_adjoint else BY_CLOSED_FORMS, progress=progress
     )
+
+
+def with_sensitivities(result: Result, found: KeySensitivities, directory: Path) -> Result:
+    """A result with its sensitivities, in its file in a directory too."""
+    whole = replace(result, provenance=result.provenance | {IN_PROVENANCE: found.summary()})
+    whole.save(directory / RESULT_NAME)
+    return whole
 
 
 def _adjoint(task: Task, solution: Solution) -> FigureChanges:

@@ -100,7 +100,7 @@ def _run(options: argparse.Namespace) -> int:
         if not options.json:
             _show_run(case, tasks, result)
             uncertain.show(result)
-        sensitive.complete(result, tasks, directory)
+        result = sensitive.completed(result, tasks, directory)
         if not options.json:
             sensitive.show(directory)
             print_result(f"Results   {directory / RESULT_NAME}")

@@ -26,11 +26,11 @@ class SensitiveRun:
     found: "KeySensitivities | None" = None
     """The sensitivities."""
 
-    def complete(self, result: "Result", tasks: "Sequence[Task]", directory: Path) -> None:
-        """Compute them and write their file."""
+    def completed(self, result: "Result", tasks: "Sequence[Task]", directory: Path) -> "Result":
+        """The result with them, in its file and one of their own, if they are asked for."""
         if not self.options.sensitivities or not result.sound.solutions:
-            return
-        from pyworm.batch.run_sensitivities import sensitivities_of_run
+            return result
+        from pyworm.batch.run_sensitivities import sensitivities_of_run, with_sensitivities
         from pyworm.io.console import progress_bar
         from pyworm.io.json import as_json
 
@@ -38,6 +38,7 @@ class SensitiveRun:
             self.found = sensitivities_of_run(result, tasks, progress, print_message)
         with atomic_directory(directory) as aside:
             (aside / TABLE).write_text(as_json(self.found.summary()), encoding="utf-8")
+        return with_sensitivities(result, self.found, directory)
 
     def show(self, directory: Path) -> None:
         """Print the table, if there is one."""

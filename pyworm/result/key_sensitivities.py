@@ -1,9 +1,16 @@
 """Sensitivities of the results of a case to the numbers of its file."""
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pyworm.io.shown import Shown
+
+if TYPE_CHECKING:
+    from pyworm.result.result import Result
+
+
+IN_PROVENANCE = "sensitivities"
+"""Entry of a result's provenance."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +79,7 @@ class KeySensitivities(Shown):
                     "value": found.value,
                     "unit": found.unit,
                     "change": found.change_words,
+                    "step": found.change,
                     "derivatives": found.derivatives,
                     "changes": {name: found.change_of(name) for name in found.derivatives},
                 }
@@ -79,3 +87,22 @@ class KeySensitivities(Shown):
             },
             "not_varied": self.not_varied,
         }
+
+
+def sensitivities_in(result: "Result") -> KeySensitivities | None:
+    """The sensitivities that a result holds; None without them."""
+    kept = result.provenance.get(IN_PROVENANCE)
+    if kept is None:
+        return None
+    return KeySensitivities(
+        kept["case"],
+        kept["results"],
+        tuple(
+            KeySensitivity(
+                key, part["value"], part["unit"], part["step"], part["change"], part["derivatives"]
+            )
+            for key, part in kept["keys"].items()
+        ),
+        kept["not_varied"],
+        kept["method"],
+    )

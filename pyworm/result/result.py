@@ -102,6 +102,11 @@ class Result(Shown):
         "uncertainty_in",
         "Uncertainty of the results by inputs (`InputUncertainty`); None where it was not requested.",
     )
+    sensitivities = lazy_property(
+        "pyworm.result.key_sensitivities",
+        "sensitivities_in",
+        "Derivatives with respect to the numbers of the case (`KeySensitivities`); None where not requested.",
+    )
 
     @property
     def cycle_data(self) -> "xr.Dataset":

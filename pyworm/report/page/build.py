@@ -14,6 +14,7 @@ from pyworm.report.page.assumptions import (
 )
 from pyworm.report.page.content import Block, Picture, Report, Section
 from pyworm.report.page.cover import Identity, cover_of, overleaf_of
+from pyworm.report.page.exact_sensitivity import exact_sensitivity_section
 from pyworm.report.page.figures import (
     film_section,
     heat_section,
@@ -55,7 +56,7 @@ def build_report(
         _noted(found, heat_section(found)),
         _ratings_section(found),
         _noted(found, printed_section(found)),
-        _noted(found, sensitivity_section(found)),
+        _noted(found, exact_sensitivity_section(found) or sensitivity_section(found)),
         cycle_section(found, signed=cover is not None),
         contact_section(result),
         assumptions_section(found),
