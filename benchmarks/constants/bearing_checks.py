@@ -1,7 +1,7 @@
 """Life of rolling bearings against joints, limits and the theory behind its exponents."""
 
 from itertools import pairwise
-from math import pi
+from math import pi, radians
 
 from chapter import MEMORY, READ, Chapter, Clause, within_factor
 from constant_slips import Check, ModuleNumbers
@@ -245,4 +245,52 @@ BEARINGS = Chapter(
     ],
 )
 
-CHAPTERS = (BEARINGS,)
+
+
+def _no_step(of):
+    """The equivalent load has no step where the thrust begins to count: X + e Y = 1."""
+    balls = [(0.0, thrust) for thrust in of._DEEP_GROOVE] + [
+        (radians(angle), 1.0) for angle in of._ANGULAR_CONTACT
+    ]
+    found = [of.load_factors("ball", angle, thrust, 1.0) for angle, thrust in balls]
+    found += [of.load_factors("roller", radians(angle), 1.0, None) for angle in (10, 25, 40)]
+    return all(abs(f.radial + f.limit * f.thrust - 1) < 0.02 for f in found)
+
+
+def _steeper_bears_more(of):
+    """Larger contact angles, and thrusts of deep grooves, bear more thrust before it counts."""
+    angles = [of.load_factors("ball", radians(a), 1.0, None).limit for a in of._ANGULAR_CONTACT]
+    thrusts = [of.load_factors("ball", 0.0, t, 1.0).limit for t in of._DEEP_GROOVE]
+    return all(more > less for each in (angles, thrusts) for less, more in pairwise(each))
+
+
+def _as_printed(of):
+    """X 0.56, and Y 1.31 and 1.15 at relative thrusts of 0.17 and 0.28, as a public lesson has them."""
+    rows = [of.load_factors("ball", 0.0, thrust, 1.0) for thrust in (0.17, 0.28)]
+    return [(f.radial, f.thrust) for f in rows] == [(0.56, 1.31), (0.56, 1.15)]
+
+
+LOADS = Chapter(
+    "Equivalent load of rolling bearings",
+    ModuleNumbers("pyworm.formulas.bearing_load"),
+    "[ISO 281:2007](bibliography.md#iso-281)",
+    {
+        "_DEEP_GROOVE": Clause("table of X and Y: F_a/C0, e, Y", MEMORY),
+        "_DEEP_GROOVE_RADIAL": Clause("table of X and Y: X", MEMORY),
+        "_ANGULAR_CONTACT": Clause("table of X and Y: alpha, e, X, Y", MEMORY),
+        "_ROLLER_LIMIT, _ROLLER_RADIAL, _ROLLER_THRUST": Clause("table of X and Y", MEMORY),
+        "load_factors": Clause("contact angles of the tables", MEMORY),
+    },
+    (
+        Check("no step of the equivalent load where the thrust counts", _no_step),
+        Check("steeper contacts bear more thrust", _steeper_bears_more),
+        Check("factors of deep groove bearings as a lesson prints them", _as_printed),
+    ),
+    lambda of: [
+        *(of.load_factors("ball", 0.0, thrust, 1.0).limit for thrust in of._DEEP_GROOVE),
+        *(of.load_factors("ball", 0.0, thrust, 1.0).thrust for thrust in of._DEEP_GROOVE),
+        *(of.load_factors("ball", radians(a), 1.0, None).thrust for a in of._ANGULAR_CONTACT),
+    ],
+)
+
+CHAPTERS = (BEARINGS, LOADS)

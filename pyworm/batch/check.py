@@ -9,6 +9,7 @@ from pyworm.batch.in_python import CaseLike, as_case
 from pyworm.batch.request import Request, requested, takes_request
 from pyworm.batch.task import Task
 from pyworm.case.case import Case
+from pyworm.drives.forces import MeshForces
 from pyworm.io.quantity_text import duration
 from pyworm.io.shown import Shown
 from pyworm.io.stage import stage
@@ -83,6 +84,15 @@ class CheckedCase(Shown):
         return {} if self.case.drive is None else self.case.drive.geometry_table()
 
     @property
+    def forces(self) -> tuple[MeshForces, ...]:
+        """Mean forces of the mesh with either shaft driving, by the friction of its balance of torques."""
+        drive = self.case.drive
+        if drive is None:
+            return ()
+        found = (drive.mesh_forces(driver=driver) for driver in drive.possible_drivers)
+        return tuple(forces for forces in found if forces is not None)
+
+    @property
     def assumptions(self) -> tuple[str, ...]:
         """Assumptions of loads and geometry of a gear set, a sentence each."""
         return () if self.case.drive is None else self.case.drive.all_assumptions
@@ -99,7 +109,11 @@ class CheckedCase(Shown):
 
     def summary(self) -> dict[str, Any]:
         """All of it as one object, as `pyworm check --json` prints it."""
-        gears = {"drive": self.geometry, "assumptions": self.assumptions}
+        gears = {
+            "drive": self.geometry,
+            "forces": [forces.summary() for forces in self.forces],
+            "assumptions": self.assumptions,
+        }
         return {
             "case": self.case.name,
             "resolved": self.case.resolved,

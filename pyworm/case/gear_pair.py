@@ -7,11 +7,13 @@ from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.ratings import GearRatingTable, RatedCase
+from pyworm.case.shafts import SupportsTable, supports_of
 from pyworm.case.table import Table, plain
 from pyworm.drives.gear_pair.design import LinearRelief
 from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.drives.gear_pair.film_formulas import Surfaces
 from pyworm.drives.gear_pair.gears import Gear, InvolutePair, ToothSystem
+from pyworm.drives.gear_pair.inspection import AS_DRAWN, MeasuredGear, PairInspection
 from pyworm.io import units
 from pyworm.io.plain_values import Phase, PositiveNumber
 
@@ -33,6 +35,17 @@ class GearTable(Table, Gear):
     tip_relief_length: units.LengthOrZero = 0.0
 
 
+class MeasuredGearTable(Table, MeasuredGear):
+    """`[drive.inspection.pinion]` and `[drive.inspection.gear]`."""
+
+
+class InspectionTable(Table, PairInspection):
+    """`[drive.inspection]`: balls, spans and deviations for the inspection sheet."""
+
+    pinion: MeasuredGearTable = MeasuredGearTable()
+    gear: MeasuredGearTable = MeasuredGearTable()
+
+
 class GearPairTable(Table, ToothSystem):
     """`[drive]`, kind = "gear-pair"."""
 
@@ -44,6 +57,9 @@ class GearPairTable(Table, ToothSystem):
     contact: Literal["line", "point"] = "line"
     pinion: GearTable
     gear: GearTable
+    inspection: InspectionTable | None = None
+    pinion_shaft: SupportsTable | None = None
+    gear_shaft: SupportsTable | None = None
 
 
 class GearOperationTable(Table):
@@ -100,6 +116,11 @@ class GearPairCase(RatedCase):
             lead_crowning=table.lead_crowning,
             surfaces=None if surfaces is None else plain(surfaces, Surfaces),
             lubrication=self.brought_by,
+            pinion_shaft=supports_of(table.pinion_shaft),
+            gear_shaft=supports_of(table.gear_shaft),
+            inspection=(
+                AS_DRAWN if table.inspection is None else plain(table.inspection, PairInspection)
+            ),
         )
 
 

@@ -9,7 +9,8 @@ from pyworm.case.case_file import FileTable, Published
 from pyworm.case.drive_case import DriveCase
 from pyworm.case.one_oil import second_oil
 from pyworm.case.table import Table
-from pyworm.formulas.bearing_life import LoadedBearing
+from pyworm.drives.forces import Side
+from pyworm.formulas.bearing_life import RollingBearing
 from pyworm.formulas.fzg_test_gears import TEST_TEMPERATURE
 from pyworm.formulas.worm_curves import Lubrication, OilKind
 from pyworm.formulas.worm_gear import WormGearSizes
@@ -23,15 +24,26 @@ from pyworm.materials.solids import named_material
 _UpToOne = Annotated[float, Field(strict=True, ge=0, le=1)]
 
 
-class BearingTable(Table, LoadedBearing):
+class BearingTable(Table, RollingBearing):
     """`[bearings.NAME]`: a rolling bearing for ISO 281.
 
-    Dynamic rating, load and speed give the basic life; the modified one needs the rest. The oil is given by
-    the viscosity at the bearing or by name and temperature; dirt by the factor e_C, or by lubrication and
-    cleanliness, of which the standard makes e_C.
+    Dynamic rating, load and speed give the basic life; the modified one needs the rest. Load and speed that
+    are not given are those of a `shaft` of the drive at one `side`; a `locating` bearing takes the thrust,
+    with factors by its `contact_angle` or as given. The oil is given by the viscosity at the bearing or by
+    name and temperature; dirt by the factor e_C, or by lubrication and cleanliness, of which the standard
+    makes e_C.
     """
 
     name: Text | None = None
+    load: units.Force | None = None
+    speed: units.Speed | None = None
+    shaft: Text | None = None
+    side: Side | None = None
+    locating: bool = False
+    contact_angle: units.AngleOrZero = 0.0
+    thrust_limit: PositiveNumber | None = None
+    radial_factor: PositiveNumber | None = None
+    thrust_factor: PositiveNumber | None = None
     static_rating: units.Force | None = None
     fatigue_load_limit: units.Force | None = None
     mean_diameter: units.Length | None = None
@@ -44,7 +56,12 @@ class BearingTable(Table, LoadedBearing):
     published: Published = Field(default_factory=dict)
 
     def flaws(self) -> Iterator[str]:
-        """Two statements about one thing, or half of one."""
+        """Two statements about one thing, or half of one, and no load or speed."""
+        for key in ("load", "speed"):
+            if getattr(self, key) is None and self.shaft is None:
+                yield f"{key} is missing; or give shaft and side, of which it follows"
+        yield from self.unless_together("shaft", "side")
+        yield from self.unless_together("thrust_limit", "radial_factor", "thrust_factor")
         yield from self.unless_either("fatigue_load_limit", "static_rating", needed=False)
         if None not in (self.viscosity, self.oil):
             yield "give either viscosity or oil with temperature, one of the two"
@@ -209,8 +226,11 @@ class RatingCase(FileTable):
     oil_choice: OilChoiceTable | None = None
 
     def flaws(self) -> Iterator[str]:
-        """Ratings without a worm gear or an oil, or with a second oil."""
+        """Ratings without a worm gear or an oil, or with a second oil, and shafts of no drive."""
         yield from super().flaws()
+        for name, bearing in self.bearings.items():
+            if bearing.shaft is not None:
+                yield f"bearings.{name}.shaft has no effect without a [drive]"
         for key in self.given("worm_rating", "oil_choice") if self.worm_gear is None else ():
             yield f"[{key}] needs a [worm_gear] or a [drive]"
         if self.worm_rating is not None and self.worm_rating.oil is None:

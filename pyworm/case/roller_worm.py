@@ -8,6 +8,7 @@ from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
 from pyworm.case.ratings import RatedCase
+from pyworm.case.shafts import SupportsTable, supports_of
 from pyworm.case.table import Table, plain
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
 from pyworm.drives.roller_worm.drive import RollerWormDrive
@@ -65,6 +66,8 @@ class RollerDriveTable(Table):
     centre_distance: units.Length
     worm: RollerWormTable
     rollers: RollersTable
+    shaft: SupportsTable | None = None
+    wheel_shaft: SupportsTable | None = None
 
 
 POWERS = ("power", "worm_torque", "wheel_torque")
@@ -151,6 +154,8 @@ class RollerWormCase(RatedCase):
             bodies=self.bodies.pair(oil),
             oil=oil,
             lubrication=self.brought_by,
+            shaft=supports_of(self.drive.shaft),
+            wheel_shaft=supports_of(self.drive.wheel_shaft),
         )
 
 

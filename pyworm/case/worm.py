@@ -16,6 +16,7 @@ from pyworm.case.drive_case import LOADS
 from pyworm.case.fitted_friction import with_fitted_friction
 from pyworm.case.one_wheel import other_cooling, other_material, other_temperature
 from pyworm.case.ratings import CompletedRating, RatedCase, WormRatingTable
+from pyworm.case.shafts import supports_of
 from pyworm.case.table import Table, plain
 from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.case.worm_table import DeviationTable, WormDriveTable
@@ -27,6 +28,7 @@ from pyworm.drives.worm.drawing.design import Assembly
 from pyworm.drives.worm.drawing.deviations import FlankDeviations
 from pyworm.drives.worm.drive import WormDrive
 from pyworm.drives.worm.duty import geometry_of, operating_point
+from pyworm.drives.worm.inspection import AS_DRAWN, Inspection
 from pyworm.drives.worm.loads.load_sharing import Shaft, Transmission
 from pyworm.drives.worm.loads.temperatures import Cooling, Housing, drive_temperatures
 from pyworm.drives.worm.loads.worm_shaft import WormShaft
@@ -275,6 +277,8 @@ class WormCase(RatedCase):
             hand=design.hand,
             assumed=design.assumed,
             shaft=None if self.drive.shaft is None else plain(self.drive.shaft, WormShaft),
+            wheel_shaft=supports_of(self.drive.wheel_shaft),
+            inspection=_inspection(self.drive),
             lubrication=self.brought_by,
         )
         return self._balanced(drive) if self.cooling is None else self._warm(drive)
@@ -331,6 +335,10 @@ class WormCase(RatedCase):
         rim = drive.wheel.face_width * 2 * drive.wheel_reference_radius
         warm = drive_temperatures(self.cooling_of(drive), rim, drive.speed, loss)
         return replace(drive, oil=warm.oil(drive.oil), bodies=warm.bodies(drive.bodies))
+
+
+def _inspection(table: WormDriveTable) -> Inspection:
+    return AS_DRAWN if table.inspection is None else plain(table.inspection, Inspection)
 
 
 def _as_warm(body: Body, temperature: float) -> Body:

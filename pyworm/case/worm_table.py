@@ -11,6 +11,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, model_validator
 
 from pyworm.case import drawing_words
+from pyworm.case.shafts import SupportsTable
 from pyworm.case.table import Table, plain
 from pyworm.drives.worm.drawing.base_cylinders import (
     OF_HOB,
@@ -29,6 +30,7 @@ from pyworm.drives.worm.drawing.drawing_checks import (
 )
 from pyworm.drives.worm.drawing.usual_values import completed
 from pyworm.drives.worm.flanks.worm_profiles import PROFILES, Profile
+from pyworm.drives.worm.inspection import Inspection
 from pyworm.drives.worm.loads.worm_shaft import WormShaft
 from pyworm.drives.worm.patterns.hob_setting import with_swivel
 from pyworm.io import units
@@ -74,6 +76,10 @@ class AssemblyTable(Table, Assembly):
 
 class ShaftTable(Table, WormShaft):
     """`[drive.shaft]`: the worm's shaft between its bearings, which bends."""
+
+
+class InspectionTable(Table, Inspection):
+    """`[drive.inspection]`: balls and deviations for the inspection sheet."""
 
 
 class _Drawn(Table):
@@ -173,6 +179,8 @@ class WormDriveTable(Table):
     hob: DrawnHobTable = DrawnHobTable()
     assembly: AssemblyTable = AssemblyTable()
     shaft: ShaftTable | None = None
+    wheel_shaft: SupportsTable | None = None
+    inspection: InspectionTable | None = None
 
     @model_validator(mode="before")
     @classmethod

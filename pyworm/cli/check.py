@@ -65,11 +65,12 @@ def _show(found: "CheckedCase") -> None:
 def _print_drive(console: "Console", case: Case) -> None:
     """The drive as it was computed, with its assumptions; nothing of a contact without one."""
     from pyworm.case.workshop_units import assumptions
-    from pyworm.report.console.drive import drive_table
+    from pyworm.report.console.drive import drive_tables
 
-    if case.drive is None or (table := drive_table(case.drive)) is None:
+    if case.drive is None or not (tables := drive_tables(case.drive)):
         return
-    console.print(table)
+    for table in tables:
+        console.print(table)
     for sentence in case.drive.all_assumptions:
         console.print(f"- {sentence}")
     for key, reason in assumptions(case.tables).items():

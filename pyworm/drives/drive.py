@@ -6,6 +6,7 @@ from typing import Any, ClassVar
 
 from pyworm.drives.answers import HobSetup, Misalignment, Shim, Space
 from pyworm.drives.duty import Duty
+from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.oil_supply import Lubricated
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
@@ -49,6 +50,10 @@ class Drive(Shown, Lubricated, ABC):
     """Type of its `duty`, by which standards rate it; None where no standard covers such a drive."""
     cycle_seconds: ClassVar[float] = 0.0
     """Usual processor time of `cycle_data` [s]."""
+    sheet: ClassVar[tuple[str, ...]] = ()
+    """Keys of its `geometry_table` that are printed, in order; the others are in JSON objects only."""
+    possible_drivers: ClassVar[tuple[str, ...]] = ()
+    """Shafts that may drive it, for its `mesh_forces`, by the names of their bodies."""
     bodies: tuple[Body, Body]
     """Body 1 and body 2."""
 
@@ -166,10 +171,31 @@ class Drive(Shown, Lubricated, ABC):
 
     def geometry(self) -> dict[str, float | str]:
         """Computed geometry of its gears, for the page to sign; keys as of `geometry_table`."""
-        return {}
+        found = self.geometry_table()
+        return {key: found[key] for key in self.sheet if key in found}
 
     def geometry_table(self) -> dict[str, float | str]:
         """Computed geometry and kinematics, in order; keys end in the SI unit, angles in `_deg`."""
+        return {}
+
+    def mesh_forces(
+        self, friction: float | None = None, driver: str | None = None
+    ) -> MeshForces | None:
+        """Mean forces of the mesh on both shafts; None where they are not known.
+
+        With a coefficient of friction, by default that of its balance of torques, and a driving shaft, by
+        default its own, which drives on the flanks that are under load.
+        """
+        return None
+
+    @property
+    def supports(self) -> Mapping[str, Supports]:
+        """Bearings of its shafts, by the name of the body that a shaft carries, where they are given."""
+        return {}
+
+    @property
+    def shaft_speeds(self) -> Mapping[str, float]:
+        """Speeds of its shafts [rad/s], by the name of the body that a shaft carries."""
         return {}
 
     def duty(self) -> Duty | None:

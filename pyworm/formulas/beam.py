@@ -21,6 +21,14 @@ def second_moment(diameter: float) -> float:
     return pi * diameter**4 / 64
 
 
+def support_forces(
+    force: float, moment: float, before: float, beyond: float
+) -> tuple[float, float]:
+    """Forces of two supports on a shaft under a force [N] and a moment [N m] as of `bending`, in order."""
+    last = -(force * before + moment) / (before + beyond)
+    return -force - last, last
+
+
 def bending(
     force: float,
     moment: float,
@@ -43,8 +51,7 @@ def bending(
     crossed = before * beyond * (beyond - before)
     deflection = force * before**2 * beyond**2 + moment * crossed
     slope = force * crossed + moment * (before**2 - before * beyond + beyond**2)
-    last = -(force * before + moment) / span
-    first = -force - last
+    first, last = support_forces(force, moment, before, beyond)
     sunk, rise = -first / stiffness, (first - last) / stiffness / span
     flexible = 3 * rigidity * span
     return Bending(

@@ -233,8 +233,8 @@ def basic_life(dynamic_rating: float, load: float, elements: Elements) -> float:
 
 
 @dataclass(frozen=True, kw_only=True)
-class LoadedBearing:
-    """A rolling bearing under its load."""
+class RollingBearing:
+    """A rolling bearing."""
 
     elements: Elements
     """Rolling elements, "ball" or "roller"."""
@@ -242,10 +242,6 @@ class LoadedBearing:
     """Direction of the load, "radial" or "thrust"."""
     dynamic_rating: units.Force
     """Dynamic load rating C [N]."""
-    load: units.Force
-    """Equivalent load P [N]."""
-    speed: units.Speed
-    """Speed [rad/s]."""
     additives: bool = False
     """Whether the oil has additives that lessen wear (`life_modification`)."""
     reliability: units.Share = 0.9
@@ -253,9 +249,13 @@ class LoadedBearing:
 
 
 @dataclass(frozen=True, kw_only=True)
-class BearingRating(LoadedBearing):
+class BearingRating(RollingBearing):
     """Life of one bearing by ISO 281; ValueError by a figure outside the standard or without its data."""
 
+    load: float
+    """Equivalent load P [N]."""
+    speed: float
+    """Speed [rad/s]."""
     fatigue_load_limit: float | Unknown
     """Fatigue load limit C_u [N]."""
     mean_diameter: float | Unknown

@@ -1,6 +1,6 @@
 """Requirements of the oil of a drive: from `[oil_choice]` to a `OilDuty`."""
 
-from pyworm.case.ratings import BearingTable, OilChoiceTable
+from pyworm.case.ratings import OilChoiceTable
 from pyworm.drives.duty import GearPairDuty, WormDuty
 from pyworm.formulas import gear_oil
 from pyworm.formulas.bearing_life import reference_viscosity
@@ -27,7 +27,7 @@ def oil_duty(request: RatingRequest) -> OilDuty:
     common = {
         "name": request.tables.title,
         **table.model_dump(),
-        **_bearing(request.tables.bearings),
+        **_bearing(request),
     }
     duty = request.duty
     if isinstance(duty, GearPairDuty):
@@ -69,12 +69,16 @@ def _gear_pair(duty: GearPairDuty, table: OilChoiceTable) -> dict:
     }
 
 
-def _bearing(bearings: dict[str, BearingTable]) -> dict[str, float]:
+def _bearing(request: RatingRequest) -> dict[str, float]:
     """The bearing that needs the highest viscosity."""
+    bearings = request.tables.bearings
     if not bearings:
         return {}
     runs = [
-        (bearing.speed, present(bearing.mean_diameter, f"bearings.{name}.mean_diameter"))
+        (
+            request.bearing_speed(bearing),
+            present(bearing.mean_diameter, f"bearings.{name}.mean_diameter"),
+        )
         for name, bearing in bearings.items()
     ]
     speed, diameter = max(runs, key=lambda run: reference_viscosity(*run))

@@ -23,15 +23,19 @@ from pyworm.case.ratings import (
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty, GearPairDuty, WormDuty
-from pyworm.formulas.unknown import Unknown, attempt, or_none
+from pyworm.formulas.ranges import one_of
+from pyworm.formulas.unknown import Unknown, attempt, known, or_none
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
 from pyworm.io.toml import read_toml
 from pyworm.planning.prediction import predicted
-from pyworm.ratings.bearing import rate_bearing_table
+from pyworm.ratings.bearing import ShaftLoad, rate_bearing_table
 from pyworm.ratings.films import rate_films
+from pyworm.ratings.forces import Friction, rate_forces
 from pyworm.ratings.gear import rate_gear_pair
-from pyworm.ratings.rating import Rating
+from pyworm.ratings.mesh_loss import mesh_loss
+from pyworm.ratings.rating import SIMULATION, Rating
+from pyworm.ratings.standard_loss import rated_teeth
 from pyworm.ratings.worm import rate_worm_gear, worm_duty_of_table
 from pyworm.ratings.worm_damage import worm_flanks
 from pyworm.ratings.worm_loads import RatedWormGear
@@ -101,6 +105,13 @@ class RatingRequest:
         if not isinstance(self.duty, WormDuty):
             raise ValueError("the case has no worm gear that standards know")
         return self.duty
+
+    def bearing_speed(self, bearing: BearingTable) -> float:
+        """Speed of a bearing [rad/s], as given or that of its shaft; ValueError of an unknown shaft."""
+        if bearing.speed is not None:
+            return bearing.speed
+        speeds = {} if self.drive is None else self.drive.shaft_speeds
+        return speeds[one_of("shaft", bearing.shaft or "", speeds)]
 
     @property
     def _worm_gear(self) -> WormGearTable | None:
@@ -237,10 +248,12 @@ def _attempts(
         yield "Gears", _attempt(partial(_gear_pair, request, drive, result))
     if drive is not None:
         yield "Films by formula", _attempt(lambda: (rate_films(*_thinnest(request, result)),))
+    if drive is not None:
+        yield "Forces", _attempt(partial(_forces, request, drive, result))
     for name, bearing in tables.bearings.items():
         yield (
             f"Bearing {bearing.name or name}",
-            _attempt(partial(_bearing, name, bearing, request.directory)),
+            _attempt(partial(_bearing, request, name, bearing, result)),
         )
 
 
@@ -262,8 +275,44 @@ def _gear_pair(request: RatingRequest, drive: Drive, result: Result | None) -> t
     return tuple(rate_gear_pair(drive, duty, table, base, tables.published, result))
 
 
-def _bearing(name: str, table: BearingTable, directory: Path) -> tuple[Rating, ...]:
-    return (rate_bearing_table(name, table, directory),)
+def _friction(request: RatingRequest, drive: Drive, result: Result | None) -> Friction:
+    """Friction of the mesh by the standard and as simulated; that of the balance of torques without."""
+    simulated = None if result is None else mesh_loss(drive, result)
+    tables, running = request.tables, {}
+    starting: float | Unknown = Unknown("no standard has the friction at rest")
+    if isinstance(tables, WormRated) and isinstance(request.duty, WormDuty):
+        table, duty = tables.rating_as_run(), request.duty
+        by_standard = attempt(lambda: rated_teeth(table, request.directory, duty))
+        friction = attempt(lambda: known(by_standard).friction)
+        starting = attempt(lambda: known(by_standard).static_friction)
+        running = {} if isinstance(friction, Unknown) else {"standard": friction}
+    if simulated is not None:
+        running[SIMULATION] = simulated.friction
+    balanced = drive.mesh_forces()
+    assumed = 0.0 if balanced is None else balanced.friction
+    return Friction(running or {"computed": assumed}, starting)
+
+
+def _forces(request: RatingRequest, drive: Drive, result: Result | None) -> tuple[Rating, ...]:
+    found = rate_forces(drive, _friction(request, drive, result))
+    return () if found is None else (found,)
+
+
+def _bearing(
+    request: RatingRequest, name: str, table: BearingTable, result: Result | None
+) -> tuple[Rating, ...]:
+    drive, shaft = request.drive, None
+    if table.shaft is not None and table.side is not None and drive is not None:
+        speed = request.bearing_speed(table)
+        friction, coefficient = _friction(request, drive, result).decisive
+        force = present(drive.mesh_forces(coefficient), "forces").on(table.shaft)
+        if table.shaft not in drive.supports:
+            raise ValueError(
+                f"the distance of the {table.shaft} shaft's bearings is not given, bearing_span"
+            )
+        bearing = force.bearings(drive.supports[table.shaft])[table.side]
+        shaft = ShaftLoad(bearing, speed, friction)
+    return (rate_bearing_table(name, table, request.directory, shaft),)
 
 
 def unconverged(result: Result | None) -> tuple[str, ...]:

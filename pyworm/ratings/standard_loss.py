@@ -5,9 +5,11 @@ which was measured on rough teeth, is what an engineer reckons with.
 """
 
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 from pyworm.case.case import Case, case_again
+from pyworm.case.ratings import CompletedRating
 from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.drives.duty import GearPairDuty, WormDuty
 from pyworm.formulas.worm_rating import NOT_GIVEN, WormRating
@@ -86,12 +88,16 @@ def standard_of_result(result: Result) -> StandardLoss | NoStandard:
         return NoStandard(str(error))
 
 
+def rated_teeth(table: CompletedRating, directory: Path, duty: WormDuty) -> WormRating:
+    """A worm gear at its operating point by the standards, for the oil and material of its rating."""
+    oil = standard_oil(table, directory)
+    under = conditions(table, duty, oil, duty.torque, duty.worm_speed, NOT_GIVEN)
+    return WormRating(duty.gear, replace(under, torque=duty.torque))
+
+
 def _worm(case: Case, duty: WormDuty) -> StandardLoss | NoStandard:
     """By DIN 3996 and ISO/TS 14521, for the oil and the material that a rating of the case takes."""
-    table = case.tables.rating_as_run()
-    oil = standard_oil(table, case.directory)
-    under = conditions(table, duty, oil, duty.torque, duty.worm_speed, NOT_GIVEN)
-    rated = WormRating(duty.gear, replace(under, torque=duty.torque))
+    rated = rated_teeth(case.tables.rating_as_run(), case.directory, duty)
     if duty.driver == "worm":
         return StandardLoss(rated.friction, rated.forward_efficiency, rated.tooth_loss, SOURCE)
     if rated.backward_efficiency <= 0:

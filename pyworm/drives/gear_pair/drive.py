@@ -2,19 +2,25 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import get_args
 
 import numpy as np
 
 from pyworm.drives.answers import Misalignment, MountingError, Space
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty
+from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.gear_pair.checks import check_gears, check_mesh
 from pyworm.drives.gear_pair.dataset import line_of_action_data
+from pyworm.drives.gear_pair.design import Driver
 from pyworm.drives.gear_pair.film_formulas import contact_coefficient, mean_bulk_temperature
+from pyworm.drives.gear_pair.geometry_table import SHEET, described_pair
+from pyworm.drives.gear_pair.inspection import AS_DRAWN, PairInspection
 from pyworm.drives.gear_pair.mesh import GearPairMesh
 from pyworm.drives.gear_pair.shapes import in_space
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
 from pyworm.drives.tooth_life import ToothLife
+from pyworm.formulas.ranges import one_of
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
 from pyworm.scene.index import ContactIndex
@@ -42,6 +48,11 @@ class GearPairDrive(GearPairMesh, Drive):
 
     body_names = "pinion", "gear"
     rated_as = GearPairDuty
+    sheet = SHEET
+    possible_drivers = get_args(Driver)
+
+    inspection: PairInspection = AS_DRAWN
+    """Balls, spans, and deviations of thickness and centre distance, for the inspection sheet."""
 
     def __post_init__(self) -> None:
         check_gears(self.teeth)
@@ -127,6 +138,27 @@ class GearPairDrive(GearPairMesh, Drive):
             friction=None if surfaces is None else surfaces.friction_coefficient,
             scuffing_temperature=None if surfaces is None else surfaces.scuffing_temperature,
         )
+
+    def geometry_table(self) -> dict[str, float | str]:
+        """The gears with their measures, backlash and mesh."""
+        return described_pair(self, self.inspection)
+
+    def mesh_forces(self, friction: float | None = None, driver: str | None = None) -> MeshForces:
+        """Mean forces on both shafts, which friction does not change; ValueError of another shaft."""
+        return self.shaft_forces(
+            self.driver if driver is None else one_of("driver", driver, get_args(Driver))
+        )
+
+    @property
+    def supports(self) -> dict[str, Supports]:
+        """Bearings of both shafts, where they are given."""
+        both = {"pinion": self.pinion_shaft, "gear": self.gear_shaft}
+        return {name: supports for name, supports in both.items() if supports is not None}
+
+    @property
+    def shaft_speeds(self) -> dict[str, float]:
+        """Speeds of both shafts [rad/s]."""
+        return {"pinion": self.pinion_speed, "gear": self.gear_speed}
 
     def cycle_data(self) -> "xr.Dataset":
         """The line of action with its closed forms, for the result."""

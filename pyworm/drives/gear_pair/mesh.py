@@ -8,11 +8,12 @@ drives, contact runs that way; where the gear drives (a speed increaser), it run
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import cos, pi, sin
+from math import cos, pi, sin, tan
 
 import numpy as np
 
 from pyworm.drives.duty import LineOfAction
+from pyworm.drives.forces import MeshForces, ShaftAxes, Supports
 from pyworm.drives.gear_pair.design import ContactKind, Driver, LinearRelief
 from pyworm.drives.gear_pair.film_formulas import Surfaces, rate
 from pyworm.drives.gear_pair.gap import Flank, GearGap, GearSection
@@ -119,6 +120,10 @@ class GearPairMesh(Lubricated):
     """Further input of the closed forms of friction and scuffing; None if not known."""
     lubrication: Bath | Jets | None = None
     """How oil comes to their teeth; None where there is assumed to be enough."""
+    pinion_shaft: Supports | None = None
+    """Bearings of the pinion's shaft; None where they are not given."""
+    gear_shaft: Supports | None = None
+    """Bearings of the gear's shaft, likewise."""
 
     @cached_property
     def sharing(self) -> LoadSharing:
@@ -134,6 +139,24 @@ class GearPairMesh(Lubricated):
     def _pinion_torque(self) -> float:
         """Torque on the pinion [N m]."""
         return self.power / self.pinion_speed
+
+    def shaft_forces(self, driver: Driver) -> MeshForces:
+        """Forces on both shafts without the load factor, at the pitch point, where friction changes sign.
+
+        F_t = T_1/r_w1, F_r = F_t tan alpha_wt, F_a = F_t tan beta_w; where the other gear than its own
+        drives, flanks and axial forces are the opposite ones.
+        """
+        teeth, pitch = self.teeth, self.teeth.cylinders[0].pitch
+        sense = 1.0 if driver == self.driver else -1.0
+        tangential = self._pinion_torque / pitch
+        tilt = tan(teeth.system.helix_angle) * pitch / teeth.cylinders[0].reference
+        radial, axial = tangential * tan(teeth.pressure_angle), tangential * tilt
+        force = np.array([[-radial], [-sense * tangential], [sense * axial]])
+        point, along = np.array([[pitch], [0.0], [0.0]]), np.array([0.0, 0.0, 1.0])
+        across = np.array([1.0, 0.0, 0.0])
+        pinion = ShaftAxes("pinion", np.zeros(3), across, along)
+        gear = ShaftAxes("gear", teeth.centre_distance * across, -across, -along)
+        return MeshForces(driver, 0.0, (pinion.force(point, force), gear.force(point, -force)))
 
     @property
     def normal_force(self) -> float:

@@ -6,13 +6,17 @@ from functools import partial
 
 from pyworm.drives.answers import Space
 from pyworm.drives.drive import Drive
+from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.roller_worm.checks import check_gears
 from pyworm.drives.roller_worm.dataset import roller_cycle_data
+from pyworm.drives.roller_worm.geometry_table import SHEET, described_rollers
 from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.mesh_loss import roller_mesh_loss
+from pyworm.drives.roller_worm.shaft_forces import roller_forces
 from pyworm.drives.roller_worm.shapes import in_space
 from pyworm.drives.tooth_life import ToothLife
+from pyworm.formulas.ranges import one_of
 from pyworm.io.on_demand import xarray as xr
 from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
@@ -24,6 +28,8 @@ class RollerWormDrive(RollerMesh, Drive):
     """A roller enveloping worm drive; ValueError, which begins with a key, if worm and rollers do not fit."""
 
     body_names = "worm", "roller"
+    sheet = SHEET
+    possible_drivers = ("worm",)
 
     def __post_init__(self) -> None:
         check_gears(self)
@@ -50,6 +56,26 @@ class RollerWormDrive(RollerMesh, Drive):
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss of all rollers in mesh; None for too few phases of a section that carries load."""
         return roller_mesh_loss(self, contacts)
+
+    def geometry_table(self) -> dict[str, float | str]:
+        """Worm and rollers with their mesh."""
+        return described_rollers(self)
+
+    def mesh_forces(self, friction: float | None = None, driver: str | None = None) -> MeshForces:
+        """Mean forces of all rollers without friction; ValueError unless the worm drives."""
+        one_of("driver", driver or "worm", self.possible_drivers)
+        return roller_forces(self)
+
+    @property
+    def supports(self) -> dict[str, Supports]:
+        """Bearings of both shafts, where they are given."""
+        both = {"worm": self.shaft, "wheel": self.wheel_shaft}
+        return {name: supports for name, supports in both.items() if supports is not None}
+
+    @property
+    def shaft_speeds(self) -> dict[str, float]:
+        """Speeds of both shafts [rad/s]."""
+        return {"worm": self.speed, "wheel": self.wheel_speed}
 
     def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle of both sections for the result."""

@@ -7,6 +7,7 @@ from math import pi
 import numpy as np
 
 from pyworm.drives.cached import cached
+from pyworm.drives.forces import Supports
 from pyworm.drives.oil_supply import Bath, Jets, Lubricated, LubricatedBody, LubricatedTeeth
 from pyworm.drives.roller_worm.envelope import Array, LineContact
 from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films
@@ -71,6 +72,10 @@ class RollerMesh(RollerGears, Lubricated):
     """The oil."""
     lubrication: Bath | Jets | None = None
     """How oil comes to its rollers; None where there is assumed to be enough."""
+    shaft: Supports | None = None
+    """Bearings of the worm's shaft; None where they are not given."""
+    wheel_shaft: Supports | None = None
+    """Bearings of the wheel's shaft, likewise."""
 
     @property
     def wheel_speed(self) -> float:

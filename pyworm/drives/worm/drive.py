@@ -7,18 +7,23 @@ from functools import cached_property, partial
 from pyworm.drives.answers import HobSetup, Misalignment, Shim, Space
 from pyworm.drives.drive import AllowedErrors, Drive
 from pyworm.drives.duty import WormDuty
+from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.worm.dataset import loaded_cycle_data, mesh_cycle_data, pattern_data, tooth_data
 from pyworm.drives.worm.drawing.design import AS_DESIGNED
 from pyworm.drives.worm.duty import worm_duty
 from pyworm.drives.worm.geometry_table import (
+    SHEET,
     described_mesh,
     described_patterns,
     described_tolerances,
     signed_geometry,
 )
+from pyworm.drives.worm.inspection import AS_DRAWN, Inspection
+from pyworm.drives.worm.loads.load_sharing import SHAFTS
 from pyworm.drives.worm.loads.mesh import WormMesh
+from pyworm.drives.worm.loads.shaft_forces import worm_forces
 from pyworm.drives.worm.loads.tooth_compliance import EDGE_CONTACT_PHASES
 from pyworm.drives.worm.loads.tooth_pair_motion import tooth_life
 from pyworm.drives.worm.mesh_loss import worm_mesh_loss
@@ -32,6 +37,7 @@ from pyworm.drives.worm.shapes import in_space
 from pyworm.drives.worm.teeth.checks import check_gears, check_values
 from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
 from pyworm.drives.worm.tolerances import Tolerance, tolerances
+from pyworm.formulas.ranges import one_of
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.present import present
@@ -51,8 +57,12 @@ class WormDrive(WormMesh, Drive):
 
     body_names = "worm", "wheel"
     rated_as = WormDuty
+    sheet = SHEET
+    possible_drivers = SHAFTS
     cycle_seconds = 6.0  # patterns of both flanks and a gear set for each error: 4 to 9 s
 
+    inspection: Inspection = AS_DRAWN
+    """Balls, and deviations of thickness and centre distance, for the inspection sheet."""
     assumed: tuple[str, ...] = ()
     """Usual values that were taken where none was given, a sentence each that begins with the key."""
     warmth: str = ""
@@ -215,19 +225,40 @@ class WormDrive(WormMesh, Drive):
 
     def geometry(self) -> dict[str, float | str]:
         """Diameters, lead, profile shift, backlash, clearances and contact ratio."""
-        return signed_geometry(self)
+        return signed_geometry(self, self.inspection)
 
     def geometry_table(self) -> dict[str, float | str]:
         """The computed drawing, its kinematics and its pattern."""
         parts = (
-            described_mesh(self),
-            described_patterns(self.driven_pattern, self._loaded_patterns[0]),
+            described_mesh(self, self.inspection),
+            described_patterns(
+                self.driven_pattern, self._loaded_patterns[0], self.wheel.face_width
+            ),
             {}
             if self.assembly == AS_DESIGNED
             else {"wheel_shim_to_leaving_side_m": self.wheel_shim(None).shift},
             described_tolerances(self.play, self.tolerances),
         )
         return dict(item for part in parts for item in part.items())
+
+    def mesh_forces(self, friction: float | None = None, driver: str | None = None) -> MeshForces:
+        """Mean forces of all teeth in mesh under the torque of the wheel; ValueError of another shaft."""
+        driving = self.driver if driver is None else one_of("driver", driver, SHAFTS)
+        return worm_forces(self, self.friction if friction is None else friction, driving)
+
+    @property
+    def supports(self) -> dict[str, Supports]:
+        """Bearings of the worm's and the wheel's shaft, where they are given."""
+        worm = None
+        if self.shaft is not None:
+            worm = Supports(self.shaft.bearing_span, self.shaft.bearing_offset)
+        both = {"worm": worm, "wheel": self.wheel_shaft}
+        return {name: supports for name, supports in both.items() if supports is not None}
+
+    @property
+    def shaft_speeds(self) -> dict[str, float]:
+        """Speeds of both shafts [rad/s]."""
+        return {"worm": self.speed, "wheel": self.speed * self.ratio}
 
     def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
         """Contacts at the phases of the given ones with each assembly error, one at a time."""

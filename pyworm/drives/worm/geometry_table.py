@@ -6,6 +6,13 @@ from math import atan2, cos, degrees
 import numpy as np
 
 from pyworm.drives.worm.flanks.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
+from pyworm.drives.worm.inspection import (
+    Inspection,
+    backlash_limits,
+    seated_ball,
+    wheel_chord,
+    worm_chord,
+)
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.patterns.contact_pattern import THICKNESS, ContactPattern
 from pyworm.drives.worm.teeth.tooth_form import flank_start, wheel_thickness, worm_thickness
@@ -15,31 +22,36 @@ from pyworm.formulas.worm_deflection import deflection_limit
 Described = dict[str, float | str]
 
 
-SIGNED = (
+SHEET = (
     *("profile", "hand", "threads", "teeth", "centre_distance_m", "module_m", "diameter_factor"),
-    *("profile_shift", "pressure_angle_deg", "lead_m", "lead_angle_deg"),
+    *("profile_shift", "pressure_angle_deg", "lead_m", "lead_angle_deg", "base_lead_angle_deg"),
     *("worm_reference_diameter_m", "worm_tip_diameter_m", "worm_root_diameter_m"),
-    *("wheel_reference_diameter_m", "wheel_throat_diameter_m", "wheel_outside_diameter_m"),
-    *("wheel_root_diameter_m", "wheel_face_width_m", "backlash_m"),
-    *("worm_tip_clearance_m", "wheel_tip_clearance_m", "contact_ratio"),
+    *("worm_base_diameter_m", "wheel_reference_diameter_m", "wheel_throat_diameter_m"),
+    *("wheel_outside_diameter_m", "wheel_root_diameter_m", "wheel_face_width_m"),
+    *("worm_thickness_m", "wheel_thickness_m", "worm_chordal_thickness_m"),
+    *("wheel_chordal_thickness_m", "worm_chordal_height_m", "wheel_chordal_height_m"),
+    *("worm_ball_diameter_m", "worm_over_balls_m", "backlash_m", "least_backlash_m"),
+    *("largest_backlash_m", "worm_tip_clearance_m", "wheel_tip_clearance_m", "contact_ratio"),
+    *("sliding_speed_m_per_s", "face_coverage", "hob_oversize_m", "hob_swivel_deg"),
 )
-"""What of the geometry stands on the page to sign."""
+"""What of the geometry is printed and stands on the page to sign."""
 
 
-def _geometry(mesh: WormMesh) -> Described:
+def _geometry(mesh: WormMesh, inspection: Inspection) -> Described:
+    parts = _gear(mesh), _worm(mesh), _wheel(mesh), _inspected(mesh, inspection), _clearances(mesh)
     ratio: Described = {"contact_ratio": mesh.mean_teeth_in_contact}
-    return _gear(mesh) | _worm(mesh) | _wheel(mesh) | _clearances(mesh) | ratio
+    return dict(item for part in (*parts, ratio) for item in part.items())
 
 
-def signed_geometry(mesh: WormMesh) -> Described:
+def signed_geometry(mesh: WormMesh, inspection: Inspection) -> Described:
     """Geometry for the page to sign; keys end in their unit."""
-    found = _geometry(mesh)
-    return {key: found[key] for key in SIGNED if key in found}
+    found = _geometry(mesh, inspection)
+    return {key: found[key] for key in SHEET if key in found}
 
 
-def described_mesh(mesh: WormMesh) -> Described:
+def described_mesh(mesh: WormMesh, inspection: Inspection) -> Described:
     """Geometry of worm, wheel and hob, the mesh as assembled and the shaft; keys end in their unit."""
-    return _geometry(mesh) | _hob(mesh) | _mesh(mesh) | _shaft(mesh)
+    return _geometry(mesh, inspection) | _hob(mesh) | _mesh(mesh) | _shaft(mesh)
 
 
 def _gear(mesh: WormMesh) -> Described:
@@ -70,6 +82,7 @@ def _worm(mesh: WormMesh) -> Described:
         "pressure_angle_deg": degrees(pressure_angle),
         "pressure_angle_of": PRESSURE_ANGLE_PLACES[worm.profile],
         "normal_pressure_angle_deg": degrees(normal),
+        "axial_pitch_m": worm.axial_pitch,
         "lead_m": worm.lead,
         "lead_angle_deg": degrees(lead_angle),
         "worm_reference_diameter_m": 2 * radius,
@@ -78,6 +91,7 @@ def _worm(mesh: WormMesh) -> Described:
         "worm_flank_from_diameter_m": 2 * mesh.worm_tooth.start_radius,
         "worm_fillet_radius_m": worm.fillet_radius,
         "worm_thickness_m": worm_thickness(mesh, radius),
+        "worm_normal_thickness_m": worm_thickness(mesh, radius) * cos(lead_angle),
         "worm_tip_thickness_m": worm_thickness(mesh, worm.tip_radius),
     }
     if worm.base_radius is not None:
@@ -106,6 +120,33 @@ def _wheel(mesh: WormMesh) -> Described:
     }
     if wheel.backlash is not None:
         about["backlash_m"] = wheel.backlash
+    return about
+
+
+def _inspected(mesh: WormMesh, inspection: Inspection) -> Described:
+    """What is measured on worm and wheel, and the backlash that it leaves."""
+    lead_angle = _lead_angle(mesh.worm.lead, mesh.reference_radius)
+    about: Described = {}
+    for name, chord in (("worm", worm_chord(mesh)), ("wheel", wheel_chord(mesh))):
+        if chord is not None:
+            about[f"{name}_chordal_thickness_m"] = chord.thickness
+            about[f"{name}_chordal_height_m"] = chord.height
+    ball = seated_ball(mesh, inspection.worm_ball_diameter)
+    if ball is not None:
+        about |= {
+            "worm_ball_diameter_m": ball.diameter,
+            "worm_ball_contact_diameter_m": 2 * ball.contact_radius,
+            "worm_over_balls_m": ball.over,
+        }
+    if mesh.wheel.backlash is not None:
+        across = cos(lead_angle) * cos(mesh.worm_flank.pressure_angle(mesh.reference_radius))
+        about |= {
+            "normal_backlash_m": mesh.wheel.backlash * across,
+            "backlash_angle_deg": degrees(mesh.wheel.backlash / mesh.wheel_reference_radius),
+        }
+    limits = backlash_limits(mesh, inspection)
+    if limits is not None:
+        about |= {"least_backlash_m": limits[0], "largest_backlash_m": limits[1]}
     return about
 
 
@@ -175,8 +216,10 @@ def _shaft(mesh: WormMesh) -> Described:
     }
 
 
-def described_patterns(unloaded: ContactPattern, loaded: ContactPattern) -> Described:
-    """What compound marks of the driven flank without load and under it."""
+def described_patterns(
+    unloaded: ContactPattern, loaded: ContactPattern, face_width: float
+) -> Described:
+    """What compound marks of the driven flank without load and under it, over the face width [m]."""
     about: Described = {"marking_thickness_m": THICKNESS}
     for name, pattern in (("marking", unloaded), ("loaded_marking", loaded)):
         first, last = pattern.along_face()
@@ -185,6 +228,7 @@ def described_patterns(unloaded: ContactPattern, loaded: ContactPattern) -> Desc
             f"{name}_along_face_first_m": first,
             f"{name}_along_face_last_m": last,
         }
+    about["face_coverage"] = (last - first) / face_width
     return about
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 from pyworm.case.case import Case
 from pyworm.ratings.heating import heating_of
 from pyworm.ratings.rating import Rating
+from pyworm.report.console.drive import sheet_tables
 from pyworm.report.findings import Findings, findings
 from pyworm.report.page.assumptions import (
     assumptions_section,
@@ -55,6 +56,7 @@ def build_report(
         _noted(found, film_section(found)),
         _noted(found, heat_section(found)),
         _ratings_section(found),
+        None if cover is not None else _sheet_section(found.case),
         _noted(found, printed_section(found)),
         _noted(found, exact_sensitivity_section(found) or sensitivity_section(found)),
         cycle_section(found, signed=cover is not None),
@@ -102,6 +104,14 @@ def _noted(found: Findings, section: Section | None) -> Section | None:
     if section is None or not note:
         return section
     return replace(section, blocks=(f"{note.capitalize()}.", *section.blocks))
+
+
+def _sheet_section(case: Case) -> Section | None:
+    """Inspection sheet of a drive; None where it has none, or the page to sign has it."""
+    if case.drive is None:
+        return None
+    tables = sheet_tables(case.drive.geometry(), case.drive.body_names)
+    return Section("Geometry and inspection", tables) if tables else None
 
 
 def _ratings_section(found: Findings) -> Section | None:

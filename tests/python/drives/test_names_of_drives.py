@@ -17,29 +17,31 @@ NAMES = {
     Drive: """
         all_assumptions allowed_errors assumptions bodies body_names cycle_data cycle_seconds duty
         geometry geometry_table hob_setup idle in_space loaded_cycle lubricated_teeth lubrication
-        mesh_loss misalignment normal_load oil_supplied oil_supply phases_per_second rated_as scene
-        scene_data sections shown usual_values warnings wheel_shim
+        mesh_forces mesh_loss misalignment normal_load oil_supplied oil_supply phases_per_second
+        possible_drivers rated_as scene scene_data sections shaft_speeds sheet shown supports usual_values
+        warnings wheel_shim
         """,
     # and what each has besides
     WormDrive: """
         aligned aligned_cycle arms assembly assembly_under_load assumed axes_distance base_pitches
         centre_distance contact contact_axes contact_beyond cycle deviating driven_pattern driver
-        edge_contact errors_in_words first_touch flank_grid flank_place friction gap hand hob
-        interference life load_arm mean_force mean_teeth_in_contact mesh_cycle mid_mesh_load module
+        edge_contact errors_in_words first_touch flank_grid flank_place force_with friction gap hand hob
+        inspection interference life load_arm mean_force mean_teeth_in_contact mesh_cycle mid_mesh_load module
         motions oil patterns pitch play profile_shift ratio reference_radii reference_radius rim
         rotation scene_at scene_of scene_under shaft shaft_deflection shared shared_torque sliding speed
         springs thread_place tolerances tooth_load tooth_outline touching_place transmission turned
-        varied warmth wheel wheel_flank wheel_reference_radius wheel_tooth wheel_torque with_rigid_shaft
-        within without_film_lift worm worm_flank worm_tooth
+        varied warmth wheel wheel_flank wheel_reference_radius wheel_shaft wheel_tooth wheel_torque
+        with_rigid_shaft within without_film_lift worm worm_flank worm_tooth
         """,
     GearPairDrive: """
-        contact contacts cycle_phases driver friction_load_factor gap gear_speed lead_crowning
+        contact contacts cycle_phases driver friction_load_factor gap gear_shaft gear_speed inspection
+        lead_crowning
         load_factor load_sharing loss_factor normal_force oil phase_of pinion_speed pitch_line_velocity
-        power rating reduced_modulus scene_at sharing surfaces teeth tip_relief
+        pinion_shaft power rating reduced_modulus scene_at shaft_forces sharing surfaces teeth tip_relief
         """,
     RollerWormDrive: """
-        centre_distance oil preload ratio rollers rolling scene_at shared sharing speed state
-        throat_radius torque varied wheel_speed wheel_torque worm
+        centre_distance oil preload ratio rollers rolling scene_at shaft shared sharing speed state
+        throat_radius torque varied wheel_shaft wheel_speed wheel_torque worm
         """,
 }
 

@@ -30,6 +30,8 @@ from pyworm.formulas.arrays import Array
 
 Shaft = Literal["worm", "wheel"]
 
+SHAFTS: tuple[Shaft, ...] = ("worm", "wheel")
+
 
 @dataclass(frozen=True)
 class Transmission:

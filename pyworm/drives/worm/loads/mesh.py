@@ -7,6 +7,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from pyworm.drives.forces import Supports
 from pyworm.drives.oil_supply import Bath, Jets, Lubricated, LubricatedBody, LubricatedTeeth
 from pyworm.drives.worm.drawing.design import Assembly, Hand
 from pyworm.drives.worm.flanks.helicoid import Array
@@ -49,6 +50,8 @@ class WormMesh(WormGears, Lubricated):
     """Hand of the threads; a left-hand drive is computed as its right-hand mirror image."""
     shaft: WormShaft | None = None
     """The worm's shaft between its bearings, which bends under the load; None if rigid."""
+    wheel_shaft: Supports | None = None
+    """The bearings of the wheel's shaft, which does not bend; None where they are not given."""
     lubrication: Bath | Jets | None = None
     """How oil comes to its teeth; None where there is assumed to be enough."""
 
@@ -70,12 +73,19 @@ class WormMesh(WormGears, Lubricated):
     @property
     def mean_force(self) -> MeshForce:
         """The force of all teeth in mesh on the worm, as if it acted in mid-mesh."""
+        return self.force_with(self.friction)
+
+    def force_with(self, friction: float) -> MeshForce:
+        """That force with another friction and the same torque of the wheel.
+
+        A negative coefficient is that of sliding the other way, as the other shaft drives on these flanks.
+        """
         middle = np.array([0.5])
         point, normal = self.cycle.points(middle)[:, 0], self.cycle.normals(middle)[:, 0]
         sliding = self.sliding(middle)[:, 0]
-        wheel = float(self.arms(middle).of("wheel", self.friction)[0])
+        wheel = float(self.arms(middle).of("wheel", friction)[0])
         load = self.wheel_torque / wheel
-        force = -load * (normal + self.friction * sliding / np.linalg.norm(sliding))
+        force = -load * (normal + friction * sliding / np.linalg.norm(sliding))
         return MeshForce(point, force)
 
     @property
