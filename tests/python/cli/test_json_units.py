@@ -56,6 +56,7 @@ RANGES = {
     # forces, moments, powers
     r"(torque_N_m|torque_Nm)$": (50, 1e4),
     r"load_N$": (1, 1e5),
+    r"_(tangential|axial|radial|thrust)_N$": (0, 1e6),
     r"per_length_N_m$": (1e4, 1e7),
     r"per_length_W_m$": (1e2, 1e6),
     r"_W$": (100, 1e5),

@@ -25,7 +25,7 @@ import pyworm
 from pyworm.case.case import checked
 from pyworm.case.ratings import BearingTable, RatingCase
 from pyworm.cli.main import main
-from pyworm.ratings.bearing import bearing_life
+from pyworm.ratings.bearing import bearing_life, carried_load
 from pyworm.ratings.rated_case import rating_request, ratings
 from pyworm.ratings.worm import worm_duty_of_table
 from pyworm.ratings.worm_loads import RatedWormGear
@@ -60,8 +60,8 @@ def rated(capsys, name):
     [
         ("bearing_nu2210", ["bearing vg_220", "bearing vg_460"]),
         ("oil_zi", ["worm", "bearing worm_shaft"]),
-        ("zi_sharif_2001", ["worm", "films", "bearing worm_shaft"]),
-        ("errichello_speed_increaser", ["gear teeth", "gear oil supply", "films"]),
+        ("zi_sharif_2001", ["worm", "films", "forces", "bearing worm_shaft"]),
+        ("errichello_speed_increaser", ["gear teeth", "gear oil supply", "films", "forces"]),
     ],
 )
 def test_shipped_cases_are_rated(capsys, name, keys):
@@ -463,7 +463,8 @@ BEARING_TABLE = BearingTable.model_validate(tomllib.loads(BEARING)["bearings"]["
 
 
 def life(**changes):
-    return bearing_life(BEARING_TABLE.model_copy(update=changes), Path()).modified_life
+    table = BEARING_TABLE.model_copy(update=changes)
+    return bearing_life(table, Path(), carried_load(table, None)).modified_life
 
 
 @given(st.floats(3e-6, 3e-4), st.floats(1.001, 3))
@@ -670,7 +671,7 @@ def test_gears_of_unknown_flanks_are_rated_without_them():
     case = pyworm.load(CASES / "errichello_speed_increaser.toml")
     bodies = tuple(replace(body, roughness=None) for body in case.drive.bodies)
     unknown = replace(case.drive, surfaces=None, bodies=bodies)
-    teeth, _, films = ratings(replace(rating_request(case), drive=unknown))
+    teeth, _, films, _ = ratings(replace(rating_request(case), drive=unknown))
     known = teeth.summary()["closed form"]
     assert {"film_min_m", "hertz_pressure_Pa", "loss_factor"} <= set(known)
     assert not {"specific_film", "friction", "contact_temperature_C"} & set(known)
