@@ -1,6 +1,7 @@
 from . import arrays as arrays
 from . import beam as beam
 from . import bearing_life as bearing_life
+from . import bearing_load as bearing_load
 from . import film as film
 from . import film_atlas as film_atlas
 from . import film_ranges as film_ranges
