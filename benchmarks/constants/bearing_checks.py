@@ -246,7 +246,6 @@ BEARINGS = Chapter(
 )
 
 
-
 def _no_step(of):
     """The equivalent load has no step where the thrust begins to count: X + e Y = 1."""
     balls = [(0.0, thrust) for thrust in of._DEEP_GROOVE] + [
