@@ -24,6 +24,10 @@ steps turn the convection of heat from one node upstream to another. Both err by
 BODY_STEP = 1e-3
 """That of an input by which heat spreads otherwise in a body, to both sides: that is in single precision."""
 
+HEATED_SHARE = 2.0
+"""Numerical uncertainty of a heated contact's sensitivity over the change from a grid of twice the spacing, of
+others the change itself: with it 19 of 20 hold on grids of half the spacing, without it 9 of 10."""
+
 MOST_SHOWN = 6
 """Number of inputs that are shown, the most influential."""
 
@@ -118,6 +122,7 @@ def sensitivities(
         before = relative_changes(coarse, scene, chosen)
     except (NoAdjointError, KernelError):
         before = {}
+    share = HEATED_SHARE if plan.model.heated else 1.0
     missed = {
         figure: _missed(value, getattr(solution.figures, figure, None))
         for figure, value in fine.figures.items()
@@ -125,7 +130,7 @@ def sensitivities(
     table = {
         figure: {
             name: Sensitivity(
-                value, _error(value, before.get(figure, {}).get(name), missed[figure])
+                value, share * _error(value, before.get(figure, {}).get(name), missed[figure])
             )
             for name, value in by_input.items()
         }
