@@ -19,7 +19,7 @@ module pyworm_wall_balance
 
   !> Rise of a node in the preconditioner, over that by the flux on its own cell, since neighbours heat each other.
   !> On a worm's contact the number of iterations is least from 4 to 8 and a third more with 1 or 16.
-  real(wp), parameter, public :: neighbourhood = 4
+  real(wp), parameter :: neighbourhood = 4
 
   !> A body with the temperature [K] of its unheated surface.
   type :: bounding_body

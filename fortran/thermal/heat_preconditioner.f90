@@ -1,15 +1,16 @@
 !> Approximate solution of the linearised equations of a film's temperature, and of the transposed ones.
 !>
-!> Block Gauss-Seidel, once against the entrainment, for oil that flows back, and once with it: the columns are solved in this
-!> order, each with the temperature upstream of it as far as it is known, and with bodies whose rise at a node is that by the flux
-!> of its neighbourhood alone (`wall_balance`). The transposed solve is the exact transpose.
+!> Block Gauss-Seidel, once against the entrainment, over the columns whose oil flows back, and once with it: the columns are solved
+!> in this order, each with the temperature upstream of it as far as it is known, and with bodies whose rise at a node is that by
+!> the flux on its own cell alone. With four times that rise, as in `wall_balance`, iterations are as many or up to twice as many.
+!> The transposed solve is the exact transpose.
 module pyworm_heat_preconditioner
   use pyworm_heat_columns, only: most_upstream
   use pyworm_heat_linearisation, only: heat_linearisation, before_levels
   use pyworm_kinds, only: pp, wp
   use pyworm_lapack, only: dgesv
   use pyworm_status, only: status_ok, status_not_finite, status_no_memory
-  use pyworm_wall_balance, only: wall_pair, neighbourhood
+  use pyworm_wall_balance, only: wall_pair
   implicit none(type, external)
   private
 
@@ -18,9 +19,10 @@ module pyworm_heat_preconditioner
   type :: heat_preconditioner
     !> Transposed inverse of each column's equations at a given temperature upstream, (level, level, column).
     real(pp), allocatable :: inverse(:, :, :)
-    !> Equations by the heat that levels lack: one, of the walls' levels the rise of the bodies by the flux of a neighbourhood
-    !> [K m2/W].
+    !> Equations by the heat that levels lack: one, of the walls' levels the rise of the bodies by the flux on a cell [K m2/W].
     real(wp), allocatable :: scale(:)
+    !> Whether oil flows from a column to one that is earlier in the sweep with the entrainment.
+    logical, allocatable :: backward(:)
   end type heat_preconditioner
 
 contains
@@ -38,9 +40,10 @@ contains
       allocate (self%inverse(n, n, size(linear%node)), self%scale(n), stat=err)
       stat = merge(status_ok, status_no_memory, err == 0)
       if (stat /= status_ok) return
+      call mark_backward(linear, self%backward)
       self%scale = 1
-      self%scale(1) = neighbourhood*walls%body(1)%surface%own
-      self%scale(n) = neighbourhood*walls%body(2)%surface%own
+      self%scale(1) = walls%body(1)%surface%own
+      self%scale(n) = walls%body(2)%surface%own
       failures = 0
       !$omp parallel do private(equations, inverse, pivots, k, info) reduction(+:failures) schedule(static)
       do s = 1, size(linear%node)
@@ -59,6 +62,28 @@ contains
     if (failures > 0) stat = status_not_finite
   end subroutine new_heat_preconditioner
 
+  !> Marks the columns from which oil flows to one that is earlier in the sweep with the entrainment.
+  pure subroutine mark_backward(linear, backward)
+    type(heat_linearisation), intent(in) :: linear
+    logical, allocatable, intent(out) :: backward(:)
+    integer :: column(linear%nx*linear%ny), s, k, t
+
+    ! on the outline there are no columns
+    column = 0
+    column(linear%node) = [(s, s=1, size(linear%node))]
+    allocate (backward(size(linear%node)), source=.false.)
+    do s = 1, size(linear%node)
+      do k = 1, linear%levels
+        do t = 1, most_upstream
+          associate (upstream => column(linear%place(t, k, s)))
+            if (upstream == 0 .or. .not. abs(linear%weight(t, k, s)) > 0) cycle
+            if (merge(upstream < s, upstream > s, linear%backward)) backward(upstream) = .true.
+          end associate
+        end do
+      end do
+    end do
+  end subroutine mark_backward
+
   !> Solves for the temperature by which the equations change by `change`, approximately; both (nx, ny, levels).
   pure subroutine solve_heat(linear, self, change, warming)
     type(heat_linearisation), intent(in) :: linear
@@ -74,6 +99,7 @@ contains
     do sweep = 1, 2
       do step = 1, size(linear%node)
         s = merge(step, size(linear%node) + 1 - step, (sweep == 1) .eqv. linear%backward)
+        if (sweep == 1 .and. .not. self%backward(s)) cycle
         rest = change(linear%node(s), :)
         do k = 1, linear%levels
           do t = 1, most_upstream
@@ -102,6 +128,7 @@ contains
     do sweep = 2, 1, -1
       do step = size(linear%node), 1, -1
         s = merge(step, size(linear%node) + 1 - step, (sweep == 1) .eqv. linear%backward)
+        if (sweep == 1 .and. .not. self%backward(s)) cycle
         associate (node => linear%node(s))
           solved = 0
           do k = 1, linear%levels

@@ -4,8 +4,8 @@
 !> rough surfaces that between their mean planes) and p_a the pressure of the asperities at the nodes:
 !>   heat_by_temperature              y = dH/dT x
 !>   heat_by_film                     y = dH/dp dp + dH/dh dh + dH/dp_a dp_a
-!>   heat_by_temperature_transposed   x = (dH/dT)^T y
 !>   heat_by_film_transposed          (dH/dp)^T y, (dH/dh)^T y, (dH/dp_a)^T y
+!>   heat_transposed                  these, and (dH/dT)^T y
 !> Fields of temperature and equations are (nx, ny, levels), the others (nx, ny). The rise of the bodies is in single precision.
 !>
 !> Where oil flows between rough surfaces p = P - p_a(h), with P the total pressure: by P counts dH/dp, and by h with it
@@ -18,7 +18,7 @@ module pyworm_heat_products
   implicit none(type, external)
   private
 
-  public :: heat_by_temperature, heat_by_film, heat_by_temperature_transposed, heat_by_film_transposed
+  public :: heat_by_temperature, heat_by_film, heat_by_film_transposed, heat_transposed
 
 contains
 
@@ -107,17 +107,15 @@ contains
     end do
   end subroutine add_outline
 
-  !> Transposed product of the derivative by temperature.
-  subroutine heat_by_temperature_transposed(self, walls, weight, by_warming)
+  !> Sets the transposed product by temperature from the weights of the equations and of the heat that levels lack.
+  subroutine set_by_warming(self, weight, lacked, by_warming)
     type(heat_linearisation), intent(in) :: self
-    type(wall_pair), intent(inout) :: walls
-    real(wp), intent(in) :: weight(self%nx*self%ny, self%levels)
+    real(wp), intent(in) :: weight(self%nx*self%ny, self%levels), lacked(self%levels, self%nx*self%ny)
     real(wp), intent(out) :: by_warming(self%nx*self%ny, self%levels)
     !> With the levels of a node together.
-    real(wp) :: lacked(self%levels, self%nx*self%ny), by_levels(self%levels, self%nx*self%ny)
+    real(wp) :: by_levels(self%levels, self%nx*self%ny)
     integer :: s, k, t
 
-    call weigh_levels(self, walls, weight, lacked)
     by_levels = 0
     !$omp parallel do private(k) schedule(static)
     do s = 1, size(self%node)
@@ -139,7 +137,7 @@ contains
     by_warming = transpose(by_levels)
     by_warming(:, [1, self%levels]) = by_warming(:, [1, self%levels]) + weight(:, [1, self%levels])
     call add_outline(self, weight, by_warming)
-  end subroutine heat_by_temperature_transposed
+  end subroutine set_by_warming
 
   !> Transposed products of the derivatives by the oil's pressure, the gap and the asperities' pressure.
   subroutine heat_by_film_transposed(self, walls, weight, by_p, by_h, by_asperities)
@@ -147,10 +145,34 @@ contains
     type(wall_pair), intent(inout) :: walls
     real(wp), intent(in) :: weight(self%nx*self%ny, self%levels)
     real(wp), intent(out) :: by_p(self%nx*self%ny), by_h(self%nx*self%ny), by_asperities(self%nx*self%ny)
-    real(wp) :: lacked(self%levels, self%nx*self%ny), inputs(before_levels)
-    integer :: s, k
+    real(wp) :: lacked(self%levels, self%nx*self%ny)
 
     call weigh_levels(self, walls, weight, lacked)
+    call set_by_film(self, lacked, by_p, by_h, by_asperities)
+  end subroutine heat_by_film_transposed
+
+  !> Transposed products of the derivatives by the film and by temperature.
+  subroutine heat_transposed(self, walls, weight, by_p, by_h, by_asperities, by_warming)
+    type(heat_linearisation), intent(in) :: self
+    type(wall_pair), intent(inout) :: walls
+    real(wp), intent(in) :: weight(self%nx*self%ny, self%levels)
+    real(wp), intent(out) :: by_p(self%nx*self%ny), by_h(self%nx*self%ny), by_asperities(self%nx*self%ny), &
+      by_warming(self%nx*self%ny, self%levels)
+    real(wp) :: lacked(self%levels, self%nx*self%ny)
+
+    call weigh_levels(self, walls, weight, lacked)
+    call set_by_film(self, lacked, by_p, by_h, by_asperities)
+    call set_by_warming(self, weight, lacked, by_warming)
+  end subroutine heat_transposed
+
+  !> Sets the transposed products by the film from the weights of the heat that levels lack.
+  subroutine set_by_film(self, lacked, by_p, by_h, by_asperities)
+    type(heat_linearisation), intent(in) :: self
+    real(wp), intent(in) :: lacked(self%levels, self%nx*self%ny)
+    real(wp), intent(out) :: by_p(self%nx*self%ny), by_h(self%nx*self%ny), by_asperities(self%nx*self%ny)
+    real(wp) :: inputs(before_levels)
+    integer :: s, k
+
     by_p = 0
     by_h = 0
     do s = 1, size(self%node)
@@ -171,7 +193,7 @@ contains
     end do
     by_asperities = 0
     if (allocated(self%rubbing)) by_asperities = -reshape(self%rubbing, [size(by_p)])*(lacked(1, :) + lacked(self%levels, :))
-  end subroutine heat_by_film_transposed
+  end subroutine set_by_film
 
   !> Weights of the heat that levels lack, with the levels of a node together, from those of the equations: of the walls' levels
   !> through the bodies' rise.

@@ -14,7 +14,7 @@ module pyworm_thermal_adjoint
   use pyworm_film_warming, only: film_warming, new_film_warming, warm_imbalance_transposed
   use pyworm_heat_linearisation, only: heat_linearisation, linearise_heat
   use pyworm_heat_preconditioner, only: heat_preconditioner, new_heat_preconditioner, solve_heat_transposed
-  use pyworm_heat_products, only: heat_by_film_transposed, heat_by_temperature_transposed
+  use pyworm_heat_products, only: heat_by_film_transposed, heat_transposed
   use pyworm_kinds, only: pp, wp
   use pyworm_krylov, only: gmres, linear_system
   use pyworm_status, only: status_bad_argument, status_no_memory, status_not_finite, status_ok
@@ -113,15 +113,21 @@ contains
     real(wp), contiguous, intent(out) :: by_p(:, :), by_h(:, :)
     real(wp) :: by_asperities(size(by_p, 1), size(by_p, 2))
 
-    associate (film => self%contact%film)
-      call heat_by_film_transposed(self%heat, self%contact%heat%walls, weight, by_p, by_h, by_asperities)
-      if (film%model%is_rough()) then
-        ! the oil's pressure is the total less the asperities'; where it has ruptured these bear all
-        by_h = by_h + merge(film%model%fields%rough%stiffness*(by_p - by_asperities), 0.0_wp, film%free)
-        by_p = merge(by_p, by_asperities, film%free)
-      end if
-    end associate
+    call heat_by_film_transposed(self%heat, self%contact%heat%walls, weight, by_p, by_h, by_asperities)
+    call share_adjoint(self%contact%film, by_asperities, by_p, by_h)
   end subroutine heat_rows_adjoint
+
+  !> Replaces what is counted by the oil's pressure at a given gap, and by the gap, by that of the total pressure.
+  subroutine share_adjoint(film, by_asperities, by_p, by_h)
+    class(film_contact), intent(in) :: film
+    real(wp), intent(in) :: by_asperities(:, :)
+    real(wp), intent(inout) :: by_p(:, :), by_h(:, :)
+
+    if (.not. film%model%is_rough()) return
+    ! the oil's pressure is the total less the asperities'; where it has ruptured these bear all
+    by_h = by_h + merge(film%model%fields%rough%stiffness*(by_p - by_asperities), 0.0_wp, film%free)
+    by_p = merge(by_p, by_asperities, film%free)
+  end subroutine share_adjoint
 
   !> Reads the weights of the temperature's equations from a part of a vector.
   pure subroutine read_heat(self, x, weight)
@@ -151,7 +157,8 @@ contains
     class(thermal_adjoint_system), intent(inout) :: self
     real(wp), contiguous, target, intent(in) :: x(:)
     real(wp), contiguous, target, intent(out) :: y(:)
-    real(wp), dimension(size(self%flow%mass, 1), size(self%flow%mass, 2)) :: by_p, by_h, heat_by_p, heat_by_h, rows
+    real(wp), dimension(size(self%flow%mass, 1), size(self%flow%mass, 2)) :: by_p, by_h, heat_by_p, heat_by_h, by_asperities, &
+      rows
     real(wp), dimension(size(by_p, 1), size(by_p, 2), self%heat%levels) :: weight, by_rise, by_flow
     integer :: n
 
@@ -160,13 +167,13 @@ contains
       rows = reshape(x(:n), shape(rows))/self%typical_imbalance
       call rows_adjoint(film, rows, by_p, by_h)
       call read_heat(self, x(n + 2:), weight)
-      call heat_rows_adjoint(self, weight, heat_by_p, heat_by_h)
+      call heat_transposed(self%heat, self%contact%heat%walls, weight, heat_by_p, heat_by_h, by_asperities, by_rise)
+      call share_adjoint(film, by_asperities, heat_by_p, heat_by_h)
       by_p = by_p + heat_by_p
       by_h = by_h + heat_by_h
       call self%film%close_film(by_p, by_h, x(n + 1)/self%typical_imbalance, y(:n + 1))
       rows = merge(rows, 0.0_wp, film%free)
       call warm_imbalance_transposed(film, self%flow, rows, by_flow)
-      call heat_by_temperature_transposed(self%heat, self%contact%heat%walls, weight, by_rise)
       y(n + 2:) = reshape(by_rise + by_flow, [size(by_rise)])
     end associate
   end subroutine multiply

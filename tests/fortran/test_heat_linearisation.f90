@@ -42,7 +42,7 @@ program test_heat_linearisation
   use pyworm_film_warming, only: film_warming, new_film_warming, warm_imbalance, warm_imbalance_transposed
   use pyworm_flow_laws, only: flow_law, law_eyring, law_eyring_limited
   use pyworm_heat_linearisation, only: heat_linearisation, linearise_heat
-  use pyworm_heat_products, only: heat_by_temperature, heat_by_film, heat_by_temperature_transposed, heat_by_film_transposed
+  use pyworm_heat_products, only: heat_by_temperature, heat_by_film, heat_by_film_transposed, heat_transposed
   use pyworm_heat_residual, only: heat_residual
   use pyworm_heated_surface, only: heated_body
   use pyworm_kinds, only: wp
@@ -397,7 +397,7 @@ contains
       ! what levels lack over the conductance is of the walls' unit
       weight(:, :, 2:levels - 1) = weight(:, :, 2:levels - 1)/linear%conductance
       call heat_by_temperature(linear, heat%walls, warming, change)
-      call heat_by_temperature_transposed(linear, heat%walls, weight, by_warming)
+      call heat_transposed(linear, heat%walls, weight, by_p, by_h, by_asperities, by_warming)
       call equal_sums(what//": heat by temperature, transposed", weight*change, by_warming*warming)
       dh = warming(:, :, 1)*roughness
       associate (dp => warming(:, :, 2)*1e8_wp, asperities => warming(:, :, 3)*1e8_wp)
