@@ -15,6 +15,7 @@ EXAMPLES = {
     "wear": "cases/zi_drive.toml --hours 1000",
     "plot": "results/zi_drive/result.nc --pictures all",
     "report": "results/zi_drive/result.nc --pdf",
+    "export": "cases/worm_drawing.toml --formats stl,glb",
     "explore": "results/zi_drive/result.nc",
     "rate": "cases/oil_zi.toml",
     "oil": 'show "PAG VG 460"',

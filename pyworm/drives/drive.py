@@ -14,6 +14,7 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.quantities import BODIES
 from pyworm.io.shown import Shown
+from pyworm.io.solid import Solid
 from pyworm.materials.body import Body
 from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
@@ -126,6 +127,13 @@ class Drive(Shown, Lubricated, ABC):
 
     def in_space(self, places: Sequence[ContactIndex]) -> Space | None:
         """Its surfaces in space with their turns at some places; None where they are not known."""
+        return None
+
+    def solids(self) -> dict[str, Solid] | None:
+        """Its gears, and the tool of one, as solids by name; None where no solids are made of them.
+
+        ValueError where a tooth has no solid.
+        """
         return None
 
     def normal_load(self, phase: float) -> float:

@@ -2,12 +2,12 @@
 
 import csv
 import os
-from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
 
 from pyworm.io.atomic import whole_file
+from pyworm.io.vtk import write_image
 from pyworm.solver.solution import Solution
 
 
@@ -55,30 +55,12 @@ def write_vtk(solution: Solution, path: str | os.PathLike[str]) -> Path:
     if path.suffix != ".vti":
         raise ValueError(f"{path.name}: VTK image data has names that end in .vti")
     axes = [fields[axis].values for axis in reversed(_axes(solution))]
-    origin = [float(axis[0]) for axis in axes] + [0.0] * (3 - len(axes))
-    spacing = [float(np.diff(axis).mean()) for axis in axes] + [1.0] * (3 - len(axes))
-    extent = " ".join(f"0 {axis.size - 1}" for axis in axes) + " 0 0" * (3 - len(axes))
-    arrays = "".join(_array(str(name), fields[name].values) for name in fields.data_vars)
+    held = {str(name): fields[name].values for name in fields.data_vars}
     with whole_file(path) as partial:
-        partial.write_text(
-            '<?xml version="1.0"?>\n<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">\n'
-            f'<ImageData WholeExtent="{extent}" Origin="{_numbers(origin)}" Spacing="{_numbers(spacing)}">\n'
-            f'<Piece Extent="{extent}"><PointData Scalars="pressure">\n{arrays}</PointData></Piece>\n'
-            "</ImageData></VTKFile>\n",
-            encoding="utf-8",
-        )
+        write_image(partial, axes, held, "pressure")
     return path
 
 
 def _axes(solution: Solution) -> tuple[str, ...]:
     """Dimensions of the fields, the slowest first."""
     return ("y", "x") if solution.kind == "point" else ("x",)
-
-
-def _array(name: str, values: np.ndarray) -> str:
-    head = f'<DataArray type="Float64" Name="{name}" format="ascii">'
-    return f"{head}\n{_numbers(values.ravel())}\n</DataArray>\n"
-
-
-def _numbers(values: Iterable[float]) -> str:
-    return " ".join(f"{float(value):.9g}" for value in values)

@@ -34,6 +34,7 @@ from pyworm.drives.worm.patterns.loaded_pattern import loaded_pattern
 from pyworm.drives.worm.patterns.shim import found_shim
 from pyworm.drives.worm.sensitivity import sensitivity_data
 from pyworm.drives.worm.shapes import in_space
+from pyworm.drives.worm.solids import solids
 from pyworm.drives.worm.teeth.checks import check_gears, check_values
 from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
 from pyworm.drives.worm.tolerances import Tolerance, tolerances
@@ -41,6 +42,7 @@ from pyworm.formulas.ranges import one_of
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.present import present
+from pyworm.io.solid import Solid
 from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -273,6 +275,10 @@ class WormDrive(WormMesh, Drive):
     def in_space(self, places: Sequence[ContactIndex]) -> Space:
         """The thread that drives and the flank of the wheel that it drives."""
         return in_space(self, [present(place.phase, "phase") for place in places])
+
+    def solids(self) -> dict[str, Solid]:
+        """Worm, wheel and hob as designed, in contact at mid-mesh."""
+        return solids(self, self.hand)
 
     def scene_data(self, scene: Scene | LineScene) -> PlainDataset:
         """The wheel tooth with its whole gap and its path of contact, for the scene's pictures."""

@@ -1,6 +1,7 @@
 """Results as objects of a script: shown, compared, calculated with, exported; friction by one's own sum."""
 
 import csv
+from base64 import b64decode
 from xml.etree import ElementTree
 
 import numpy as np
@@ -129,7 +130,7 @@ def test_fields_as_image_data(solution, tmp_path):
     assert (extent[1] + 1, extent[3] + 1) == (fields.sizes["x"], fields.sizes["y"])
     assert float(image.get("Origin").split()[0]) == pytest.approx(float(fields["x"][0]))
     arrays = {
-        of.get("Name"): np.array(of.text.split(), dtype=float) for of in root.iter("DataArray")
+        of.get("Name"): np.frombuffer(b64decode(of.text)[8:]) for of in root.iter("DataArray")
     }
     film = arrays["film"].reshape(fields["film"].shape)
     assert np.allclose(film, fields["film"].values, rtol=1e-6)

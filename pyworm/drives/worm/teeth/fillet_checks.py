@@ -55,7 +55,7 @@ def _room(gears: WormGears, name: str, radius: float) -> float:
     """Axial width of what two fillets of a body share, on a cylinder of worm or hob [m]."""
     if name == "worm":
         return pi * gears.module - worm_thickness(gears, radius)
-    return _hob_thickness(gears, radius)
+    return hob_thickness(gears, radius)
 
 
 def _closed(name: str, radius: float) -> str:
@@ -66,7 +66,7 @@ def _closed(name: str, radius: float) -> str:
     )
 
 
-def _hob_thickness(gears: WormGears, radius: float) -> float:
+def hob_thickness(gears: WormGears, radius: float) -> float:
     """Axial thickness of the hob's thread on a cylinder [m]: the worm's and the backlash that it cuts."""
     flank, (worm_radius, reference) = gears.wheel_flank.hob, gears.reference_radii
     there = worm_thickness(gears, worm_radius) + (gears.wheel.backlash or 0.0)

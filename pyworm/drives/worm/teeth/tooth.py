@@ -119,10 +119,23 @@ class WheelTooth:
             return self.throat_radius + self.groove_radius
         return self.hob.centre_distance
 
+    def throat_half_width(self, below_tip: float = 0.0) -> float:
+        """Distance from the mid-plane [m] at which the throat ends; infinite if nowhere.
+
+        Below the tip, that at which throat and tip cylinder are equally far.
+        """
+        to_centre = self._groove_centre - self.tip_radius + below_tip
+        square = (self._groove + below_tip) ** 2 - to_centre**2
+        return float(np.sqrt(square)) if square > 0 else np.inf
+
+    def below_tip(self, along: Array, distance: float) -> Array:
+        """Radius [m] at a distance below tip and throat, at distances along the wheel's axis [m]."""
+        profile = np.sqrt(np.maximum((self._groove + distance) ** 2 - along**2, 0.0))
+        return np.minimum(self.tip_radius - distance, self._groove_centre - profile)
+
     def tip(self, along: Array | float) -> Array:
         """Outer radius of the tooth [m] at distances along the wheel's axis [m]."""
-        profile = np.sqrt(np.maximum(self._groove**2 - along**2, 0.0))
-        return np.minimum(self.tip_radius, self._groove_centre - profile)
+        return self.below_tip(np.asarray(along), 0.0)
 
     def root(self, along: Array | float) -> Array:
         """Radius [m] where the flank meets the hobbed root at distances along the wheel's axis [m]."""
