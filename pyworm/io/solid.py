@@ -14,7 +14,7 @@ import scipy
 
 Array = np.ndarray
 
-ACCURACY = 0.3e-6
+ACCURACY = 0.2e-6
 """Distance of splines through nets from the surface [m]."""
 
 MAX_FINER = 8
