@@ -57,7 +57,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--wear",
         type=Path,
         metavar="wear.npz",
-        help=f"write the depth worn off the flank, as pyworm wear has kept it, to {FLANK}",
+        help=f"write the wear depth of the flank that pyworm wear has stored to {FLANK}",
     )
     add_anyway(export)
     export.set_defaults(command=_export)

@@ -20,7 +20,7 @@ ACCURACY = 0.2e-6
 MAX_FINER = 8
 """Number of steps for each one of the coarsest net up to which that is sought."""
 
-DEGREE = 5
+SPLINE_DEGREE = 5
 """Degree of splines through nets, less where a side has fewer points."""
 
 
@@ -110,7 +110,7 @@ def spline_through(values: Array, axis: int = 0) -> "scipy.interpolate.BSpline":
     """Spline over 0 to 1 through values at evenly spaced places."""
     count = values.shape[axis]
     return scipy.interpolate.make_interp_spline(
-        np.linspace(0.0, 1.0, count), values, k=min(DEGREE, count - 1), axis=axis
+        np.linspace(0.0, 1.0, count), values, k=min(SPLINE_DEGREE, count - 1), axis=axis
     )
 
 

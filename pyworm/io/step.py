@@ -63,11 +63,11 @@ def cad_solid(solid: Solid) -> Any:
     shells = TopExp_Explorer(sewing.SewedShape(), TopAbs_SHELL)
     if sewing.NbFreeEdges() or not shells.More():
         raise StepError(f"{solid.name}: its faces do not close ({sewing.NbFreeEdges()} free edges)")
-    made = BRepBuilderAPI_MakeSolid(TopoDS.Shell(shells.Current())).Solid()
-    BRepLib.OrientClosedSolid_s(made)
-    if not BRepCheck_Analyzer(made).IsValid():
+    closed = BRepBuilderAPI_MakeSolid(TopoDS.Shell(shells.Current())).Solid()
+    BRepLib.OrientClosedSolid_s(closed)
+    if not BRepCheck_Analyzer(closed).IsValid():
         raise StepError(f"{solid.name}: the CAD kernel finds its solid not valid")
-    return made
+    return closed
 
 
 def _faces(solid: Solid) -> list[Any]:

@@ -19,7 +19,7 @@ NAMES = {
         geometry geometry_table hob_setup idle in_space loaded_cycle lubricated_teeth lubrication
         mesh_forces mesh_loss misalignment normal_load oil_supplied oil_supply phases_per_second
         pattern_margin possible_drivers rated_as scene scene_data sections shaft_speeds sheet shown
-        supports usual_values warnings wheel_shim
+        solids supports usual_values warnings wheel_shim
         """,
     # and what each has besides
     WormDrive: """
