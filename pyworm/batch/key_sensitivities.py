@@ -85,10 +85,11 @@ def key_sensitivities(
         if progress is not None:
             progress(number.key, count / len(wanted))
         try:
-            derivatives = _derivatives(solved, here, number)
+            sides = both_sides(solved.point, number, here)
         except ValueError as error:
             refused[number.key] = str(error)
             continue
+        derivatives = _derivatives(solved, *sides)
         if any(derivatives.values()):
             found.append(_scaled(number, derivatives))
     return KeySensitivities(solved.point.case.name, results, tuple(found), refused, method)
@@ -99,9 +100,8 @@ def _here(solved: Solved) -> Side:
     return Side(0.0, solved.point, tuple(case.scene(**place.given) for place in places))
 
 
-def _derivatives(solved: Solved, here: Side, number: NumericKey) -> dict[str, float]:
-    """Derivatives of all results with respect to a number, in SI; ValueError where no side can be."""
-    low, high = both_sides(solved.point, number, here)
+def _derivatives(solved: Solved, low: Side, high: Side) -> dict[str, float]:
+    """Derivatives of all results with respect to a number between two sides, in SI."""
     changes = [
         known.change(plus, minus)
         for known, plus, minus in zip(solved.changes, high.scenes, low.scenes, strict=True)

@@ -112,7 +112,7 @@ def _run(options: argparse.Namespace) -> int:
         table = _table_of_lives(result, directory)
     _show_files(case, tasks, result, options, directory, pictures, table, sensitive.summary)
     if not options.scheduler and (
-        why := overrun(case, planned, result, processor_seconds() - began)
+        why := overrun(case, planned, result, processor_seconds() - began - sensitive.seconds)
     ):
         print_message(f"{case.name}: {why.sentence}")
     if result.shortfall is None:

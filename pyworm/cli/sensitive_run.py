@@ -25,17 +25,22 @@ class SensitiveRun:
     """Its options."""
     found: "KeySensitivities | None" = None
     """The sensitivities."""
+    seconds: float = 0.0
+    """CPU time of them [s]."""
 
     def completed(self, result: "Result", tasks: "Sequence[Task]", directory: Path) -> "Result":
         """The result with them, in its file and one of their own, if they are asked for."""
         if not self.options.sensitivities or not result.sound.solutions:
             return result
+        from pyworm.batch.overrun import processor_seconds
         from pyworm.batch.run_sensitivities import sensitivities_of_run, with_sensitivities
         from pyworm.io.console import progress_bar
         from pyworm.io.json import as_json
 
+        began = processor_seconds()
         with progress_bar() as progress:
             self.found = sensitivities_of_run(result, tasks, progress, print_message)
+        self.seconds = processor_seconds() - began
         with atomic_directory(directory) as aside:
             (aside / TABLE).write_text(as_json(self.found.summary()), encoding="utf-8")
         return with_sensitivities(result, self.found, directory)
@@ -44,9 +49,10 @@ class SensitiveRun:
         """Print the table, if there is one."""
         if self.found is not None:
             from pyworm.io.console import Console
-            from pyworm.report.console.key_sensitivities import sensitivities_table
+            from pyworm.report.console.key_sensitivities import sensitivities_tables
 
-            Console().print(sensitivities_table(self.found))
+            for table in sensitivities_tables(self.found):
+                Console().print(table)
             print_result(f"Sensitivities  {directory / TABLE}")
 
     @property

@@ -1,22 +1,33 @@
-"""Table of sensitivities: what a usual change of each number of a case does to its results."""
+"""Tables of sensitivities: what a usual change of each number of a case does to its results."""
+
+from collections.abc import Iterator
 
 from pyworm.io.quantities import quantity_of
 from pyworm.report.table import Table
 from pyworm.result.key_sensitivities import KeySensitivities, KeySensitivity
 
-COLUMNS = "film_min", "pressure_max", "friction_coefficient", "power_loss", "S_H", "S_B"
-"""Results with a column, those that there are; a file has all."""
+COLUMNS = (
+    ("film_min", "pressure_max", "power_loss"),
+    ("S_H", "S_W", "S_F", "S_B"),
+)
+"""Results with a column, by table, those that there are: as many as fit into 80 letters. A file has all."""
 
-MOST_COLUMNS = 4
-"""Columns that fit into 80 letters beside key, value and change."""
+MOST_COLUMNS = 3
+"""Maximum number of columns of results."""
 
 LEAST_CHANGE = 5e-5
 """Relative change below which a number has no row."""
 
 
-def sensitivities_table(found: KeySensitivities) -> Table:
-    """Relative changes of the main results with each number that matters."""
-    names = [name for name in COLUMNS if found.results.get(name)][:MOST_COLUMNS]
+def sensitivities_tables(found: KeySensitivities) -> Iterator[Table]:
+    """Relative changes of the main results of contacts, and of safeties, with each number that matters."""
+    for columns in COLUMNS:
+        names = [name for name in columns if found.results.get(name)][:MOST_COLUMNS]
+        if names:
+            yield _table(found, names)
+
+
+def _table(found: KeySensitivities, names: list[str]) -> Table:
     rows = [each for each in found.keys if _matters(found, each, names)]
     return Table(
         head=("Number of the case", "Value", "Change", *map(_heading, names)),
@@ -29,9 +40,10 @@ def sensitivities_table(found: KeySensitivities) -> Table:
 
 def _heading(name: str) -> str:
     try:
-        return quantity_of(name).symbol
+        symbol = quantity_of(name).symbol
     except KeyError:  # of a safety, which is its symbol
-        return name
+        symbol = name
+    return f"{symbol}\n%"
 
 
 def _matters(found: KeySensitivities, each: KeySensitivity, names: list[str]) -> bool:
@@ -43,5 +55,5 @@ def _row(found: KeySensitivities, each: KeySensitivity, names: list[str]) -> tup
         each.key,
         f"{each.value:.5g} {each.unit}".rstrip(),
         each.change_words,
-        *(f"{100 * found.relative_change(each.key, name):+.2f} %" for name in names),
+        *(f"{100 * found.relative_change(each.key, name):+.2f}" for name in names),
     )

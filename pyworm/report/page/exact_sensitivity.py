@@ -1,6 +1,6 @@
 """Sensitivity of the results to the numbers of the case, as `pyworm run --sensitivities` found it."""
 
-from pyworm.report.console.key_sensitivities import sensitivities_table
+from pyworm.report.console.key_sensitivities import sensitivities_tables
 from pyworm.report.findings import Findings
 from pyworm.report.page.content import Section
 
@@ -10,4 +10,4 @@ def exact_sensitivity_section(found: Findings) -> Section | None:
     kept = found.result.sensitivities
     if kept is None or kept.case_name != found.case.name:
         return None
-    return Section("Sensitivity", (sensitivities_table(kept),))
+    return Section("Sensitivity", tuple(sensitivities_tables(kept)))

@@ -35,7 +35,7 @@ def test_the_report_shows_them(result):
     section = exact_sensitivity_section(findings(whole))
     (table,) = section.blocks
     assert table.rows[0][0] == "contact.load"
-    assert "-0.20 %" in table.rows[0]
+    assert "-0.20" in table.rows[0]
     assert exact_sensitivity_section(findings(result)) is None
     other, _ = kept(result, "another case")
     assert exact_sensitivity_section(findings(other)) is None
