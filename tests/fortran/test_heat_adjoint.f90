@@ -38,7 +38,7 @@ end module local_surface
 !> and the coupled adjoint of film and temperature is the difference of converged films.
 program test_heat_adjoint
   use local_surface, only: local_body
-  use pyworm_film_newton, only: contact_conditions, newton_step, shear_contact, film_residual, film_step
+  use pyworm_film_newton, only: contact_conditions, newton_step, roughen_contact, shear_contact, film_residual, film_step
   use pyworm_flow_laws, only: flow_law, law_eyring
   use pyworm_heat_preconditioner, only: solve_heat, solve_heat_transposed
   use pyworm_heat_residual, only: heat_residual
@@ -48,6 +48,7 @@ program test_heat_adjoint
   use pyworm_line_heat, only: heat_line_contact
   use pyworm_point_film, only: point_contact, new_point_contact
   use pyworm_point_heat, only: heat_point_contact
+  use pyworm_rough_surfaces, only: curve_count, gap_curves
   use pyworm_status, only: status_ok
   use pyworm_thermal_adjoint, only: thermal_adjoint, thermal_adjoint_system, new_thermal_adjoint_system, solve_thermal_adjoint
   use pyworm_thermal_properties, only: oil_heat_law
@@ -66,6 +67,8 @@ program test_heat_adjoint
   !> Velocity of the bodies.
   real(wp), parameter :: u1(2) = [1.3_wp, 0.1_wp], u2(2) = [0.7_wp, -0.05_wp]
   integer, parameter :: levels = 5
+  !> Height of the asperities.
+  real(wp), parameter :: roughness = 0.06_wp
 
   !> A contact with its pressure and rigid film.
   type :: contact_state
@@ -82,8 +85,9 @@ program test_heat_adjoint
 
   integer :: stat
 
-  call examine("a point contact", .true.)
-  call examine("a line contact", .false.)
+  call examine("a point contact", .true., .false.)
+  call examine("a line contact", .false., .false.)
+  call examine("a rough line contact", .false., .true.)
   call done()
 
 contains
@@ -96,16 +100,16 @@ contains
   end function oil
 
   !> A contact under a load, its film and temperature found together.
-  subroutine examine(what, point)
+  subroutine examine(what, point, rough)
     character(len=*), intent(in) :: what
-    logical, intent(in) :: point
+    logical, intent(in) :: point, rough
     type(contact_state), target :: state
     real(wp), allocatable :: residual(:, :, :), later(:, :, :)
 
     if (point) then
-      call make_point(state)
+      call make_point(state, rough)
     else
-      call make_line(state)
+      call make_line(state, rough)
     end if
     call converge(state, 1e-4_wp)
     residual = state%contact%film%model%shear%nodes%rise
@@ -119,8 +123,9 @@ contains
   end subroutine examine
 
   !> A point contact in Hertz units.
-  subroutine make_point(state)
+  subroutine make_point(state, rough)
     type(contact_state), intent(inout) :: state
+    logical, intent(in) :: rough
     integer, parameter :: n = 33
     real(wp), parameter :: dx = 6.0_wp/(n - 1)
     class(heated_body), allocatable :: body_1, body_2
@@ -138,6 +143,7 @@ contains
       oil(l/pi*(1.5_wp*m)**(1.0_wp/3), (128*pi**3/(3*m**4))**(1.0_wp/3)), 2*pi/3, 1e-4_wp), 0*gap + (u1(1) + u2(1))/2, &
       0*gap + (u1(2) + u2(2))/2, stat)
     call shear_contact(film, eyring, levels, 0*gap + u2(1) - u1(1), 0*gap + u2(2) - u1(2), stat)
+    if (rough) call roughen_contact(film, curves(), 0.12_wp, stat)
     call move_alloc(film, state%contact%film)
     state%p = sqrt(max(0.0_wp, 1 - 2*gap))
     state%h0 = -0.5_wp
@@ -149,8 +155,9 @@ contains
   end subroutine make_point
 
   !> A line contact in Hertz units.
-  subroutine make_line(state)
+  subroutine make_line(state, rough)
     type(contact_state), intent(inout) :: state
+    logical, intent(in) :: rough
     integer, parameter :: n = 129
     real(wp), parameter :: dx = 6.0_wp/(n - 1)
     class(heated_body), allocatable :: body_1, body_2
@@ -164,6 +171,7 @@ contains
     call new_line_contact(film, x**2/2, [(.true., i=1, n)], 0*x + (u1(1) + u2(1))/2, dx, 4.0_wp, &
       oil(l*sqrt(m/(2*pi)), 3*pi**2/(8*m**2)), pi/2, 1e-5_wp, stat)
     call shear_contact(film, eyring, levels, (u2(1) - u1(1))*field, 0*field, stat)
+    if (rough) call roughen_contact(film, curves(), 0.12_wp, stat)
     call move_alloc(film, state%contact%film)
     field(:, 1) = sqrt(max(0.0_wp, 1 - x**2)) + 1e-6_wp
     field([1, n], 1) = 0
@@ -175,6 +183,37 @@ contains
     call heat_line_contact(state%contact, heat_law, 0*x + u1(1), body_1, body_2, [5.0_wp, 0.0_wp], stat)
     call check(stat == status_ok, "a line contact is heated")
   end subroutine make_line
+
+  !> Curves of surfaces whose asperities bear some of the load; their slopes are differences.
+  function curves() result(table)
+    type(gap_curves) :: table
+    integer, parameter :: rows = 400
+    real(wp) :: row
+    integer :: k
+
+    table%scale = roughness
+    table%first = asinh(-6.0_wp)
+    table%spacing = (asinh(1e4_wp) - table%first)/(rows - 1)
+    allocate (table%value(curve_count, rows), table%slope(curve_count, rows))
+    do k = 1, rows
+      row = table%first + (k - 1)*table%spacing
+      table%value(:, k) = values_at(roughness*sinh(row))
+      table%slope(:, k) = (values_at(roughness*sinh(row + 1e-4_wp)) - values_at(roughness*sinh(row - 1e-4_wp)))/2e-4_wp
+    end do
+  end function curves
+
+  !> All curves at a gap.
+  pure function values_at(gap) result(values)
+    real(wp), intent(in) :: gap
+    real(wp) :: values(curve_count), fall
+
+    fall = exp(-min(max(gap/roughness, -6.0_wp), 300.0_wp))
+    values(1) = max(log(0.5_wp) - 2*gap/roughness, -600.0_wp)
+    values(2) = 0.4_wp*roughness*fall
+    values(3) = 0.2_wp*fall
+    values(4:6) = [1.0_wp, 1.0_wp, 0.0_wp] + fall*[0.1_wp, -0.5_wp, 0.2_wp]
+    values(7:9) = -0.2_wp*roughness*fall*[0.6_wp, 0.4_wp, 0.3_wp]
+  end function values_at
 
   subroutine new_body(nx, ny, made)
     integer, intent(in) :: nx, ny
