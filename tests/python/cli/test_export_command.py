@@ -14,6 +14,7 @@ from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.worm.solids import solids
 from pyworm.io.kept_arrays import keep
 from pyworm.io.on_demand import xarray as xr
+from pyworm.io.solid import Solid
 from pyworm.result.flank_surface import on_flank
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -67,6 +68,50 @@ def test_extremes_of_a_cycle_lie_on_the_flank(monkeypatch):
     assert (there["pressure"][np.abs(points[..., 1]) > 6e-3] == 0).all()
     monkeypatch.setattr("pyworm.result.flank_surface.flank_map", lambda result: None)
     assert on_flank(points, None) is None
+
+
+def test_a_result_is_checked_against_the_case(monkeypatch, capsys, tmp_path):
+    """Of the result only its flank's map matters here; a cylinder stands for the wheel."""
+    angle = np.pi - np.linspace(0.0, 0.1, 7)[:, None]
+    along = np.linspace(-0.01, 0.01, 9)
+    net = np.stack(
+        [0.08 * np.cos(angle) + 0 * along, along + 0 * angle, 0.08 * np.sin(angle) + 0 * along], -1
+    )
+    wheel = Solid("wheel", (net,), (0, 8), 63, np.zeros(3), np.array([0.0, 1.0, 0.0]), 0.05, (0,))
+    field = xr.Dataset(
+        {"pressure": (("radius", "face"), np.full((2, 2), 5e8))},
+        coords={"radius": [0.07, 0.09], "face": [-0.02, 0.02]},
+    )
+    monkeypatch.setattr(
+        "pyworm.drives.worm.drive.WormDrive.solids", lambda drive: {"worm": wheel, "wheel": wheel}
+    )
+    monkeypatch.setattr("pyworm.cli.export.opened_result", lambda path: object())
+    monkeypatch.setattr(
+        "pyworm.result.result_case.differences", lambda case, result: ("drive.teeth is 41, was 40",)
+    )
+    export = [
+        "export",
+        f"{DRAWING}",
+        "--formats",
+        "glb",
+        "--result",
+        "r.nc",
+        "--out",
+        f"{tmp_path / 'out'}",
+    ]
+    assert main(export) == 2
+    assert (
+        "drive.teeth is 41, was 40; solve it again, or take it with --anyway"
+        in capsys.readouterr().err
+    )
+    monkeypatch.setattr("pyworm.result.result_case.as_solved", lambda case, result: case)
+    monkeypatch.setattr("pyworm.result.flank_surface.flank_map", lambda result: None)
+    assert main([*export, "--anyway"]) == 2
+    assert "r.nc: has too few converged phases for fields on the flank" in capsys.readouterr().err
+    monkeypatch.setattr("pyworm.result.flank_surface.flank_map", lambda result: field)
+    assert main([*export, "--anyway"]) == 0
+    assert "warning: the result is of another case" in capsys.readouterr().err
+    assert {path.name for path in (tmp_path / "out").iterdir()} == {"flank.vts", "pair.glb"}
 
 
 @pytest.mark.parametrize(
