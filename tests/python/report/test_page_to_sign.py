@@ -4,6 +4,7 @@ import re
 import shutil
 import subprocess
 import tomllib
+from dataclasses import replace
 
 import matplotlib.image
 import numpy as np
@@ -148,3 +149,15 @@ def test_printed_the_page_to_sign_stands_alone(page, tmp_path):
     _browse(page, tmp_path, f"--print-to-pdf={printed}", "--no-pdf-header-footer")
     content = printed.read_bytes()
     assert content.startswith(b"%PDF") and content.count(b"/Type /Page\n") >= 2
+
+
+def test_gears_without_a_page_to_sign_have_their_sheet_in_the_report():
+    case = pyworm.load(CASES / "roller_ref.toml")
+    line = replace(make_line_solution(), phase=0.5, section="left", station=0.5)
+    result = Result(case.name, case.resolved, (line,), None, {})
+    with undrawn_pages():
+        report = build_report(result, case)
+    assert report.cover is None
+    section = next(part for part in report.sections if part.title == "Geometry and inspection")
+    rows = {row[0]: row[1:] for table in section.blocks for row in table.rows}
+    assert rows["Throat diameter"][0] == "64 mm" and rows["Centre distance"] == ("160 mm",)
