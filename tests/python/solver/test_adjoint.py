@@ -205,3 +205,9 @@ def test_a_number_that_a_contact_has_not_is_refused():
     warmer = with_input(warm, "temperature", inputs_of(warm)["temperature"] + 10)
     assert warmer.oil.viscosity.eta0 < warm.oil.viscosity.eta0
     assert warmer.bodies[0].bulk_temperature == warm.bodies[0].bulk_temperature + 10
+
+
+def test_a_quantity_that_a_solution_has_not_adds_nothing_to_the_uncertainty():
+    assert sensitivities._missed(1.0, None) == 0.0
+    assert sensitivities._missed(1.0, pyworm.Estimate(-1.0, 0.1)) == 0.0
+    assert sensitivities._missed(1.0, pyworm.Estimate(2.0, 0.1)) == pytest.approx(np.log(2))
