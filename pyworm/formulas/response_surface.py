@@ -5,11 +5,16 @@ as unknowns. Positive responses that follow power laws, such as films, are taken
 they are straight lines. Solves elsewhere shift the surface to meet them (first-order correction of a
 surrogate: N. M. Alexandrov, R. M. Lewis, C. R. Gumbert, L. L. Green and P. A. Newman, J. Aircr. 38 (2001)
 1093-1101).
+
+Over decades of the unknowns, where a parabola does not hold, responses are interpolated between scattered
+solves (thin-plate splines, which are straight where solves say nothing else); the error is that of leaving
+out one solve at a time.
 """
 
 from dataclasses import dataclass, replace
 
 import numpy as np
+import scipy
 
 from pyworm.formulas.arrays import Array, Flags
 
@@ -57,6 +62,41 @@ class ResponseSurface:
         return replace(
             self, level=self.level + _taken(responses, self.logarithmic) - self._at(place)
         )
+
+
+@dataclass(frozen=True)
+class ScatteredSurface:
+    """A positive response between scattered solves, by its logarithm."""
+
+    places: Array
+    """Places of the solves, each unknown from 0 to 1 over its range, (solves, unknowns)."""
+    responses: Array
+    """Responses there, (solves)."""
+
+    def at(self, places: Array) -> Array:
+        """Responses at places, (places, unknowns)."""
+        if self.places.shape[1] == 0:
+            return np.full(len(places), self.responses.mean())
+        spline = scipy.interpolate.RBFInterpolator(
+            self.places, np.log(self.responses), kernel="thin_plate_spline", degree=1
+        )
+        found: Array = np.exp(spline(places))
+        return found
+
+    def errors(self) -> Array:
+        """Relative errors of the surface at each solve if that one is left out, (solves).
+
+        NaN at corners of the range, to which the others do not reach, and where too few others are left.
+        """
+        count, unknowns = self.places.shape
+        inner = np.any((self.places > 0) & (self.places < 1), axis=1)
+        errors = np.full(count, np.nan)
+        for number in np.flatnonzero(inner) if count > unknowns + 1 else ():
+            others = np.arange(count) != number
+            rest = ScatteredSurface(self.places[others], self.responses[others])
+            found = rest.at(self.places[number : number + 1])[0]
+            errors[number] = found / self.responses[number] - 1
+        return errors
 
 
 def _taken(responses: Array, logarithmic: Flags) -> Array:

@@ -199,8 +199,8 @@ class WormMesh(WormGears, Lubricated):
             wheel_sliding=about(point, sliding, wheel_axis),
         )
 
-    def shared(self, phase: float) -> SharedLoad:
-        """Normal loads of all tooth pairs while one of them is at a phase."""
+    def shared(self, phase: float, load_factor: float = 1.0) -> SharedLoad:
+        """Normal loads of all tooth pairs while one of them is at a phase, under some times the torque."""
         first = -floor((phase + EDGE_CONTACT_PHASES) / self.pitch)
         last = floor((1 + EDGE_CONTACT_PHASES - phase) / self.pitch)
         phases = phase + self.pitch * np.arange(first, last + 1, dtype=np.float64)
@@ -211,6 +211,7 @@ class WormMesh(WormGears, Lubricated):
         shared, arms = self.shared_torque, self.arms(phases)
         torques = arms.of(shared.shaft, shared.friction)
         springs = None if shared.sharing == "equal" else self.springs
+        shared = replace(shared, torque=load_factor * shared.torque)
         return share(shared, phases, torques, arms.wheel_normal, ahead, springs)
 
     def normal_load(self, phase: float) -> float:
