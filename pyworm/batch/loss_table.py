@@ -17,9 +17,8 @@ import numpy as np
 from pyworm.batch.operating_points import OperatingPoint, Results, Solving
 from pyworm.case.case import Case, case_without_contacts
 from pyworm.case.drive_case import LOADS
-from pyworm.drives.torque_balance import TorqueBalance, torque_balance
-from pyworm.drives.worm.drive import WormDrive
-from pyworm.drives.worm.loads.mesh_stiffness import LoadedMesh, loaded_mesh
+from pyworm.drives.drive import Drive
+from pyworm.drives.torque_balance import MeshAtTorque, TorqueBalance
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.response_surface import ScatteredSurface
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
@@ -107,22 +106,28 @@ class Checked:
         }
 
 
-def require_table_case(case: Case, temperatures: bool) -> WormDrive:
-    """The drive of a case of which a table can be made; CaseError of another one.
+def table_mesh(case: Case, temperatures: bool) -> MeshAtTorque:
+    """The mesh of a case of which a table can be made; CaseError of another one.
 
     With `temperatures` its oil has to be known over temperature.
     """
-    if not isinstance(case.drive, WormDrive):
+    try:
+        mesh = None if case.drive is None else case.drive.mesh_at_torque()
+    except ValueError as error:
+        raise CaseError(f"{case.name}: {error}; give a torque in [operation]") from error
+    if mesh is None:
         raise CaseError(
             f"{case.name}: a table is made of a worm drive (drive.kind = worm); of other gears neither "
             "locking nor the yielding of the teeth is computed"
         )
+    if case.drive is not None and case.drive.oil.heat is None:
+        raise CaseError(f"{case.name}: oil.heat is missing, which friction needs")
     if temperatures and "temperature" not in case.content.get("oil", {}):
         raise CaseError(
             f"{case.name}: the oil's constants hold at one temperature; --temperatures needs an oil by "
             'name, such as oil.name = "PAG VG 460" with oil.temperature'
         )
-    return case.drive
+    return mesh
 
 
 def loss_table(
@@ -136,7 +141,7 @@ def loss_table(
     """The loss table of a worm drive over a grid, and a check of it by further solves.
 
     Args:
-        case: The case, as `require_table_case` has it.
+        case: The case, as `table_mesh` has it.
         grid: Values of the table.
         solving: How points are solved; solved contacts are kept in its directory, and found there again.
         points: Number of points that are solved.
@@ -216,11 +221,14 @@ def _point(case: Case, phases: Sequence[float] | None) -> OperatingPoint:
 
 @dataclass(frozen=True)
 class _Mesh:
-    """The mesh of one torque."""
+    """The mesh of one torque, and its gears."""
 
-    balance: TorqueBalance
-    yielding: LoadedMesh
-    drive: WormDrive
+    loaded: MeshAtTorque
+    drive: Drive
+
+    @property
+    def balance(self) -> TorqueBalance:
+        return self.loaded.balance
 
 
 def _meshes(case: Case, grid: Grid) -> list[_Mesh]:
@@ -228,9 +236,7 @@ def _meshes(case: Case, grid: Grid) -> list[_Mesh]:
     found = []
     for number in range(len(grid.torques)):
         drive = present(_case_at(case, grid, (0, number, 0)).drive, "drive")
-        if not isinstance(drive, WormDrive):
-            raise TypeError("a table is made of a worm drive")
-        found.append(_Mesh(torque_balance(drive.loaded_cycle()), loaded_mesh(drive), drive))
+        found.append(_Mesh(present(drive.mesh_at_torque(), "mesh"), drive))
     return found
 
 
@@ -261,7 +267,7 @@ def _table(
     return LossTable(
         name=case.name,
         title=case.title,
-        ratio=meshes[0].drive.wheel.teeth / meshes[0].drive.worm.threads,
+        ratio=meshes[0].loaded.ratio,
         speeds=np.array(grid.speeds),
         torques=np.array(grid.torques),
         temperatures=np.array(grid.temperatures),
@@ -269,11 +275,11 @@ def _table(
         efficiency=efficiency,
         reverse_efficiency=reverse,
         other_torque=_other_torque(case, grid, meshes),
-        transmission_error=np.array([mesh.yielding.transmission_error for mesh in meshes]),
+        transmission_error=np.array([mesh.loaded.transmission_error for mesh in meshes]),
         transmission_error_range=np.array(
-            [mesh.yielding.transmission_error_range for mesh in meshes]
+            [mesh.loaded.transmission_error_range for mesh in meshes]
         ),
-        stiffness=np.array([mesh.yielding.stiffness for mesh in meshes]),
+        stiffness=np.array([mesh.loaded.stiffness for mesh in meshes]),
         solved=solved,
         emulation_error=errors[0],
         solution_error=errors[1],
@@ -288,6 +294,7 @@ def _other_torque(case: Case, grid: Grid, meshes: Sequence[_Mesh]) -> Array:
         return found
     for number, mesh in enumerate(meshes):
         for place, speed in enumerate(grid.speeds):
-            cooling = case.tables.cooling_of(replace(mesh.drive, speed=speed))
+            drive: Any = mesh.drive
+            cooling = case.tables.cooling_of(replace(drive, speed=speed))
             found[place, number] = cooling.other.power / speed
     return found

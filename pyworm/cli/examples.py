@@ -10,7 +10,7 @@ EXAMPLES = {
     "precision": "cases/point_m20_l10.toml",
     "film": "cases/zi_drive.toml --phase 0.5",
     "sweep": "cases/sweeps/film_of_speed_and_load.toml -j 2",
-    "table": 'cases/worm_drawing.toml --speeds "500 rpm" "1500 rpm" -j 2',
+    "table": "cases/worm_drawing.toml --check 4 -j 2",
     "calibrate": "cases/film_rig.toml --measured films.csv --fit z",
     "design": "cases/designs/addenda.toml",
     "wear": "cases/zi_drive.toml --hours 1000",

@@ -20,13 +20,13 @@ from pyworm.io.atomic import atomic_directory, check_writable
 from pyworm.io.given import kind_of
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
+from pyworm.io.present import present
 from pyworm.io.quantity import SHARE_KIND
 from pyworm.io.quantity_text import percent
 from pyworm.io.terminal import print_message, print_result
 
 if TYPE_CHECKING:
     from pyworm.batch.loss_table import Checked, Grid
-    from pyworm.drives.worm.drive import WormDrive
     from pyworm.result.loss_table import LossTable
 
 TABLE_NAME = "loss_table.csv"
@@ -70,13 +70,14 @@ def add(commands: argparse._SubParsersAction) -> None:
 
 
 def _table(options: argparse.Namespace) -> int:
-    from pyworm.batch.loss_table import POINTS, loss_table, require_table_case
+    from pyworm.batch.loss_table import POINTS, loss_table, table_mesh
     from pyworm.batch.operating_points import NotSolvedError, Solving
     from pyworm.io.console import progress_bar
 
     case = load(options.case)
-    drive = require_table_case(case, options.temperatures is not None)
-    grid = _grid(options, drive)
+    mesh = table_mesh(case, options.temperatures is not None)
+    inlet = present(present(case.drive, "drive").oil.heat, "oil.heat").inlet_temperature
+    grid = _grid(options, (mesh.speed, mesh.torque, inlet))
     directory = options.out or Path("results") / f"{case.name}_table"
     check_writable(directory)
     warn_of_unusual(case)
@@ -101,16 +102,12 @@ def _table(options: argparse.Namespace) -> int:
     return CONVERGED
 
 
-def _grid(options: argparse.Namespace, drive: "WormDrive") -> "Grid":
-    """The values of the table, rising; those of the case where no option gives them."""
+def _grid(options: argparse.Namespace, defaults: tuple[float, float, float]) -> "Grid":
+    """The values of the table, rising; those of the case, the defaults, where no option gives them."""
     from pyworm.batch.loss_table import Grid
 
-    heat = drive.oil.heat
-    if heat is None:
-        raise CaseError("oil.heat is missing: friction needs it")
-    own = (drive.speed, drive.wheel_torque, heat.inlet_temperature)
     found = []
-    for (name, kind, _, _), value in zip(AXES, own, strict=True):
+    for (name, kind, _, _), value in zip(AXES, defaults, strict=True):
         texts = getattr(options, name)
         values = (
             [value]

@@ -9,6 +9,7 @@ from pyworm.drives.duty import Duty
 from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.oil_supply import Lubricated
+from pyworm.drives.torque_balance import MeshAtTorque
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.plain_dataset import PlainDataset
@@ -146,6 +147,13 @@ class Drive(Shown, Lubricated, ABC):
 
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss between all teeth, from that of some contacts; None where they are not enough."""
+        return None
+
+    def mesh_at_torque(self) -> MeshAtTorque | None:
+        """Loss both ways and yielding of its mesh; None where locking or yielding is not computed.
+
+        ValueError where its contacts share no torque.
+        """
         return None
 
     def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:

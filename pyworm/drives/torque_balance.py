@@ -17,6 +17,26 @@ from pyworm.io.on_demand import xarray as xr
 
 
 @dataclass(frozen=True)
+class MeshAtTorque:
+    """Loss and yielding of a mesh under its torque."""
+
+    speed: float
+    """Speed of the worm [rad/s]."""
+    torque: float
+    """Torque of the wheel [N m]."""
+    ratio: float
+    """Speed of the worm over that of the wheel [-]."""
+    balance: "TorqueBalance"
+    """Balance of torques by friction."""
+    transmission_error: float
+    """Mean loaded transmission error, turn of the wheel [rad]."""
+    transmission_error_range: float
+    """Range of that turn over a pitch, peak to peak [rad]."""
+    stiffness: float
+    """Mean mesh stiffness, torque of the wheel for each of its turn [N m/rad]."""
+
+
+@dataclass(frozen=True)
 class TorqueBalance:
     """Balance of torques and power of the teeth in mesh, the worm driving."""
 
@@ -40,7 +60,8 @@ class TorqueBalance:
 
 
 def torque_balance(cycle: "xr.Dataset") -> TorqueBalance:
-    """The balance of a mesh cycle under load with the worm driving."""
+    """The balance of a mesh cycle under load with the worm driving, whichever drives there."""
+    turn = -1.0 if cycle.attrs["driver"] == "wheel" else 1.0
     phases, load = cycle["load_phase"].values, cycle["tooth_load"].values
 
     def whole(values: np.ndarray) -> float:
@@ -49,6 +70,6 @@ def torque_balance(cycle: "xr.Dataset") -> TorqueBalance:
     turning = whole(cycle["lever"].values)
     sliding = whole(cycle["sliding_speed"].values)
     return TorqueBalance(
-        drag=whole(cycle["sliding_lever"].values) / turning,
+        drag=turn * whole(cycle["sliding_lever"].values) / turning,
         rubbing=sliding / (turning * float(cycle.attrs["wheel_speed"])),
     )

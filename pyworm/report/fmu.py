@@ -43,7 +43,7 @@ OUTPUTS = (
     ),
     ("friction_torque", "N.m", "Friction torque on the worm: teeth, bearings, seals and churning"),
     ("output_torque", "N.m", "Torque of the wheel"),
-    ("transmission_error", "rad", "Mean turn of the wheel behind its ideal angle under load"),
+    ("transmission_error", "rad", "Mean loaded transmission error, turn of the wheel"),
     ("mesh_stiffness", "N.m/rad", "Mean mesh stiffness about the axis of the wheel"),
 )
 FLAGS = (
@@ -65,13 +65,13 @@ UNITS = {
 UNSUPPORTED = (
     *("EnterEventMode", "EnterConfigurationMode", "ExitConfigurationMode", "EnterStepMode"),
     *(
-        f"{way}{kind}"
+        f"{access}{kind}"
         for kind in ("Float32", "String", "Binary", "Clock")
-        for way in ("Get", "Set")
+        for access in ("Get", "Set")
     ),
     *(
-        f"{way}{sign}Int{bits}"
-        for way in ("Get", "Set")
+        f"{access}{sign}Int{bits}"
+        for access in ("Get", "Set")
         for sign in ("", "U")
         for bits in (8, 16, 32, 64)
     ),

@@ -86,17 +86,17 @@ def joint_friction(table: LossTable) -> JointFriction:
     torque, temperature = len(table.torques) // 2, len(table.temperatures) // 2
     worm = table.friction_torque + table.other_torque
     # power lost over the speed of the wheel
-    lost = worm[:, torque, temperature] * table.ratio
+    loss_torque = worm[:, torque, temperature] * table.ratio
     speeds = table.speeds / table.ratio
     rows = np.stack([np.ones_like(speeds), speeds], axis=1)
-    (dry, damping), _ = scipy.optimize.nnls(rows, lost)
+    (dry, damping), _ = scipy.optimize.nnls(rows, loss_torque)
     return JointFriction(
         torque=float(table.torques[torque]),
         temperature=float(table.temperatures[temperature]),
         efficiency=float(table.efficiency[:, torque, temperature].mean()),
         dry=float(dry),
         damping=float(damping),
-        deviation=float(np.abs(rows @ [dry, damping] - lost).max()),
+        deviation=float(np.abs(rows @ [dry, damping] - loss_torque).max()),
         locked=bool(table.locked[:, torque, temperature].any()),
     )
 

@@ -36,7 +36,7 @@ class LossTable:
     other_torque: Array
     """Torque of bearings, seals and churning on the worm [N m]; zero where `[cooling]` gives none."""
     transmission_error: Array
-    """Mean turn of the wheel behind its ideal angle under load, by torque [rad]."""
+    """Mean loaded transmission error, turn of the wheel, by torque [rad]."""
     transmission_error_range: Array
     """Range of that turn over a pitch, by torque [rad]."""
     stiffness: Array

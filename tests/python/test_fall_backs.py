@@ -22,6 +22,8 @@ MADE_BY = {
         "batch/test_design.py::test_slopes_are_those_of_closed_forms_where_there_is_no_adjoint",
     "batch/adjoint_changes.py _kept suppress OSError":
         "batch/test_design.py::test_solved_contacts_lead_to_the_limit_and_are_found_again",
+    "batch/loss_table.py table_mesh ValueError":
+        "batch/test_loss_table.py::test_other_gears_and_oils_of_one_temperature_are_refused",
     "batch/design.py _Search._known NotSolvedError":
         "batch/test_design.py::test_a_design_of_a_front_without_a_solution_is_its_neighbour",
     "batch/design.py _Search._descended NotSolvedError":

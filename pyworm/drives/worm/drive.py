@@ -10,6 +10,7 @@ from pyworm.drives.duty import WormDuty
 from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.tooth_life import ToothLife
+from pyworm.drives.torque_balance import MeshAtTorque, torque_balance
 from pyworm.drives.worm.dataset import loaded_cycle_data, mesh_cycle_data, pattern_data, tooth_data
 from pyworm.drives.worm.drawing.design import AS_DESIGNED
 from pyworm.drives.worm.duty import worm_duty
@@ -23,6 +24,7 @@ from pyworm.drives.worm.geometry_table import (
 from pyworm.drives.worm.inspection import AS_DRAWN, Inspection
 from pyworm.drives.worm.loads.load_sharing import SHAFTS
 from pyworm.drives.worm.loads.mesh import WormMesh
+from pyworm.drives.worm.loads.mesh_stiffness import mesh_at_torque
 from pyworm.drives.worm.loads.shaft_forces import worm_forces
 from pyworm.drives.worm.loads.tooth_compliance import EDGE_CONTACT_PHASES
 from pyworm.drives.worm.loads.tooth_pair_motion import tooth_life
@@ -224,6 +226,10 @@ class WormDrive(WormMesh, Drive):
     def wheel_shim(self, wanted: float | None) -> Shim:
         """The shim under the wheel for a place of the pattern without load; of no errors where None."""
         return found_shim(self.with_rigid_shaft, self.patterns, wanted)
+
+    def mesh_at_torque(self) -> MeshAtTorque:
+        """Loss both ways and yielding of the mesh, the worm driving."""
+        return mesh_at_torque(self, torque_balance(self.loaded_cycle()))
 
     def geometry(self) -> dict[str, float | str]:
         """Diameters, lead, profile shift, backlash, clearances and contact ratio."""

@@ -12,13 +12,13 @@ from zi_drives import coarse_springs
 
 import pyworm
 from pyworm.batch import loss_table, operating_points
-from pyworm.batch.loss_table import Grid, require_table_case, spread_nodes
+from pyworm.batch.loss_table import Grid, spread_nodes, table_mesh
 from pyworm.batch.operating_points import NotSolvedError, OperatingPoint
 from pyworm.cli.main import main
-from pyworm.drives.torque_balance import TorqueBalance, torque_balance
-from pyworm.drives.worm import dataset
+from pyworm.drives.torque_balance import TorqueBalance
+from pyworm.drives.worm import dataset, drive
 from pyworm.drives.worm.loads import mesh_stiffness
-from pyworm.drives.worm.loads.mesh_stiffness import LoadedMesh, loaded_mesh
+from pyworm.drives.worm.loads.mesh_stiffness import mesh_at_torque
 from pyworm.formulas.response_surface import ScatteredSurface
 
 CASES = Path(__file__).parents[3] / "cases"
@@ -31,8 +31,7 @@ def unit(monkeypatch):
     """The catalogue unit, its meshes by closed forms."""
     coarse_springs(monkeypatch)
     monkeypatch.setattr(dataset, "LOADED_PHASES", 11)
-    monkeypatch.setattr(loss_table, "torque_balance", lambda cycle: BALANCE)
-    monkeypatch.setattr(loss_table, "loaded_mesh", lambda drive: LoadedMesh(1e-4, 3e-5, 3e6))
+    monkeypatch.setattr(drive, "torque_balance", lambda cycle: BALANCE)
     monkeypatch.setattr(loss_table, "_point", lambda case, phases: OperatingPoint(case, ()))
     return pyworm.load(UNIT)
 
@@ -57,22 +56,21 @@ def test_a_mesh_yields_as_springs_in_parallel(monkeypatch, tmp_path):
     path = tmp_path / "soft.toml"
     stiffness = '[drive]\nstiffness = "5 N/um"\n'
     path.write_text(changed(UNIT.read_text(), ("[drive]\n", stiffness), ('"300 Nm"', '"20 Nm"')))
-    drive = pyworm.load(path).drive
-    found = loaded_mesh(drive)
-    lever = float(drive.arms(np.array([0.5])).wheel_normal[0])
-    parallel = drive.mean_teeth_in_contact * 5e6 * lever**2
+    soft = pyworm.load(path).drive
+    found = mesh_at_torque(soft, BALANCE)
+    lever = float(soft.arms(np.array([0.5])).wheel_normal[0])
+    parallel = soft.mean_teeth_in_contact * 5e6 * lever**2
     assert found.stiffness == pytest.approx(parallel, rel=0.1)
-    turns = [drive.shared(float(phase)).turn for phase in (0.3, 0.5, 0.7)]
+    turns = [soft.shared(float(phase)).turn for phase in (0.3, 0.5, 0.7)]
     assert found.transmission_error == pytest.approx(np.mean(turns), rel=0.1)
     assert 0 < found.transmission_error_range < found.transmission_error
 
 
 def test_the_balance_of_a_mesh_is_that_of_its_levers(monkeypatch):
-    """Drag is the tangent of the lead angle over the cosine of the pressure angle; times it, the wheel locks."""
+    """Drag is tan(gamma) / cos(alpha_n); the wheel locks from a friction of tan(gamma) cos(alpha_n) on."""
     coarse_springs(monkeypatch)
     monkeypatch.setattr(dataset, "LOADED_PHASES", 41)
-    drive = pyworm.load(UNIT).drive
-    balance = torque_balance(drive.loaded_cycle())
+    balance = pyworm.load(UNIT).drive.mesh_at_torque().balance
     tangent, cosine = 2 / 10, np.cos(radians(20))
     assert -balance.drag == pytest.approx(tangent / cosine, rel=0.05)
     limit = tangent * cosine
@@ -163,11 +161,14 @@ def test_bearings_seals_and_churning_are_those_of_the_housing(monkeypatch, tmp_p
 def test_other_gears_and_oils_of_one_temperature_are_refused(monkeypatch):
     coarse_springs(monkeypatch)
     with pytest.raises(pyworm.CaseError, match="a table is made of a worm drive"):
-        require_table_case(pyworm.load(CASES / "spur_pair.toml"), False)
+        table_mesh(pyworm.load(CASES / "spur_pair.toml"), False)
+    one_tooth = pyworm.load(CASES / "zi_sharif_2001.toml")
+    with pytest.raises(pyworm.CaseError, match=r"no teeth share; give a torque in \[operation\]"):
+        table_mesh(one_tooth, False)
     own_oil = pyworm.load(CASES / "zi_drive.toml")
-    assert require_table_case(own_oil, False) is own_oil.drive
+    assert table_mesh(own_oil, False).torque == 4000
     with pytest.raises(pyworm.CaseError, match="--temperatures needs an oil by name"):
-        require_table_case(own_oil, True)
+        table_mesh(own_oil, True)
 
 
 def words(tmp_path, *more):

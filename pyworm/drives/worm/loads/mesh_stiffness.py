@@ -5,10 +5,9 @@ the wheel behind its ideal angle is the loaded transmission error; the mesh stif
 same phase.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
+from pyworm.drives.torque_balance import MeshAtTorque, TorqueBalance
 from pyworm.drives.worm.loads.mesh import WormMesh
 
 PITCH_PHASES = 9
@@ -18,23 +17,11 @@ LOAD_STEP = 0.02
 """Relative step of the torque to both sides for the stiffness; contacts stiffen with its power of a third."""
 
 
-@dataclass(frozen=True)
-class LoadedMesh:
-    """Yielding of the mesh under its torque."""
-
-    transmission_error: float
-    """Mean turn of the wheel behind its ideal angle [rad]."""
-    transmission_error_range: float
-    """Its range over a pitch, peak to peak [rad]."""
-    stiffness: float
-    """Mean mesh stiffness, torque of the wheel for each of its turn [N m/rad]."""
-
-
-def loaded_mesh(mesh: WormMesh) -> LoadedMesh:
-    """Yielding of the mesh over a pitch; ValueError where teeth share no torque, or share it equally."""
+def mesh_at_torque(mesh: WormMesh, balance: TorqueBalance) -> MeshAtTorque:
+    """Loss and yielding of the mesh over a pitch; ValueError where no torque is shared, or equally."""
     shared = mesh.shared_torque
     if shared.sharing == "equal":
-        raise ValueError("the teeth share the torque equally, by which no tooth yields")
+        raise ValueError("with sharing = equal no tooth yields")
     wheel = mesh.wheel_torque
     turns, stiffnesses = [], []
     for phase in 0.5 + mesh.pitch * np.linspace(-0.5, 0.5, PITCH_PHASES):
@@ -44,7 +31,11 @@ def loaded_mesh(mesh: WormMesh) -> LoadedMesh:
         )
         stiffnesses.append(2 * LOAD_STEP * wheel / (more - less))
     # the ends are one pitch apart, the same place of the mesh
-    return LoadedMesh(
+    return MeshAtTorque(
+        speed=mesh.speed,
+        torque=wheel,
+        ratio=mesh.wheel.teeth / mesh.worm.threads,
+        balance=balance,
         transmission_error=float(np.mean(turns[:-1])),
         transmission_error_range=float(np.ptp(turns)),
         stiffness=float(np.mean(stiffnesses[:-1])),
