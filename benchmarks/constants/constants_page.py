@@ -114,7 +114,7 @@ def table() -> str:
 
 
 def _row(*cells: object) -> str:
-    return f"| {' | '.join(map(str, cells))} |"
+    return f"|{' |'.join(map(str, cells))} |"
 
 
 def _known() -> Iterator[str]:
