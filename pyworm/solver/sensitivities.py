@@ -25,8 +25,8 @@ BODY_STEP = 1e-3
 """That of an input by which heat spreads otherwise in a body, to both sides: that is in single precision."""
 
 HEATED_SHARE = 2.0
-"""Uncertainty of a heated contact's sensitivity over the change from a grid of twice the spacing; of others it
-is the change itself. With it 19 of 20 hold on grids of half the spacing, without it 9 of 10."""
+"""Uncertainty of a heated contact's sensitivity over the change from a grid of twice the spacing; of others
+it is the change itself. With it 19 of 20 hold on grids of half the spacing, without it 9 of 10."""
 
 MOST_SHOWN = 6
 """Number of inputs that are shown, the most influential."""
