@@ -7,7 +7,12 @@ from folders import ROOT
 
 import pyworm
 from pyworm.batch import run_sensitivities
-from pyworm.batch.case_figures import closed_form_summary, figures_of, moved_summary
+from pyworm.batch.case_figures import (
+    case_values,
+    closed_form_summary,
+    figures_of,
+    moved_summary,
+)
 from pyworm.batch.key_sensitivities import Solved, by_closed_forms, key_sensitivities, moved_case
 from pyworm.batch.operating_points import OperatingPoint
 from pyworm.case.numeric_keys import numeric_key, numeric_keys
@@ -133,3 +138,16 @@ def test_teeth_that_move_alike_are_found_alike():
         )
     ]
     assert _same_bodies(scenes[0], scenes[1]) and not _same_bodies(scenes[1], scenes[2])
+
+
+def test_figures_that_no_contact_decides(ball):
+    """The contact of Sharif et al. (2001) lies within the face, 60.33 mm wide; a ball has no face."""
+    worm = pyworm.load(ROOT / "cases/zi_sharif_2001.toml")
+    margin = case_values(worm, ["film_min", "pattern_margin"])["pattern_margin"]
+    first, last = worm.drive.driven_pattern.along_face()
+    assert 0 < margin < 60.33e-3 / 2 and last - first + 2 * margin <= 60.33e-3 + 1e-12
+    assert case_values(ball, ["pattern_margin"]) == {} == case_values(worm, ["film_min"])
+    roller = pyworm.load(ROOT / "cases/roller_ref.toml")
+    printed = case_values(roller, ["printed_film_min"])["printed_film_min"]
+    # 0.856 um at entry in the middle of the line (docs/evidence/data/roller_films.csv), less at its end
+    assert 0.8 * 0.856e-6 < printed < 0.856e-6
