@@ -3,6 +3,6 @@ module pyworm_version_number
   implicit none(type, external)
   private
 
-  character(len=*), parameter, public :: pyworm_version = '0.2.0'
+  character(len=*), parameter, public :: pyworm_version = '0.3.0'
 
 end module pyworm_version_number
