@@ -278,7 +278,6 @@ LOADS = Chapter(
         "_DEEP_GROOVE_RADIAL": Clause("table of X and Y: X", MEMORY),
         "_ANGULAR_CONTACT": Clause("table of X and Y: alpha, e, X, Y", MEMORY),
         "_ROLLER_LIMIT, _ROLLER_RADIAL, _ROLLER_THRUST": Clause("table of X and Y", MEMORY),
-        "load_factors": Clause("contact angles of the tables", MEMORY),
     },
     (
         Check("no step of the equivalent load where the thrust counts", _no_step),
