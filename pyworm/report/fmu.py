@@ -42,7 +42,7 @@ OUTPUTS = (
         "Efficiency of the teeth with the wheel driving; not positive if locked",
     ),
     ("friction_torque", "N.m", "Friction torque on the worm: teeth, bearings, seals and churning"),
-    ("output_torque", "N.m", "Torque of the wheel"),
+    ("output_torque", "N.m", "Torque that the wheel gives"),
     ("transmission_error", "rad", "Mean loaded transmission error, turn of the wheel"),
     ("mesh_stiffness", "N.m/rad", "Mean mesh stiffness about the axis of the wheel"),
 )

@@ -17,10 +17,13 @@ _STRESS = "hertzian_stress_ltca_worm_stage"
 _SLIDING = "sliding_velocity_ltca_worm_stage"
 _FILM = "minimum_lubricant_film_thickness_ltca_worm_stage"
 
+_REXS_STRESS = "MPa"
+"""Unit of stresses in REXS."""
+
 ANALYSED = (
     (
         (f"minimum_{_STRESS}", f"mean_{_STRESS}", f"maximum_{_STRESS}"),
-        *("MPa", "dry_pressure_max_Pa"),
+        *(_REXS_STRESS, "dry_pressure_max_Pa"),
     ),
     (
         (f"minimum_{_SLIDING}", f"mean_{_SLIDING}", f"maximum_{_SLIDING}"),
@@ -36,7 +39,7 @@ ANALYSED = (
 CURVES = (
     ("phase", "none", "phase"),
     ("normal_load", "N", "load_N"),
-    ("maximum_hertzian_stress", "MPa", "dry_pressure_max_Pa"),
+    ("maximum_hertzian_stress", _REXS_STRESS, "dry_pressure_max_Pa"),
     ("minimum_lubricant_film_thickness", "mum", "film_min_m"),
     ("central_lubricant_film_thickness", "mum", "film_central_m"),
     ("coefficient_of_friction", "none", "friction_coefficient"),

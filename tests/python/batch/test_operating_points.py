@@ -38,7 +38,7 @@ def solved(monkeypatch):
     def found(self, tasks):
         return {task.key: scalars(task) for task in tasks}
 
-    monkeypatch.setattr(Solving, "_solved", found)
+    monkeypatch.setattr(Solving, "solved", found)
 
 
 def points(tmp_path, cooling):

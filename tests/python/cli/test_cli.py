@@ -344,7 +344,7 @@ def test_check_prints_one_json_object(capsys, monkeypatch):
     content = json.loads(capsys.readouterr().out)
     of_run = {"expected_seconds", "expected_seconds_of_search"}
     of_case = {"assumptions", "beyond_limits", "case", "drive", "resolved", "scenes", "warnings"}
-    assert set(content) == of_case | of_run
+    assert set(content) == of_case | of_run | {"forces"}
     assert [scene["phase"] for scene in content["scenes"]] == [0.25, 0.75]
     assert content["resolved"]["oil"]["shear"]["limit"] == pytest.approx(100e6)
     effect = content["scenes"][0]["effects"][0]

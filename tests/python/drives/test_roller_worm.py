@@ -304,7 +304,7 @@ def test_a_section_without_preload_touches_without_load(case):
 def test_films_of_a_drive_that_no_standard_covers_are_rated(case):
     asked = rating_request(case)
     built = ratings(asked)
-    assert [one.key for one in built] == ["films"]
+    assert [one.key for one in built] == ["films", "forces"]
     assert any("no standard that is known here covers" in one for one in not_rated(asked, built))
 
 
