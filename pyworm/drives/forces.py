@@ -91,8 +91,8 @@ class ShaftForce:
         opposite, thrust = (hypot(*forces) for forces in zip(*planes, strict=True))
         along = abs(self.axial)
         return {
-            "thrust": BearingForce(thrust, along if self.axial > 0 else 0.0),
-            "opposite": BearingForce(opposite, along if self.axial < 0 else 0.0),
+            "thrust": BearingForce(thrust, along),
+            "opposite": BearingForce(opposite, along),
         }
 
     def summary(self) -> dict[str, Any]:

@@ -77,8 +77,12 @@ class ScatteredSurface:
         """Responses at places, (places, unknowns)."""
         if self.places.shape[1] == 0:
             return np.full(len(places), self.responses.mean())
+        # few places may lie on a line or in a plane, where no slope across is known
+        slopes = np.column_stack([np.ones(len(self.places)), self.places])
+        full = np.linalg.matrix_rank(slopes) == slopes.shape[1]
+        kernel, degree = ("thin_plate_spline", 1) if full else ("linear", 0)
         spline = scipy.interpolate.RBFInterpolator(
-            self.places, np.log(self.responses), kernel="thin_plate_spline", degree=1
+            self.places, np.log(self.responses), kernel=kernel, degree=degree
         )
         found: Array = np.exp(spline(places))
         return found

@@ -118,6 +118,6 @@ def _bearings(drive: Drive, friction: Friction) -> Iterator[RatedFigure]:
         yield RatedFigure(
             f"{shaft}_bearing_thrust_N",
             f"{shaft.capitalize()} bearings: thrust",
-            tuple(load["thrust"].thrust + load["opposite"].thrust for load in loads),
+            tuple(load["thrust"].thrust for load in loads),
             "N",
         )

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
+from math import cos
 from pathlib import Path
 from typing import Any, Protocol, runtime_checkable
 
@@ -283,8 +284,10 @@ def _friction(request: RatingRequest, drive: Drive, result: Result | None) -> Fr
     if isinstance(tables, WormRated) and isinstance(request.duty, WormDuty):
         table, duty = tables.rating_as_run(), request.duty
         by_standard = attempt(lambda: rated_teeth(table, request.directory, duty))
-        friction = attempt(lambda: known(by_standard).friction)
-        starting = attempt(lambda: known(by_standard).static_friction)
+        # the standard's is the tangent of the friction angle, in a plane; the flank's normal is steeper
+        upright = cos(duty.gear.pressure_angle)
+        friction = attempt(lambda: upright * known(by_standard).friction)
+        starting = attempt(lambda: upright * known(by_standard).static_friction)
         running = {} if isinstance(friction, Unknown) else {"standard": friction}
     if simulated is not None:
         running[SIMULATION] = simulated.friction

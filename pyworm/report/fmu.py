@@ -30,7 +30,7 @@ COMPILE_SECONDS = 120
 """Time after which a compiler is given up [s]."""
 
 INPUTS = (
-    ("speed", "rad/s", "Speed of the worm; its sign does not matter"),
+    ("speed", "rad/s", "Speed of the worm; with torque against it the wheel drives"),
     ("torque", "N.m", "Torque on the worm"),
     ("temperature", "K", "Temperature of the oil at the inlet"),
 )

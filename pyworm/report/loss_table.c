@@ -69,19 +69,26 @@ static double looked_up(const double *table, const double *at, bool *outside) {
   return sum;
 }
 
-/* Outputs of the inputs; the torque of the wheel, by which the table goes, follows by repeated use of it. */
+/* Outputs of the inputs; the torque of the wheel, by which the table goes, follows by repeated use of it. With
+   torque against the speed the wheel drives: its torque makes up for the losses, none does where it locks. */
 static void compute(Unit *unit) {
   double *value = unit->values;
   double input = fabs(value[TORQUE]), sign = value[TORQUE] < 0.0 ? -1.0 : 1.0;
   double at[3] = {fabs(value[SPEED]), RATIO * input, value[TEMPERATURE]};
-  double efficiency = 1.0, teeth = input;
+  double efficiency = 1.0, passed = input;
+  bool braking = value[SPEED] * value[TORQUE] < 0.0;
   for (int pass = 0; pass < MAX_PASSES; pass++) {
     double before = at[1];
     bool ignored = false;
-    teeth = input - looked_up(other_torque, at, &ignored);
-    if (teeth < 0.0) teeth = 0.0;
+    double other = looked_up(other_torque, at, &ignored);
     efficiency = looked_up(efficiencies, at, &ignored);
-    at[1] = RATIO * efficiency * teeth;
+    if (braking) {
+      double reverse = looked_up(reverse_efficiencies, at, &ignored);
+      passed = reverse > 0.0 ? (input + other) / reverse : 0.0;
+    } else {
+      passed = input > other ? efficiency * (input - other) : 0.0;
+    }
+    at[1] = RATIO * passed;
     if (fabs(at[1] - before) <= 1e-15 * at[1]) break;
   }
   unit->outside = false;
@@ -89,8 +96,8 @@ static void compute(Unit *unit) {
   value[TRANSMISSION_ERROR] = looked_up(transmission_errors, at, &unit->outside);
   value[STIFFNESS] = looked_up(stiffnesses, at, &unit->outside);
   value[EFFICIENCY] = efficiency;
-  value[OUTPUT_TORQUE] = sign * RATIO * efficiency * teeth;
-  value[FRICTION_TORQUE] = input - efficiency * teeth;
+  value[OUTPUT_TORQUE] = sign * RATIO * passed;
+  value[FRICTION_TORQUE] = braking ? passed - input : input - passed;
   unit->locked = !(value[REVERSE_EFFICIENCY] > 0.0);
 }
 

@@ -16,23 +16,28 @@ from pyworm.report.fmu import identifier
 from pyworm.result.loss_table import LossTable
 
 LEAST_EFFICIENCY = 1e-6
-"""Size of an efficiency below which the Modelica model, which divides by it, gets this one instead [-]."""
+"""Efficiency with the wheel driving where the teeth lock, by which the Modelica model divides [-]."""
 
 
 def modelica_rows(table: LossTable, torque: int, temperature: int) -> np.ndarray:
     """Rows of `lossTable` at one torque and temperature, by their numbers, (speeds + 1, 5).
 
-    Speeds are those of flange a, the worm [rad/s]; torques of bearings are on it [N m]. From rest on the
-    first row holds. Where the gear set locks, the efficiency with the wheel driving is negative.
+    Speeds are those of flange a, the worm [rad/s]. The torque of bearings, seals and churning, on the worm,
+    is multiplied as `LossyGear` defines its columns: tau_bf1 = eta_mf1 tau, tau_bf2 = tau/eta_mf2 [N m].
+    From rest on the first row holds. Where the teeth lock nothing passes from the wheel.
     """
-    reverse = table.reverse_efficiency[:, torque, temperature]
-    tiny = np.abs(reverse) < LEAST_EFFICIENCY
+    efficiency, reverse, other = (
+        values[:, torque, temperature]
+        for values in (table.efficiency, table.reverse_efficiency, table.other_torque)
+    )
+    locked = reverse < LEAST_EFFICIENCY
+    passed = np.where(locked, LEAST_EFFICIENCY, reverse)
     columns = [
         table.speeds,
-        table.efficiency[:, torque, temperature],
-        np.where(tiny, -LEAST_EFFICIENCY, reverse),
-        table.other_torque[:, torque, temperature],
-        table.other_torque[:, torque, temperature],
+        efficiency,
+        passed,
+        efficiency * other,
+        np.where(locked, other, other / passed),
     ]
     rows = np.stack(columns, axis=1)
     return np.vstack([[0.0, *rows[0, 1:]], rows])

@@ -67,7 +67,10 @@ class LossTable:
 
     @property
     def efficiency_error(self) -> Array:
-        """Error of either efficiency by the emulation [-], none at solved points."""
+        """Error of the efficiency by the interpolation [-], none at solved points.
+
+        Near locking that of the efficiency with the wheel driving is up to twice as large.
+        """
         found: Array = np.where(self.solved, 0.0, self.emulation_error) * (1 - self.efficiency)
         return found
 

@@ -226,3 +226,11 @@ def test_wrong_options_and_unsolved_points_are_said(unit, tmp_path, capsys, monk
     monkeypatch.setattr(operating_points.Solving, "results", fail)
     assert main(words(tmp_path)) == 3
     assert "phase 0.5 did not converge" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 5])
+def test_few_places_in_a_plane_have_a_surface(count):
+    places = np.array([[0, 0, 0], [1, 1, 1], [0, 0, 1], [1, 1, 0], [0.5, 0.5, 0.5]])[:count]
+    surface = ScatteredSurface(places.astype(float), np.linspace(0.02, 0.03, count))
+    assert surface.at(places.astype(float)) == pytest.approx(surface.responses)
+    assert np.isfinite(surface.at(np.array([[0.3, 0.9, 0.2]]))).all()

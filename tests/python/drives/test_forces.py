@@ -178,7 +178,8 @@ def test_the_other_rotation_pushes_to_the_other_bearing():
     force = ShaftForce("worm", -1.0, -2.0, 3.0, (0.1, 0.2, -0.3))
     there, back = (f.bearings(Supports(1.0)) for f in (force, force.reversed))
     assert there["thrust"].radial == back["opposite"].radial
-    assert (there["thrust"].thrust, back["opposite"].thrust, back["thrust"].thrust) == (3, 3, 0)
+    # whichever of both locates takes the thrust
+    assert {bearing.thrust for loads in (there, back) for bearing in loads.values()} == {3}
     assert force.reversed.reversed == force
     with pytest.raises(ValueError, match="bearing_offset is 500 mm; it must be less than half"):
         Supports(1.0, 0.5)
@@ -271,6 +272,16 @@ def test_factors_of_a_catalogue_are_taken():
     thrust = BEARINGS.replace('side = "thrust"', 'side = "thrust"\ndirection = "thrust"')
     found = {rating.key: rating for rating in ratings(rating_request(case_with(SHAFTS, thrust)))}
     assert found["bearing locating"].figures[0].values[0] == values["worm_bearing_thrust_N"]
+
+
+def test_a_locating_bearing_takes_the_thrust_on_either_side():
+    other = BEARINGS.replace('side = "thrust"', 'side = "opposite"')
+    found = {rating.key: rating for rating in ratings(rating_request(case_with(SHAFTS, other)))}
+    values = {figure.key: figure.values[0] for figure in found["forces"].figures}
+    radial, thrust = values["worm_opposite_bearing_radial_N"], values["worm_bearing_thrust_N"]
+    load = equivalent_load(radial, thrust, load_factors("ball", 0.0, thrust, 50e3))
+    assert found["bearing locating"].figures[0].values[0] == pytest.approx(load)
+    assert load > thrust
 
 
 def test_a_locked_worm_is_said():

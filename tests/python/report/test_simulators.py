@@ -95,6 +95,18 @@ def test_beyond_the_table_its_end_holds(unit):
     assert found["output_torque"][2] == 0
 
 
+def test_a_load_that_drives_makes_no_energy(unit):
+    """Torque against the speed: the wheel gives what the worm takes and all losses, none if it locks."""
+    fast = (float(TABLE.speeds[-1]), -10.0, float(TABLE.temperatures[0]))
+    slow = (float(TABLE.speeds[0]), -10.0, float(TABLE.temperatures[0]))
+    found = stepped(unit, [fast, slow])
+    assert not found["locked"][0] and found["locked"][1]
+    given = -found["output_torque"] / RATIO
+    assert given[0] > 10.0
+    assert found["friction_torque"][0] == pytest.approx(given[0] - 10.0)
+    assert given[1] == 0.0
+
+
 def test_the_description_is_valid(unit):
     description = fmpy.read_model_description(str(unit), validate=True)
     assert description.fmiVersion == "3.0" and description.modelName == "unit_100"
@@ -136,8 +148,10 @@ def test_modelica_has_the_columns_of_its_loss_table():
     assert rows[0, 0] == 0 and rows[0, 1:] == pytest.approx(rows[1, 1:])
     assert rows[1:, 0] == pytest.approx(TABLE.speeds)
     assert rows[1:, 1] == pytest.approx(TABLE.efficiency[:, 1, 0])
-    assert rows[1, 2] < 0 < rows[3, 2]
-    assert rows[1:, 3] == pytest.approx([0.3, 0.4, 0.6])
+    assert rows[1, 2] == 1e-6 < rows[3, 2]
+    other = np.array([0.3, 0.4, 0.6])
+    assert rows[1:, 3] == pytest.approx(rows[1:, 1] * other)
+    assert rows[3, 4] == pytest.approx(0.6 / rows[3, 2])
     text = modelica(TABLE)
     tables = re.findall(r"lossTable=\[(.*?)\]", text, re.DOTALL)
     assert len(tables) == 4 and text.count("LossyGear(") == 4
@@ -148,7 +162,21 @@ def test_modelica_has_the_columns_of_its_loss_table():
 
 def test_an_efficiency_of_zero_is_not_divided_by():
     table = made_up_table(lambda *at: 1 / 5.3 + 0 * sum(at))
-    assert (np.abs(modelica_rows(table, 0, 0)[:, 2]) >= 1e-6).all()
+    assert (modelica_rows(table, 0, 0)[:, 2] >= 1e-6).all()
+
+
+def test_a_lossy_gear_of_the_rows_has_the_torques_of_the_table():
+    """Flange torques a and b by the library's balance: tau_b = -i (tau_a - loss), both ways of the power."""
+    speed, eta_1, eta_2, tau_1, tau_2 = modelica_rows(TABLE, 1, 1)[3]
+    other = TABLE.other_torque[2, 1, 1]
+    worm = 10.0
+    # worm driving: loss = (1 - eta_mf1) tau_a + tau_bf1
+    driven = worm - ((1 - eta_1) * worm + tau_1)
+    assert driven == pytest.approx(eta_1 * (worm - other))
+    # wheel driving, the worm held by -worm: loss = (1 - 1/eta_mf2) tau_a + tau_bf2
+    pushing = -worm - ((1 - 1 / eta_2) * -worm + tau_2)
+    assert -pushing == pytest.approx((worm + other) / eta_2)
+    assert speed > 0
 
 
 def test_joints_have_the_friction_of_the_table():
