@@ -25,7 +25,7 @@ def verdicts(goal: Goal, figures: Figures) -> tuple[tuple[str, ...], tuple[str, 
         figure, left = figures[limit.name], margin(limit, figures, goal.scales)
         found = figure_text(limit.name, worst(figure, limit.upper))
         size = size_of(limit, goal.scales)
-        if abs(left) * size < figure.error:
+        if left >= -VIOLATED and abs(left) * size < figure.error:
             unsure.append(
                 f"{limit.words} is open: {found} is within its numerical uncertainty of the limit."
             )

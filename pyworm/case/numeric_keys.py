@@ -23,13 +23,14 @@ MATERIAL_TABLES = "bodies", "oil", "lubrication", "cooling"
 NOT_VARIED = ("phases", "stations", "slide_roll_ratios", "lifts")
 """Keys of them that say which contacts are solved, or what a solution finds."""
 
-RELATIVE_STEP = 1e-3
-"""Step of a difference over the value."""
+RELATIVE_STEP = 2e-5
+"""Step of a difference over the value: with larger ones the convection of heat turns from one node upstream
+to another, and with it the equations of a heated film."""
 
-LARGEST_STEPS = {"m": 2e-6, "rad": 3.5e-5, "K": 0.1, "delta_degC": 0.1}
-"""SI unit -> largest step: of gears a few parts in ten thousand of what separates their flanks."""
+LARGEST_STEPS = {"m": 4e-8, "rad": 7e-7, "K": 2e-3, "delta_degC": 2e-3}
+"""SI unit -> largest step: of gears a few parts in a million of what separates their flanks."""
 
-SMALL_PART = 0.005
+SMALL_PART = 1e-4
 """Largest step over a value that is above zero."""
 
 USUAL_CHANGES = {"a relief": (1e-5, "0.01 mm"), "a root mean square height": (1e-7, "0.1 µm")}

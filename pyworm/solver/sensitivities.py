@@ -17,12 +17,12 @@ from pyworm.solver.estimate import Estimate
 from pyworm.solver.solution import Solution
 from pyworm.solver.solve import solve
 
-STEP, WARM_STEP = 1e-4, 1e-5
-"""Relative change of an input in differences of the equations at one film, and of a heated one, where larger
-steps turn the convection of heat from one node upstream to another. Both err by less than grids do."""
+STEP, WARM_STEP = 1e-5, 1e-6
+"""Relative change of an input, to both sides, in differences of the equations at one film, and of a heated
+one, where larger steps turn the convection of heat from one node upstream to another."""
 
 BODY_STEP = 1e-3
-"""That of an input by which heat spreads otherwise in a body, to both sides: that is in single precision."""
+"""That of an input by which heat spreads otherwise in a body, which is in single precision."""
 
 HEATED_SHARE = 2.0
 """Uncertainty of a heated contact's sensitivity over the change from a grid of twice the spacing; of others
@@ -179,10 +179,8 @@ def _changes(
     """Change of the figures by each input over its relative change."""
     for name, value in inputs.items():
         step = WARM_STEP if adjoint.level.film.heated else STEP
-        more = with_input(scene, name, value * (1 + step))
-        if adjoint.spreads_alike(more):
-            changes = adjoint.towards(more)
-        else:
-            ends = (with_input(scene, name, value * (1 + side * BODY_STEP)) for side in (1, -1))
-            changes, step = adjoint.change(*ends), 2 * BODY_STEP
-        yield name, {figure: change / step for figure, change in changes.items()}
+        if not adjoint.spreads_alike(with_input(scene, name, value * (1 + step))):
+            step = BODY_STEP
+        more, less = (with_input(scene, name, value * (1 + side * step)) for side in (1, -1))
+        changes = adjoint.change(more, less)
+        yield name, {figure: change / (2 * step) for figure, change in changes.items()}
