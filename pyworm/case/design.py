@@ -77,9 +77,14 @@ class ObjectiveTable(Table):
 
     @property
     def weights(self) -> dict[str, float]:
-        """Name -> weight in a sum that is minimised, negative for those maximised."""
+        """Name -> weight in a sum that is minimised, negative for those maximised; sizes add up to 1.
+
+        Violations of limits weigh beside that sum: a common factor of the weights changes no design.
+        """
         more = {name: -weight for name, weight in (self.maximise or {}).items()}
-        return (self.minimise or {}) | more
+        given = (self.minimise or {}) | more
+        whole = sum(map(abs, given.values()))
+        return {name: weight / whole for name, weight in given.items()}
 
 
 class FrontTable(ObjectiveTable):
