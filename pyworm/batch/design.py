@@ -159,7 +159,7 @@ class _Search:
     def _start(self) -> Design:
         """The case as it is, within the bounds; first values of discrete variables that it has not."""
         chosen = []
-        for key, values in self.task.choices.items():
+        for key, values in self.task.tables.choices.items():
             now = value_at(self.task.case.content, key)
             chosen.append((key, now if now in values else values[0]))
         return Design(tuple(each.start for each in self.task.variables), tuple(chosen))
@@ -192,7 +192,7 @@ class _Search:
         return min(found, key=lambda known: goal.merit(known.figures))
 
     def _choices(self) -> Iterator[tuple[tuple[str, Any], ...]]:
-        choices = self.task.choices
+        choices = self.task.tables.choices
         for values in product(*choices.values()):
             yield tuple(zip(choices, values, strict=True))
 

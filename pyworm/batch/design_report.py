@@ -52,7 +52,9 @@ def variables(task: DesignTask, best: Design) -> Iterator[DesignVariable]:
         )
     for key, chosen in best.chosen:
         start = value_at(task.case.content, key)
-        yield DesignVariable(key, f"{start}", chosen, ", ".join(map(toml, task.choices[key])))
+        yield DesignVariable(
+            key, f"{start}", chosen, ", ".join(map(toml, task.tables.choices[key]))
+        )
     for each in task.followed:
         yield DesignVariable(
             key=each.number.key,

@@ -122,12 +122,24 @@ class DesignTable(Table):
     errors: dict[str, Value] = Field(default_factory=dict)
     front: FrontTable | None = None
 
+    @property
+    def choices(self) -> dict[str, tuple[Value, ...]]:
+        """Key -> values of discrete variables, as a case file has them."""
+        return {
+            key: tuple(values)
+            for key, values in self.variables.items()
+            if not isinstance(values, BoundsTable)
+        }
+
     def flaws(self) -> Iterator[str]:
-        """A key with two meanings, and what follows no variable."""
+        """A key with two meanings, values that are lists, and what follows no variable."""
         named = [*self.fixed, *self.variables, *self.follow]
         for key in named:
             if named.count(key) > 1:
                 yield f"{key} is given twice, among fixed, variables and follow"
+        for key, values in self.choices.items():
+            if any(isinstance(value, list | dict) for value in values):
+                yield f"variables.{key}: its values must be numbers or texts, not lists or tables"
         for key, table in self.follow.items():
             if not isinstance(self.variables.get(table.variable), BoundsTable):
                 yield f'follow.{key}: "{table.variable}" is no variable with bounds'
@@ -206,8 +218,6 @@ class DesignTask:
     """The case with the values that are fixed."""
     variables: tuple[Variable, ...]
     """Continuous variables."""
-    choices: dict[str, tuple[Value, ...]]
-    """Key -> values of discrete variables, as a case file has them."""
     followed: tuple[Followed, ...]
     """Numbers that follow a variable."""
     limits: tuple[Limit, ...]
@@ -273,12 +283,7 @@ def _task(name: str, tables: DesignTable, case: Case) -> DesignTask:
         for key, bounds in tables.variables.items()
         if isinstance(bounds, BoundsTable)
     )
-    choices = {
-        key: tuple(values)
-        for key, values in tables.variables.items()
-        if not isinstance(values, BoundsTable)
-    }
-    for key in choices:
+    for key in tables.choices:
         value_at(case.content, key)
     limits = tuple(
         Limit(figure, _limit(figure, bound), upper)
@@ -294,7 +299,7 @@ def _task(name: str, tables: DesignTable, case: Case) -> DesignTask:
         for size in [_number(f"errors.{key}", text, number)]
         for side in (-1.0, 1.0)
     )
-    return DesignTask(name, tables, case, variables, choices, followed, limits, errors)
+    return DesignTask(name, tables, case, variables, followed, limits, errors)
 
 
 def _variable(case: Case, key: str, bounds: BoundsTable) -> Variable:

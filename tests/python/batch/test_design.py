@@ -129,6 +129,7 @@ def test_a_contact_without_a_solution_is_passed_over_but_not_that_of_the_case(
         ("film_min = {", "film_least = {", "must be a plain number, in the unit at the end"),
         ("maximise =", "largest =", "objective.largest: no such key"),
         ('maximise = "pressure_max"', 'maximise = "pressure_peak"', "no figure pressure_peak; it has film"),
+        ("[follow]", '"contact.radii" = [["9 mm", "9 mm"], ["12 mm", "12 mm"]]\n[follow]', "not lists or"),
         ('variable = "contact.radii[0]"', 'variable = "contact.load"', "is no variable with bounds"),
     ],
 )  # fmt: skip
@@ -138,6 +139,16 @@ def test_wrong_input_is_one_sentence(tmp_path, old, new, message):
     with pytest.raises(pyworm.CaseError, match=message) as refused:
         best_design(load_design(written(tmp_path, text)), tmp_path)
     assert "\n" not in str(refused.value)
+
+
+def test_weights_count_by_their_ratio(tmp_path):
+    def weights(film, loss):
+        sums = (
+            f"[objective]\nminimise = {{power_loss = {loss}}}\nmaximise = {{film_min = {film}}}\n"
+        )
+        return load_design(written(tmp_path, BALL + sums)).tables.objective.weights
+
+    assert weights(30.0, 10.0) == weights(3.0, 1.0) == {"power_loss": 0.25, "film_min": -0.75}
 
 
 def solved_by_closed_forms(self, tasks):
