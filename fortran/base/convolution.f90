@@ -1,6 +1,7 @@
 !> Convolution of a field on a grid with any kernel, by fast Fourier transforms in single precision.
 !>
-!> The kernel need not be even: its transform is complex, and padding to 2n - 1 points is needed.
+!> The kernel need not be even: its transform is complex, and padding to 2n - 1 points is needed. Sums of convolutions of
+!> several fields with a kernel each are made of their spectra, whose product is the spectrum of a convolution.
 module pyworm_convolution
   use, intrinsic :: iso_c_binding, only: c_float_complex
   use pyworm_kinds, only: pp, wp
@@ -12,7 +13,7 @@ module pyworm_convolution
   implicit none(type, external)
   private
 
-  public :: grid_convolution, new_grid_convolution
+  public :: grid_convolution, new_grid_convolution, new_kernel_transform, kernel_spectrum, field_spectrum, spectrum_field
 
   type :: grid_convolution
     type(field_transform) :: transform
@@ -35,46 +36,92 @@ contains
     integer, intent(out) :: stat
     integer :: err
 
-    stat = status_bad_argument
-    if (nx < 2 .or. ny < 1) return
-    call new_field_transform(self%transform, nx, ny, padded_size(2*nx - 1), padded_size(2*ny - 1), stat)
+    call new_kernel_transform(self%transform, nx, ny, stat)
     if (stat /= status_ok) return
     allocate (self%kernel(self%transform%my, self%transform%mx/2 + 1), stat=err)
     if (err /= 0) stat = status_no_memory
-    if (err == 0) call transform_kernel(self, kernel)
+    if (err == 0) call kernel_spectrum(self%transform, kernel, self%unit, self%kernel)
   end subroutine new_grid_convolution
 
-  !> Computes the transform of the kernel, wrapped round the padded grid and scaled for both transforms.
-  subroutine transform_kernel(self, kernel)
-    type(grid_convolution), intent(inout) :: self
-    real(wp), intent(in) :: kernel(1 - self%transform%nx:, 1 - self%transform%ny:)
+  !> Transform of fields of nx by ny points, padded for kernels that are not even.
+  subroutine new_kernel_transform(transform, nx, ny, stat)
+    type(field_transform), intent(inout) :: transform
+    integer, intent(in) :: nx, ny
+    integer, intent(out) :: stat
+
+    stat = status_bad_argument
+    if (nx < 2 .or. ny < 1) return
+    call new_field_transform(transform, nx, ny, padded_size(2*nx - 1), padded_size(2*ny - 1), stat)
+  end subroutine new_kernel_transform
+
+  !> Computes the transform (my, mx/2+1) of a kernel in units of its largest value, wrapped round the padded grid and scaled
+  !> for both transforms.
+  subroutine kernel_spectrum(t, kernel, unit, spectrum)
+    type(field_transform), intent(inout) :: t
+    real(wp), intent(in) :: kernel(1 - t%nx:, 1 - t%ny:)
+    real(wp), intent(out) :: unit
+    complex(c_float_complex), intent(out) :: spectrum(:, :)
     real(wp) :: scale
     integer :: j, slot, first, count
 
-    self%unit = maxval(abs(kernel))
-    if (.not. self%unit > 0) self%unit = 1
-    self%kernel = 0
-    associate (t => self%transform)
-      scale = 1/(self%unit*t%mx*t%my)
-      do j = 1 - t%ny, t%ny - 1
-        slot = modulo(j, t%ny) + 1
-        t%rows(:, slot) = 0
-        t%rows(1:t%nx, slot) = real(kernel(0:, j)*scale, pp)
-        t%rows(t%mx - t%nx + 2:t%mx, slot) = real(kernel(:-1, j)*scale, pp)
-        call transform_row(t, slot)
-        self%kernel(modulo(j, t%my) + 1, :) = t%spectra(:t%mx/2 + 1, slot)
-      end do
-      do first = 1, t%mx/2 + 1, block_columns
-        count = min(block_columns, t%mx/2 + 2 - first)
-        associate (columns => t%columns(:, :, 1))
-          columns(:, :count) = self%kernel(:, first:first + count - 1)
-          columns(:, count + 1:) = 0
-          call transform_block(t, columns)
-          self%kernel(:, first:first + count - 1) = columns(:, :count)
-        end associate
-      end do
-    end associate
-  end subroutine transform_kernel
+    unit = maxval(abs(kernel))
+    if (.not. unit > 0) unit = 1
+    spectrum = 0
+    scale = 1/(unit*t%mx*t%my)
+    do j = 1 - t%ny, t%ny - 1
+      slot = modulo(j, t%ny) + 1
+      t%rows(:, slot) = 0
+      t%rows(1:t%nx, slot) = real(kernel(0:, j)*scale, pp)
+      t%rows(t%mx - t%nx + 2:t%mx, slot) = real(kernel(:-1, j)*scale, pp)
+      call transform_row(t, slot)
+      spectrum(modulo(j, t%my) + 1, :) = t%spectra(:t%mx/2 + 1, slot)
+    end do
+    do first = 1, t%mx/2 + 1, block_columns
+      count = min(block_columns, t%mx/2 + 2 - first)
+      associate (columns => t%columns(:, :, 1))
+        columns(:, :count) = spectrum(:, first:first + count - 1)
+        columns(:, count + 1:) = 0
+        call transform_block(t, columns)
+        spectrum(:, first:first + count - 1) = columns(:, :count)
+      end associate
+    end do
+  end subroutine kernel_spectrum
+
+  !> Computes the transform (my, mx/2+1) of a field.
+  subroutine field_spectrum(t, field, spectrum)
+    type(field_transform), intent(inout) :: t
+    real(wp), intent(in) :: field(t%nx, t%ny)
+    complex(c_float_complex), intent(out) :: spectrum(:, :)
+    integer :: first, count
+
+    call transform_rows(t, field)
+    do first = 1, t%mx/2 + 1, block_columns
+      count = min(block_columns, t%mx/2 + 2 - first)
+      associate (columns => t%columns(:, :, 1))
+        call transform_columns(t, first, count, columns)
+        spectrum(:, first:first + count - 1) = columns(:, :count)
+      end associate
+    end do
+  end subroutine field_spectrum
+
+  !> Computes the field, times `unit`, of a spectrum (my, mx/2+1).
+  subroutine spectrum_field(t, spectrum, unit, field)
+    type(field_transform), intent(inout) :: t
+    complex(c_float_complex), intent(in) :: spectrum(:, :)
+    real(wp), intent(in) :: unit
+    real(wp), intent(out) :: field(t%nx, t%ny)
+    integer :: first, count
+
+    do first = 1, t%mx/2 + 1, block_columns
+      count = min(block_columns, t%mx/2 + 2 - first)
+      associate (columns => t%columns(:, :, 1))
+        columns(:, :count) = spectrum(:, first:first + count - 1)
+        columns(:, count + 1:) = 0
+        call transform_columns_back(t, first, count, columns)
+      end associate
+    end do
+    call transform_rows_back(t, unit, field)
+  end subroutine spectrum_field
 
   !> Computes the convolution `y` of the field `x` with the kernel, both (nx, ny).
   subroutine convolve(self, x, y)

@@ -1,4 +1,4 @@
-"""Interface to the compiled kernel: dry contacts, films on a grid, interpolation between grids."""
+"""Interface to the compiled kernel: dry contacts, films on a grid, stresses, interpolation between grids."""
 
 from pyworm.kernel.core import (
     NO_DESCENT,
@@ -14,6 +14,7 @@ from pyworm.kernel.film import HeatStorage
 from pyworm.kernel.interpolation import level_positions, prolong, prolong_levels
 from pyworm.kernel.line_film import LineFilm
 from pyworm.kernel.point_film import PointFilm
+from pyworm.kernel.subsurface_stress import subsurface_stress
 from pyworm.kernel.surface_heat import (
     FluxRecord,
     SurfacePast,
@@ -42,4 +43,5 @@ __all__ = [
     "prolong",
     "prolong_levels",
     "residual_rise",
+    "subsurface_stress",
 ]

@@ -14,7 +14,7 @@ module bindings
   implicit none
   private
 
-  public :: dry_contact_solve, elastic_deflection
+  public :: dry_contact_solve, elastic_deflection, point_stress, line_stress
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
@@ -43,6 +43,32 @@ contains
     call new_half_space(space, nx, ny, dx, dy, reduced_modulus, stat)
     if (stat == status_ok) call space%deflection(p, w)
   end subroutine elastic_deflection
+
+  !> Stress [Pa] below the nodes of a half-space under pressure and shear tractions [Pa]; see `half_space_stress`.
+  subroutine point_stress(tractions, nx, ny, dx, dy, poisson, depths, count, stress, stat)
+    use pyworm_half_space_stress, only: half_space_stress
+    integer(c_int), intent(in) :: nx, ny, count
+    real(c_double), intent(in) :: tractions(nx, ny, 3)
+    real(c_double), intent(in) :: dx, dy, poisson, depths(count)
+    real(c_double), intent(out) :: stress(nx, ny, 6, count)
+    integer(c_int), intent(out) :: stat
+    !f2py threadsafe
+
+    call half_space_stress(tractions, dx, dy, poisson, depths, stress, stat)
+  end subroutine point_stress
+
+  !> Stress [Pa] in the plane below the nodes of a half-plane under pressure and shear [Pa]; see `half_plane_stress`.
+  subroutine line_stress(tractions, n, dx, depths, count, stress, stat)
+    use pyworm_half_plane_stress, only: half_plane_stress
+    integer(c_int), intent(in) :: n, count
+    real(c_double), intent(in) :: tractions(n, 2)
+    real(c_double), intent(in) :: dx, depths(count)
+    real(c_double), intent(out) :: stress(n, 3, count)
+    integer(c_int), intent(out) :: stat
+    !f2py threadsafe
+
+    call half_plane_stress(tractions, dx, depths, stress, stat)
+  end subroutine line_stress
 
   !> Solves the dry contact of a gap [m]; p [Pa] is the initial guess, then the solution.
   subroutine dry_contact_solve(gap, covered, nx, ny, dx, dy, reduced_modulus, load, tolerance, &
