@@ -31,7 +31,7 @@ from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.cost.expected_time import expectation
 
-EXTREMES = (
+EXTREMES: tuple[str, ...] = (
     *("film_min", "film_central", "pressure_max"),
     *("temperature_max_body_1", "temperature_max_body_2", "temperature_max_film"),
 )
