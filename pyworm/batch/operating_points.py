@@ -85,6 +85,18 @@ Results = Mapping[str, Computed]
 
 
 @dataclass(frozen=True)
+class SolvedPoint:
+    """An operating point with its contacts solved."""
+
+    point: OperatingPoint
+    """The point, of a cooled housing with the loss between the teeth to which its temperatures belong."""
+    summaries: tuple[Mapping[str, Any], ...]
+    """Scalars of each contact, as of `Solution.summary`; none of films by formula."""
+    results: Results
+    """Its results."""
+
+
+@dataclass(frozen=True)
 class Solving:
     """How operating points are solved."""
 
@@ -100,7 +112,11 @@ class Solving:
     """What is called with the progress."""
 
     def results(self, points: Sequence[OperatingPoint]) -> list[Results]:
-        """Results of each point.
+        """Results of each point; errors as of `balanced`."""
+        return [each.results for each in self.balanced(points)]
+
+    def balanced(self, points: Sequence[OperatingPoint]) -> list["SolvedPoint"]:
+        """Each point with its contacts solved, at the temperatures that its own loss gives a housing.
 
         Raises:
             NotSolvedError: A contact could not be solved, or did not converge.
@@ -108,8 +124,8 @@ class Solving:
         current = list(points)
         losses: list[list[tuple[float, float]]] = [[] for _ in current]
         for _ in range(WARM_PASSES):
-            found = self._results(current)
-            moved = [_warmed(*each) for each in zip(current, found, losses, strict=True)]
+            found = self._solved_points(current)
+            moved = [_warmed(*each) for each in zip(found, losses, strict=True)]
             if moved == [None] * len(current):
                 break
             current = [
@@ -117,13 +133,13 @@ class Solving:
             ]
         return found
 
-    def _results(self, points: Sequence[OperatingPoint]) -> list[Results]:
+    def _solved_points(self, points: Sequence[OperatingPoint]) -> list["SolvedPoint"]:
         tasks = [[] if point.by_formula else self.tasks(point) for point in points]
         known = self.solved([task for some in tasks for task in some])
         return [
-            _by_formula(point)
+            SolvedPoint(point, (), _by_formula(point))
             if point.by_formula
-            else read_results(point, [known[task.key] for task in some])
+            else _solved_point(point, tuple(known[task.key] for task in some))
             for point, some in zip(points, tasks, strict=True)
         ]
 
@@ -167,18 +183,27 @@ def _named(task: Task) -> str:
     return ", ".join(part for part in (task.case.name, str(task.place)) if part)
 
 
-def _warmed(
-    point: OperatingPoint, found: Results, losses: list[tuple[float, float]]
-) -> OperatingPoint | None:
+def _solved_point(
+    point: OperatingPoint, summaries: tuple[Mapping[str, Any], ...]
+) -> SolvedPoint:
+    return SolvedPoint(point, summaries, read_results(point, summaries))
+
+
+def follows_loss(case: Case) -> bool:
+    """Whether the temperatures of a case follow from the loss between its teeth, which is not given."""
+    return "tooth_loss" not in case.content.get("cooling", {"tooth_loss": None})
+
+
+def _warmed(solved: SolvedPoint, losses: list[tuple[float, float]]) -> OperatingPoint | None:
     """The point with the temperatures of its loss; None where these are found, or given."""
-    if point.case.content.get("cooling", {"tooth_loss": None}).keys() >= {"tooth_loss"}:
+    case = solved.point.case
+    if not follows_loss(case):
         return None
-    assumed, power = tooth_loss_of(point.case), found["power_loss"].value
-    conductance = point.case.tables.cooling.conductance
-    if abs(power - assumed) <= WARMTH * conductance:
+    assumed, power = tooth_loss_of(case), solved.results["power_loss"].value
+    if abs(power - assumed) <= WARMTH * case.tables.cooling.conductance:
         return None
     losses.append((assumed, power))
-    return point.with_tooth_loss(float(f"{next_loss(losses):.3g}"))
+    return solved.point.with_tooth_loss(float(f"{next_loss(losses):.3g}"))
 
 
 def _by_formula(point: OperatingPoint) -> Results:
