@@ -5,20 +5,26 @@ load sharing), whose differences are cheap: a case is made with each number a st
 contacts are laid out, and what they change in the figures of the solved contact is contracted with its
 adjoint solution. Extremes and losses over the mesh cycle, efficiencies and safeties follow by the formulas of
 the run itself, as a central difference.
+
+The loss that warms the teeth and the friction in their balance of torques, which a run finds by iteration,
+follow the inputs: their changes are those of the implicit function theorem. Lifts of films are held.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+import numpy as np
+
 from pyworm.batch.case_figures import FigureChanges, closed_form_summary, figures_of, moved_summary
 from pyworm.batch.operating_points import OperatingPoint
 from pyworm.case.case import Case, case_without_contacts
 from pyworm.case.dotted_keys import with_values
-from pyworm.case.numeric_keys import NumericKey, numeric_keys
+from pyworm.case.numeric_keys import NumericKey, found_keys, numeric_keys
 from pyworm.io.input_error import CaseError
 from pyworm.io.progress import Progress
 from pyworm.planning.closed_form_figures import ClosedFormChanges
+from pyworm.ratings.standard_loss import StandardLoss, standard_loss
 from pyworm.result.key_sensitivities import KeySensitivities, KeySensitivity
 from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.index import ContactIndex
@@ -30,6 +36,9 @@ BY_CLOSED_FORMS = (
 BY_ADJOINT = (
     "Figures of contacts by adjoint solutions; geometry, load sharing and ratings by differences."
 )
+
+FOUND = "operation.friction", "cooling.tooth_loss"
+"""Keys of what a run finds by iteration, and whose changes follow the inputs."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +63,8 @@ class Solved:
     """Scalars of each contact, as of `Solution.summary`."""
     changes: tuple[FigureChanges, ...]
     """Changes of the figures of each contact."""
+    heated_by: str = "simulation"
+    """Source of the loss that warms the teeth, as of `pyworm.ratings.heating.HeatingLoss`."""
 
 
 def by_closed_forms(case: Case, places: Sequence[ContactIndex] | None = None) -> Solved:
@@ -80,6 +91,7 @@ def key_sensitivities(
     results = {
         name: each.value for name, each in figures_of(solved.point, solved.summaries).items()
     }
+    response = _Response.of(solved, here)
     found, refused = [], {}
     for count, number in enumerate(wanted):
         if progress is not None:
@@ -89,7 +101,7 @@ def key_sensitivities(
         except ValueError as error:
             refused[number.key] = str(error)
             continue
-        derivatives = _derivatives(solved, *sides)
+        derivatives = response.whole(_derivatives(solved, *sides))
         if any(derivatives.values()):
             found.append(_scaled(number, derivatives))
     return KeySensitivities(solved.point.case.name, results, tuple(found), refused, method)
@@ -98,6 +110,40 @@ def key_sensitivities(
 def _here(solved: Solved) -> Side:
     case, places = solved.point.case, solved.point.places
     return Side(0.0, solved.point, tuple(case.scene(**place.given) for place in places))
+
+
+@dataclass(frozen=True)
+class _Response:
+    """How what a run finds by iteration follows the other inputs."""
+
+    found: dict[str, Mapping[str, float]]
+    """Key of each value found -> derivatives of all results with respect to it."""
+
+    @classmethod
+    def of(cls, solved: Solved, here: Side) -> "_Response":
+        """The response of a solved case; of values found that its results do not determine, none."""
+        found = {
+            number.key: _derivatives(solved, *both_sides(solved.point, number, here))
+            for number in found_keys(solved.point.case)
+            if number.key in FOUND
+        }
+        return cls({key: each for key, each in found.items() if key in each})
+
+    def whole(self, derivatives: Mapping[str, float]) -> dict[str, float]:
+        """Derivatives with respect to an input, from those with the values found held.
+
+        Values found u equal results R(x, u): du/dx = (1 - dR/du)^-1 dR/dx.
+        """
+        keys = list(self.found)
+        gains = np.array([[self.found[by][key] for by in keys] for key in keys])
+        held = np.array([derivatives[key] for key in keys])
+        changes = np.linalg.solve(np.eye(len(keys)) - gains, held) if keys else held
+        return {
+            name: value
+            + sum(by * self.found[key][name] for by, key in zip(changes, keys, strict=True))
+            for name, value in derivatives.items()
+            if name not in keys
+        }
 
 
 def _derivatives(solved: Solved, low: Side, high: Side) -> dict[str, float]:
@@ -164,7 +210,18 @@ def _figures(
             solved.summaries, side.scenes, changes, solved.changes, strict=True
         )
     ]
-    return {name: each.value for name, each in figures_of(side.point, summaries).items()}
+    results = {name: each.value for name, each in figures_of(side.point, summaries).items()}
+    return results | _found_again(solved, side, results)
+
+
+def _found_again(solved: Solved, side: Side, results: Mapping[str, float]) -> dict[str, float]:
+    """What the run would find by iteration, by key, from the results on one side."""
+    loss = results.get("power_loss")
+    if solved.heated_by == "standard":
+        standard = standard_loss(side.point.case)
+        loss = standard.power if isinstance(standard, StandardLoss) else None
+    again = zip(FOUND, (results.get("friction_coefficient"), loss), strict=True)
+    return {key: value for key, value in again if value is not None}
 
 
 def _scaled(number: NumericKey, derivatives: Mapping[str, float]) -> KeySensitivity:

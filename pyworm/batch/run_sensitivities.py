@@ -11,10 +11,14 @@ from pyworm.batch.key_sensitivities import BY_ADJOINT, BY_CLOSED_FORMS, Solved, 
 from pyworm.batch.operating_points import OperatingPoint
 from pyworm.batch.task import Task
 from pyworm.batch.uncertain_run import MODERATE_ACCURACY
+from pyworm.case.case import Case
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import KernelError
 from pyworm.planning.closed_form_figures import ClosedFormChanges
+from pyworm.ratings.heating import heating_of
+from pyworm.ratings.standard_loss import standard_loss
 from pyworm.result.key_sensitivities import IN_PROVENANCE, KeySensitivities
+from pyworm.result.mesh_cycle import drive_cycle
 from pyworm.result.result import Result
 from pyworm.scene.index import ContactIndex
 from pyworm.solver.adjoint import NoAdjointError, adjoint_of
@@ -50,10 +54,16 @@ def sensitivities_of_run(
             by_adjoint = False
     point = OperatingPoint(wanted[0].case, tuple(task.place for task in wanted))
     summaries = tuple(solution.summary() for solution in solutions)
-    solved = Solved(point, summaries, tuple(changes))
+    solved = Solved(point, summaries, tuple(changes), _heated_by(point.case, result))
     return key_sensitivities(
         solved, BY_ADJOINT if by_adjoint else BY_CLOSED_FORMS, progress=progress
     )
+
+
+def _heated_by(case: Case, result: Result) -> str:
+    """Source of the loss that warms the teeth; simulation where nothing does."""
+    heating = heating_of(case, drive_cycle(result), standard_loss(case))
+    return "simulation" if heating is None else heating.found.by
 
 
 def with_sensitivities(result: Result, found: KeySensitivities, directory: Path) -> Result:

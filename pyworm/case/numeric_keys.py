@@ -7,7 +7,7 @@ from typing import Any, get_args
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from pyworm.case.case import Case
+from pyworm.case.case import Case, case_without_contacts
 from pyworm.case.dotted_keys import value_at
 from pyworm.case.workshop_units import kind_of
 from pyworm.io.input_error import CaseError
@@ -103,16 +103,35 @@ class NumericKey:
 def numeric_keys(case: Case) -> tuple[NumericKey, ...]:
     """The numbers of a case that change its contacts, in the order of its tables.
 
-    Without zeros that have no natural step, such as constants of a law that the oil does without.
+    Without zeros that have no natural step, such as constants of a law that the oil does without, and without
+    what a run finds by iteration.
     """
     found = [
         number
-        for name in (*MACHINE_TABLES, *MATERIAL_TABLES)
-        if isinstance(table := getattr(case.tables, name, None), BaseModel)
-        for number in _numbers(table, name)
-        if name in MACHINE_TABLES or _is_given(case, number.key)
+        for number in _all_numbers(case)
+        if number.key.partition(".")[0] in MACHINE_TABLES or _is_given(case, number.key)
     ]
-    return tuple(number for number in found if number.value or number.si_unit in LARGEST_STEPS)
+    unknown = {number.key for number in found_keys(case)}
+    return tuple(
+        number
+        for number in found
+        if number.key not in unknown and (number.value or number.si_unit in LARGEST_STEPS)
+    )
+
+
+def found_keys(case: Case) -> tuple[NumericKey, ...]:
+    """The numbers of a case that its file leaves open and its run has found; none of a case not run."""
+    if not case.content:
+        return ()
+    written = case_without_contacts(case.content, case.name, case.directory)
+    open_ = {f"{table}.{key}" for table, keys in written.left_open.items() for key in keys}
+    return tuple(number for number in _all_numbers(case) if number.key in open_)
+
+
+def _all_numbers(case: Case) -> Iterator[NumericKey]:
+    for name in (*MACHINE_TABLES, *MATERIAL_TABLES):
+        if isinstance(table := getattr(case.tables, name, None), BaseModel):
+            yield from _numbers(table, name)
 
 
 def _is_given(case: Case, key: str) -> bool:

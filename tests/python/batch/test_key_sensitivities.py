@@ -1,11 +1,13 @@
 """Derivatives of results by the numbers of a case: against power laws, and through a known change."""
 
 import json
+from dataclasses import replace
 
 import pytest
 from folders import ROOT
 
 import pyworm
+from pyworm.batch import key_sensitivities as module
 from pyworm.batch import run_sensitivities
 from pyworm.batch.case_figures import (
     case_values,
@@ -15,8 +17,11 @@ from pyworm.batch.case_figures import (
 )
 from pyworm.batch.key_sensitivities import Solved, by_closed_forms, key_sensitivities, moved_case
 from pyworm.batch.operating_points import OperatingPoint
-from pyworm.case.numeric_keys import numeric_key, numeric_keys
+from pyworm.case.case import case_without_contacts
+from pyworm.case.dotted_keys import with_values
+from pyworm.case.numeric_keys import found_keys, numeric_key, numeric_keys
 from pyworm.cli.main import main
+from pyworm.ratings.standard_loss import StandardLoss
 from pyworm.solver.adjoint import NoAdjointError, _same_bodies
 
 
@@ -124,6 +129,69 @@ def test_a_run_has_sensitivities_by_adjoints_or_by_closed_forms(tmp_path, capsys
     assert "changes by closed forms: oil in plenty" in shown.err
     changes = json.loads(shown.out)["sensitivities"]["keys"]["contact.load"]["changes"]
     assert changes["pressure_max"] / 0.8e9 == pytest.approx(0.01 / 3, rel=0.02)
+
+
+@pytest.fixture(scope="module")
+def cooled():
+    """A worm gear set of which the loss between the teeth warms the housing."""
+    case = pyworm.load(ROOT / "cases/gearbox_test.toml")
+    housing = {
+        "cooling.ambient_temperature": "20 degC",
+        "cooling.conductance": "8 W/K",
+        "cooling.other_loss": "200 W",
+    }
+    content = with_values(case.content, housing)
+    return case_without_contacts(content, case.name, case.directory)
+
+
+def by_conductance(case, conductance):
+    content = with_values(case.content, {"cooling.conductance": f"{conductance!r} W/K"})
+    return case_without_contacts(content, case.name, case.directory)
+
+
+def held(case, loss, friction):
+    """The case by closed forms with some loss and friction, and its results."""
+    found = {"cooling": {"tooth_loss": loss}, "operation": {"friction": friction}}
+    solved = by_closed_forms(case.with_found(found))
+    results = figures_of(solved.point, solved.summaries)
+    return solved, {name: each.value for name, each in results.items()}
+
+
+def balanced(case, loss, friction):
+    """The same with the loss and the friction that its contacts have."""
+    for _ in range(4):
+        solved, results = held(case, loss, friction)
+        loss, friction = results["power_loss"], results["friction_coefficient"]
+    return solved, results
+
+
+def test_temperatures_and_loads_follow_the_loss_and_the_friction(cooled):
+    """Derivatives against differences of cases whose balances of heat and torques are found anew."""
+    solved, results = balanced(cooled, 113.2, 0.00888)
+    start = results["power_loss"], results["friction_coefficient"]
+    assert [each.key for each in found_keys(solved.point.case)] == [*module.FOUND]
+    number = numeric_key(solved.point.case, "cooling.conductance")
+    found = key_sensitivities(solved, keys=[number])["cooling.conductance"].derivatives
+    less, more = (balanced(by_conductance(cooled, 8 + side), *start)[1] for side in (-0.01, 0.01))
+    for name in ("film_min", "power_loss", "sump_temperature", "temperature_max_body_1"):
+        assert found[name] == pytest.approx((more[name] - less[name]) / 0.02, rel=1e-4), name
+    assert not found.keys() & module.FOUND
+
+
+def test_a_standard_s_loss_warms_the_teeth_whatever_their_friction(cooled, monkeypatch):
+    def standard(case):
+        return StandardLoss(0.03, 0.9, 10.0 * case.tables.cooling.conductance, "a test")
+
+    monkeypatch.setattr(module, "standard_loss", standard)
+    solved, _ = held(cooled, 80.0, 0.0089)
+    number = numeric_key(solved.point.case, "cooling.conductance")
+    found = key_sensitivities(replace(solved, heated_by="standard"), keys=[number])
+    less, more = (
+        held(by_conductance(cooled, each), 10 * each, 0.0089)[1] for each in (7.99, 8.01)
+    )
+    name = "temperature_max_body_2"
+    slope = (more[name] - less[name]) / 0.02
+    assert found["cooling.conductance"].derivatives[name] == pytest.approx(slope, rel=1e-3)
 
 
 def test_teeth_that_move_alike_are_found_alike():
