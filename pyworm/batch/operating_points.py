@@ -183,9 +183,7 @@ def _named(task: Task) -> str:
     return ", ".join(part for part in (task.case.name, str(task.place)) if part)
 
 
-def _solved_point(
-    point: OperatingPoint, summaries: tuple[Mapping[str, Any], ...]
-) -> SolvedPoint:
+def _solved_point(point: OperatingPoint, summaries: tuple[Mapping[str, Any], ...]) -> SolvedPoint:
     return SolvedPoint(point, summaries, read_results(point, summaries))
 
 

@@ -186,9 +186,7 @@ def test_a_standard_s_loss_warms_the_teeth_whatever_their_friction(cooled, monke
     solved, _ = held(cooled, 80.0, 0.0089)
     number = numeric_key(solved.point.case, "cooling.conductance")
     found = key_sensitivities(replace(solved, heated_by="standard"), keys=[number])
-    less, more = (
-        held(by_conductance(cooled, each), 10 * each, 0.0089)[1] for each in (7.99, 8.01)
-    )
+    less, more = (held(by_conductance(cooled, each), 10 * each, 0.0089)[1] for each in (7.99, 8.01))
     name = "temperature_max_body_2"
     slope = (more[name] - less[name]) / 0.02
     assert found["cooling.conductance"].derivatives[name] == pytest.approx(slope, rel=1e-3)
