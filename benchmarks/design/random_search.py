@@ -75,12 +75,12 @@ def compared(name: str, text: str, folder: Path) -> str:
     search = _Search(task, folder / "kept", None, None, lambda message: None)
     best = search.found()
     start = search._start()
-    before = search._solved(start) if search.simulates else None
+    before = search._solved(start, search.formula) if search.simulates else None
     first = search.formula.one(start) if before is None else before.figures
     scales = {key: abs(figure.value) for key, figure in first.items()}
     goal = Goal(task.tables.objective.weights, task.limits, scales)
     merit = min(
-        goal.merit(known.figures) for known in search.simulated.values()
+        goal.merit(known.figures) for known in search.known.values()
     ) if search.simulates else min(map(goal.merit, search.formula.known.values()))  # fmt: skip
     cost = best.solved if search.simulates else best.estimates
     others = _random(search, task, goal, TIMES * cost)
@@ -95,7 +95,7 @@ def _random(search: _Search, task, goal: Goal, count: int) -> float:
     ]
     if not search.simulates:
         return min(map(goal.merit, search.formula.many(designs)))
-    return min(goal.merit(search._solved(design).figures) for design in designs)
+    return min(goal.merit(search._solved(design, search.formula).figures) for design in designs)
 
 
 def main() -> None:

@@ -62,30 +62,15 @@ contains
     overlap = erfc(gap/sqrt(2.0_wp))/2
   end function overlap
 
-  !> Value at an aspect from those of the tables: cubic Hermite in its logarithm, the nearest beyond them.
+  !> Value at an aspect from those of the tables, linear in its logarithm; the nearest beyond them.
   pure real(wp) function between(fits, aspect)
     real(wp), intent(in) :: fits(7), aspect
-    real(wp) :: places(7), width, part
+    real(wp) :: part
     integer :: k
 
-    places = log(aspects)
     k = min(max(count(aspects <= aspect), 1), 6)
-    width = places(k + 1) - places(k)
-    part = min(max((log(aspect) - places(k))/width, 0.0_wp), 1.0_wp)
-    between = fits(k) + part**2*(3 - 2*part)*(fits(k + 1) - fits(k)) &
-      + width*part*(1 - part)*((1 - part)*slope(k) - part*slope(k + 1))
-  contains
-    !> Slope at a node of the parabola through it and its neighbours; none at the ends, where the nearest goes on.
-    pure real(wp) function slope(node)
-      integer, intent(in) :: node
-      real(wp) :: left, right
-
-      slope = 0
-      if (node == 1 .or. node == 7) return
-      left = places(node) - places(node - 1)
-      right = places(node + 1) - places(node)
-      slope = (left*(fits(node + 1) - fits(node))/right + right*(fits(node) - fits(node - 1))/left)/(left + right)
-    end function slope
+    part = min(max(log(aspect/aspects(k))/log(aspects(k + 1)/aspects(k)), 0.0_wp), 1.0_wp)
+    between = (1 - part)*fits(k) + part*fits(k + 1)
   end function between
 
   !> Fit and asymptote, blended between the gaps up to which the one and from which the other holds.

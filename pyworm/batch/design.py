@@ -7,7 +7,7 @@ design and the case as it is are solved again at the case's own accuracy. Solved
 again.
 """
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Executor
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
@@ -18,38 +18,21 @@ from typing import Any
 
 import numpy as np
 
-from pyworm.batch.adjoint_changes import MovedContact, changes_of
-from pyworm.batch.case_figures import OF_CONTACTS, figures_of
-from pyworm.batch.design_correction import neighbours, offsets, slopes
-from pyworm.batch.design_model import (
-    Correction,
-    Design,
-    Figure,
-    Figures,
-    Incomplete,
-    Refused,
-    case_of_design,
-)
+from pyworm.batch.case_figures import figures_of
+from pyworm.batch.design_model import Design, Incomplete, Refused
 from pyworm.batch.design_report import decisive, variables, verdicts
 from pyworm.batch.design_search import Estimates, Goal, best_of
-from pyworm.batch.drive_iteration import steady
 from pyworm.batch.in_python import executor as executor_for
 from pyworm.batch.in_python import messages, progress_of
-from pyworm.batch.operating_points import (
-    Computed,
-    NotSolvedError,
-    OperatingPoint,
-    Solving,
-    quantities_for,
-)
-from pyworm.batch.task import Task
+from pyworm.batch.operating_points import NotSolvedError
+from pyworm.batch.solved_designs import DesignSolver, KnownDesign
 from pyworm.case.design import DesignTask, figure_text, load_design
 from pyworm.case.dotted_keys import value_at
 from pyworm.io.input_error import CaseError
+from pyworm.io.present import present
 from pyworm.io.progress import Progress
 from pyworm.io.quantity_text import percent
 from pyworm.result.design import BestDesign, FrontDesign
-from pyworm.scene.index import ContactIndex
 
 SMALLEST_REACH = 0.01
 """Reach of a search below which it ends, a fraction of the way between the bounds."""
@@ -58,7 +41,7 @@ SMALL_GAIN = 0.1
 """Expected gain below which a search on solved figures ends, over their accuracy."""
 
 FIRST_REACH = 0.5
-"""Reach of the second search on solved figures; the first one is not limited."""
+"""Reach of the first search about solved figures; that by closed forms is not limited."""
 
 CHOSEN_WITHIN = 0.05
 """Difference of the merits by closed forms within which choices of discrete values are solved."""
@@ -109,15 +92,6 @@ def best_design(
     return search.found()
 
 
-@dataclass(frozen=True)
-class _Known:
-    """A design with its figures, and what estimates figures about it."""
-
-    design: Design
-    figures: Figures
-    estimates: Estimates
-
-
 @dataclass
 class _Search:
     """Search for the best design of a design file."""
@@ -127,11 +101,13 @@ class _Search:
     executor: Executor | None
     progress: Progress | None
     print_message: Callable[[str], None]
-    simulated: dict[Design, _Known] = field(default_factory=dict)
-    """Designs whose contacts are solved."""
+    known: dict[Design, KnownDesign] = field(default_factory=dict)
+    """Designs of which one is the best: those whose contacts are solved or, without a solve, best ones."""
 
     def __post_init__(self) -> None:
         self.formula = Estimates(self.task, None, self.executor)
+        how = self.directory, self.executor, self.progress, self.print_message
+        self.solver = DesignSolver(self.task, self.formula, *how)
 
     @property
     def simulates(self) -> bool:
@@ -143,18 +119,21 @@ class _Search:
         first = self.formula.one(start)
         if isinstance(first, Refused):
             raise self._error(first)
-        before = self._solved(start) if self.simulates else _Known(start, first, self.formula)
+        if self.simulates:
+            before = self._solved(start, self.formula)
+        else:
+            before = self.known[start] = KnownDesign(start, first, self.formula)
         scales = {
             name: abs(figure.value) if figure.value else 1.0
             for name, figure in before.figures.items()
         }
         tables = self.task.tables
         goal = Goal(tables.objective.weights, self.task.limits, scales)
-        best = self._best(goal, before)
-        front: tuple[_Known, ...] = ()
+        self._search(goal, before)
+        front: tuple[KnownDesign, ...] = ()
         if tables.front is not None:
-            front = self._front(goal, replace(goal, weights=tables.front.weights), before, best)
-        return self._report(goal, before, best, front)
+            front = self._front(goal, replace(goal, weights=tables.front.weights), before)
+        return self._report(goal, before, front)
 
     def _start(self) -> Design:
         """The case as it is, within the bounds; first values of discrete variables that it has not."""
@@ -173,165 +152,109 @@ class _Search:
             f"{', '.join(figures_of_case(self.task))}"
         )
 
-    def _best(self, goal: Goal, before: _Known) -> _Known:
-        """The best design for a goal, over all choices of discrete values."""
+    def _best(self, goal: Goal) -> KnownDesign:
+        """The best known design for a goal."""
+        return self._ranked(goal)[0]
+
+    def _ranked(self, goal: Goal) -> list[KnownDesign]:
+        return sorted(self.known.values(), key=lambda known: goal.merit(known.figures))
+
+    def _search(self, goal: Goal, before: KnownDesign) -> None:
+        """Find the best design for a goal, over all choices of discrete values."""
         starts = [replace(before.design, chosen=chosen) for chosen in self._choices()]
         by_formula = [best_of(self.formula, goal, start) for start in starts]
         by_formula.sort(key=lambda design: goal.merit(self.formula.one(design)))
         if not self.simulates:
-            best = by_formula[0]
-            figures = self.formula.one(best)
-            return before if isinstance(figures, Refused) else _Known(best, figures, self.formula)
+            self._estimated(by_formula[0], self.formula)
+            return
         least = goal.merit(self.formula.one(by_formula[0]))
         near = [
             design
             for design in by_formula
             if goal.merit(self.formula.one(design)) < least + CHOSEN_WITHIN
-        ]
-        found = [before, *(self._descended(goal, each, before) for each in near[:MOST_CHOICES])]
-        return min(found, key=lambda known: goal.merit(known.figures))
+        ][:MOST_CHOICES]
+        most = len(self.known) + self.task.tables.solves
+        for design in near:
+            if len(self.known) < most:
+                self._tried(design, self.formula)
+        chosen = {design.chosen for design in near}
+        best = [known.design.chosen for known in self._ranked(goal)]
+        for choice in dict.fromkeys(each for each in best if each in chosen):
+            self._descend(goal, choice, most)
 
     def _choices(self) -> Iterator[tuple[tuple[str, Any], ...]]:
         choices = self.task.tables.choices
         for values in product(*choices.values()):
             yield tuple(zip(choices, values, strict=True))
 
-    def _descended(self, goal: Goal, start: Design, before: _Known) -> _Known:
-        """The best design by solved contacts, from one that closed forms find."""
-        trial = start
-        reach, current, wanted = FIRST_REACH, before, self.task.tables.solves
-        known = len(self.simulated)
-        least_gain = SMALL_GAIN * self.task.tables.accuracy
-        while len(self.simulated) - known < wanted:
-            try:
-                new = self._solved(trial)
-            except NotSolvedError as error:
-                self.print_message(f"{self.task.name}: a design is passed over: {error}")
-                reach /= 4
-            else:
-                gain = goal.merit(current.figures) - goal.merit(new.figures)
-                if gain > 0 or current.design.chosen != new.design.chosen:
-                    current = new
-                    reach = min(reach, FIRST_REACH)
-                else:
-                    reach = self._distance(current.design, new.design) / 2
-            if reach < SMALLEST_REACH:
-                break
+    def _descend(self, goal: Goal, choice: tuple[tuple[str, Any], ...], most: int) -> None:
+        """Solve better and better designs with some discrete values until this many are known."""
+        current = next(each for each in self._ranked(goal) if each.design.chosen == choice)
+        reach, least_gain = FIRST_REACH, SMALL_GAIN * self.task.tables.accuracy
+        while len(self.known) < most and reach >= SMALLEST_REACH:
             trial = best_of(current.estimates, goal, current.design, reach)
             expected = goal.merit(current.figures) - goal.merit(current.estimates.one(trial))
-            if trial in self.simulated or expected < least_gain:
+            if trial in self.known or expected < least_gain:
                 break
-        return current
+            new = self._tried(trial, current.estimates)
+            if new is None:
+                reach /= 4
+            elif goal.merit(new.figures) < goal.merit(current.figures):
+                current = new
+            else:
+                reach = _distance(current.design, new.design) / 2
 
-    @staticmethod
-    def _distance(first: Design, second: Design) -> float:
-        return float(np.max(np.abs(np.subtract(first.fractions, second.fractions))))
-
-    def _solved(self, design: Design) -> _Known:
-        """A design by solved contacts at the accuracy of the search; NotSolvedError without a solution."""
-        if design in self.simulated:
-            return self.simulated[design]
-        tables = self.task.tables
-        effects = self.task.effects
-        found, summaries, point = self._figures(design, tables.accuracy, effects)
-        correction = Correction(
-            design.fractions,
-            offsets(point, summaries),
-            self._slopes(point, design, (tables.accuracy, effects)),
-        )
-        estimates = self.formula.corrected(correction)
-        figures = estimates.one(design)
-        if isinstance(figures, Refused):
-            raise NotSolvedError(f"{self.task.name}: {figures.reason}")
-        known = _Known(design, _with_errors(figures, found), estimates)
-        self.simulated[design] = known
-        self.print_message(
-            f"{self.task.name}: design {len(self.simulated)}: {_in_words(known.figures)}"
-        )
-        return known
-
-    def _figures(
-        self, design: Design, accuracy: float, effects: Sequence[str]
-    ) -> tuple[dict[str, Computed], list[Mapping[str, Any]], OperatingPoint]:
-        """Figures of a design by solved contacts, with the scalars of each."""
-        case = case_of_design(self.task, design, {})
-        names = [name for name in self.task.names if name in OF_CONTACTS]
-        point = OperatingPoint(case, case.places(), _quantities(names))
-        solving = Solving(self.directory, accuracy, effects, self.executor, self.progress)
-        tasks = solving.tasks(point)
-        known = solving.solved(tasks)
-        summaries: list[Mapping[str, Any]] = [known[each.key] for each in tasks]
-        return figures_of(point, summaries, self.task.names), summaries, point
-
-    def _slopes(
-        self, point: OperatingPoint, design: Design, how: tuple[float, Sequence[str]]
-    ) -> Mapping[ContactIndex, Mapping[str, tuple[float, ...]]]:
-        """Slopes of the corrections of a design; a message of contacts without."""
+    def _tried(self, design: Design, estimates: Estimates) -> KnownDesign | None:
+        """A design by solved contacts; None, with a message, of one without a solution."""
         try:
-            pairs = neighbours(self.task, design)
-        except CaseError as error:
-            self.print_message(f"{self.task.name}: slopes by closed forms: {error}")
-            return {}
-        moved = [
-            MovedContact(
-                replace(
-                    steady(Task(point.case, place, *how, point.quantities)), wider_window=False
-                ),
-                pairs,
-            )
-            for place in point.places
-        ]
-        known = dict(
-            zip(point.places, changes_of(moved, self.directory, self.executor), strict=True)
-        )
-        for reason in dict.fromkeys(each["reason"] for each in known.values() if "reason" in each):
-            self.print_message(f"{self.task.name}: slopes by closed forms: {reason}")
-        return slopes(self.task, pairs, known)
+            return self._solved(design, estimates)
+        except NotSolvedError as error:
+            self._pass_over(error)
+            return None
 
-    def _front(self, first: Goal, second: Goal, before: _Known, best: _Known) -> tuple[_Known, ...]:
+    def _solved(self, design: Design, near: Estimates) -> KnownDesign:
+        """A design by solved contacts, once; errors as of `DesignSolver.solved`."""
+        if design not in self.known:
+            known = self.known[design] = self.solver.solved(design, near)
+            words = ", ".join(
+                f"{name} {figure_text(name, each.value)}" for name, each in known.figures.items()
+            )
+            self.print_message(f"{self.task.name}: design {len(self.known)}: {words}")
+        return self.known[design]
+
+    def _pass_over(self, error: NotSolvedError) -> None:
+        self.print_message(f"{self.task.name}: a design is passed over: {error}")
+
+    def _estimated(self, design: Design, estimates: Estimates) -> None:
+        """Keep a design without a solve, if there can be one."""
+        figures = estimates.one(design)
+        if not isinstance(figures, Refused):
+            self.known.setdefault(design, KnownDesign(design, figures, estimates))
+
+    def _front(self, first: Goal, second: Goal, before: KnownDesign) -> tuple[KnownDesign, ...]:
         """Designs between the best by one goal and by another: the first under ceilings of the second."""
-        other = self._best(second, before)
-        ends = second.cost(best.figures), second.cost(other.figures)
-        tables = self.task.tables
-        count = 0 if tables.front is None else tables.front.designs
-        found = [best]
-        for level in np.linspace(*ends, count)[1:-1]:
-            goal = first.with_ceiling(second, float(level))
-            near = min((*found, other), key=lambda known: goal.merit(known.figures))
+        self._search(second, before)
+        start, end = (second.cost(self._best(goal).figures) for goal in (first, second))
+        count = present(self.task.tables.front, "front").designs
+        levels = [
+            first.with_ceiling(second, float(level))
+            for level in np.linspace(start, end, count)[1:-1]
+        ]
+        for goal in levels:
+            near = self._best(goal)
             trial = best_of(near.estimates, goal, near.design)
-            found.append(self._known(trial, near))
-        return (*found, other)
+            (self._tried if self.simulates else self._estimated)(trial, near.estimates)
+        return tuple(self._best(goal) for goal in (first, *levels, second))
 
-    def _known(self, design: Design, near: _Known) -> _Known:
-        """A design of the front, by solved contacts where these are wanted."""
+    def _report(self, goal: Goal, before: KnownDesign, front: Sequence[KnownDesign]) -> BestDesign:
+        best, method = self._best(goal), BY_FORMULA
         if self.simulates:
-            try:
-                return self._solved(design)
-            except NotSolvedError as error:
-                self.print_message(f"{self.task.name}: a design is passed over: {error}")
-                return near
-        figures = near.estimates.one(design)
-        return near if isinstance(figures, Refused) else _Known(design, figures, near.estimates)
-
-    def _report(
-        self, goal: Goal, before: _Known, best: _Known, front: Sequence[_Known]
-    ) -> BestDesign:
-        method = BY_FORMULA
-        if self.simulates:
-            case = self.task.case
-            effects = self.task.effects
-            before, best = (
-                replace(
-                    known,
-                    figures=_scaled(
-                        known.figures, self._figures(known.design, case.accuracy, effects)[0]
-                    ),
-                )
-                for known in (before, best)
-            )
+            accuracy = self.task.case.accuracy
+            before = self.solver.confirmed(before)
+            best = self._confirmed_best(goal, before)
             method = (
-                f"{len(self.simulated)} designs solved to {percent(self.task.tables.accuracy)}, the case as "
-                f"it is and the best again to {percent(case.accuracy)}; uncertainties are numerical."
+                f"{len(self.known)} designs solved to {percent(self.task.tables.accuracy)}, the case as "
+                f"it is and the best again to {percent(accuracy)}; uncertainties are numerical."
             )
         violated, unsure = verdicts(goal, best.figures)
         return BestDesign(
@@ -350,9 +273,26 @@ class _Search:
                 for known in front
             ),
             estimates=len(self.formula.laid),
-            solved=len(self.simulated),
+            solved=len(self.known) if self.simulates else 0,
             method=method,
         )
+
+    def _confirmed_best(self, goal: Goal, before: KnownDesign) -> KnownDesign:
+        """The best design with a solution at the case's own accuracy; the case as it is if that is better."""
+        for known in self._ranked(goal):
+            if known.design == before.design:
+                return before
+            try:
+                best = self.solver.confirmed(known)
+            except NotSolvedError as error:
+                self._pass_over(error)
+                continue
+            return min(before, best, key=lambda each: goal.merit(each.figures))
+        return before
+
+
+def _distance(first: Design, second: Design) -> float:
+    return float(np.max(np.abs(np.subtract(first.fractions, second.fractions))))
 
 
 def figures_of_case(task: DesignTask) -> list[str]:
@@ -361,31 +301,3 @@ def figures_of_case(task: DesignTask) -> list[str]:
 
     here = by_closed_forms(task.case)
     return sorted(figures_of(here.point, here.summaries))
-
-
-def _quantities(names: Sequence[str]) -> tuple[str, ...]:
-    """What has to be accurate for some figures of contacts, as of `pyworm.plan`."""
-    films = {"specific_film": "film_min", "pressure_max": "film_min"}
-    return quantities_for([films.get(name, name) for name in names] if names else ["film_min"])
-
-
-def _with_errors(figures: Figures, found: Mapping[str, Computed]) -> Figures:
-    """Figures with the numerical uncertainties of solved ones."""
-    return {
-        name: replace(figure, error=found[name].error) if name in found else figure
-        for name, figure in figures.items()
-    }
-
-
-def _scaled(figures: Figures, found: Mapping[str, Computed]) -> Figures:
-    """More accurate figures, whose extremes over errors of assembly change in proportion."""
-    scaled = {}
-    for name, figure in figures.items():
-        now = found[name]
-        ratio = now.value / figure.value if figure.value else 1.0
-        scaled[name] = Figure(now.value, figure.low * ratio, figure.high * ratio, now.error)
-    return scaled
-
-
-def _in_words(figures: Figures) -> str:
-    return ", ".join(f"{name} {figure_text(name, each.value)}" for name, each in figures.items())

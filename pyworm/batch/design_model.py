@@ -4,14 +4,17 @@ Closed forms see all of the geometry and all of the load sharing; what they miss
 temperatures is the ratio of solved figures over theirs, contact by contact. At a solved design the ratio and
 its slope are right, so that the corrected figures have the value and the gradient of the simulation there
 (first-order consistent approximation: Alexandrov, Lewis, Gumbert, Green and Newman, J. Aircraft 38 (2001)
-1093-1101).
+1093-1101). Where the loss between the teeth warms the housing, closed forms at two losses give the powers of
+the loss with which the figures of contacts change, and that loss is found which the contacts then have.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from math import exp, expm1, log
 from typing import Any
 
 import numpy as np
+import scipy
 
 from pyworm.batch.case_figures import (
     case_values,
@@ -19,13 +22,20 @@ from pyworm.batch.case_figures import (
     contact_figures,
     moved_summary,
 )
-from pyworm.batch.operating_points import Computed, OperatingPoint
+from pyworm.batch.operating_points import Computed, OperatingPoint, follows_loss
 from pyworm.case.case import Case, case_without_contacts
-from pyworm.case.design import DesignTask
+from pyworm.case.design import AssemblyError, DesignTask
 from pyworm.case.dotted_keys import with_values
 from pyworm.planning.closed_form_figures import closed_form_figures
+from pyworm.ratings.heating import tooth_loss_of
 from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.index import ContactIndex
+
+LOSS_RATIO = 1.2
+"""Ratio of the two losses between the teeth at which contacts are laid out."""
+
+MOST_LOSS_RATIO = 20.0
+"""Largest ratio, either way, of the loss found over the one at which contacts are laid out."""
 
 
 @dataclass(frozen=True)
@@ -47,26 +57,25 @@ class Correction:
     """What solved contacts of a design have over their closed forms."""
 
     centre: tuple[float, ...]
-    """The design, as `Design.fractions`."""
+    """The design, as `Design.fractions`; then, where the loss warms the teeth, the logarithm of that loss."""
     offsets: Mapping[ContactIndex, Mapping[str, float]]
     """Contact -> name of a figure -> ln of the solved one over that by closed forms; of temperatures their
     difference [K]."""
     slopes: Mapping[ContactIndex, Mapping[str, tuple[float, ...]]] = field(default_factory=dict)
-    """Derivatives of the offsets with respect to the fractions; 0 where there are none."""
+    """Derivatives of the offsets with respect to the numbers of `centre`; 0 where there are none."""
 
-    def changes(
-        self, place: ContactIndex, fractions: Sequence[float], figures: Mapping[str, float]
-    ) -> dict[str, float]:
-        """Changes of the closed-form figures of a contact of a design; of the nearest one, if unsolved."""
+    def moves(self, place: ContactIndex, numbers: Sequence[float]) -> dict[str, float]:
+        """Offsets of a contact of a design, as of `offsets`; those of the nearest one, if it is unsolved.
+
+        `numbers` are those of the design, as of `centre`.
+        """
         near = place if place in self.offsets else next(iter(self.offsets))
-        step = np.subtract(fractions, self.centre)
-        found = {}
-        for name, offset in self.offsets[near].items():
-            slope = self.slopes.get(near, {}).get(name, np.zeros_like(step))
-            moved = offset + float(np.dot(slope, step))
-            by_degrees = name.startswith("temperature")
-            found[name] = moved if by_degrees else figures[name] * np.expm1(moved)
-        return found
+        step = np.subtract(numbers, self.centre)
+        slopes = self.slopes.get(near, {})
+        return {
+            name: offset + float(np.dot(slopes.get(name, np.zeros_like(step)), step))
+            for name, offset in self.offsets[near].items()
+        }
 
 
 @dataclass(frozen=True)
@@ -95,11 +104,12 @@ class Refused:
     """Why, a sentence."""
 
 
-def case_of_design(task: DesignTask, design: Design, error: Mapping[str, Any]) -> Case:
+def case_of_design(task: DesignTask, design: Design, error: AssemblyError | None = None) -> Case:
     """The case of a design under an error of its assembly; CaseError of one that there cannot be."""
-    values = task.values(design.fractions, dict(design.chosen)) | dict(error)
+    values = task.values(design.fractions, dict(design.chosen))
     content = with_values(task.case.content, values)
-    return case_without_contacts(content, task.case.name, task.case.directory)
+    case = case_without_contacts(content, task.case.name, task.case.directory)
+    return case if error is None else error.applied(case)
 
 
 @dataclass(frozen=True)
@@ -124,31 +134,72 @@ class LaidOut:
     """Their figures by closed forms."""
     values: dict[str, float]
     """Figures that no contact decides."""
+    loss: float | None = None
+    """Loss between the teeth to which the temperatures belong [W]; None where none warms them."""
+    by_loss: tuple[dict[str, float], ...] = ()
+    """Changes of the logarithms of figures, of temperatures [K], with the logarithm of that loss."""
+
+    def moves(self, number: int, loss: float | None) -> dict[str, float]:
+        """Changes of the figures of a contact at another loss [W], as of `by_loss`."""
+        if self.loss is None or loss is None:
+            return {}
+        ratio = log(loss / self.loss)
+        return {name: slope * ratio for name, slope in self.by_loss[number].items()}
 
 
 def laid_out(task: DesignTask, design: Design) -> tuple[LaidOut, ...] | Refused:
     """The contacts of a design without error of its assembly, and under each of the errors."""
     try:
-        return tuple(_laid_out(task, design, error) for error in ({}, *task.errors))
+        return tuple(_laid_out(task, design, error) for error in (None, *task.errors))
     except (ValueError, ArithmeticError) as error:
         return Refused(str(error))
 
 
-def _laid_out(task: DesignTask, design: Design, error: Mapping[str, Any]) -> LaidOut:
+def _laid_out(task: DesignTask, design: Design, error: AssemblyError | None) -> LaidOut:
     case = case_of_design(task, design, error)
     point = OperatingPoint(case, case.places())
     scenes = tuple(case.scene(**place.given) for place in point.places)
     summaries = tuple(map(closed_form_summary, scenes))
-    contact_figures(point, summaries)  # the drive keeps what it needs for them
+    found = contact_figures(point, summaries)  # the drive keeps what it needs for them
     figures = tuple(map(closed_form_figures, scenes))
-    return LaidOut(point, scenes, summaries, figures, case_values(case, task.names))
+    laid = LaidOut(point, scenes, summaries, figures, case_values(case, task.names))
+    return _with_heat(laid) if follows_loss(case) and "power_loss" in found else laid
+
+
+def _with_heat(laid: LaidOut) -> LaidOut:
+    """The contacts with what another loss between the teeth changes in them."""
+    loss = tooth_loss_of(laid.point.case)
+    warmer = laid.point.with_tooth_loss(LOSS_RATIO * loss)
+    by_loss = tuple(
+        {
+            name: (
+                value - before[name]
+                if is_temperature(name)
+                else log(value / before[name])
+                if before[name] > 0
+                else 0.0
+            )
+            / log(LOSS_RATIO)
+            for name, value in closed_form_figures(warmer.case.scene(**place.given)).items()
+        }
+        for place, before in zip(laid.point.places, laid.figures, strict=True)
+    )
+    return replace(laid, loss=loss, by_loss=by_loss)
+
+
+def is_temperature(name: str) -> bool:
+    """Whether a figure changes by kelvins, not in proportion."""
+    return name.startswith("temperature")
 
 
 def estimated(
     task: DesignTask, design: Design, laid: Sequence[LaidOut], correction: Correction | None
-) -> Figures:
+) -> Figures | Refused:
     """Figures of a design by closed forms, corrected where that is known, with extremes over all errors."""
-    found = [_figures(task, design, each, correction) for each in laid]
+    try:
+        found = [_figures(task, design, each, correction) for each in laid]
+    except ValueError as error:
+        return Refused(str(error))
     return {
         name: Figure(
             figure.value,
@@ -162,16 +213,48 @@ def estimated(
 def _figures(
     task: DesignTask, design: Design, laid: LaidOut, correction: Correction | None
 ) -> dict[str, Computed]:
-    summaries: Sequence[Mapping[str, Any]] = laid.summaries
-    if correction is not None:
-        summaries = [
-            moved_summary(
-                summary, scene, correction.changes(place, design.fractions, figures), figures
-            )
-            for place, scene, summary, figures in zip(
-                laid.point.places, laid.scenes, laid.summaries, laid.figures, strict=True
-            )
-        ]
-    found = contact_figures(laid.point, summaries)
+    found = _contact_figures(design, laid, correction, balanced_loss(design, laid, correction))
     found = {name: Computed(value, 0.0) for name, value in laid.values.items()} | found
     return {name: found[name] for name in task.names if name in found}
+
+
+def balanced_loss(design: Design, laid: LaidOut, correction: Correction | None) -> float | None:
+    """The loss that the contacts have at the temperatures to which it leads [W]; None where none warms them.
+
+    ValueError where there is none within `MOST_LOSS_RATIO`.
+    """
+    if laid.loss is None:
+        return None
+    first = laid.loss
+
+    def excess(ratio: float) -> float:
+        loss = first * exp(ratio)
+        return log(_contact_figures(design, laid, correction, loss)["power_loss"].value / loss)
+
+    most = log(MOST_LOSS_RATIO)
+    if excess(-most) < 0 or excess(most) > 0:
+        raise ValueError(f"no heat balance within {MOST_LOSS_RATIO:g} times {first:.4g} W")
+    return float(first * exp(scipy.optimize.brentq(excess, -most, most, xtol=1e-9)))
+
+
+def _contact_figures(
+    design: Design, laid: LaidOut, correction: Correction | None, loss: float | None
+) -> dict[str, Computed]:
+    """Figures that contacts decide, at the temperatures of some loss between the teeth [W]."""
+    if correction is None and loss is None:
+        return contact_figures(laid.point, laid.summaries)
+    numbers = design.fractions if loss is None else (*design.fractions, log(loss))
+    summaries = []
+    for number, (place, scene, summary, figures) in enumerate(
+        zip(laid.point.places, laid.scenes, laid.summaries, laid.figures, strict=True)
+    ):
+        moves = laid.moves(number, loss)
+        if correction is not None:
+            for name, move in correction.moves(place, numbers).items():
+                moves[name] = moves.get(name, 0.0) + move
+        changes = {
+            name: move if is_temperature(name) else figures[name] * expm1(move)
+            for name, move in moves.items()
+        }
+        summaries.append(moved_summary(summary, scene, changes, figures))
+    return contact_figures(laid.point, summaries)

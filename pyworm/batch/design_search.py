@@ -21,6 +21,7 @@ from pyworm.batch.design_model import (
     Incomplete,
     LaidOut,
     Refused,
+    balanced_loss,
     estimated,
     laid_out,
 )
@@ -149,12 +150,26 @@ class Estimates:
         if isinstance(laid, Refused):
             return laid
         figures = estimated(self.task, design, laid, self.correction)
+        if isinstance(figures, Refused):
+            return figures
         missing = tuple(name for name in self.task.names if name not in figures)
         return Incomplete(f"has no {missing[0]}", missing) if missing else figures
 
     def one(self, design: Design) -> Figures | Refused:
         """Figures of a design."""
         return self.many([design])[0]
+
+    def contacts(self, design: Design) -> LaidOut:
+        """Contacts of a design without error of its assembly; ValueError of one that there cannot be."""
+        self.one(design)
+        laid = self.laid[design]
+        if isinstance(laid, Refused):
+            raise ValueError(laid.reason)
+        return laid[0]
+
+    def loss(self, design: Design) -> float | None:
+        """Loss between the teeth that warms a design [W]; None where none does. Errors as of `contacts`."""
+        return balanced_loss(design, self.contacts(design), self.correction)
 
 
 def best_of(estimates: Estimates, goal: Goal, start: Design, reach: float = 1.0) -> Design:

@@ -195,7 +195,7 @@ def follows_loss(case: Case) -> bool:
 def _warmed(solved: SolvedPoint, losses: list[tuple[float, float]]) -> OperatingPoint | None:
     """The point with the temperatures of its loss; None where these are found, or given."""
     case = solved.point.case
-    if not follows_loss(case):
+    if not follows_loss(case) or "power_loss" not in solved.results:
         return None
     assumed, power = tooth_loss_of(case), solved.results["power_loss"].value
     if abs(power - assumed) <= WARMTH * case.tables.cooling.conductance:

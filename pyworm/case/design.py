@@ -207,6 +207,22 @@ class Limit:
 
 
 @dataclass(frozen=True)
+class AssemblyError:
+    """An error of the assembly of any design: a number of its case is off by an amount."""
+
+    key: str
+    """Dotted key of the number."""
+    size: float
+    """What is added to it [SI]."""
+
+    def applied(self, case: Case) -> Case:
+        """A case with the error; CaseError of one that there cannot be."""
+        number = numeric_key(case, self.key)
+        content = with_values(case.content, {self.key: number.written(number.value + self.size)})
+        return case_without_contacts(content, case.name, case.directory)
+
+
+@dataclass(frozen=True)
 class DesignTask:
     """A design file, checked against its case."""
 
@@ -222,8 +238,8 @@ class DesignTask:
     """Numbers that follow a variable."""
     limits: tuple[Limit, ...]
     """Constraints."""
-    errors: tuple[dict[str, Value], ...]
-    """Values of a case with each error of the assembly, to both sides."""
+    errors: tuple[AssemblyError, ...]
+    """Errors of the assembly, each to both sides."""
 
     def values(self, fractions: tuple[float, ...], chosen: dict[str, Value]) -> dict[str, Value]:
         """Values of a case at fractions of the continuous variables, with chosen discrete ones."""
@@ -293,7 +309,7 @@ def _task(name: str, tables: DesignTable, case: Case) -> DesignTask:
     )
     followed = tuple(_followed(case, key, table) for key, table in tables.follow.items())
     errors = tuple(
-        {key: number.written(number.value + side * size)}
+        AssemblyError(key, side * size)
         for key, text in tables.errors.items()
         for number in [numeric_key(case, key)]
         for size in [_number(f"errors.{key}", text, number)]

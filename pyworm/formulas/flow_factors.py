@@ -9,7 +9,6 @@ fits fall too fast.
 
 import numpy as np
 import numpy.typing as npt
-from scipy.interpolate import CubicHermiteSpline
 
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.rough_contact import open_gap
@@ -80,16 +79,11 @@ def shear_flow_factor(gap: npt.ArrayLike, aspect: float) -> Array:
 
 
 def _between(fits: Array, aspect: float) -> Array:
-    """Values at an aspect from those at `ASPECTS`: cubic Hermite in its logarithm, the nearest beyond them.
-
-    Isotropic surfaces, aspect 1, lie at a node: slopes are those of parabolas through three nodes, so that
-    both sides have one derivative there.
-    """
-    places = np.log(ASPECTS)
-    slopes = np.gradient(fits, places, axis=0)
-    slopes[[0, -1]] = 0.0
-    spline = CubicHermiteSpline(places, fits, slopes)
-    between: Array = spline(np.clip(np.log(aspect), places[0], places[-1]))
+    """Values at an aspect from those at `ASPECTS`, linear in its logarithm; the nearest beyond them."""
+    place = np.interp(np.log(aspect), np.log(ASPECTS), np.arange(len(ASPECTS)))
+    before = min(int(place), len(ASPECTS) - 2)
+    part = place - before
+    between: Array = (1 - part) * fits[before] + part * fits[before + 1]
     return between
 
 

@@ -14,11 +14,11 @@ program test_roughness_curves
   type(gap_curves) :: curves
 
   call close_to(pressure_flow_factor(1.5_wp, 1/6.0_wp), 0.2650233146104819_wp, 1e-12_wp, "pressure factor of a tabled aspect")
-  call close_to(pressure_flow_factor(3.0_wp, 2.0_wp), 0.9744249220554357_wp, 1e-12_wp, "and between two of them")
-  call close_to(pressure_flow_factor(4.5_wp, 4.0_wp), 1.047632317573948_wp, 1e-12_wp, "blended with the asymptote")
+  call close_to(pressure_flow_factor(3.0_wp, 2.0_wp), 0.9654134793915577_wp, 1e-12_wp, "and between two of them")
+  call close_to(pressure_flow_factor(4.5_wp, 4.0_wp), 1.0478277330127461_wp, 1e-12_wp, "blended with the asymptote")
   call close_to(pressure_flow_factor(20.0_wp, 0.5_wp), 1 - 3/400.0_wp, 1e-12_wp, "and the asymptote alone")
   call close_to(shear_flow_factor(0.2_wp, 1.0_wp), 0.4470516078758391_wp, 1e-12_wp, "shear factor of oil in valleys")
-  call close_to(shear_flow_factor(3.0_wp, 2.0_wp), 0.3666231755642605_wp, 1e-12_wp, "and of their fits")
+  call close_to(shear_flow_factor(3.0_wp, 2.0_wp), 0.37758759883549853_wp, 1e-12_wp, "and of their fits")
   call close_to(shear_flow_factor(20.0_wp, 0.5_wp), 0.1_wp, 1e-12_wp, "and of the asymptote")
   call close_to(open_gap(0.0_wp), 1/sqrt(2*acos(-1.0_wp)), 1e-14_wp, "mean gap of surfaces whose mean planes touch")
 

@@ -1,5 +1,7 @@
 """Results of operating points of gears: from the friction of contacts to efficiency and temperatures."""
 
+from dataclasses import replace
+
 import pytest
 from folders import ROOT
 
@@ -62,6 +64,13 @@ def test_a_cooled_unit_finds_its_sump_temperature(tmp_path, solved):
     # the loss belongs to that temperature within half a kelvin
     (again,) = solving.results([point.with_tooth_loss(loss)])
     assert again["power_loss"].value == pytest.approx(loss, abs=0.5 * 25)
+
+
+def test_temperatures_stay_where_too_few_contacts_give_a_loss(tmp_path, solved):
+    cooling = '\n[cooling]\nambient_temperature = "20 degC"\nconductance = "25 W/K"\n'
+    point, solving = points(tmp_path, cooling)
+    (found,) = solving.balanced([replace(point, places=point.places[:1])])
+    assert found.point.case is point.case and "power_loss" not in found.results
 
 
 def test_what_has_to_be_accurate_follows_from_what_is_measured():
