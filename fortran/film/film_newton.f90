@@ -31,7 +31,7 @@ module pyworm_film_newton
 
   public :: contact_conditions, newton_step
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
-  public :: set_film, film_residual, film_step, set_ruptured
+  public :: set_film, film_residual, film_residual_at, film_step, set_ruptured
   public :: change_balance, set_system, film_direction, move_film, film_balance, acceptable, note_progress, search_step
   public :: first_row, last_row
 
@@ -310,11 +310,36 @@ contains
     real(wp), intent(out) :: residual, load_error
 
     call set_film(self, p, h0)
+    call begin_iteration(self, residual, load_error)
+  end subroutine film_residual
+
+  !> As `film_residual` at the pressure and film of another contact with the same nodes, gap and moduli, whose rigid film is h0.
+  subroutine film_residual_at(self, other, h0, residual, load_error)
+    class(film_contact), intent(inout) :: self
+    class(film_contact), intent(in) :: other
+    real(wp), intent(in) :: h0
+    real(wp), intent(out) :: residual, load_error
+
+    if (self%model%is_rough()) then
+      ! its own asperities share the total pressure and widen the gap
+      call set_film(self, other%model%fields%rough%total, h0)
+    else
+      self%model%fields%p = other%model%fields%p
+      self%model%fields%h = other%model%fields%h
+    end if
+    call begin_iteration(self, residual, load_error)
+  end subroutine film_residual_at
+
+  !> Evaluates the balance of a film that an iteration starts from; arguments as of `film_residual`.
+  subroutine begin_iteration(self, residual, load_error)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(out) :: residual, load_error
+
     call film_balance(self, residual, load_error)
     self%least = residual + abs(load_error)
     self%idle_steps = 0
     if (self%model%is_rough()) self%free = self%covered .and. .not. self%model%fields%rough%ruptured
-  end subroutine film_residual
+  end subroutine begin_iteration
 
   !> Sets where the oil has ruptured between rough surfaces, before `film_residual`: a rupture line that starts at the wrong
   !> place moves by a node a step, and the oil's small part of a pressure that asperities bear does not show it.

@@ -14,7 +14,7 @@ module pyworm_line_film
   implicit none(type, external)
   private
 
-  public :: line_contact, new_line_contact
+  public :: line_contact, new_line_contact, entrain_line
 
   !> Krylov iterations after which GMRES is restarted.
   integer, parameter :: cycle_length = 60
@@ -75,6 +75,18 @@ contains
     allocate (self%by_pressure(n, -2:2), self%by_film(n, -2:2), stat=err)
     if (err /= 0) stat = status_no_memory
   end subroutine new_line_contact
+
+  !> Sets the nodal entrainment of a line contact whose gap is full to u [m/s]. The reference of residuals remains the first wedge
+  !> flow.
+  subroutine entrain_line(film, u)
+    class(film_contact), intent(inout) :: film
+    real(wp), intent(in) :: u(:)
+
+    select type (film)
+    type is (line_contact)
+      film%grid%u = (u(:size(u) - 1) + u(2:))/2
+    end select
+  end subroutine entrain_line
 
   !> Computes the elastic deflection w [m] under pressure p [Pa].
   subroutine deflection(self, p, w)

@@ -16,7 +16,7 @@ module pyworm_heat_residual
   implicit none(type, external)
   private
 
-  public :: heat_residual, heat_residual_change, state_columns
+  public :: heat_residual, heat_residual_change, spread_residual_change, state_columns
 
 contains
 
@@ -35,18 +35,17 @@ contains
     call outline_residual(film, heat, residual)
   end subroutine heat_residual
 
-  !> Change of the residuals from those of another contact at the same pressure and temperature.
+  !> Change of the residuals from those of another contact at the same pressure and temperature, with the conduction of the
+  !> other's bodies (`spread_residual_change` for that of its own).
   !>
-  !> With `same_bodies` both have bodies of the same motion and material: their rise, in single precision, is then taken
-  !> of the change of the flux, so that its rounding is of that. Otherwise it is of the whole rise.
-  subroutine heat_residual_change(film, heat, other_film, other_heat, same_bodies, change, stat)
+  !> The bodies' rise, in single precision, is taken of the change of the flux, so that its rounding is of that.
+  subroutine heat_residual_change(film, heat, other_film, other_heat, change, stat)
     class(film_contact), intent(in) :: film, other_film
     class(film_heat), intent(inout) :: heat, other_heat
-    logical, intent(in) :: same_bodies
     real(wp), contiguous, intent(out) :: change(:, :, :)
     integer, intent(out) :: stat
     real(wp), dimension(size(change, 1), size(change, 2), size(change, 3)) :: other
-    real(wp), dimension(size(change, 1), size(change, 2)) :: flux, before, risen, rise
+    real(wp), dimension(size(change, 1), size(change, 2)) :: flux, before, rise
     integer :: wall, level
 
     call lacking_heat(film, heat, change, stat)
@@ -56,14 +55,7 @@ contains
       level = merge(1, size(change, 3), wall == 1)
       call wall_flux(film, change(:, :, level), flux)
       call wall_flux(other_film, other(:, :, level), before)
-      flux = flux - before
-      call heat%walls%body(wall)%surface%rise(flux, rise)
-      if (.not. same_bodies) then
-        call heat%walls%body(wall)%surface%rise(before, risen)
-        rise = rise + risen
-        call other_heat%walls%body(wall)%surface%rise(before, risen)
-        rise = rise - risen
-      end if
+      call other_heat%walls%body(wall)%surface%rise(flux - before, rise)
       change(:, :, level) = other_heat%walls%body(wall)%bulk - heat%walls%body(wall)%bulk - rise
       other(:, :, level) = 0
     end do
@@ -71,6 +63,28 @@ contains
     call outline_residual(other_film, other_heat, other)
     change = change - other
   end subroutine heat_residual_change
+
+  !> Change of the walls' residuals from those of another contact by the conduction of the bodies, at the other's flux; zero at the
+  !> levels between. It is the difference of whole rises, each rounded to single precision.
+  subroutine spread_residual_change(heat, other_film, other_heat, change, stat)
+    class(film_heat), intent(inout) :: heat, other_heat
+    class(film_contact), intent(in) :: other_film
+    real(wp), contiguous, intent(out) :: change(:, :, :)
+    integer, intent(out) :: stat
+    real(wp), dimension(size(change, 1), size(change, 2)) :: flux, rise, risen
+    integer :: wall, level
+
+    call lacking_heat(other_film, other_heat, change, stat)
+    if (stat /= status_ok) return
+    change(:, :, 2:size(change, 3) - 1) = 0
+    do wall = 1, 2
+      level = merge(1, size(change, 3), wall == 1)
+      call wall_flux(other_film, change(:, :, level), flux)
+      call heat%walls%body(wall)%surface%rise(flux, rise)
+      call other_heat%walls%body(wall)%surface%rise(flux, risen)
+      change(:, :, level) = risen - rise
+    end do
+  end subroutine spread_residual_change
 
   !> Heat that the levels of all columns lack.
   subroutine lacking_heat(film, heat, lacked, stat)

@@ -16,11 +16,11 @@ module bindings
 
   public :: dry_contact_solve, elastic_deflection, point_stress, line_stress
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
-  public :: line_film_new, line_film_heat
+  public :: line_film_new, line_film_entrain, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
     film_transient, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
-    film_heat_fields, film_profile, film_adjoints, film_adopt, film_heat_change
+    film_heat_fields, film_profile, film_adjoints, film_evaluate_at, film_heat_change, film_spread_change, film_set_oil
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions, flow_tables
   public :: heated_times, extrapolated_flux, surface_residual_rise
@@ -218,6 +218,30 @@ contains
     contact => contact_of(handle)
     call entrain(contact%film, u, v)
   end subroutine point_film_entrain
+
+  !> Sets the nodal entrainment of a line contact to u [m/s].
+  subroutine line_film_entrain(handle, u, n)
+    use pyworm_line_film, only: entrain_line
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: n
+    real(c_double), intent(in) :: u(n)
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call entrain_line(contact%film, u)
+  end subroutine line_film_entrain
+
+  !> Sets the oil of a contact, at its inlet; see `viscosity_density` for the arguments. Tables and heat are set anew after it.
+  subroutine film_set_oil(handle, law, eta0, exponent, pole_pressure, d1, d2)
+    use pyworm_viscosity_density, only: oil_law
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: law
+    real(c_double), intent(in) :: eta0, exponent, pole_pressure, d1, d2
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    contact%film%oil = oil_law(law, eta0, exponent, pole_pressure, d1, d2)
+  end subroutine film_set_oil
 
   !> Sets the transient term of a contact's film; arguments as of `film_newton`.
   subroutine film_transient(handle, implicit_rate, explicit_rate, nx, ny, stat)
@@ -451,23 +475,29 @@ contains
     call contact%film%work%whole%finish()
   end subroutine film_step
 
-  !> Gives a contact what another on the same nodes found: where the oil has ruptured, and the stresses of the faces to start from.
-  subroutine film_adopt(handle, other)
-    use pyworm_film_newton, only: set_ruptured
+  !> Evaluates a contact at the state of another with the same nodes, gap and moduli, whose rigid film is h0 [m], ruptured where it
+  !> is; stresses of the faces start from its.
+  subroutine film_evaluate_at(handle, other, h0, residual, load_error)
+    use pyworm_film_newton, only: film_residual_at, set_ruptured
     integer(c_int64_t), intent(in) :: handle, other
+    real(c_double), intent(in) :: h0
+    real(c_double), intent(out) :: residual, load_error
     type(thermal_contact), pointer :: contact, found
+    !f2py threadsafe
 
     contact => contact_of(handle)
     found => contact_of(other)
     associate (from => found%film%model, to => contact%film%model)
       if (from%is_rough()) call set_ruptured(contact%film, from%fields%rough%ruptured)
-      if (.not. (from%is_sheared() .and. to%is_sheared())) return
-      to%shear%along_x%stress_x = from%shear%along_x%stress_x
-      to%shear%along_x%stress_y = from%shear%along_x%stress_y
-      to%shear%along_y%stress_x = from%shear%along_y%stress_x
-      to%shear%along_y%stress_y = from%shear%along_y%stress_y
+      if (from%is_sheared() .and. to%is_sheared()) then
+        to%shear%along_x%stress_x = from%shear%along_x%stress_x
+        to%shear%along_x%stress_y = from%shear%along_x%stress_y
+        to%shear%along_y%stress_x = from%shear%along_y%stress_x
+        to%shear%along_y%stress_y = from%shear%along_y%stress_y
+      end if
     end associate
-  end subroutine film_adopt
+    call film_residual_at(contact%film, found%film, h0, residual, load_error)
+  end subroutine film_evaluate_at
 
   !> Sensitivities of figures by the adjoint of a contact at its solution; see `contact_adjoint` for the weights and what is found;
   !> `active` is 1 where the oil's flow is balanced.
@@ -503,11 +533,12 @@ contains
     end do
   end subroutine film_adjoints
 
-  !> Change of what the equations of a heated contact's temperature miss from another at the same state; see `heat_residual_change`.
-  subroutine film_heat_change(handle, other, same_bodies, nx, ny, levels, change, stat)
+  !> Change of what the equations of a heated contact's temperature miss from another at the same state, with the conduction of its
+  !> bodies; see `heat_residual_change`.
+  subroutine film_heat_change(handle, other, nx, ny, levels, change, stat)
     use pyworm_heat_residual, only: heat_residual_change
     integer(c_int64_t), intent(in) :: handle, other
-    integer(c_int), intent(in) :: same_bodies, nx, ny, levels
+    integer(c_int), intent(in) :: nx, ny, levels
     real(c_double), intent(out) :: change(nx, ny, levels)
     integer(c_int), intent(out) :: stat
     type(thermal_contact), pointer :: contact, before
@@ -516,8 +547,25 @@ contains
     contact => contact_of(handle)
     before => contact_of(other)
     change = 0
-    call heat_residual_change(contact%film, contact%heat, before%film, before%heat, same_bodies /= 0, change, stat)
+    call heat_residual_change(contact%film, contact%heat, before%film, before%heat, change, stat)
   end subroutine film_heat_change
+
+  !> Change of the walls' balance from another contact at the same state by the conduction of the bodies alone, wall last; see
+  !> `spread_residual_change`.
+  subroutine film_spread_change(handle, other, nx, ny, levels, change, stat)
+    use pyworm_heat_residual, only: spread_residual_change
+    integer(c_int64_t), intent(in) :: handle, other
+    integer(c_int), intent(in) :: nx, ny, levels
+    real(c_double), intent(out) :: change(nx, ny, levels)
+    integer(c_int), intent(out) :: stat
+    type(thermal_contact), pointer :: contact, before
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    before => contact_of(other)
+    change = 0
+    call spread_residual_change(contact%heat, before%film, before%heat, change, stat)
+  end subroutine film_spread_change
 
   !> Film [m], relative density and net outflow [m/s] as last evaluated.
   subroutine film_state(handle, nx, ny, film, density, imbalance)

@@ -1,6 +1,7 @@
 """Base of the kernel's films of point and line contacts on one grid."""
 
 import weakref
+from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
@@ -11,7 +12,7 @@ from pyworm.formulas.arrays import Array, Flags
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.interpolation import at_levels
-from pyworm.kernel.numbers import flow_numbers
+from pyworm.kernel.numbers import flow_numbers, oil_numbers
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.materials.rough_surfaces import GapCurves
@@ -145,7 +146,7 @@ LEAST_RISE = 10.0
 """Least reference of relative changes of temperature [K]."""
 
 
-class Film:
+class Film(ABC):
     """A film on one grid, by the kernel's handle and its status; KernelError if it was not made."""
 
     def __init__(self, handles: tuple[int, int], shape: tuple[int, ...]):
@@ -219,12 +220,16 @@ class Film:
         return self.pressure - self.asperities().pressure if self.rough else self.pressure
 
     def evaluate_at(self, other: "Film") -> Balance:
-        """Evaluate at the pressure and rigid film of another one on the same nodes, ruptured where it is.
+        """Evaluate at the state of another film with the same nodes, gap and moduli, ruptured where it is.
 
         Pressure on the outline is the other film's, too.
         """
-        core.bindings.film_adopt(self._handle, other._handle)
-        return self._evaluate(other.pressure.copy(order="F"), other.rigid_film)
+        self.pressure, self.rigid_film = other.pressure.copy(order="F"), other.rigid_film
+        residual, load_error = core.bindings.film_evaluate_at(
+            self._handle, other._handle, other.rigid_film
+        )
+        self.balance = Balance(residual, load_error, self._warming)
+        return self.balance
 
     def adjoints(
         self, weights: Array, rise_weights: Array, tolerance: float, most: int
@@ -254,18 +259,38 @@ class Film:
             reduction,
         )
 
-    def heat_change(self, other: "Film", same_bodies: bool) -> Array:
+    def heat_change(self, other: "Film") -> Array:
         """Change of what the equations of the temperature miss, from another film in the same state.
 
         At the levels along the last axis: of the walls' balance [K], between them the heat that a level lacks
-        [W/m2]. The bodies' rise is rounded to single precision, that of `same_bodies`, of one motion and
-        material, as its change is. KernelError of a film filled in part, and of one that remembers heat.
+        [W/m2]; with the conduction of the other's bodies. KernelError of a film filled in part, and of one
+        that remembers heat.
         """
         change, status = core.bindings.film_heat_change(
-            self._handle, other._handle, same_bodies, *self._nodes, self.levels
+            self._handle, other._handle, *self._nodes, self.levels
         )
         check_status(status)
         return self._on_grid(change)
+
+    def spread_change(self, other: "Film") -> Array:
+        """As `heat_change` by the conduction of the bodies alone.
+
+        It is rounded to single precision of the bodies' rise.
+        """
+        change, status = core.bindings.film_spread_change(
+            self._handle, other._handle, *self._nodes, self.levels
+        )
+        check_status(status)
+        return self._on_grid(change)
+
+    def take_oil(self, oil: Oil) -> None:
+        """Set the oil; flow law, roughness and heat must be set anew, and the film evaluated."""
+        core.bindings.film_set_oil(self._handle, *oil_numbers(oil))
+        self._tabulate(oil)
+
+    @abstractmethod
+    def entrain(self, entrainment: Sequence[npt.ArrayLike]) -> None:
+        """Set the nodal entrainment along each direction [m/s]; the film must be restarted before a step."""
 
     def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
         """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.

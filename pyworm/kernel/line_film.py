@@ -48,6 +48,11 @@ class LineFilm(Film):
         super().__init__(handles, np.shape(gap))
         self._tabulate(oil)
 
+    def entrain(self, entrainment: Sequence[npt.ArrayLike]) -> None:
+        """Set the nodal entrainment [m/s] of a gap that is full; the film must be restarted before a step."""
+        (along,) = entrainment
+        core.bindings.line_film_entrain(self._handle, fortran_array(along))
+
     def heat(
         self,
         oil: Oil,

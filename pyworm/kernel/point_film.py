@@ -70,7 +70,7 @@ class PointFilm(Film):
             "vector_seconds": whole - convolution - flow - building - cycle - heat,
         }
 
-    def entrain(self, entrainment: Iterable[npt.ArrayLike]) -> None:
+    def entrain(self, entrainment: Sequence[npt.ArrayLike]) -> None:
         """Set the nodal entrainment velocity (u, v) [m/s]; the film must be restarted before a step."""
         core.bindings.point_film_entrain(
             self._handle, *(fortran_array(part) for part in entrainment)

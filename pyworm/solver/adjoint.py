@@ -2,12 +2,14 @@
 
 With the equations R(x; z) = 0 of the film on a grid and a figure J(x; z), dJ/dz = J_z - lambda . R_z with
 R_x^T lambda = J_x: one linear solve for each figure, whatever the number of inputs (Giles and Pierce, Flow
-Turbul. Combust. 65 (2000) 393). R_z and J_z are differences at the same pressure and rigid film, of any
-contact near the solved one, so that whatever changes a contact has its sensitivity: an oil constant, a
-radius, or a key of a drawing that changes gap, velocities and load together.
+Turbul. Combust. 65 (2000) 393). What the load, the gap and the moduli change follows from the solution in
+closed form; R_z and J_z by all else are differences at the same pressure and film. So whatever changes a
+contact has its sensitivity: an oil constant, a radius, or a key of a drawing that changes gap, velocities and
+load together.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -17,7 +19,8 @@ from pyworm.kernel.film import Adjoints
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.any_contact import AnyContact
-from pyworm.scene.line import LineScene
+from pyworm.scene.waves import opening
+from pyworm.solver.alike import gaps_alike, laws_alike, spread_alike
 from pyworm.solver.contact import ContactSolver
 from pyworm.solver.figure_weights import (
     LOAD_RATIOS,
@@ -42,8 +45,8 @@ CONVERGED_RESIDUAL, MAX_RESIDUAL, MOST_STEPS = 1e-6, 1e-4, 40
 """Residual to which a film is solved before its adjoint, that beyond which it is not found, and most Newton
 steps to it."""
 
-PLACES = np.array([[0.0, 1e-3, 0.0], [0.0, 0.0, 1e-3]])
-"""Places along x and y at which motions are compared [m]."""
+RELATIVE_TO_LOAD = ("friction_coefficient", "asperity_load_fraction")
+"""Figures that are relative to the load."""
 
 FORCING = 0.1
 """Residual to which its Newton steps solve their linear systems."""
@@ -72,46 +75,74 @@ class Adjoint:
     adjoints: Adjoints
     """The solutions, in the same order."""
 
+    beside: Level
+    """A film on the same grid, to which other contacts' oil, motions and roughness are given in turn."""
+
     def change(self, scene_plus: AnyContact, scene_minus: AnyContact) -> dict[str, float]:
         """Difference of each figure between two contacts near the solved one, to first order.
 
         Of the same kind and with the same effects. Figures in SI units.
         """
-        after, before = self.towards(scene_plus), self.towards(scene_minus)
-        return {name: change - before[name] for name, change in after.items()}
+        plus, minus = (self.plan.simplified(scene) for scene in (scene_plus, scene_minus))
+        changes = self.change_but_spread(plus, minus) + self.change_by_spread(plus, minus)
+        return dict(zip(self.figures, changes.tolist(), strict=True))
 
-    def towards(self, scene: AnyContact) -> dict[str, float]:
-        """Change of each figure from the solved contact to another near it, to first order."""
-        other = self._at(scene)
-        missed = self._missed(other) - self._missed(self.level)
-        nodes = tuple(range(missed.ndim))
-        by_rows = np.tensordot(missed, self.adjoints.rows, axes=(nodes, nodes))
-        load = other.scene.load - self.level.scene.load
-        followed = self.adjoints.by_load * load - by_rows
-        if self.level.film.heated:
-            lacked = other.film.heat_change(self.level.film, self.spreads_alike(scene))
-            nodes = tuple(range(lacked.ndim))
-            followed -= np.tensordot(lacked, self.adjoints.heat_rows, axes=(nodes, nodes))
-        by_contact = self._own_changes(other)
-        return {
-            name: by_contact[name] + float(change)
-            for name, change in zip(self.figures, followed, strict=True)
-        }
+    def change_but_spread(self, plus: AnyContact, minus: AnyContact) -> Array:
+        """As `change`, in order, of contacts without the effects that are off whose heat spreads as here."""
+        return self._towards(plus) - self._towards(minus)
+
+    def change_by_spread(self, plus: AnyContact, minus: AnyContact) -> Array:
+        """As `change_but_spread` by how heat spreads in the bodies alone, known to single precision."""
+        return self._spread(plus) - self._spread(minus)
 
     def spreads_alike(self, scene: AnyContact) -> bool:
         """Whether heat spreads in the bodies of another contact alike, or is not simulated."""
-        return not self.level.film.heated or _same_bodies(scene, self.level.scene)
+        return not self.level.film.heated or spread_alike(
+            scene, self.level.scene, self.level.grid.mesh()
+        )
 
     def by_gap(self, name: str) -> Array:
         """Change of a figure by the undeformed gap at each node of the grid [figure/m]."""
         return self.adjoints.by_gap[..., list(self.figures).index(name)]
 
-    def _at(self, scene: AnyContact) -> Level:
-        """Another contact at this film's pressure and rigid film."""
-        solver = self.solver.of(self.plan.simplified(scene))
-        level = solver.unsolved(self.level)
-        level.film.evaluate_at(self.level.film)
-        return level
+    def _towards(self, scene: AnyContact) -> Array:
+        """Change of each figure from the solved contact to another near it whose heat spreads alike.
+
+        Its parts by load, by gap and deflection, and by all else add up.
+        """
+        here, film = self.level.scene, self.level.film
+        found = self.adjoints.by_load * (scene.load - here.load)
+        if not gaps_alike(scene, here):
+            found = found + _summed(
+                opening(scene, *self.level.grid.mesh())[0] - self.level.gap, self.adjoints.by_gap
+            )
+        if scene.bending_modulus != here.bending_modulus:
+            stiffer = here.bending_modulus / scene.bending_modulus - 1
+            found = found + stiffer * self._by_compliance
+        if laws_alike(scene, here, self.level.grid.mesh(), film.heated, film.rough):
+            return found + self._by_own_load(scene)
+        other = self.solver.of(scene).displaced(self.level, self.beside)
+        found = found + self._own_changes(other)
+        found = found - _summed(self._missed(other) - self._missed_here, self.adjoints.rows)
+        if film.heated:
+            found = found - _summed(other.film.heat_change(film), self.adjoints.heat_rows)
+        return found
+
+    def _spread(self, scene: AnyContact) -> Array:
+        """Change of each figure to a contact whose bodies alone differ, by how heat spreads in them."""
+        if self.spreads_alike(scene):
+            return np.zeros(len(self.figures))
+        other = self.solver.of(scene).displaced(self.level, self.beside)
+        return -_summed(other.film.spread_change(self.level.film), self.adjoints.heat_rows)
+
+    @cached_property
+    def _by_compliance(self) -> Array:
+        """Change of each figure by the relative change of all deflections."""
+        return _summed(self.level.film.convolve(), self.adjoints.by_gap)
+
+    @cached_property
+    def _missed_here(self) -> Array:
+        return self._missed(self.level)
 
     def _missed(self, level: Level) -> Array:
         """What the nodes' equations miss: net outflow where active, else total less asperities' pressure."""
@@ -121,23 +152,47 @@ class Adjoint:
         asperities = level.film.asperities()
         return np.where(self.adjoints.active, outflow, asperities.pressure - asperities.curve)
 
-    def _own_changes(self, other: Level) -> dict[str, float]:
+    @cached_property
+    def _own_sums(self) -> dict[str, float]:
+        """The figures as sums of the film's fields."""
+        return {name: _weighed(parts, self.fields) for name, parts in self.weights.items()}
+
+    def _by_own_load(self, scene: AnyContact) -> Array:
+        """Change of each figure by the load that it is relative to."""
+        lighter = self.level.scene.load / scene.load - 1 if scene.separation is None else 0.0
+        return np.array(
+            [
+                lighter * self._own_sums[name] if name in RELATIVE_TO_LOAD else 0.0
+                for name in self.figures
+            ]
+        )
+
+    def _own_changes(self, other: Level) -> Array:
         """Change of each figure by the contact itself, at the same pressure and rigid film."""
-        fields = fields_of(other)
-        weights = self.weights | weights_of_figures(other, LOAD_RATIOS)
-        inlets = [
-            level.scene.oil.thermal.inlet_temperature if level.film.heated else 0.0
-            for level in (other, self.level)
-        ]
-        return {
-            name: inlets[0] - inlets[1]
-            if name in HEAT_FIGURES
-            else sum(
-                float((part * fields[field] - self.weights[name][field] * self.fields[field]).sum())
-                for field, part in weights[name].items()
-            )
-            for name in self.figures
+        weights = weights_of_figures(other, LOAD_RATIOS)
+        if other.film.rough:
+            # averages over the roughness make another mean film of the same gap
+            weights = self.weights | weights
+        fields = fields_of(other) if weights else {}
+        changes = dict.fromkeys(self.figures, 0.0) | {
+            name: _weighed(parts, fields) - self._own_sums[name] for name, parts in weights.items()
         }
+        if other.film.heated:
+            inlet, here = (
+                level.scene.oil.thermal.inlet_temperature for level in (other, self.level)
+            )
+            changes |= dict.fromkeys(HEAT_FIGURES, inlet - here)
+        return np.array([changes[name] for name in self.figures])
+
+
+def _summed(field: Array, by_figure: Array) -> Array:
+    """Sum of a field times what each figure changes by it at each place, figure along the last axis."""
+    weights = by_figure.reshape(-1, by_figure.shape[-1], order="F")
+    return np.asarray(field.ravel(order="F") @ weights)
+
+
+def _weighed(weights: Weights, fields: Weights) -> float:
+    return sum(float(np.vdot(part, fields[field])) for field, part in weights.items())
 
 
 def adjoint_of(
@@ -182,26 +237,8 @@ def adjoint_of(
     solved = level.film.adjoints(whole, rises, tolerance, MOST_ITERATIONS)
     read = level.read().figures
     figures = {name: read[name] + solver.origins.get(name, 0.0) for name in weights}
-    return Adjoint(plan, solver, level, figures, weights, fields, solved)
-
-
-def _same_bodies(first: AnyContact, second: AnyContact) -> bool:
-    """Whether heat spreads in both contacts' bodies alike: by motion and material."""
-    return _same_motions(first, second) and all(
-        (here.conductivity, here.density, here.specific_heat)
-        == (there.conductivity, there.density, there.specific_heat)
-        for here, there in zip(first.bodies, second.bodies, strict=True)
-    )
-
-
-def _same_motions(first: AnyContact, second: AnyContact) -> bool:
-    """Whether the surfaces of both contacts move alike, at some places."""
-    if isinstance(first, LineScene) or isinstance(second, LineScene):
-        return getattr(first, "velocities", None) == getattr(second, "velocities", None)
-    return all(
-        np.array_equal(here(*PLACES), there(*PLACES))
-        for here, there in zip(first.motions, second.motions, strict=True)
-    )
+    beside = solver.unsolved(level)
+    return Adjoint(plan, solver, level, figures, weights, fields, solved, beside)
 
 
 def _by_pressure(level: Level, name: str, weights: Weights, fields: Weights) -> Array:

@@ -154,7 +154,21 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
 
     @abstractmethod
     def unsolved(self, level: LevelT) -> LevelT:
-        """This contact on the grid of an isolated film, not started: its state is to be set."""
+        """This contact on the grid of an isolated film, not started, without shear and heat."""
+
+    def displaced(self, level: LevelT, beside: LevelT) -> LevelT:
+        """This contact at the state, gap, moduli and load of a level near it, in another level's film."""
+        other = replace(level, scene=self._scene, film=beside.film)
+        other.film.take_oil(self._scene.oil)
+        other.film.entrain(self._scene.entrainment_at(*level.grid.mesh()))
+        if level.film.levels:
+            self._shear(other)
+        other.film.evaluate_at(level.film)
+        if level.film.heated:
+            # the model of the bodies' conduction is chosen by the pressure
+            self._heat(other, level.film.rise())
+            other.film.evaluate_at(level.film)
+        return other
 
     @abstractmethod
     def with_rate(self, level: LevelT) -> LevelT:

@@ -1,6 +1,6 @@
 """Sensitivities of a steady contact to all its inputs, with their numerical uncertainties."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isfinite, log
 
@@ -21,8 +21,8 @@ STEP, WARM_STEP = 1e-5, 1e-6
 """Relative change of an input, to both sides, in differences of the equations at one film, and of a heated
 one, where larger steps turn the convection of heat from one node upstream to another."""
 
-BODY_STEP = 1e-3
-"""That of an input by which heat spreads otherwise in a body, which is in single precision."""
+BODY_STEPS = 5e-3, 1e-2
+"""Those by which heat spreads otherwise in a body, which is known to single precision; extrapolated."""
 
 HEATED_SHARE = 2.0
 """Uncertainty of a heated contact's sensitivity over the change from a grid of twice the spacing; of others
@@ -116,10 +116,11 @@ def sensitivities(
     numbers = inputs_of(scene, heated=plan.model.heated, rough=plan.model.rough)
     chosen = numbers if inputs is None else {name: _number(scene, name) for name in inputs}
     fine = adjoint_of(scene, plan, solution)
-    found = relative_changes(fine, scene, chosen)
+    sides = Inputs(scene, plan, chosen)
+    found = sides.relative_changes(fine)
     try:
         coarse = adjoint_of(scene, plan, solution, grid=fine.level.grid.coarser())
-        before = relative_changes(coarse, scene, chosen)
+        before = sides.relative_changes(coarse)
     except (NoAdjointError, KernelError):
         before = {}
     share = HEATED_SHARE if plan.model.heated else 1.0
@@ -161,26 +162,53 @@ def _error(value: float, coarse: float | None, missed: float) -> float:
     return inf if coarse is None else abs(value - coarse) + missed
 
 
-def relative_changes(
-    adjoint: Adjoint, scene: AnyContact, inputs: Mapping[str, float]
-) -> dict[str, dict[str, float]]:
-    """d ln J/d ln z of the output quantities by the inputs, on the grid of an adjoint."""
-    changes = dict(_changes(adjoint, scene, inputs))
-    return {
-        figure: {name: change[figure] / value for name, change in changes.items()}
-        for figure, value in adjoint.figures.items()
-        if value
-    }
+@dataclass(frozen=True)
+class Displaced:
+    """A contact with more and with less of an input, without the effects that are off."""
+
+    step: float
+    """Relative change of the input to each side."""
+    more: AnyContact
+    """The contact with more."""
+    less: AnyContact
+    """The contact with less."""
 
 
-def _changes(
-    adjoint: Adjoint, scene: AnyContact, inputs: Mapping[str, float]
-) -> Iterator[tuple[str, dict[str, float]]]:
-    """Change of the figures by each input over its relative change."""
-    for name, value in inputs.items():
-        step = WARM_STEP if adjoint.level.film.heated else STEP
-        if not adjoint.spreads_alike(with_input(scene, name, value * (1 + step))):
-            step = BODY_STEP
-        more, less = (with_input(scene, name, value * (1 + side * step)) for side in (1, -1))
-        changes = adjoint.change(more, less)
-        yield name, {figure: change / (2 * step) for figure, change in changes.items()}
+class Inputs:
+    """Contacts that differ by one input each, for the adjoints on all grids."""
+
+    def __init__(self, scene: AnyContact, plan: Plan, inputs: Mapping[str, float]):
+        self._scene, self._plan, self._values = scene, plan, dict(inputs)
+        step = WARM_STEP if plan.model.heated else STEP
+        self._near = {name: self._displaced(name, step) for name in inputs}
+
+    def _displaced(self, name: str, step: float) -> Displaced:
+        """The contact with a relative step more and less of an input."""
+        more, less = (
+            self._plan.simplified(
+                with_input(self._scene, name, self._values[name] * (1 + side * step))
+            )
+            for side in (1, -1)
+        )
+        return Displaced(step, more, less)
+
+    def relative_changes(self, adjoint: Adjoint) -> dict[str, dict[str, float]]:
+        """d ln J/d ln z of the output quantities by the inputs, on the grid of an adjoint."""
+        changes = {name: self._change(adjoint, name) for name in self._near}
+        return {
+            figure: {name: float(change[number]) / value for name, change in changes.items()}
+            for number, (figure, value) in enumerate(adjoint.figures.items())
+            if value
+        }
+
+    def _change(self, adjoint: Adjoint, name: str) -> Array:
+        """Change of the figures by an input over its relative change."""
+        near = self._near[name]
+        change = adjoint.change_but_spread(near.more, near.less) / (2 * near.step)
+        if adjoint.spreads_alike(near.more):
+            return change
+        short, long = (
+            adjoint.change_by_spread(each.more, each.less) / (2 * each.step)
+            for each in (self._displaced(name, step) for step in BODY_STEPS)
+        )
+        return change + (4 * short - long) / 3

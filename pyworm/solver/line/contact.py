@@ -122,15 +122,8 @@ class LineContactSolver(ContactSolver[LineScene, LineLevel]):
         return level
 
     def unsolved(self, level: LineLevel) -> LineLevel:
-        """This contact on the grid of an isolated film, not started."""
-        other = unsolved_level(self._scene, self._size, level)
-        if level.film.levels:
-            self._shear(other)
-        if level.film.heated:
-            # the model of the bodies' conduction is chosen by the pressure
-            other.film.evaluate_at(level.film)
-            self._heat(other, level.film.rise())
-        return other
+        """This contact on the grid of an isolated film, not started, without shear and heat."""
+        return unsolved_level(self._scene, self._size, level)
 
     def with_rate(self, level: LineLevel) -> LineLevel:
         """The film of a level with this solver's transient term."""

@@ -190,15 +190,8 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         return self.on_grid(grid, guess)
 
     def unsolved(self, level: PointLevel) -> PointLevel:
-        """This contact on the grid of an isolated film, not started."""
-        other = unsolved_level(self._scene, self._size, level)
-        if level.film.levels:
-            self._shear(other)
-        if level.film.heated:
-            # the model of the bodies' conduction is chosen by the pressure
-            other.film.evaluate_at(level.film)
-            self._heat(other, level.film.rise())
-        return other
+        """This contact on the grid of an isolated film, not started, without shear and heat."""
+        return unsolved_level(self._scene, self._size, level)
 
     def with_rate(self, level: PointLevel) -> PointLevel:
         """The film of a level with this solver's transient term, on the same grid."""

@@ -3,6 +3,7 @@
 import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from folders import ROOT
 
@@ -22,7 +23,8 @@ from pyworm.case.dotted_keys import with_values
 from pyworm.case.numeric_keys import found_keys, numeric_key, numeric_keys
 from pyworm.cli.main import main
 from pyworm.ratings.standard_loss import StandardLoss
-from pyworm.solver.adjoint import NoAdjointError, _same_bodies
+from pyworm.solver.adjoint import NoAdjointError
+from pyworm.solver.alike import laws_alike, spread_alike
 
 
 @pytest.fixture(scope="module")
@@ -203,7 +205,11 @@ def test_teeth_that_move_alike_are_found_alike():
             {"operation.worm_speed": "1501.5 rpm"},
         )
     ]
-    assert _same_bodies(scenes[0], scenes[1]) and not _same_bodies(scenes[1], scenes[2])
+    places = np.meshgrid([0.0, 1e-3], [0.0, 1e-3], indexing="ij")
+    assert spread_alike(scenes[0], scenes[1], places)
+    assert laws_alike(scenes[0], scenes[1], places, heated=True, rough=True)
+    assert not spread_alike(scenes[1], scenes[2], places)
+    assert not laws_alike(scenes[1], scenes[2], places, heated=False, rough=False)
 
 
 def test_figures_that_no_contact_decides(ball):
