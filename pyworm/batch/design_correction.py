@@ -6,9 +6,9 @@ from math import log
 from typing import Any
 
 from pyworm.batch.case_figures import figure_in
-from pyworm.batch.design_model import Design, LaidOut, case_of_design, is_temperature
+from pyworm.batch.design_model import Design, LaidOut, case_of_design
 from pyworm.case.case import Case
-from pyworm.case.design import DesignTask
+from pyworm.case.design import DesignTask, is_temperature
 from pyworm.case.numeric_keys import RELATIVE_STEP
 from pyworm.planning.closed_form_figures import closed_form_figures
 from pyworm.scene.index import ContactIndex

@@ -24,7 +24,7 @@ from pyworm.batch.case_figures import (
 )
 from pyworm.batch.operating_points import Computed, OperatingPoint, follows_loss
 from pyworm.case.case import Case, case_without_contacts
-from pyworm.case.design import AssemblyError, DesignTask
+from pyworm.case.design import AssemblyError, DesignTask, is_temperature
 from pyworm.case.dotted_keys import with_values
 from pyworm.planning.closed_form_figures import closed_form_figures
 from pyworm.ratings.heating import tooth_loss_of
@@ -185,11 +185,6 @@ def _with_heat(laid: LaidOut) -> LaidOut:
         for place, before in zip(laid.point.places, laid.figures, strict=True)
     )
     return replace(laid, loss=loss, by_loss=by_loss)
-
-
-def is_temperature(name: str) -> bool:
-    """Whether a figure changes by kelvins, not in proportion."""
-    return name.startswith("temperature")
 
 
 def estimated(

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 from pyworm.batch.design_model import Design, Figures
 from pyworm.batch.design_search import Goal, margin, size_of, worst
-from pyworm.case.design import DesignTask, Limit, figure_text
+from pyworm.case.design import DesignTask, Limit, figure_text, is_temperature
 from pyworm.case.dotted_keys import value_at
 from pyworm.case.numeric_keys import NumericKey
 from pyworm.io.input_error import toml
@@ -32,9 +32,14 @@ def verdicts(goal: Goal, figures: Figures) -> tuple[tuple[str, ...], tuple[str, 
         elif left < -VIOLATED:
             violated.append(
                 f"No design was found that meets {limit.words}: the best has {found}, "
-                f"{percent(-left)} beyond the limit."
+                f"{_amount(limit, left, size)} beyond the limit."
             )
     return tuple(violated), tuple(unsure)
+
+
+def _amount(limit: Limit, left: float, size: float) -> str:
+    """The amount of a violation in words, of temperatures in kelvins."""
+    return f"{-left * size:.2g} K" if is_temperature(limit.name) else percent(-left)
 
 
 def variables(task: DesignTask, best: Design) -> Iterator[DesignVariable]:

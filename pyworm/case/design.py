@@ -19,6 +19,7 @@ from pyworm.io.input_error import CaseError, toml
 from pyworm.io.number_with_unit import parse_in
 from pyworm.io.plain_values import Count, Number, Text
 from pyworm.io.quantities import quantity_of
+from pyworm.io.quantity_text import percent
 from pyworm.io.toml import read_toml
 
 Value = Any
@@ -277,6 +278,19 @@ def figure_text(name: str, value: float) -> str:
         return quantity_of(name).text(value)
     except KeyError:  # of ratings
         return f"{value:.4g}"
+
+
+def is_temperature(name: str) -> bool:
+    """Whether a figure is a temperature, whose changes are kelvins and not parts of it."""
+    try:
+        return quantity_of(name).unit == "K"
+    except KeyError:  # of ratings
+        return False
+
+
+def change_text(name: str, change: float) -> str:
+    """A change of a figure: relative ones in per cent, of temperatures in kelvins."""
+    return f"{change:.3g} K" if is_temperature(name) else percent(change, 3)
 
 
 def load_design(path: str | Path) -> DesignTask:

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pyworm.case.design import figure_text
+from pyworm.case.design import change_text, figure_text, is_temperature
 from pyworm.case.fitted_values import fitted_file
 from pyworm.io.atomic import whole_file
-from pyworm.io.quantity_text import percent, with_bars
+from pyworm.io.quantity_text import with_bars
 from pyworm.io.shown import Shown
 
 
@@ -50,13 +50,24 @@ class DesignFigure:
 
     @property
     def change(self) -> float:
-        """Relative change [-]."""
+        """Relative change [-], of temperatures the change [K]."""
+        if is_temperature(self.name):
+            return self.best - self.before
         return self.best / self.before - 1 if self.before else 0.0
+
+    @property
+    def change_text(self) -> str:
+        """Its change in words."""
+        return change_text(self.name, self.change)
 
     def text(self, value: float, error: float = 0.0) -> str:
         """A value in words with its unit and uncertainty."""
         words = figure_text(self.name, value)
-        return with_bars(words, error / abs(value)) if error and value else words
+        if not error or not value:
+            return words
+        if is_temperature(self.name):
+            return with_bars(words, error, scale=1.0, unit=" K")
+        return with_bars(words, error / abs(value))
 
 
 @dataclass(frozen=True)
@@ -129,7 +140,7 @@ class BestDesign(Shown):
         at_bound = [variable.key for variable in self.variables if variable.at_bound]
         bounds = f"At a bound: {', '.join(at_bound)}." if at_bound else ""
         changed = [
-            f"{figure.name} {percent(figure.change, 3)}"
+            f"{figure.name} {figure.change_text}"
             for figure in self.figures
             if "imised" in figure.role and _beyond_errors(figure)
         ]

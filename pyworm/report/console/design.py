@@ -1,7 +1,6 @@
 """Tables of the best design: variables, and figures before and after."""
 
 from pyworm.io.console import Console
-from pyworm.io.quantity_text import percent
 from pyworm.report.table import Table
 from pyworm.result.design import BestDesign, DesignFigure
 
@@ -51,7 +50,7 @@ def _figure(each: DesignFigure, worst: bool) -> tuple[str, ...]:
         each.name,
         each.text(each.before, each.before_error),
         each.text(each.best, each.best_error),
-        percent(each.change, 3),
+        each.change_text,
         *([each.text(each.worst)] if worst and each.worst is not None else []),
         each.role,
     )

@@ -7,12 +7,14 @@ import pyworm
 from pyworm.batch import adjoint_changes, design_model, operating_points
 from pyworm.batch.case_figures import closed_form_summary, figures_of
 from pyworm.batch.design import best_design
-from pyworm.batch.design_model import Design, Refused, case_of_design
-from pyworm.batch.design_search import Estimates
+from pyworm.batch.design_model import Design, Figure, Refused, case_of_design
+from pyworm.batch.design_report import verdicts
+from pyworm.batch.design_search import Estimates, Goal
 from pyworm.batch.operating_points import NotSolvedError, OperatingPoint, Solving
 from pyworm.batch.solved_designs import DesignSolver
 from pyworm.case.design import load_design
 from pyworm.planning.closed_form_figures import ClosedFormChanges
+from pyworm.result.design import DesignFigure
 from pyworm.solver.adjoint import NoAdjointError
 
 BALL = f"""
@@ -256,6 +258,20 @@ def test_temperatures_of_a_design_follow_its_loss(tmp_path, monkeypatch):
     sump, power = solved["sump_temperature"].value, solved["power_loss"].value
     assert sump - 293.15 == pytest.approx((power + 200) / 8, rel=1e-6)
     assert 1.5 * loss < power < 2 * loss  # of warmer and thinner oil
+
+
+def test_temperatures_are_compared_in_kelvins(tmp_path):
+    task = load_design(written(tmp_path, COOLED))
+    goal = Goal({"power_loss": 1.0}, task.limits, {"power_loss": 1.0, "sump_temperature": 300.0})
+    figures = {
+        name: Figure(value, value, value)
+        for name, value in {"power_loss": 100.0, "sump_temperature": 335.15}.items()
+    }
+    (sentence,), _ = verdicts(goal, figures)
+    assert sentence.endswith("the best has 62.0 °C, 3 K beyond the limit.")
+    figure = DesignFigure("sump_temperature", "minimised", 333.15, 330.65, 1.2)
+    assert figure.change_text == "-2.5 K"
+    assert figure.text(figure.before, figure.before_error) == "60.0 °C ± 1.2 K"
 
 
 def test_a_design_without_a_heat_balance_cannot_be(tmp_path, monkeypatch):
