@@ -1,9 +1,10 @@
 """Scales of a scene by closed forms: Hertz's contact, Moes' groups, expected film."""
 
-from dataclasses import dataclass
-from math import atan2, cos, hypot, inf, pi, sin
+from dataclasses import dataclass, replace
+from math import atan2, cos, exp, hypot, inf, log, pi, sin, sqrt
 
 import numpy as np
+from scipy.optimize import brentq
 
 from pyworm.formulas import film_atlas
 from pyworm.formulas.film import (
@@ -22,7 +23,7 @@ from pyworm.formulas.starvation import film_over_flooded
 from pyworm.scene.contact import Contact
 from pyworm.scene.formula_film import film_of, unentrained_regime
 from pyworm.scene.line import LineScene
-from pyworm.scene.point import Scene
+from pyworm.scene.point import Paraboloid, Scene
 
 POINT_MEAN, LINE_MEAN = 2 / 3, pi / 4
 """Ratio of mean to largest pressure of Hertz's ellipse and strip."""
@@ -32,6 +33,10 @@ MOST_SLENDER = 1e6
 
 LEAST_TO_CENTRAL = 0.6
 """Typical ratio of least to central film, where no formula gives it."""
+
+CUT_SHORT, PLACES, FILM_PRECISION = 4.0, 257, 0.01
+"""Part of the paraboloid's load from which the ends of surfaces count, a rigid film off by its square; number
+of places across the entrainment where the gap is read; relative precision of the film."""
 
 STARVED_EXPONENT, NEVER_BELOW = 3.0, 0.01
 """Exponent of the law of starved films for point contacts (`formulas.starvation`), and the least share of the
@@ -108,7 +113,13 @@ def scales(scene: Scene) -> Scales:
         scene.oil.viscosity.alpha,
     )
     require_proportion(scene.name, groups)
-    flooded, least, inside, regime = _flooded(scene, groups, at_rest=speed < typical / 10)
+    at_rest = speed < typical / 10
+    flooded, least, inside, regime = _flooded(scene, groups, at_rest)
+    if regime.deflection < 1 and not (at_rest or isinstance(scene.gap, Paraboloid)):
+        load = _whole_load(scene, groups, angle, flooded)
+        if load > scene.load:
+            heavier = replace(groups, load=groups.load * load / scene.load)
+            flooded, least, inside, regime = _flooded(replace(scene, load=load), heavier, at_rest)
     ratio = _supply_ratio(scene, flooded)
     film = flooded * max(film_over_flooded(ratio, STARVED_EXPONENT), NEVER_BELOW)
     mean_pressure = POINT_MEAN * contact.pressure_max
@@ -130,6 +141,39 @@ def _flooded(scene: Scene, groups: PointGroups, at_rest: bool) -> tuple[float, f
     found = film_of(scene)
     least = float(found.minimum / found.central)
     return float(found.central), least, bool(found.inside), found.single_regime()
+
+
+def _whole_load(scene: Scene, groups: PointGroups, angle: float, film: float) -> float:
+    """Load [N] of the paraboloid of a scene's radii that has the film of its own surfaces.
+
+    Across the entrainment a rigid film bears pressure in proportion to h0/h (Martin 1916) wherever there are
+    surfaces. A light load is spread beyond the ends of a roller by the paraboloid alone: its film is many
+    times too thick. That is mended where surfaces bear less than a `CUT_SHORT` of what the paraboloid does;
+    `film` is that of the paraboloid under the load of the scene [m].
+    """
+    across = groups.radius / groups.ratio
+
+    def cut(film: float) -> float:
+        """What the paraboloid bears over what the surfaces do, at the same film [m]."""
+        lens = sqrt(2 * across * film)
+        places = lens * np.tan((np.arange(PLACES) + 0.5) * pi / PLACES - pi / 2)
+        gap, covered = scene.gap(-sin(angle) * places, cos(angle) * places)
+        whole = film + places**2 / (2 * across)
+        borne = np.where(covered, whole / (film + np.maximum(gap, 0.0)), 0.0)
+        return 1 / max(float(borne.mean()), 1 / PLACES)
+
+    def excess(log_film: float) -> float:
+        more = cut(exp(log_film))
+        heavier = replace(groups, load=more * groups.load)
+        found, *_ = _flooded(replace(scene, load=more * scene.load), heavier, at_rest=False)
+        return log(found) - log_film
+
+    if cut(film) < CUT_SHORT:
+        return scene.load
+    high = low = log(film)
+    while excess(low) < 0:
+        low -= log(CUT_SHORT)
+    return scene.load * cut(exp(brentq(excess, low, high, xtol=FILM_PRECISION)))
 
 
 def _supply_ratio(scene: Contact, flooded: float) -> float:
