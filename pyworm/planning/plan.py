@@ -14,6 +14,7 @@ from pyworm.io.shown import Shown
 from pyworm.materials.flow_laws import NEWTONIAN
 from pyworm.planning.discretisation import PLANS
 from pyworm.planning.effects.effect import FILM, FRICTION, QUANTITIES, TEMPERATURE
+from pyworm.planning.effects.heat import FILM_HEATING, SURFACE_HEATING, VISCOSITY_ACROSS
 from pyworm.planning.effects.judgement import Judgement, judge, simplified
 from pyworm.planning.effects.selection import (
     SIMULATED,
@@ -296,6 +297,14 @@ def steady(plan: Plan, reason: str) -> Plan:
         ),
         excluded={**plan.excluded, SQUEEZE.name: reason},
     )
+
+
+def isothermal(scene: Scene | LineScene, plan: Plan, reason: str) -> Plan:
+    """The plan of a scene without heat, for a reason."""
+    heat = FILM_HEATING.name, SURFACE_HEATING.name, VISCOSITY_ACROSS.name
+    excluded = {**plan.excluded, **dict.fromkeys(heat, reason)}
+    how = scene, plan.accuracy, plan.quantities, predicted(scene), plan.asked
+    return planned(*how, plan.on.difference(heat), excluded)
 
 
 def reviewed(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float]) -> Plan:

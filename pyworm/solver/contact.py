@@ -37,6 +37,7 @@ from pyworm.solver.oil_supply import supply_figures
 from pyworm.solver.oil_uncertainty import oil_uncertainty
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
 from pyworm.solver.roughness_uncertainty import neglected_waves, roughness_uncertainty
+from pyworm.solver.vortex_heat import temperature_varies
 
 COARSE_TOLERANCE = 1e-4
 """Residual at which a grid outside the figures is refined, and at which a Newtonian film is sheared."""
@@ -311,7 +312,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             level.film.restart()
             steps += self._to_own_entrainment(level)
             steps += iterate(level, HEATED_TOLERANCE)
-            if not level.diverged() or stress_factor >= MAX_STRESS_FACTOR:
+            if not level.diverged() or stress_factor >= MAX_STRESS_FACTOR or self.circulates(level):
                 return steps, stress_factor
             stress_factor *= STRESS_RATIO
             self._shear(level, stress_factor)
@@ -345,6 +346,13 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         if level.diverged():
             self._flow_by_law(level, stress_factor, found)
         return steps, stress_factor
+
+    def circulates(self, level: LevelT) -> bool:
+        """Whether the heat that has not settled is that of oil which circulates in the inlet of a rigid film.
+
+        Where surfaces deflect, heat is made under pressure, and larger stresses lead to its film.
+        """
+        return self._plan.regime.deflection < 1 and temperature_varies(level)
 
     def continued_from_larger_stresses(self, level: LevelT) -> list[NewtonStep]:
         """Newton steps of a heated film that did not settle, through films of larger stresses.

@@ -66,6 +66,10 @@ class Ending(StrEnum):
         "no film was found whose stresses and temperatures the laws of the oil bear",
     )
     NO_DRY_CONTACT = "no dry contact", "the dry contact did not converge"
+    CIRCULATING = (
+        "circulating",
+        "no temperature was found of the oil that circulates in the wide inlet of a thick film",
+    )
     RESIDUAL = "residual", "the residual stayed at {residual:.1e}, {tolerance:.1e} is required"
     NOT_RESOLVED = "not resolved", "the largest grid allowed does not resolve the film"
     NOT_COMPARED = (

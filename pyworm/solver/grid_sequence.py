@@ -48,6 +48,7 @@ from pyworm.solver.stop_reason import (
 )
 from pyworm.solver.timing import Stopwatch
 from pyworm.solver.transient.transient import Rates, transient
+from pyworm.solver.vortex_heat import warmest_circulates
 from pyworm.solver.window_limit import (
     WindowLimit,
     by_warmth,
@@ -160,6 +161,8 @@ class GridSequence:
     def _stop(self) -> Stop | None:
         """Estimate the errors; returns how the sequence ends here, or None."""
         plan = self._plan
+        if self._solver.circulates(self._level):
+            return Ending.CIRCULATING.stop()
         stop = self._rate_not_known() or refusal(
             plan, self._readings, self._solver.convergence.orders, self._level.grid.finer()
         )
@@ -167,6 +170,8 @@ class GridSequence:
             if not self._levels_are_judged():
                 self._add_levels()
                 plan = self._plan
+                if self._levels_disagree():
+                    return Ending.CIRCULATING.stop()
             if not self._uncertainties:
                 self._uncertainties = self._solver.uncertainties(self._level)
             if stop is None and plan.wider_grids and not self._window:
@@ -191,6 +196,15 @@ class GridSequence:
         if self._levels_errors is None or self._judged is None:
             return self._levels_errors is not None
         return largest_of_films(change(self._judged, self._iteration.reading)) <= MAX_FILM_CHANGE
+
+    def _levels_disagree(self) -> bool:
+        """Whether films with more levels are not found or far off, as oil circulates (`vortex_heat`)."""
+        if not (self._plan.regime.deflection < 1 and warmest_circulates(self._level)):
+            return False
+        if not self._levels_errors:
+            return self._levels_errors is None
+        figures = self._iteration.reading.figures
+        return self._plan.target.worst(self._levels_errors, figures) > self._plan.accuracy
 
     @property
     def _max_unconverged(self) -> int:
@@ -404,6 +418,8 @@ class GridSequence:
         iteration = converge(level, plan.tolerance, plan.target, wanted)
         if level.film.balance.worst <= plan.tolerance:
             return iteration
+        if self._solver.circulates(level):
+            return iteration  # larger stresses do not mend that
         steps = self._solver.continued_from_larger_stresses(level)
         if steps:
             self._steps += [*iteration.steps, *steps]

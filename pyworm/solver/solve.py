@@ -10,7 +10,7 @@ from pyworm.io.quantity_text import percent
 from pyworm.kernel.core import KernelError
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.effects.starvation import STARVATION
-from pyworm.planning.plan import Plan, reviewed, steady, with_accuracy
+from pyworm.planning.plan import Plan, isothermal, reviewed, steady, with_accuracy
 from pyworm.planning.plan import plan as make_plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.line import LineScene
@@ -72,6 +72,10 @@ def solve(
         updated = _updated(scene, plan, sequence.figures() if plan.may_grow else None)
         if updated.on <= plan.on:
             solution = sequence.finish()
+            if solution.ending is Ending.CIRCULATING and plan.asked is None:
+                report(f"{scene.name}: without heat, {solution.stop_reason}", 0.0)
+                plan, warm_start = isothermal(scene, plan, solution.stop_reason), None
+                continue
             figures = solution.figures.values() if solution.converged else None
             updated = _updated(scene, plan, figures)
             if updated.on <= plan.on:
