@@ -27,7 +27,8 @@ from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.io.present import present
 from pyworm.io.progress import Progress
 from pyworm.planning.effects.selection import effect_names
-from pyworm.ratings.heating import HeatingLoss, heating_loss, tooth_loss_of
+from pyworm.ratings.heating import HeatingLoss, heating_loss, mesh_heating_loss, tooth_loss_of
+from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.standard_loss import standard_loss
 from pyworm.result.mesh_cycle import DriveCycle, drive_cycle
 from pyworm.result.result import Result, case_in
@@ -217,7 +218,7 @@ class _Search:
         """The case to solve next; the same case if the iteration converged."""
         cycle = drive_cycle(result)
         if cycle is None or cycle.loss is None:
-            return case
+            return self._warmed(case, result, losses)
         heating = heating_loss(cycle, standard_loss(case))
         found = self._found(case, cycle, heating, losses)
         new = case.with_found(found)
@@ -226,6 +227,18 @@ class _Search:
         by = f" ({heating.words})" if "cooling" in found else ""
         self.print_message(f"solved again with {' and '.join(_told(found))}{by}")
         return new
+
+    def _warmed(self, case: Case, result: Result, losses: list[tuple[float, float]]) -> Case:
+        """The case to solve next of gears without such a cycle, of which temperatures alone are sought."""
+        loss = mesh_loss(case.drive, result)
+        if "cooling" not in self.open or loss is None:
+            return case
+        heating = mesh_heating_loss(loss, result, standard_loss(case))
+        if _is_warm(case, heating):
+            return case
+        found = {"cooling": _next_heat(case, heating, losses)}
+        self.print_message(f"solved again with {_told(found)[0]} ({heating.words})")
+        return case.with_found(found)
 
     def _found(
         self,
@@ -237,24 +250,35 @@ class _Search:
         """Values for the next pass; a standard's loss, which does not depend on temperature, unchanged."""
         loss = present(cycle.loss, "the loss of the cycle")
         of_loads = {"friction": float(f"{loss.friction:.2g}"), "lifts": cycle.lifts or None}
-        found = {
+        found: dict[str, dict[str, Any]] = {
             table: {key: of_loads[key] for key in keys}
             for table, keys in self.open.items()
             if table == "operation"
         }
         if "cooling" in self.open:
-            losses.append((tooth_loss_of(case), heating.power))
-            power = heating.power if heating.by == "standard" else next_loss(losses)
-            found["cooling"] = {"tooth_loss": float(f"{power:.3g}")}
+            found["cooling"] = _next_heat(case, heating, losses)
         return found
 
     def _enough(self, case: Case, new: Case, cycle: DriveCycle, heating: HeatingLoss) -> bool:
         """Whether the iteration converged."""
-        if "cooling" in self.open:
-            misses = abs(heating.power - tooth_loss_of(case)) / case.tables.cooling.conductance
-            if misses > WARMTH:
-                return False
+        if "cooling" in self.open and not _is_warm(case, heating):
+            return False
         return load_change(case, new, cycle.phases) <= LOAD_SHARE * self.accuracy
+
+
+def _next_heat(
+    case: Case, heating: HeatingLoss, losses: list[tuple[float, float]]
+) -> dict[str, float]:
+    """The loss between the teeth [W] to assume next, as a key of `[cooling]`."""
+    losses.append((tooth_loss_of(case), heating.power))
+    power = heating.power if heating.by == "standard" else next_loss(losses)
+    return {"tooth_loss": float(f"{power:.3g}")}
+
+
+def _is_warm(case: Case, heating: HeatingLoss) -> bool:
+    """Whether the loss found would change the temperature of the sump by less than `WARMTH`."""
+    conductance: float = case.tables.unit_of(present(case.drive, "drive")).conductance
+    return abs(heating.power - tooth_loss_of(case)) <= WARMTH * conductance
 
 
 def steady(task: Task) -> Task:

@@ -198,7 +198,7 @@ def _warmed(solved: SolvedPoint, losses: list[tuple[float, float]]) -> Operating
     if not follows_loss(case) or "power_loss" not in solved.results:
         return None
     assumed, power = tooth_loss_of(case), solved.results["power_loss"].value
-    if abs(power - assumed) <= WARMTH * case.tables.cooling.conductance:
+    if abs(power - assumed) <= WARMTH * case.tables.unit_of(case.drive).conductance:
         return None
     losses.append((assumed, power))
     return solved.point.with_tooth_loss(float(f"{next_loss(losses):.3g}"))
@@ -278,15 +278,16 @@ def _of_gears(
     yield "efficiency", _related(loss, loss.efficiency, 1 - loss.efficiency)
     if getattr(point.case.tables, "cooling", None) is None:
         return
-    cooling = point.case.tables.cooling_of(drive)
+    unit = point.case.tables.unit_of(drive, loss.loss)
+    cooling = unit.cooling
     whole = loss.loss + cooling.other.power
     # bearings, seals and churning take their power at the shaft that drives
     share = whole / (loss.power + cooling.other.power)
     yield "unit_efficiency", _related(loss, 1 - share, share * loss.loss / whole)
-    rise = whole / cooling.conductance
+    rise = whole / unit.conductance
     yield (
         "sump_temperature",
-        _related(loss, cooling.ambient_temperature + rise, loss.loss / cooling.conductance),
+        _related(loss, cooling.ambient_temperature + rise, loss.loss / unit.conductance),
     )
 
 

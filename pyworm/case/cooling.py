@@ -1,21 +1,63 @@
-"""`[cooling]`: the thermal balance of a worm drive."""
+"""`[cooling]`: the thermal balance of a gear unit."""
+
+from collections.abc import Iterator
 
 from pyworm.case.table import Table
-from pyworm.drives.worm.loads.temperatures import Housing
+from pyworm.drives.cooling import HousingSizes, MeasuredPoint, Surroundings
+from pyworm.drives.worm.loads.temperatures import WormSurroundings
 from pyworm.formulas.worm_losses import Bearings
 from pyworm.io import units
 
 
-class CoolingTable(Table, Housing):
-    """`[cooling]`: data of the thermal balance that finds the temperatures of oil and bodies.
+class HousingTable(Table, HousingSizes):
+    """`[cooling.housing]`: sizes of a box-shaped housing, whose conductance follows."""
+
+
+class MeasuredPointTable(Table, MeasuredPoint):
+    """`[cooling.measured]`: a steady sump temperature at a known loss, to which a housing is fitted."""
+
+
+class CoolingTable(Table, Surroundings):
+    """`[cooling]` of a gear pair or a roller worm: data of the thermal balance of oil and bodies.
 
     `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
-    them, `other_loss` that of bearings, seals and churning, `immersion` the standards' c_k of the wheel.
-    Left out, `other_loss` is that of the worm standard, for `bearings` of the worm. `worm_excess` is the
-    excess of the worm's bulk temperature over the wheel's. `tooth_loss` is the loss between the teeth for
-    which all this is struck; left out, it is found.
+    them; `housing` has its sizes instead. `other_loss` is that of bearings, seals and churning. `tooth_loss`
+    is the loss between the teeth for which all this is struck; left out, it is found.
     """
 
+    housing: HousingTable | None = None
+    measured: MeasuredPointTable | None = None
+    other_loss: units.PowerOrZero
+    tooth_loss: units.Power | None = None
+
+    def flaws(self) -> Iterator[str]:
+        """Two conductances or none, or a measured point of a given one."""
+        yield from second_conductance(self)
+
+
+class WormCoolingTable(Table, WormSurroundings):
+    """`[cooling]`: data of the thermal balance that finds the temperatures of oil and bodies.
+
+    Keys are those of `CoolingTable`. Left out, `other_loss` is that of the worm standard, for `bearings` of
+    the worm; `immersion` is the standards' c_k of the wheel. `worm_excess` is the excess of the worm's bulk
+    temperature over the wheel's.
+    """
+
+    housing: HousingTable | None = None
+    measured: MeasuredPointTable | None = None
     other_loss: units.PowerOrZero | None = None
     bearings: Bearings = "adjusted"
     tooth_loss: units.Power | None = None
+
+    def flaws(self) -> Iterator[str]:
+        """As of `CoolingTable`, or an excess of the worm that the network finds."""
+        yield from second_conductance(self)
+        if self.housing is not None and self.worm_excess:
+            yield "worm_excess has no effect with housing, whose thermal network finds the worm's temperature"
+
+
+def second_conductance(table: CoolingTable | WormCoolingTable) -> Iterator[str]:
+    """Sentences on two conductances of a housing or none, and on a measured point of a given one."""
+    yield from table.unless_either("conductance", "housing")
+    if table.measured is not None and table.housing is None:
+        yield "measured has no effect with conductance; give housing, whose conductance it fits"

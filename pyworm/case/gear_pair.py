@@ -6,7 +6,8 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
-from pyworm.case.ratings import GearRatingTable, RatedCase
+from pyworm.case.cooled_case import CooledCase
+from pyworm.case.ratings import GearRatingTable
 from pyworm.case.shafts import SupportsTable, supports_of
 from pyworm.case.table import Table, plain
 from pyworm.drives.gear_pair.design import LinearRelief
@@ -76,7 +77,7 @@ class SurfacesTable(Table, Surfaces):
     """`[surfaces]`: what the closed forms of friction and scuffing need."""
 
 
-class GearPairCase(RatedCase):
+class GearPairCase(CooledCase):
     """A case file about a pair of gears."""
 
     drive: GearPairTable
@@ -102,7 +103,7 @@ class GearPairCase(RatedCase):
             face_width=table.face_width,
         )
         surfaces = self.surfaces
-        return GearPairDrive(
+        drive = GearPairDrive(
             teeth=teeth,
             driver=operation.driver,
             pinion_speed=operation.pinion_speed,
@@ -122,6 +123,7 @@ class GearPairCase(RatedCase):
                 AS_DRAWN if table.inspection is None else plain(table.inspection, PairInspection)
             ),
         )
+        return self.warm(drive)
 
 
 def _relief(table: GearTable) -> LinearRelief:

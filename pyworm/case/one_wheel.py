@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import exp, log
 
 from pyworm.case.bodies import BodyTable
-from pyworm.case.cooling import CoolingTable
+from pyworm.case.cooling import WormCoolingTable
 from pyworm.case.oil import OilTable
 from pyworm.case.ratings import WormRatingTable
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
@@ -63,7 +63,7 @@ def other_temperature(rating: WormRatingTable, oil: OilTable, cooled: bool) -> I
         )
 
 
-def other_cooling(rating: WormRatingTable, cooling: CoolingTable) -> Iterator[str]:
+def other_cooling(rating: WormRatingTable, cooling: WormCoolingTable) -> Iterator[str]:
     """Sentences on a second statement about what cools the drive, or about its bearings."""
     pairs = {
         "ambient_temperature": ("ambient_temperature", ONE_TEMPERATURE),

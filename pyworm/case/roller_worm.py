@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
-from pyworm.case.ratings import RatedCase
+from pyworm.case.cooled_case import CooledCase
 from pyworm.case.shafts import SupportsTable, supports_of
 from pyworm.case.table import Table, plain
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
@@ -110,9 +110,10 @@ class RollerOperationTable(Table):
         return present(self.power, "operation.power") / self.worm_speed
 
 
-class RollerWormCase(RatedCase):
+class RollerWormCase(CooledCase):
     """A case file about a roller enveloping worm drive."""
 
+    first_loss = 0.05
     drive: RollerDriveTable
     operation: RollerOperationTable
     bodies: RollerBodies
@@ -135,7 +136,7 @@ class RollerWormCase(RatedCase):
         """The drive of a case file about a roller enveloping worm."""
         oil = self.oil.oil()
         worm, rollers, operation = self.drive.worm, self.drive.rollers, self.operation
-        return RollerWormDrive(
+        drive = RollerWormDrive(
             worm=plain(worm, RollerWorm),
             rollers=Rollers(
                 count=rollers.count,
@@ -157,6 +158,7 @@ class RollerWormCase(RatedCase):
             shaft=supports_of(self.drive.shaft),
             wheel_shaft=supports_of(self.drive.wheel_shaft),
         )
+        return self.warm(drive)
 
 
 CASE = RollerWormCase

@@ -11,7 +11,7 @@ import numpy as np
 from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
-from pyworm.case.cooling import CoolingTable
+from pyworm.case.cooling import WormCoolingTable
 from pyworm.case.drive_case import LOADS
 from pyworm.case.fitted_friction import with_fitted_friction
 from pyworm.case.one_wheel import other_cooling, other_material, other_temperature
@@ -22,6 +22,7 @@ from pyworm.case.worm_conditions import conditions, standard_oil
 from pyworm.case.worm_table import DeviationTable, WormDriveTable
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
+from pyworm.drives.gear_unit import GearUnit
 from pyworm.drives.other_losses import NonMeshLosses
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.drives.worm.drawing.design import Assembly
@@ -30,7 +31,12 @@ from pyworm.drives.worm.drive import WormDrive
 from pyworm.drives.worm.duty import geometry_of, operating_point
 from pyworm.drives.worm.inspection import AS_DRAWN, Inspection
 from pyworm.drives.worm.loads.load_sharing import Shaft, Transmission
-from pyworm.drives.worm.loads.temperatures import Cooling, Housing, drive_temperatures
+from pyworm.drives.worm.loads.temperatures import (
+    WormCooling,
+    WormSurroundings,
+    drive_temperatures,
+    worm_unit,
+)
 from pyworm.drives.worm.loads.worm_shaft import WormShaft
 from pyworm.formulas.unknown import Unknown, attempt, known
 from pyworm.formulas.worm_curves import Lubrication
@@ -104,7 +110,7 @@ class WormCase(RatedCase):
     operation: OperationTable
     bodies: WormBodies
     worm_rating: WormRatingTable | None = None
-    cooling: CoolingTable | None = None
+    cooling: WormCoolingTable | None = None
 
     def flaws(self) -> Iterator[str]:
         """Cooling of what does not warm, a rating of another drive, stiffness of one tooth."""
@@ -222,18 +228,19 @@ class WormCase(RatedCase):
 
     def duty(self, drive: Drive) -> WormDuty:
         """The worm gear with the temperatures and the cooling of the drive."""
-        of_drive, cooling = drive.duty(), self.cooling
-        if not isinstance(of_drive, WormDuty):
+        if not isinstance(drive, WormDrive):
             raise TypeError("a worm drive is rated as a worm gear")
-        duty = replace(of_drive, wheel_material=self.bodies.wheel.material)
+        cooling = self.cooling
+        duty = replace(drive.duty(), wheel_material=self.bodies.wheel.material)
         if cooling is not None:
-            duty = replace(duty, conductance=cooling.conductance, other_loss=cooling.other_loss)
+            conductance = self.unit_of(drive).conductance
+            duty = replace(duty, conductance=conductance, other_loss=cooling.other_loss)
         balanced = duty.simulated_wheel_temperature != duty.oil_temperature
         if cooling is None and not balanced and self.bodies.wheel.bulk_temperature is None:
             return duty
         return replace(duty, wheel_temperature=duty.simulated_wheel_temperature)
 
-    def cooling_of(self, drive: WormDrive) -> Cooling:
+    def cooling_of(self, drive: WormDrive) -> WormCooling:
         """Cooling of the drive; losses besides the teeth are the worm standard's unless they are given."""
         table = present(self.cooling, "cooling")
         if table.other_loss is not None:
@@ -243,7 +250,25 @@ class WormCase(RatedCase):
             torque = load.torque if load.shaft == "wheel" else load.torque / drive.ratio
             losses = other_losses(geometry_of(drive), drive.speed, torque, table.bearings)
             other = NonMeshLosses(losses, table.bearings)
-        return Cooling(other=other, **vars(plain(table, Housing)))
+        return WormCooling(other=other, **vars(plain(table, WormSurroundings)))
+
+    def unit_of(self, drive: WormDrive, tooth_loss: float | None = None) -> GearUnit:
+        """The thermal network of the drive for a loss between its teeth [W], by default that assumed."""
+        loss = self._assumed_loss(drive) if tooth_loss is None else tooth_loss
+        return worm_unit(self.cooling_of(drive), drive.rotors, drive.oil, _rim(drive), loss)
+
+    def _assumed_loss(self, drive: WormDrive) -> float:
+        """Loss between the teeth in the thermal balance [W]; of a housing of given sizes the standard's."""
+        table = present(self.cooling, "cooling")
+        if table.tooth_loss is not None:
+            return table.tooth_loss
+        if table.housing is not None:
+            by_standard = attempt(
+                lambda: self._by_standard(drive).nearest_loss.driven_by(drive.driver)
+            )
+            if not isinstance(by_standard, Unknown):
+                return by_standard
+        return _first_loss(drive.shared_torque, drive.speed, drive.ratio)
 
     @property
     def hob_life(self) -> tuple[float, ...]:
@@ -329,12 +354,18 @@ class WormCase(RatedCase):
 
     def _warm(self, drive: WormDrive) -> WormDrive:
         """The drive with oil and bodies as warm as its losses make them."""
-        loss = present(self.cooling, "cooling").tooth_loss
-        if loss is None:
-            loss = _first_loss(drive.shared_torque, drive.speed, drive.ratio)
-        rim = drive.wheel.face_width * 2 * drive.wheel_reference_radius
-        warm = drive_temperatures(self.cooling_of(drive), rim, drive.speed, loss)
-        return replace(drive, oil=warm.oil(drive.oil), bodies=warm.bodies(drive.bodies))
+        cooling, loss = self.cooling_of(drive), self._assumed_loss(drive)
+        if cooling.conductance is None:
+            warm = self.unit_of(drive).temperatures
+        else:
+            by_hand = cooling.conductance, _rim(drive), drive.speed, loss
+            warm = drive_temperatures(cooling, *by_hand)
+        return replace(drive, oil=warm.oil(drive.oil), bodies=warm.warm(drive.bodies))
+
+
+def _rim(drive: WormDrive) -> float:
+    """Area of the wheel's rim in the standard's heat balance, its width times its diameter [m2]."""
+    return drive.wheel.face_width * 2 * drive.wheel_reference_radius
 
 
 def _inspection(table: WormDriveTable) -> Inspection:

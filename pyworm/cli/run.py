@@ -156,7 +156,10 @@ def _summary(case: Case, tasks: Sequence, result: "Result") -> dict[str, Any]:
     from pyworm.result.mesh_cycle import drive_cycle
 
     cycle, standard = drive_cycle(result), standard_loss(case)
-    heating, loss = heating_of(tasks[0].case, cycle, standard), mesh_loss(case.drive, result)
+    heating, loss = (
+        heating_of(tasks[0].case, cycle, standard, result),
+        mesh_loss(case.drive, result),
+    )
     inputs = result.input_uncertainty
     lives_found = [life.summary() for life in lives(result)]
     return {
@@ -258,13 +261,15 @@ def _show_run(case: Case, tasks: Sequence, result: "Result") -> None:
     closed_forms = None if result.mesh_cycle is None else closed_form_table(result.mesh_cycle)
     if closed_forms is not None:
         console.print(closed_forms)
+    heating = heating_of(tasks[0].case, cycle, standard, result)
     if cycle is not None:
         console.print(cycle_table(cycle, case.body_names))
         if cycle.loss is not None:
-            heating = heating_of(tasks[0].case, cycle, standard)
             console.print(loss_table(cycle, standard, heating))
     if case.drive is not None and (cycle is None or cycle.loss is None):
         console.print(NO_LOSS if loss is None else loss_sentence(loss))
+        if heating is not None:
+            console.print(heating.words)
     _show_shortfalls(console, summaries, failed)
 
 

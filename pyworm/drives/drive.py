@@ -9,6 +9,7 @@ from pyworm.drives.duty import Duty
 from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.oil_supply import Lubricated
+from pyworm.drives.rotor import Rotor
 from pyworm.drives.torque_balance import MeshAtTorque
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import xarray as xr
@@ -213,6 +214,11 @@ class Drive(Shown, Lubricated, ABC):
     def shaft_speeds(self) -> Mapping[str, float]:
         """Speeds of its shafts [rad/s], by the name of the body that a shaft carries."""
         return {}
+
+    @property
+    def rotors(self) -> tuple[Rotor, Rotor] | None:
+        """Its gear bodies with their shafts, as its thermal network sees them; None where not known."""
+        return None
 
     def duty(self) -> Duty | None:
         """Input of its rating by standards, of the type `rated_as`; None where no standard covers it.

@@ -227,8 +227,13 @@ def bulk_temperature(
     within("worm speed", worm_speed * RPM, 0.1, 1e5, "rpm")
     within("cooled area", cooled_area, 1e-5, 1, "m2")
     within("c_k", immersion_factor, 0.1, 2, "")
-    transfer = immersion_factor * (1940 + 15 * max(worm_speed * RPM, 150))
+    transfer = rim_heat_transfer(worm_speed, immersion_factor)
     return sump_temperature + tooth_loss / (transfer * cooled_area)
+
+
+def rim_heat_transfer(worm_speed: float, immersion_factor: float) -> float:
+    """alpha_L of `bulk_temperature` [W/(m2 K)]."""
+    return immersion_factor * (1940 + 15 * max(worm_speed * RPM, 150))
 
 
 def injected_bulk_temperature(

@@ -4,10 +4,15 @@ from dataclasses import dataclass
 from typing import Any
 
 from pyworm.case.case import Case
+from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.drives.other_losses import NonMeshLosses
 from pyworm.io.present import present
+from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.standard_loss import NoStandard, StandardLoss
+from pyworm.result.headline import of_all
 from pyworm.result.mesh_cycle import DriveCycle
+from pyworm.result.result import Result
+from pyworm.solver.neglected_effects import NeglectedEffects
 
 
 @dataclass(frozen=True)
@@ -24,15 +29,28 @@ class HeatingLoss:
 
 def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> HeatingLoss:
     """The simulated loss; where roughness carries load, the larger of it and the standard's."""
-    smooth = present(cycle.loss, "loss").power
-    surfaces = " with smooth surfaces" if cycle.neglected_effects.as_if_smooth else ""
+    return _larger(present(cycle.loss, "loss").power, cycle.neglected_effects, standard)
+
+
+def mesh_heating_loss(
+    loss: MeshLoss, result: Result, standard: StandardLoss | NoStandard
+) -> HeatingLoss:
+    """As `heating_loss`, of gears whose loss is no integral over a mesh cycle."""
+    return _larger(loss.loss, of_all(result.solutions), standard)
+
+
+def _larger(
+    smooth: float, neglected: NeglectedEffects, standard: StandardLoss | NoStandard
+) -> HeatingLoss:
+    """The heating loss by a simulated one [W] and the effects that this neglects."""
+    surfaces = " with smooth surfaces" if neglected.as_if_smooth else ""
     simulated = f"{smooth:.4g} W simulated{surfaces}"
     if isinstance(standard, NoStandard):
         return HeatingLoss(
             smooth, "simulation", f"{simulated}, by a standard none: {standard.reason}"
         )
     rough = f"{standard.power:.4g} W of rough teeth by the {standard.source}"
-    if cycle.neglected_effects.as_if_smooth and standard.power > smooth:
+    if neglected.as_if_smooth and standard.power > smooth:
         return HeatingLoss(standard.power, "standard", f"{rough}, more than the {simulated}")
     return HeatingLoss(smooth, "simulation", f"{simulated}, taken and not the {rough}")
 
@@ -40,9 +58,9 @@ def heating_loss(cycle: DriveCycle, standard: StandardLoss | NoStandard) -> Heat
 def tooth_loss_of(case: Case) -> float:
     """Loss between the teeth assumed in a case's thermal balance [W]."""
     drive = present(case.drive, "drive")
-    cooling = case.tables.cooling_of(drive)
-    sump = present(drive.oil.heat, "oil.heat").inlet_temperature
-    return (sump - cooling.ambient_temperature) * cooling.conductance - cooling.other.power
+    unit = case.tables.unit_of(drive)
+    cooling, sump = unit.cooling, present(drive.oil.heat, "oil.heat").inlet_temperature
+    return (sump - cooling.ambient_temperature) * unit.conductance - cooling.other.power
 
 
 @dataclass(frozen=True)
@@ -76,10 +94,22 @@ class Heating:
 
 
 def heating_of(
-    case: Case, cycle: DriveCycle | None, standard: StandardLoss | NoStandard
+    case: Case,
+    cycle: DriveCycle | None,
+    standard: StandardLoss | NoStandard,
+    result: Result | None = None,
 ) -> Heating | None:
-    """The losses of a case and its solved cycle; None where temperatures are given, or without a loss."""
-    if getattr(case.tables, "cooling", None) is None or cycle is None or cycle.loss is None:
+    """The losses of a case and its solved cycle, or of other gears' result.
+
+    None where temperatures are given, or without a loss.
+    """
+    if getattr(case.tables, "cooling", None) is None:
         return None
-    other = case.tables.cooling_of(case.drive).other
-    return Heating(tooth_loss_of(case), heating_loss(cycle, standard), other)
+    if cycle is not None and cycle.loss is not None:
+        found = heating_loss(cycle, standard)
+    else:
+        loss = None if result is None else mesh_loss(case.drive, result)
+        if loss is None or result is None:
+            return None
+        found = mesh_heating_loss(loss, result, standard)
+    return Heating(tooth_loss_of(case), found, case.tables.unit_of(case.drive).cooling.other)

@@ -24,6 +24,7 @@ from pyworm.case.ratings import (
 from pyworm.case.unusual import unusual
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty, GearPairDuty, WormDuty
+from pyworm.drives.gear_unit import GearUnit
 from pyworm.formulas.ranges import one_of
 from pyworm.formulas.unknown import Unknown, attempt, known, or_none
 from pyworm.io.input_error import CaseError
@@ -37,6 +38,7 @@ from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, Rating
 from pyworm.ratings.standard_loss import rated_teeth
+from pyworm.ratings.temperatures import rate_temperatures
 from pyworm.ratings.worm import rate_worm_gear, worm_duty_of_table
 from pyworm.ratings.worm_damage import worm_flanks
 from pyworm.ratings.worm_loads import RatedWormGear
@@ -66,6 +68,16 @@ class GearRated(Protocol):
     gear_rating: GearRatingTable
     oil: OilTable
     published: dict[str, PublishedValue]
+
+
+@runtime_checkable
+class Cooled(Protocol):
+    """Tables of a case with `[cooling]`."""
+
+    cooling: object
+
+    def unit_of(self, drive: Any) -> GearUnit:
+        """The thermal network of the drive."""
 
 
 @dataclass(frozen=True)
@@ -251,6 +263,9 @@ def _attempts(
         yield "Films by formula", _attempt(lambda: (rate_films(*_thinnest(request, result)),))
     if drive is not None:
         yield "Forces", _attempt(partial(_forces, request, drive, result))
+    if drive is not None and isinstance(tables, Cooled) and tables.cooling is not None:
+        unit = tables.unit_of
+        yield "Temperatures", _attempt(lambda: (rate_temperatures(unit(drive)),))
     for name, bearing in tables.bearings.items():
         yield (
             f"Bearing {bearing.name or name}",

@@ -19,6 +19,7 @@ from pyworm.drives.gear_pair.inspection import AS_DRAWN, PairInspection
 from pyworm.drives.gear_pair.mesh import GearPairMesh
 from pyworm.drives.gear_pair.shapes import in_space
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
+from pyworm.drives.rotor import Rotor
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.formulas.ranges import one_of
 from pyworm.io.on_demand import xarray as xr
@@ -159,6 +160,25 @@ class GearPairDrive(GearPairMesh, Drive):
     def shaft_speeds(self) -> dict[str, float]:
         """Speeds of both shafts [rad/s]."""
         return {"pinion": self.pinion_speed, "gear": self.gear_speed}
+
+    @property
+    def rotors(self) -> tuple[Rotor, Rotor]:
+        """Pinion and gear as cylinders of their pitch circles."""
+        pinion, gear = (
+            Rotor(
+                name=name,
+                diameter=2 * cylinder.pitch,
+                width=self.teeth.face_width,
+                speed=speed,
+                torque=self.power / speed,
+                body=body,
+                bearing_span=self.supports[name].bearing_span if name in self.supports else None,
+            )
+            for (name, speed), cylinder, body in zip(
+                self.shaft_speeds.items(), self.teeth.cylinders, self.bodies, strict=True
+            )
+        )
+        return pinion, gear
 
     def cycle_data(self) -> "xr.Dataset":
         """The line of action with its closed forms, for the result."""

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from math import sin
 
 from pyworm.drives.answers import Space
 from pyworm.drives.drive import Drive
@@ -15,6 +16,7 @@ from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.mesh_loss import roller_mesh_loss
 from pyworm.drives.roller_worm.shaft_forces import roller_forces
 from pyworm.drives.roller_worm.shapes import in_space
+from pyworm.drives.rotor import Rotor
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.formulas.ranges import one_of
 from pyworm.io.on_demand import xarray as xr
@@ -80,3 +82,28 @@ class RollerWormDrive(RollerMesh, Drive):
     def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle of both sections for the result."""
         return roller_cycle_data(self)
+
+    @property
+    def rotors(self) -> tuple[Rotor, Rotor]:
+        """The worm as a cylinder as thick as its throat, and the wheel as a disc as thick as its rollers."""
+        spans = {name: bearings.bearing_span for name, bearings in self.supports.items()}
+        middles = self.centre_distance - self.throat_radius
+        worm = Rotor(
+            name="worm",
+            diameter=2 * self.throat_radius,
+            width=2 * middles * sin(self.worm.outer_angle),
+            speed=self.speed,
+            torque=self.torque,
+            body=self.bodies[0],
+            bearing_span=spans.get("worm"),
+        )
+        wheel = Rotor(
+            name="wheel",
+            diameter=2 * middles,
+            width=2 * self.rollers.profile.radius,
+            speed=self.wheel_speed,
+            torque=self.torque * self.ratio,
+            body=self.bodies[1],
+            bearing_span=spans.get("wheel"),
+        )
+        return worm, wheel

@@ -9,6 +9,7 @@ from pyworm.drives.drive import AllowedErrors, Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
+from pyworm.drives.rotor import Rotor
 from pyworm.drives.tooth_life import ToothLife
 from pyworm.drives.torque_balance import MeshAtTorque, torque_balance
 from pyworm.drives.worm.dataset import loaded_cycle_data, mesh_cycle_data, pattern_data, tooth_data
@@ -26,6 +27,7 @@ from pyworm.drives.worm.loads.load_sharing import SHAFTS
 from pyworm.drives.worm.loads.mesh import WormMesh
 from pyworm.drives.worm.loads.mesh_stiffness import mesh_at_torque
 from pyworm.drives.worm.loads.shaft_forces import worm_forces
+from pyworm.drives.worm.loads.temperatures import worm_rotors
 from pyworm.drives.worm.loads.tooth_compliance import EDGE_CONTACT_PHASES
 from pyworm.drives.worm.loads.tooth_pair_motion import tooth_life
 from pyworm.drives.worm.mesh_loss import worm_mesh_loss
@@ -267,6 +269,13 @@ class WormDrive(WormMesh, Drive):
     def shaft_speeds(self) -> dict[str, float]:
         """Speeds of both shafts [rad/s]."""
         return {"worm": self.speed, "wheel": self.speed * self.ratio}
+
+    @property
+    def rotors(self) -> tuple[Rotor, Rotor]:
+        """Worm and wheel; ValueError where the load of one tooth is given."""
+        return worm_rotors(
+            self, {name: shaft.bearing_span for name, shaft in self.supports.items()}
+        )
 
     def misalignment(self, contacts: Sequence[Scene | LineScene]) -> Misalignment:
         """Contacts at the phases of the given ones with each assembly error, one at a time."""

@@ -79,7 +79,7 @@ def build_report(
 def _warnings(found: Findings, differ: str | None) -> tuple[str, ...]:
     """What a reader must know before all else."""
     result = found.result
-    heating = heating_of(found.case, drive_cycle(result), found.standard)
+    heating = heating_of(found.case, drive_cycle(result), found.standard, result)
     warnings: tuple[str, ...] = () if differ is None else (f"{differ[0].upper()}{differ[1:]}.",)
     warnings += tuple(found.opening())
     if heating is not None:

@@ -1,0 +1,69 @@
+"""Cases of gear sets whose losses warm them, but for worms, whose standard has more."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import ClassVar, TypeVar
+
+from pyworm.case.bodies import Bodies
+from pyworm.case.cooling import CoolingTable
+from pyworm.case.oil import OilTable
+from pyworm.case.ratings import RatedCase
+from pyworm.case.table import plain
+from pyworm.drives.cooling import Cooling, Surroundings
+from pyworm.drives.drive import Drive
+from pyworm.drives.gear_pair.drive import GearPairDrive
+from pyworm.drives.gear_unit import GearUnit
+from pyworm.drives.other_losses import NonMeshLosses
+from pyworm.drives.roller_worm.drive import RollerWormDrive
+from pyworm.io.present import present
+
+CooledDrive = TypeVar("CooledDrive", GearPairDrive, RollerWormDrive)
+
+
+def given_temperatures(oil: OilTable, bodies: Bodies) -> Iterator[str]:
+    """Sentences on cooling of an oil without heat, and of bodies whose temperature is given."""
+    if oil.heat is None:
+        yield "[cooling] asks for [oil.heat]"
+    for name, body in bodies:
+        if body.bulk_temperature is not None:
+            yield f"bodies.{name}.bulk_temperature has no effect with [cooling]"
+
+
+class CooledCase(RatedCase):
+    """A case file with `[cooling]` that holds for any gear set."""
+
+    first_loss: ClassVar[float] = 0.01
+    """Fraction of the power that is lost between the teeth before it is known."""
+    bodies: Bodies
+    cooling: CoolingTable | None = None
+
+    def flaws(self) -> Iterator[str]:
+        """Cooling of what does not warm."""
+        yield from super().flaws()
+        if self.cooling is not None:
+            yield from given_temperatures(self.oil, self.bodies)
+
+    @property
+    def left_open(self) -> dict[str, tuple[str, ...]]:
+        """The loss that warms the drive."""
+        if self.cooling is None or self.cooling.tooth_loss is not None:
+            return {}
+        return {"cooling": ("tooth_loss",)}
+
+    def unit_of(self, drive: Drive, tooth_loss: float | None = None) -> GearUnit:
+        """The thermal network of the drive for a loss between its teeth [W], by default that assumed."""
+        table, rotors = present(self.cooling, "cooling"), present(drive.rotors, "rotors")
+        cooling = Cooling(
+            other=NonMeshLosses(given=table.other_loss), **vars(plain(table, Surroundings))
+        )
+        loss = table.tooth_loss if tooth_loss is None else tooth_loss
+        if loss is None:
+            loss = self.first_loss * rotors[0].torque * rotors[0].speed
+        return GearUnit(rotors, drive.oil, cooling, loss)
+
+    def warm(self, drive: CooledDrive) -> CooledDrive:
+        """The drive with oil and bodies as warm as its losses make them; as given without `[cooling]`."""
+        if self.cooling is None:
+            return drive
+        warm = self.unit_of(drive).temperatures
+        return replace(drive, oil=warm.oil(drive.oil), bodies=warm.warm(drive.bodies))

@@ -1,0 +1,76 @@
+"""Temperatures and heat flows of a gear unit in balance, by its thermal network."""
+
+from collections.abc import Iterator
+
+from pyworm.drives.gear_unit import GearUnit
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.ratings.rating import RatedFigure, Rating
+
+SOURCE = (
+    "thermal network with conductances by published correlations (pyworm.formulas.heat_transfer)"
+)
+
+GIVEN = "thermal network of gear bodies and oil in a housing of given conductance"
+
+
+def rate_temperatures(unit: GearUnit) -> Rating:
+    """Temperature of each node with its model uncertainty, and heat along each path."""
+    by_sizes = unit.cooling.housing is not None
+    return Rating(
+        key="temperatures",
+        title="Temperatures and heat flows",
+        source=SOURCE if by_sizes else GIVEN,
+        columns=("computed",),
+        figures=tuple(_figures(unit)),
+        words=tuple(_words(unit)),
+    )
+
+
+def _figures(unit: GearUnit) -> Iterator[RatedFigure]:
+    state = unit.steady
+    for node, temperature in state.temperatures.items():
+        spread = unit.uncertainty[node]
+        yield RatedFigure(
+            f"{_key(node)}_temperature_C",
+            f"Temperature, {node}",
+            (temperature - ZERO_CELSIUS,),
+            "°C",
+            bars=((0.0, spread),) if spread else (),
+        )
+    for node, power in state.sources.items():
+        yield RatedFigure(f"{_key(node)}_loss_W", f"Loss into {node}", (power,), "W")
+    for path, flow in state.flows:
+        first, second = path.first, path.second
+        yield RatedFigure(
+            f"heat_{_key(first)}_to_{_key(second)}_{_key(path.name)}_W",
+            f"Heat from {first} to {second}, {path.name}",
+            (flow,),
+            "W",
+        )
+    yield RatedFigure(
+        "conductance_W_K", "Loss over excess of oil above ambient", (unit.conductance,), "W/K"
+    )
+    yield RatedFigure("imbalance", "Relative heat imbalance", (state.imbalance,), "")
+
+
+def _key(name: str) -> str:
+    return name.replace(" ", "_")
+
+
+def _words(unit: GearUnit) -> Iterator[str]:
+    """Losses, and what the uncertainties hold."""
+    yield f"Between the teeth {unit.tooth_loss:.4g} W are lost. {unit.cooling.other.words}"
+    if unit.cooling.housing is None:
+        yield "The conductance of the housing is as given; nothing is known of shafts, bearings and walls."
+        return
+    point = unit.cooling.measured
+    if point is None:
+        yield (
+            "Model uncertainties are those of the correlations (95 %); a measured sump temperature in "
+            "[cooling.measured] takes those of the housing's outside."
+        )
+        return
+    yield (
+        f"The conductance of the housing's outside is {unit.fit:.3g} times that of the correlations, by the "
+        f"measured {point.sump_temperature - ZERO_CELSIUS:.4g} °C at {point.loss:.4g} W."
+    )
