@@ -1,6 +1,6 @@
 !> Estimated errors of the models of conduction against those that they have.
 program test_conduction_model
-  use pyworm_conduction_model, only: conduction_errors
+  use pyworm_conduction_model, only: conduction_errors, of_greatest
   use pyworm_heated_surface, only: heated_body
   use pyworm_kinds, only: wp
   use pyworm_moving_source, only: moving_body, new_moving_body
@@ -37,7 +37,7 @@ contains
     real(wp), intent(in) :: cosine, sine
     type(moving_body) :: exact
     type(fast_body) :: paths
-    real(wp) :: u(n, n), v(n, n), mean_u, mean_v, uniform, along_paths, found, speed
+    real(wp) :: u(n, n), v(n, n), mean_u, mean_v, uniform, along_paths, found, greatest, speed
     integer :: stat
 
     speed = 50*kappa/semi_y
@@ -48,9 +48,10 @@ contains
     call close_to(uniform, 0.0_wp, 1e-12_wp, "one velocity is uniform")
     call new_moving_body(exact, n, n, 4*semi_x/(n - 1), 4*semi_y/(n - 1), u(1, 1), v(1, 1), 1.0_wp, 1/kappa, stat)
     call new_fast_body(paths, 4*semi_x/(n - 1), 4*semi_y/(n - 1), u, v, 1.0_wp, 1/kappa, stat)
-    found = difference(paths, exact)
+    call compare(paths, exact, found, greatest)
     write (*, "(a, 2f8.4)") "# paths ", along_paths, found
     call check(found < 1.5_wp*along_paths .and. found > along_paths/4, "conduction along paths")
+    call check(greatest < of_greatest*along_paths, "greatest rise by paths")
   end subroutine one_velocity
 
   !> A surface so fast that conduction along its paths is nothing: the error of one velocity.
@@ -60,15 +61,16 @@ contains
     real(wp), parameter :: speed = 1e3_wp
     type(moving_body) :: one
     type(fast_body) :: paths
-    real(wp) :: mean_u, mean_v, uniform, along_paths, found
+    real(wp) :: mean_u, mean_v, uniform, along_paths, found, greatest
     integer :: stat
 
     call conduction_errors(speed*u, speed*v, heat, semi_x, semi_y, kappa, mean_u, mean_v, uniform, along_paths)
     call new_moving_body(one, n, n, 4*semi_x/(n - 1), 4*semi_y/(n - 1), mean_u, mean_v, 1.0_wp, 1/kappa, stat)
     call new_fast_body(paths, 4*semi_x/(n - 1), 4*semi_y/(n - 1), speed*u, speed*v, 1.0_wp, 1/kappa, stat)
-    found = difference(one, paths)
+    call compare(one, paths, found, greatest)
     write (*, "(a, 2f8.4)") "# "//what, uniform, found
     call check(found < 1.5_wp*uniform .and. found > uniform/1.5_wp, what)
+    call check(greatest < of_greatest*uniform, what//", greatest rise")
     call check(along_paths < uniform/10, "fast surfaces that turn need paths")
   end subroutine turning
 
@@ -83,14 +85,17 @@ contains
     call check(uniform < slow .and. uniform < 1e-3_wp, "a slow spin is as good as rest")
   end subroutine spinning
 
-  !> Largest difference of two models where more than half of the greatest flux enters, over the greatest rise.
-  real(wp) function difference(model, reference)
+  !> Largest difference of two models where more than half of the greatest flux enters, and that of their greatest rises,
+  !> over the greatest rise.
+  subroutine compare(model, reference, largest, greatest)
     class(heated_body), intent(inout) :: model, reference
+    real(wp), intent(out) :: largest, greatest
     real(wp) :: rise(n, n), exact(n, n)
 
     call model%rise(heat, rise)
     call reference%rise(heat, exact)
-    difference = maxval(abs(rise - exact), mask=heat > 0.5_wp)/maxval(exact)
-  end function difference
+    largest = maxval(abs(rise - exact), mask=heat > 0.5_wp)/maxval(exact)
+    greatest = abs(maxval(rise) - maxval(exact))/maxval(exact)
+  end subroutine compare
 
 end program test_conduction_model
