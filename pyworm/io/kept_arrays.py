@@ -18,7 +18,7 @@ class DamagedError(ValueError):
 def keep(path: Path, **arrays: Any) -> None:
     """Write arrays, numbers and texts by their names, atomically; OSError where that fails."""
     with whole_file(path) as partial, partial.open("wb") as file:
-        np.savez_compressed(file, **arrays)
+        np.savez(file, **arrays)
 
 
 def kept(path: Path, make: Callable[[dict[str, np.ndarray]], Content]) -> Content:
