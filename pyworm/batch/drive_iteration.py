@@ -6,8 +6,9 @@ films under these loads and temperatures. Where roughness carries load and is no
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
 temperatures are found with every `PHASE_STRIDE`-th phase and steady films, lifts by first transient solves
-(`transient_solutions.lifts_of`), or, for an accuracy below `ESTIMATE_ACCURACY`, by steady films at that one
-in one window and what transient solutions change in them: all that is solved last is solved in full.
+(`transient_solutions.lifts_of`) and, for an accuracy below `ESTIMATE_ACCURACY`, what steady films at that one
+find beyond these, at some phases. Without transient solutions lifts are those of steady films at that
+accuracy in one window. All that is solved last is solved in full.
 """
 
 from collections.abc import Callable, Sequence
@@ -40,11 +41,13 @@ WARM_PASSES = 8
 """Most passes with some of the phases, until temperatures are found."""
 
 PHASE_STRIDE = 4
-"""Every which phase is solved while temperatures are sought."""
+"""Every which phase is solved while temperatures are sought, and what steady films find beyond transient
+ones."""
 
 ESTIMATE_ACCURACY = 0.1
-"""Accuracy at which lifts are sought, at every phase: it leaves 1 % in a lift, and so 0.1 % in a load. A lift
-interpolated between phases is off by 8 % where the number of teeth in contact changes."""
+"""Accuracy at which lifts are sought: it leaves 1 % in a lift, and so 0.1 % in a load. A lift interpolated
+between phases is off by 8 % where the number of teeth in contact changes, the tenth of it that first
+transient solves lack by so much of itself."""
 
 MAX_ESTIMATES = 2
 """Maximum number of passes at that accuracy."""
@@ -121,38 +124,55 @@ class _Search:
         moving = [task for task in given if is_transient(task)]
         if self.accuracy < ESTIMATE_ACCURACY:
             return self._estimated(case, given, moving, how)
-        return self._by_motion(case, moving, how["executor"]) if moving else case
+        return self._by_motion(case, moving, how["executor"], {}) if moving else case
 
-    def _by_motion(self, case: Case, moving: Sequence[Task], executor: Executor | None) -> Case:
+    def _by_motion(
+        self,
+        case: Case,
+        moving: Sequence[Task],
+        executor: Executor | None,
+        beyond: dict[float, float],
+    ) -> Case:
         """The case with lifts and friction by first transient solves.
 
-        Pressure beyond their windows, a tenth of a lift, is in none of them. Where loads differ by more than
+        `beyond` are what lifts of some phases are more by than in the windows of these, interpolated between
+        them; where there are none, a tenth of a lift is in none of them. Where loads differ by more than
         the accuracy allows, the films that follow ask for another pass.
         """
         for _ in range(MAX_TRANSIENT_SOLVES):
             then = lifts_of([replace(task, case=case) for task in moving], True, executor)
             if not then:
                 return case
-            found: dict[str, Any] = {
-                "lifts": tuple((phase, lift.distance) for phase, lift in sorted(then.items()))
-            }
+            phases = sorted(then)
+            more = (
+                np.interp(phases, [*beyond], [*beyond.values()])
+                if beyond
+                else np.zeros(len(phases))
+            )
+            lifts = tuple(
+                (phase, float(then[phase].distance + rest))
+                for phase, rest in zip(phases, more, strict=True)
+            )
+            found: dict[str, Any] = {"lifts": lifts}
             rubbing = [lift for lift in then.values() if lift.friction > 0]
             if "friction" in self.open["operation"] and rubbing:
                 slid = sum(lift.loss / lift.friction for lift in rubbing)
                 found["friction"] = float(f"{sum(lift.loss for lift in rubbing) / slid:.2g}")
             before, case = case, case.with_found({"operation": found})
-            if self._is_close(before, case, list(then), REMAINING_CHANGE_TRANSIENT):
+            if self._is_close(before, case, phases, REMAINING_CHANGE_TRANSIENT):
                 break
-        self.print_message(
-            f"transient solution: film-induced separation {_told_lifts(found['lifts'])}"
-        )
+        self.print_message(f"transient solution: film-induced separation {_told_lifts(lifts)}")
         return case
 
     def _estimated(
         self, case: Case, given: Sequence[Task], moving: Sequence[Task], how: dict[str, Any]
     ) -> Case:
-        """The case with values of films of lower accuracy, and what transient solutions change in lifts."""
-        some = [steady(task) for task in given] if moving else given
+        """The case with values of films of lower accuracy; with motion, what steady ones of some phases add.
+
+        That part of a lift, by pressure beyond the windows of first transient solves and by their coarse
+        grids, changes slowly with the phase.
+        """
+        some = [steady(task) for task in every(PHASE_STRIDE, given)] if moving else given
         for _ in range(1 if moving else MAX_ESTIMATES):
             again = [replace(task, case=case) for task in some]
             before, result = case, run(case, again, **how, cycle_of=methodcaller("loaded_cycle"))
@@ -165,36 +185,13 @@ class _Search:
             ):
                 break
         cycle = drive_cycle(result)
-        if cycle is None or not cycle.lifts:
+        if not moving or cycle is None or not cycle.lifts:
             return case
-        return self._with_motion(before, case, moving, dict(cycle.lifts), how["executor"])
-
-    def _with_motion(
-        self,
-        dry: Case,
-        case: Case,
-        moving: Sequence[Task],
-        lifts: dict[float, float],
-        executor: Executor | None,
-    ) -> Case:
-        """The case with lifts by transient solutions, from those of steady films under another's loads."""
-        if not moving:
-            return case
-        beside = lifts_of([replace(task, case=dry) for task in moving], False, executor)
-        for _ in range(MAX_TRANSIENT_SOLVES):
-            then = lifts_of([replace(task, case=case) for task in moving], True, executor)
-            by_motion = {
-                phase: then[phase].distance - beside[phase].distance
-                for phase in then.keys() & beside
-            }
-            found = tuple(
-                (phase, lift + by_motion.get(phase, 0.0)) for phase, lift in lifts.items()
-            )
-            before, case = case, case.with_found({"operation": {"lifts": found}})
-            if self._is_close(before, case, list(lifts), REMAINING_CHANGE_TRANSIENT):
-                break
-        self.print_message(f"transient solution: film-induced separation {_told_lifts(found)}")
-        return case
+        lifts, executor = dict(cycle.lifts), how["executor"]
+        same = [replace(task, case=before) for task in moving if task.place.phase in lifts]
+        beside = lifts_of(same, False, executor)
+        beyond = {phase: lifts[phase] - beside[phase].distance for phase in sorted(beside)}
+        return self._by_motion(case, moving, executor, beyond)
 
     def _is_close(self, case: Case, new: Case, phases: Sequence[float], leaves: float) -> bool:
         """Whether what a change of loads leaves to the next one is within the accuracy."""

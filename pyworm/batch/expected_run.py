@@ -25,9 +25,9 @@ USUAL_PASSES = 2
 """Usual number of passes until loads are found by steady films of the accuracy asked for, where it is no
 higher than the one of the search."""
 
-TRANSIENT_PASSES = 2
-"""Work of the search for lifts in motion, in first transient solves of the life: one, and the steady films
-beside it, which cost about as much."""
+TRANSIENT_PASSES = 1.2
+"""Work of the search for lifts in motion, in first transient solves of the life: one, and steady films on
+its grids at some phases."""
 
 OVERHEAD_SECONDS = 2.5
 """Processor time of a run besides its solves: start, results file and pictures [s]; 2.4 to 3.0 of steel gear
@@ -63,7 +63,7 @@ def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
         )
     if "lifts" in open_.get("operation", ()):
         search += _lifts(tasks, once)
-    cycle = 0.0 if case.drive is None else case.drive.cycle_seconds
+    cycle = 0.0 if case.drive is None or len(tasks) == 1 else case.drive.cycle_seconds
     return ExpectedRun(each, once, search, cycle)
 
 
@@ -91,4 +91,4 @@ def _lifts(tasks: Sequence[Task], once: float) -> float:
     life = seconds - sum(expectation.seconds - expectation.past for expectation in each)
     if accuracy >= ESTIMATE_ACCURACY:
         return life
-    return all_of_them * _solved([steady(task) for task in some])[1] + TRANSIENT_PASSES * life
+    return _solved([steady(task) for task in some])[1] + TRANSIENT_PASSES * life

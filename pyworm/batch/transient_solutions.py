@@ -23,6 +23,7 @@ from pyworm.batch.task import Task
 from pyworm.io.kept_arrays import DamagedError, keep, kept
 from pyworm.io.present import present
 from pyworm.io.reason import reason_of
+from pyworm.planning.effects.selection import effect_names
 from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
@@ -196,6 +197,10 @@ def _lives(tasks: Sequence[Task], directory: Path) -> list[list[Task]]:
 
 def is_transient(task: Task) -> bool:
     """Whether a task's film is transient, and its life is solved as a whole."""
+    if "-squeeze" in effect_names(
+        task.effects
+    ):  # without a plan, which costs a tenth of a coarse solve
+        return False
     try:
         return "squeeze" in task.plan.on and recent(task.scene) is task.scene.past
     except ValueError:  # the reason that the task will give
