@@ -43,13 +43,14 @@ def run(
     executor: Executor | None = None,
     progress: Progress | None = None,
     print_message: Callable[[str], None] = lambda message: None,
-    cycle_of: CycleOf = methodcaller("cycle_data"),
+    cycle_of: CycleOf | None = None,
     all_digits: bool = False,
 ) -> Result:
     """Solve a case and write its result as `RESULT_NAME` into a directory; scenes solved before are reused.
 
     `executor` has the processes that solve, by default this one. `print_message` reports scenes solved before
-    and an earlier result that cannot be used; `cycle_of` makes what is written of the mesh cycle of a drive.
+    and an earlier result that cannot be used; `cycle_of` makes what is written of the mesh cycle of a drive,
+    by default all of it, or what belongs to the contact where there is one alone.
     Fields are rounded to the accuracy they have unless `all_digits` are kept. The solutions have the order of
     the tasks; scenes without one are missing and named, with the reason, under `failed` in the provenance.
 
@@ -82,13 +83,18 @@ _Kept = dict[str, tuple[Solution, dict[str, Any]]]
 
 
 def _result(
-    case: Case, tasks: Sequence[Task], kept: _Kept, reasons: dict[str, str], cycle_of: CycleOf
+    case: Case,
+    tasks: Sequence[Task],
+    kept: _Kept,
+    reasons: dict[str, str],
+    cycle_of: CycleOf | None,
 ) -> Result:
     """The result of what is solved of a case, reasons of the rest in it; NothingSolvedError if nothing is."""
     solved = [task for task in tasks if task.key in kept]
     failed = {task.scene.name: reasons[task.key] for task in tasks if task.key in reasons}
     if not solved:
         raise NothingSolvedError(failed)
+    cycle_of = cycle_of or methodcaller("cycle_around_contact" if len(tasks) == 1 else "cycle_data")
     solutions = tuple(kept[task.key][0].changed(name=task.scene.name) for task in solved)
     plans = {task.key: kept[task.key][1] for task in solved}
     hot = overheated(solution.summary() for solution in solutions)

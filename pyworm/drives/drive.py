@@ -89,6 +89,10 @@ class Drive(Shown, Lubricated, ABC):
     def cycle_data(self) -> "xr.Dataset":
         """The unloaded mesh cycle for the result; its attribute `drive` names the kind of drive."""
 
+    def cycle_around_contact(self) -> "xr.Dataset":
+        """The part of the cycle's data that the result of a single contact keeps; all of it by default."""
+        return self.cycle_data()
+
     @property
     def phases_per_second(self) -> float | None:
         """Phases of its mesh cycle that pass in a second; None where that is not known."""

@@ -199,13 +199,13 @@ class WormDrive(WormMesh, Drive):
 
     def cycle_data(self) -> "xr.Dataset":
         """The mesh cycle for the result, without load and with it."""
-        parts = (
-            self.loaded_cycle(),
-            sensitivity_data(self),
-            pattern_data(self.patterns, self._loaded_patterns),
-        )
+        patterns = pattern_data(self.patterns, self._loaded_patterns)
+        return self.cycle_around_contact().merge(patterns, combine_attrs="no_conflicts")
+
+    def cycle_around_contact(self) -> "xr.Dataset":
+        """The mesh cycle without the patterns of whole flanks, which cost as much as a film."""
         data = mesh_cycle_data(self.mesh_cycle())
-        for part in parts:
+        for part in (self.loaded_cycle(), sensitivity_data(self)):
             data = data.merge(part, combine_attrs="no_conflicts")
         return data
 

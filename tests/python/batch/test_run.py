@@ -1,11 +1,14 @@
 """Commands on a case from Python: what they give is what the command line prints, or a one-line refusal."""
 
 import json
+from types import SimpleNamespace
 
 import pytest
 from folders import ROOT
+from synthetic_solution import make_worm_solution
 
 import pyworm
+from pyworm.batch import case_run
 from pyworm.cli.main import main
 
 CASE = ROOT / "cases/point_m20_l10.toml"
@@ -106,3 +109,13 @@ def test_wear_needs_a_roughness():
         pyworm.wear(gears, 0)
     with pytest.raises(pyworm.CaseError, match="give one of coefficient, energy and calibrate"):
         pyworm.wear(gears, 1, energy=1e14, calibrate=True)
+
+
+@pytest.mark.parametrize(("count", "kept"), [(1, "around one"), (2, "whole")])
+def test_a_contact_alone_keeps_what_belongs_to_it_of_the_mesh_cycle(count, kept):
+    drive = SimpleNamespace(cycle_data=lambda: "whole", cycle_around_contact=lambda: "around one")
+    case = SimpleNamespace(name="drive", drive=drive, resolved={}, warnings=())
+    solution = make_worm_solution()
+    tasks = [SimpleNamespace(key=str(n), scene=SimpleNamespace(name=str(n))) for n in range(count)]
+    found = {task.key: (solution, {}) for task in tasks}
+    assert case_run._result(case, tasks, found, {}, None).mesh_cycle == kept

@@ -44,6 +44,12 @@ def test_a_wheel_that_its_worm_cuts_is_marked_all_over():
     assert np.mean(separation[known] < 0.5e-6) > 0.85
 
 
+def test_a_contact_alone_has_no_patterns_of_whole_flanks(drive):
+    around = drive.cycle_around_contact()
+    assert "varied_load" in around.attrs
+    assert "marking_separation" not in around
+
+
 def test_the_path_of_contact_is_marked_and_the_ends_of_the_face_are_not(drive, pattern):
     for phase in (0.1, 0.5, 0.9):
         contact = drive.contact(phase)
