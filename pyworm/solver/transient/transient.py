@@ -47,8 +47,9 @@ What that leaves is the same in all solves, so that their differences do not sho
 swings by 40 % in four transits 1.1 % of a thick film of a line after two transits, 0.01 % after four. Errors
 of points are larger, and so is the cost of their transits."""
 
-MAX_PART_TRANSITS = 4.0
-"""Most transits of a part of a life whose films are wanted, so that several processes may work on a life."""
+MAX_PART_TRANSITS: dict[Kind, float] = {"point": 8.0, "line": 4.0}
+"""Most transits of a part of a life whose films are wanted, so that several processes may work on a life: each part
+repeats the warm-up. The life of a pair of worm teeth, some eleven transits, has two."""
 
 MAX_WHOLE_TRANSITS, RECENT_TRANSITS = 30.0, 6.0
 """Transits of the present contact from which on a life is not solved as a whole, and how many of them are
@@ -144,8 +145,9 @@ class Part:
 def parts_of(time_grid: TimeGrid) -> tuple[Part, ...]:
     """The parts of a life, which share instants; a written course, which no other contact shares, is one."""
     whole, step = time_grid.transits(time_grid.end), time_grid.step(0)
-    warm_up = WARM_UP[time_grid.plan.work.kind]
-    count = 1 if time_grid.life.kinks else max(1, ceil((whole - warm_up) / MAX_PART_TRANSITS))
+    kind = time_grid.plan.work.kind
+    warm_up, most = WARM_UP[kind], MAX_PART_TRANSITS[kind]
+    count = 1 if time_grid.life.kinks else max(1, ceil((whole - warm_up) / most))
     length = (whole - warm_up) / count
     firsts = [step * round((warm_up + length * number) / step) for number in range(1, count)]
     return tuple(
