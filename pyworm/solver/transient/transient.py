@@ -48,8 +48,8 @@ swings by 40 % in four transits 1.1 % of a thick film of a line after two transi
 of points are larger, and so is the cost of their transits."""
 
 MAX_PART_TRANSITS: dict[Kind, float] = {"point": 8.0, "line": 4.0}
-"""Most transits of a part of a life whose films are wanted, so that several processes may work on a life: each part
-repeats the warm-up. The life of a pair of worm teeth, some eleven transits, has two."""
+"""Most transits of a part of a life whose films are wanted, so that several processes may work on a life:
+each part repeats the warm-up. The life of a pair of worm teeth, some eleven transits, has two."""
 
 MAX_WHOLE_TRANSITS, RECENT_TRANSITS = 30.0, 6.0
 """Transits of the present contact from which on a life is not solved as a whole, and how many of them are
