@@ -61,21 +61,14 @@ contains
     real(wp), intent(in) :: kernel(1 - t%nx:, 1 - t%ny:)
     real(wp), intent(out) :: unit
     complex(c_float_complex), intent(out) :: spectrum(:, :)
-    real(wp) :: scale
-    integer :: j, slot, first, count
+    integer :: first, count
 
     unit = maxval(abs(kernel))
     if (.not. unit > 0) unit = 1
     spectrum = 0
-    scale = 1/(unit*t%mx*t%my)
-    do j = 1 - t%ny, t%ny - 1
-      slot = modulo(j, t%ny) + 1
-      t%rows(:, slot) = 0
-      t%rows(1:t%nx, slot) = real(kernel(0:, j)*scale, pp)
-      t%rows(t%mx - t%nx + 2:t%mx, slot) = real(kernel(:-1, j)*scale, pp)
-      call transform_row(t, slot)
-      spectrum(modulo(j, t%my) + 1, :) = t%spectra(:t%mx/2 + 1, slot)
-    end do
+    ! there is memory for ny rows: those before the middle first, then the others
+    call transform_kernel_rows(t, kernel, 1 - t%ny, -1, unit, spectrum)
+    call transform_kernel_rows(t, kernel, 0, t%ny - 1, unit, spectrum)
     do first = 1, t%mx/2 + 1, block_columns
       count = min(block_columns, t%mx/2 + 2 - first)
       associate (columns => t%columns(:, :, 1))
@@ -86,6 +79,35 @@ contains
       end associate
     end do
   end subroutine kernel_spectrum
+
+  !> Computes the transforms of some rows of a kernel, as rows of its spectrum.
+  subroutine transform_kernel_rows(t, kernel, lowest, highest, unit, spectrum)
+    type(field_transform), intent(inout) :: t
+    real(wp), intent(in) :: kernel(1 - t%nx:, 1 - t%ny:), unit
+    integer, intent(in) :: lowest, highest
+    complex(c_float_complex), intent(inout) :: spectrum(:, :)
+    real(wp) :: scale
+    integer :: j, k, first, last
+
+    scale = 1/(unit*t%mx*t%my)
+    do j = lowest, highest
+      associate (row => t%rows(:, j - lowest + 1))
+        row = 0
+        row(1:t%nx) = real(kernel(0:, j)*scale, pp)
+        row(t%mx - t%nx + 2:t%mx) = real(kernel(:-1, j)*scale, pp)
+      end associate
+      call transform_row(t, j - lowest + 1)
+    end do
+    ! blocks of columns, of which cache lines are full
+    do first = 1, t%mx/2 + 1, block_columns
+      last = min(first + block_columns - 1, t%mx/2 + 1)
+      do j = lowest, highest
+        do k = first, last
+          spectrum(modulo(j, t%my) + 1, k) = t%spectra(k, j - lowest + 1)
+        end do
+      end do
+    end do
+  end subroutine transform_kernel_rows
 
   !> Computes the transform (my, mx/2+1) of a field.
   subroutine field_spectrum(t, field, spectrum)

@@ -22,9 +22,9 @@ contains
     real(wp), intent(out) :: stress(:, :, :, :)
     integer, intent(out) :: stat
     type(field_transform) :: transform
-    complex(c_float_complex), allocatable :: spectra(:, :, :)
-    logical :: acting(3)
-    integer :: t, k, err
+    complex(c_float_complex), allocatable :: spectra(:, :, :), spectrum(:, :)
+    real(wp), allocatable :: corners(:, :, :, :), kernel(:, :)
+    integer :: t, k, component, acting, err
 
     stress = 0
     stat = status_bad_argument
@@ -32,50 +32,24 @@ contains
     call new_kernel_transform(transform, size(tractions, 1), size(tractions, 2), stat)
     if (stat /= status_ok) return
     stat = status_no_memory
-    allocate (spectra(transform%my, transform%mx/2 + 1, 3), stat=err)
-    if (err /= 0) return
-    do t = 1, 3
-      acting(t) = any(abs(tractions(:, :, t)) > 0)
-      if (acting(t)) call field_spectrum(transform, tractions(:, :, t), spectra(:, :, t))
-    end do
-    do k = 1, size(depths)
-      call stress_at_depth(transform, spectra, acting, [dx, dy, depths(k)], poisson, stress(:, :, :, k), stat)
-      if (stat /= status_ok) return
-    end do
-  end subroutine half_space_stress
-
-  !> Computes the stress at one depth, the third of `spacing`, by the spectra of the tractions that act.
-  subroutine stress_at_depth(transform, spectra, acting, spacing, poisson, stress, stat)
-    type(field_transform), intent(inout) :: transform
-    complex(c_float_complex), intent(in) :: spectra(:, :, :)
-    logical, intent(in) :: acting(3)
-    real(wp), intent(in) :: spacing(3), poisson
-    real(wp), intent(out) :: stress(:, :, :)
-    integer, intent(out) :: stat
-    real(wp), allocatable :: corners(:, :, :, :), kernel(:, :)
-    complex(c_float_complex), allocatable :: product(:, :), total(:, :)
-    real(wp) :: unit
-    integer :: component, t, err
-
-    stat = status_no_memory
-    associate (nx => transform%nx, ny => transform%ny, shape => [transform%my, transform%mx/2 + 1])
-      allocate (corners(0:nx, 0:ny, 6, 3), kernel(1 - nx:nx - 1, 1 - ny:ny - 1), product(shape(1), shape(2)), &
-        total(shape(1), shape(2)), stat=err)
+    acting = merge(3, 1, any(abs(tractions(:, :, 2:)) > 0))
+    associate (nx => transform%nx, ny => transform%ny, mx => transform%mx, my => transform%my)
+      allocate (corners(0:nx, 0:ny, 6, acting), kernel(1 - nx:nx - 1, 1 - ny:ny - 1), spectrum(my, mx/2 + 1), &
+        spectra(my, mx/2 + 1, acting), stat=err)
     end associate
     if (err /= 0) return
     stat = status_ok
-    call set_corners(spacing, poisson, corners)
-    do component = 1, 6
-      total = 0
-      do t = 1, 3
-        if (.not. acting(t)) cycle
-        call set_kernel(corners(:, :, component, t), parity(component, t), kernel)
-        call kernel_spectrum(transform, kernel, unit, product)
-        total = total + real(unit, pp)*product*spectra(:, :, t)
-      end do
-      call spectrum_field(transform, total, 1.0_wp, stress(:, :, component))
+    do t = 1, acting
+      call field_spectrum(transform, tractions(:, :, t), spectra(:, :, t))
     end do
-  end subroutine stress_at_depth
+    do k = 1, size(depths)
+      call set_corners([dx, dy, depths(k)], poisson, corners)
+      do component = 1, 6
+        call set_kernel(corners(:, :, component, :), component, kernel)
+        call convolve_component(transform, kernel, component, spectra, spectrum, stress(:, :, component, k))
+      end do
+    end do
+  end subroutine half_space_stress
 
   !> Computes the antiderivatives at the corners of the rectangles of one quadrant, from that about the node on.
   subroutine set_corners(spacing, poisson, corners)
@@ -86,28 +60,76 @@ contains
     !$omp parallel do schedule(static)
     do j = 0, ubound(corners, 2)
       do i = 0, ubound(corners, 1)
-        corners(i, j, :, :) = corner_stress((i - 0.5_wp)*spacing(1), (j - 0.5_wp)*spacing(2), spacing(3), poisson)
+        corners(i, j, :, :) = corner_stress((i - 0.5_wp)*spacing(1), (j - 0.5_wp)*spacing(2), spacing(3), poisson, size(corners, 4))
       end do
     end do
   end subroutine set_corners
 
-  !> Computes the stress by one traction at all offsets from a rectangle, of a quadrant's corners and the parity.
-  pure subroutine set_kernel(corners, parity, kernel)
-    real(wp), intent(in) :: corners(0:, 0:)
-    integer, intent(in) :: parity(2)
+  !> Computes a component of the stress by all tractions together at all offsets from a rectangle, of a quadrant's
+  !> corners (0:nx, 0:ny, traction). Their parities differ, so that they can be told apart in the spectrum.
+  subroutine set_kernel(corners, component, kernel)
+    real(wp), intent(in) :: corners(0:, 0:, :)
+    integer, intent(in) :: component
     real(wp), intent(out) :: kernel(1 - ubound(corners, 1):, 1 - ubound(corners, 2):)
-    integer :: nx, ny, i, j
+    real(wp) :: quadrant(0:ubound(corners, 1) - 1)
+    integer :: t, nx, ny, j, even(2)
 
     nx = ubound(corners, 1)
     ny = ubound(corners, 2)
-    do j = 0, ny - 1
-      kernel(0:, j) = corners(1:, j + 1) - corners(:nx - 1, j + 1) - corners(1:, j) + corners(:nx - 1, j)
-      do i = 1, nx - 1
-        kernel(-i, j) = parity(1)*kernel(i, j)
+    kernel = 0
+    do t = 1, size(corners, 3)
+      even = parity(component, t)
+      do j = 0, ny - 1
+        quadrant = corners(1:, j + 1, t) - corners(:nx - 1, j + 1, t) - corners(1:, j, t) + corners(:nx - 1, j, t)
+        kernel(0:, j) = kernel(0:, j) + quadrant
+        kernel(:-1, j) = kernel(:-1, j) + even(1)*quadrant(nx - 1:1:-1)
+        if (j == 0) cycle
+        kernel(0:, -j) = kernel(0:, -j) + even(2)*quadrant
+        kernel(:-1, -j) = kernel(:-1, -j) + product(even)*quadrant(nx - 1:1:-1)
       end do
-      if (j > 0) kernel(:, -j) = parity(2)*kernel(:, j)
     end do
   end subroutine set_kernel
+
+  !> Computes a component of the stress by the spectra of the tractions and the kernel of all.
+  subroutine convolve_component(transform, kernel, component, spectra, spectrum, stress)
+    type(field_transform), intent(inout) :: transform
+    real(wp), intent(in) :: kernel(:, :)
+    integer, intent(in) :: component
+    complex(c_float_complex), intent(in) :: spectra(:, :, :)
+    complex(c_float_complex), intent(out) :: spectrum(:, :)
+    real(wp), intent(out) :: stress(:, :)
+    complex(c_float_complex) :: even_y, odd_y, total(size(spectra, 1))
+    real(wp) :: unit
+    integer :: t, j, k, even(2, size(spectra, 3))
+
+    call kernel_spectrum(transform, kernel, unit, spectrum)
+    do t = 1, size(spectra, 3)
+      even(:, t) = parity(component, t)
+    end do
+    do k = 1, size(spectrum, 2)
+      do j = 1, size(spectrum, 1)
+        ! parts even and odd in y; of each the real one is even in x where it is even in y, odd where it is odd
+        associate (here => spectrum(j, k), mirrored => spectrum(modulo(1 - j, size(spectrum, 1)) + 1, k))
+          even_y = (here + mirrored)/2
+          odd_y = (here - mirrored)/2
+        end associate
+        total(j) = 0
+        do t = 1, size(spectra, 3)
+          total(j) = total(j) + spectra(j, k, t)*part(merge(even_y, odd_y, even(2, t) == 1), product(even(:, t)) == 1)
+        end do
+      end do
+      spectrum(:, k) = total
+    end do
+    call spectrum_field(transform, spectrum, unit, stress)
+  end subroutine convolve_component
+
+  !> The real or the imaginary part of a number, as a complex one.
+  pure complex(c_float_complex) function part(z, real_one)
+    complex(c_float_complex), intent(in) :: z
+    logical, intent(in) :: real_one
+
+    part = merge(cmplx(real(z), 0, pp), cmplx(0, aimag(z), pp), real_one)
+  end function part
 
   !> Parity by x and y, 1 or -1, of a component of the stress below a rectangle under a traction.
   pure function parity(component, traction)

@@ -30,15 +30,16 @@ contains
     real(wp), intent(in) :: x, y, z, dx, dy, poisson
     real(wp) :: stress(6, 3)
 
-    stress = corner_stress(x + dx/2, y + dy/2, z, poisson) - corner_stress(x - dx/2, y + dy/2, z, poisson) &
-      - corner_stress(x + dx/2, y - dy/2, z, poisson) + corner_stress(x - dx/2, y - dy/2, z, poisson)
+    stress = corner_stress(x + dx/2, y + dy/2, z, poisson, 3) - corner_stress(x - dx/2, y + dy/2, z, poisson, 3) &
+      - corner_stress(x + dx/2, y - dy/2, z, poisson, 3) + corner_stress(x - dx/2, y - dy/2, z, poisson, 3)
   end function rectangle_stress
 
-  !> Antiderivatives by x and y of the stress under each unit traction [-], (component, traction), at an offset with neither
-  !> x nor y zero where z is.
-  pure function corner_stress(x, y, z, poisson) result(stress)
+  !> Antiderivatives by x and y of the stress under the first unit tractions [-], (component, traction), at an offset with
+  !> neither x nor y zero where z is.
+  pure function corner_stress(x, y, z, poisson, tractions) result(stress)
     real(wp), intent(in) :: x, y, z, poisson
-    real(wp) :: stress(6, 3)
+    integer, intent(in) :: tractions
+    real(wp) :: stress(6, tractions)
     real(wp) :: r, across_x, across_y, v_z
 
     r = sqrt(x**2 + y**2 + z**2)
@@ -51,9 +52,9 @@ contains
     stress(xy, pressure) = -z/r - (1 - 2*poisson)*log(r + z)
     stress(xz, pressure) = z**2*y/(r*across_x)
     stress(yz, pressure) = z**2*x/(r*across_y)
-    stress(:, shear_x) = shear_corner(x, y, z, r, poisson)
+    if (tractions > pressure) stress(:, shear_x) = shear_corner(x, y, z, r, poisson)
     ! the axes change places
-    stress([yy, xx, zz, xy, yz, xz], shear_y) = shear_corner(y, x, z, r, poisson)
+    if (tractions > shear_x) stress([yy, xx, zz, xy, yz, xz], shear_y) = shear_corner(y, x, z, r, poisson)
     stress = stress/(2*pi)
   end function corner_stress
 

@@ -64,6 +64,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         action="store_true",
         help="changes of the results with every number of the case, by adjoint solutions",
     )
+    run.add_argument(
+        "--stress",
+        action="store_true",
+        help="maximum von Mises stress below both surfaces, its depth, and a picture of it",
+    )
     run.set_defaults(command=_run)
 
 
@@ -94,6 +99,10 @@ def _run(options: argparse.Namespace) -> int:
                 told = {"case": case.name, "scenes": [], "failed": error.reasons}
                 print_json(told | {"warnings": list(case.warnings), "stop_reason": str(error)})
             return end_with(f"{case.name}: {error}", FAILED)
+        if options.stress:
+            from pyworm.batch.run_stress import stressed_run
+
+            result = stressed_run(result, tasks, directory)
         result = uncertain.completed(result, tasks, directory, executor)
         for warning in result.provenance["warnings"][len(case.warnings) :]:
             print_message(f"warning: {warning}")

@@ -25,6 +25,7 @@ from . import roller_enveloping as roller_enveloping
 from . import rough_contact as rough_contact
 from . import scuffing as scuffing
 from . import starvation as starvation
+from . import stress_invariants as stress_invariants
 from . import thermal_reduction as thermal_reduction
 from . import unit_factors as unit_factors
 from . import unknown as unknown

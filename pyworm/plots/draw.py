@@ -25,6 +25,7 @@ from pyworm.plots.contact.line_profiles import (
 )
 from pyworm.plots.contact.maps import draw_friction, draw_pressure, draw_supply, draw_temperature
 from pyworm.plots.contact.profiles import draw_profiles
+from pyworm.plots.contact.stress import draw_stress
 from pyworm.plots.drives.picture import cycle_pictures
 from pyworm.plots.life import draw_life
 from pyworm.plots.regimes import draw_regimes
@@ -45,6 +46,7 @@ SCENE_PICTURES = {
         "temperature": draw_temperature,
         "across_film": draw_across_film,
         "supply": draw_supply,
+        "stress": draw_stress,
     },
     "line": {
         "profiles": draw_line_profiles,
@@ -52,14 +54,18 @@ SCENE_PICTURES = {
         "friction": draw_line_friction,
         "temperature": draw_line_temperature,
         "across_film": draw_across_film,
+        "stress": draw_stress,
     },
 }
 """Kind of contact -> name in the file name -> function of the case's name and a solution."""
 
-OF_BODIES = {draw_friction, draw_temperature, draw_across_film, draw_line_temperature}
+OF_BODIES = {draw_friction, draw_temperature, draw_across_film, draw_line_temperature, draw_stress}
 """Those that take what the bodies are called, besides."""
 
-KEY_PICTURES = {"point": ("film", "temperature"), "line": ("profiles", "temperature")}
+KEY_PICTURES = {
+    "point": ("film", "temperature", "stress"),
+    "line": ("profiles", "temperature", "stress"),
+}
 """Kind of contact -> pictures that show most of it."""
 
 SHOWS = {
@@ -67,6 +73,7 @@ SHOWS = {
     "temperature": lambda solution: solution.figures.temperature_max_film,
     "across_film": lambda solution: solution.profile,
     "supply": lambda solution: solution.figures.supply,
+    "stress": lambda solution: solution.figures.stress,
 }
 """Name of a picture that not every solution has -> what it shows, None where it was not simulated."""
 

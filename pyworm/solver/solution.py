@@ -39,6 +39,24 @@ class DryFigures:
     """Rigid approach [m]."""
 
 
+@dataclass(frozen=True)
+class StressFigures:
+    """Largest stresses below both surfaces, and what they depend on besides the fields."""
+
+    von_mises_max_body_1: Estimate
+    """Maximum equivalent stress of von Mises in body 1 [Pa]."""
+    von_mises_max_body_2: Estimate
+    """That in body 2 [Pa]."""
+    depth_body_1: float
+    """Depth of the maximum in body 1 [m]."""
+    depth_body_2: float
+    """That in body 2 [m]."""
+    poisson_ratios: tuple[float, float]
+    """Poisson's ratio of each body [-]."""
+    boundary_friction: float
+    """Friction coefficient of asperities [-]."""
+
+
 @dataclass(frozen=True, repr=False)
 class Figures(Shown):
     """The figures of one lubricated contact."""
@@ -100,6 +118,8 @@ class Figures(Shown):
     """What a limited supply of oil does; None where starvation was not simulated."""
     heat_balance: float | None = None
     """Relative imbalance: heat into the bodies and the oil, less the work of friction, over that work."""
+    stress: StressFigures | None = None
+    """Stress below the surfaces; None where it was not requested."""
 
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows of the figures in words."""
@@ -317,6 +337,16 @@ class Solution(Shown):
         scene, plan = self.solved
         find: Callable[..., Any] = attribute_of("pyworm.solver.sensitivities", "sensitivities")
         return find(scene, plan, self, inputs=inputs)
+
+    def stress(self, body: int = 1, depths: Sequence[Any] | Any = None) -> Any:
+        """Stress below the surface of body 1 or 2 at depths, by default down to twice the half-width.
+
+        ValueError as of `pyworm.solver.stress.subsurface.subsurface_stress`, which makes it.
+        """
+        find: Callable[..., Any] = attribute_of(
+            "pyworm.solver.stress.subsurface", "subsurface_stress"
+        )
+        return find(self, body, depths)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write one NetCDF file, which `pyworm.open_solution` and the commands read; returns its path."""

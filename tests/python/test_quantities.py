@@ -16,10 +16,12 @@ import pytest
 from attribute_literals import attribute_literals
 from contacts import ball, roller
 from folders import ROOT
+from synthetic_solution import make_solution
 
 import pyworm
 from pyworm.batch.transient import _history, _times
 from pyworm.drives.answers import HobSetup
+from pyworm.solver.solution import StressFigures
 
 MADE = (
     "TransientResult",
@@ -191,6 +193,14 @@ def film(place, part=None):
 
 def table_by(cls, function, name):
     return lambda value: cls.of(function, **{"reference": 333.15, name: value})
+
+
+def stress_depths(depths):
+    """Depths of the stress below a solved contact."""
+    solution = make_solution(points=(33, 33))
+    known = StressFigures(*[pyworm.Estimate(1e8, 0.0)] * 2, 1e-5, 1e-5, (0.3, 0.3), 0.1)
+    figures = dataclasses.replace(solution.figures, stress=known)
+    return solution.changed(figures=figures).stress(depths=depths).depths.tolist()
 
 
 LAWS = dict.fromkeys(("load", "speed", "sliding", "separation"))
@@ -504,6 +514,7 @@ DIMENSIONED = {
         ["10 mm", "20 mm"],
     ),
     "transient(times)": (_times, (0.0, 1e-3), ("0 s", "1 ms")),
+    "Solution.stress(depths)": (stress_depths, [0.0, 2e-5], ["0 um", "0.02 mm"]),
 }
 """Place -> what takes the value, the value in SI, and as a text."""
 
@@ -575,6 +586,7 @@ PLAIN = {
     "Sensitivities.by_gap": "figure",
     "sensitivities": "scene plan solution accuracy effects inputs",
     "Solution.sensitivities": "inputs",
+    "Solution.stress": "body",
     "Solution.held": "part",
     "Solution.dataset": "part",
     "Solution.figure_text": "quantity",

@@ -1,0 +1,1 @@
+"""Stress below the surfaces of a solved contact."""

@@ -1,0 +1,158 @@
+"""Maximum of a measure of the stress below a surface, over depth and plane, with its uncertainty."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, cached_property, partial
+from math import exp, log, log2
+
+import numpy as np
+
+from pyworm.formulas.arrays import Array
+from pyworm.formulas.stress_invariants import von_mises
+from pyworm.solver import extremum
+from pyworm.solver.stress.tractions import Tractions
+
+Measure = Callable[[Array], Array]
+"""Stress, components along the first axis -> its measure at each place."""
+
+DEPTHS = (0.15, 0.2, 0.3, 0.4, 0.55, 0.75, 1.0)
+"""Depths over the half-width that are searched upwards from `FIRST`."""
+
+FIRST = 4
+"""Place of the first depth among them: Hertz's maxima lie between 0.47 and 0.79."""
+
+SURFACE_DEPTHS = (0.0, 0.05)
+"""Further depths that are searched, on the finest grid, where a pressure spike or friction may decide."""
+
+SURFACE_STRESS = (0.35, 2.0)
+"""Equivalent stress at most at a surface, over pressure (circular: (1 - 2 nu)/2) and over shear traction
+(behind a sliding cylinder: sqrt(1 - nu + nu^2) 2 mu p)."""
+
+SEARCH_CELLS, FINAL_CELLS = 2, 6
+"""Grid cells to a depth: in the search over depths, and at the maximum that is found."""
+
+MIN_HALF_CELLS = 4
+"""Least number of cells of a grid to the half-width."""
+
+DEPTH_STEP = 0.1
+"""Relative distance of the depths by which the maximum over depth is refined."""
+
+
+@dataclass(frozen=True)
+class Peak:
+    """Maximum of a measure below a surface."""
+
+    value: float
+    """The maximum [Pa]."""
+    depth: float
+    """Its depth [m]."""
+    position: tuple[float, ...]
+    """Its position along the surface [m]."""
+    grid_error: float
+    """Relative change from the grid by extrapolation; where the grid does not resolve the depth three times
+    that, the change from a grid of twice the spacing."""
+    depth_error: float
+    """Relative change by the last refinement of the depth, beyond that foreseen."""
+
+
+class StressBelow:
+    """Stress below tractions, on their own grid and on coarser ones, which suffice at larger depths."""
+
+    def __init__(self, tractions: Tractions, poisson_ratio: float):
+        self._grids = [tractions]
+        self.poisson_ratio = poisson_ratio
+        """Poisson's ratio of the body."""
+        self.half_width = tractions.half_width
+        """Half-width of the contact [m]."""
+        self._step = max(tractions.spacing)
+        cells = self.half_width / (MIN_HALF_CELLS * self._step)
+        self.coarsest = int(log2(cells)) if cells > 1 else 0
+        """Number of the coarsest grid, 0 the finest."""
+
+    def grid(self, level: int) -> Tractions:
+        """The tractions on a grid whose spacing is halved so many times from it to the finest one."""
+        while len(self._grids) <= level:
+            self._grids.append(self._grids[-1].coarser())
+        return self._grids[level]
+
+    def level_for(self, depth: float, cells: int) -> int:
+        """Number of the coarsest grid with so many cells to a depth."""
+        ratio = depth / (cells * self._step)
+        return min(int(log2(ratio)), self.coarsest) if ratio > 1 else 0
+
+    def highest(
+        self, measure: Measure, depth: float, level: int
+    ) -> tuple[float, tuple[float, ...]]:
+        """Largest value at a depth, between the nodes of a grid, and its position [m]."""
+        field = self._field(measure, depth, level)
+        everywhere = np.ones(field.shape, bool)
+        value, nodes = extremum.minimum(-field, everywhere, everywhere)
+        return -value, self.grid(level).position(nodes)
+
+    def _field(self, measure: Measure, depth: float, level: int) -> Array:
+        """A measure at the nodes of a grid, at a depth."""
+        return measure(self.grid(level).stress(self.poisson_ratio, [depth])[:, 0])
+
+    @cached_property
+    def critical_depth(self) -> float:
+        """Depth of the largest equivalent stress among those searched [m]."""
+
+        @cache
+        def searched(factor: float) -> float:
+            depth = factor * self.half_width
+            level = self.level_for(depth, SEARCH_CELLS)
+            return float(self._field(von_mises, depth, level).max())
+
+        place = FIRST
+        while (best := max(_neighbours(place), key=lambda near: searched(DEPTHS[near]))) != place:
+            place = best
+        factors = [DEPTHS[place]]
+        if self._largest_at_surface() > searched(DEPTHS[place]):
+            factors += SURFACE_DEPTHS
+        return self.half_width * max(factors, key=searched)
+
+    def _largest_at_surface(self) -> float:
+        """Bound of the equivalent stress at the surface, by its tractions and by pressure spikes [Pa]."""
+        finest, coarsest = self.grid(0), self.grid(self.coarsest)
+        sample = (slice(None, None, 2**self.coarsest),) * finest.pressure.ndim
+        counted = tuple(slice(count) for count in finest.pressure[sample].shape)
+        spike = float(np.max(finest.pressure[sample] - coarsest.pressure[counted]))
+        shear = np.sqrt(sum(component**2 for component in finest.shear))
+        by_pressure, by_shear = SURFACE_STRESS
+        return float(by_pressure * finest.pressure.max() + by_shear * shear.max() + spike)
+
+    def peak(self, measure: Measure, depth: float) -> Peak:
+        """Maximum of a measure near a depth, which is refined by a parabola over its logarithm."""
+        fine = self.level_for(depth, FINAL_CELLS)
+        on_coarse = partial(self.highest, measure, level=fine + 1)
+        foreseen = 0.0
+        if depth > 0:
+            factors = (1 / (1 + DEPTH_STEP), 1, 1 + DEPTH_STEP)
+            before, middle, behind = (on_coarse(depth * factor)[0] for factor in factors)
+            step, gain = _vertex(before, middle, behind)
+            depth *= exp(step * log(1 + DEPTH_STEP))
+            foreseen = middle + gain
+        value, position = self.highest(measure, depth, fine)
+        coarse, _ = on_coarse(depth)
+        correction = (value - coarse) / 3  # to second order
+        value += correction
+        resolved = depth >= FINAL_CELLS * self._step
+        return Peak(
+            value,
+            depth,
+            position,
+            abs(correction) * (1 if resolved else 3) / value,
+            abs(coarse - foreseen) / value if depth > 0 else 0.0,
+        )
+
+
+def _neighbours(place: int) -> range:
+    """A place among `DEPTHS`, and those next to it."""
+    return range(max(place - 1, 0), min(place + 2, len(DEPTHS)))
+
+
+def _vertex(before: float, middle: float, behind: float) -> tuple[float, float]:
+    """Place of the vertex of a parabola, at most two steps from the middle of three values, and its rise."""
+    slope, bend = (behind - before) / 2, before - 2 * middle + behind
+    step = float(np.clip(-slope / bend, -2, 2)) if bend < 0 else float(np.sign(slope))
+    return step, slope * step + bend * step**2 / 2
