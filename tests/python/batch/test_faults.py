@@ -9,7 +9,7 @@ import threading
 import time
 from contextlib import redirect_stdout
 from dataclasses import replace
-from functools import cache, partial
+from functools import partial
 from io import StringIO
 
 import fuzz
@@ -19,6 +19,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from folders import CASES
+from full_disk import Disk, files
 from hypothesis import HealthCheck, Phase, given, settings
 
 import pyworm
@@ -46,7 +47,7 @@ drawn = partial(
 """Settings of tests that draw their inputs, the same ones in each run."""
 
 
-@drawn(max_examples=150)
+@drawn(max_examples=60)
 @given(mutant=fuzz.mutants(fuzz.QUICK))
 def test_a_mutated_case_is_planned_or_refused_in_one_sentence(tmp_path, mutant):
     _, _, flaws = fuzz.outcome(mutant, tmp_path)
@@ -84,20 +85,24 @@ def test_the_judge_of_mutants_sees_what_is_wrong(tmp_path, monkeypatch):
 # ------------------------------------------------------------------------- result and gap files
 
 
-@cache
-def whole_result(directory):
-    """A result file, and what a second run of its case needs."""
-    out = directory / "out"
-    command = ["run", str(TRACTION), *CHEAP, "--slide-roll-ratio", "0", "--out", str(out)]
+@pytest.fixture(autouse=True, scope="module")
+def without_pictures():
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
-        assert main(command) == 0
-    return (out / "result.nc").read_bytes(), command
+        yield
+
+
+def run_into(out, *ratios):
+    """The command that solves the cheap case at slide-roll ratios."""
+    return ["run", str(TRACTION), *CHEAP, "--slide-roll-ratio", *ratios, "--out", str(out)]
 
 
 @pytest.fixture(scope="module")
 def result_file(tmp_path_factory):
-    return whole_result(tmp_path_factory.mktemp("whole"))[0]
+    """A result file of one contact."""
+    out = tmp_path_factory.mktemp("whole")
+    assert main(run_into(out, "0")) == 0
+    return (out / "result.nc").read_bytes()
 
 
 @pytest.fixture
@@ -253,13 +258,10 @@ def test_a_result_that_no_solver_wrote_is_refused_with_its_error(
         assert sentence in refusal(command, str(file))
 
 
-def test_a_run_over_a_damaged_result_solves_again(tmp_path, capsys):
-    content, command = whole_result(tmp_path)
-    file = tmp_path / "out" / "result.nc"
-    file.write_bytes(content[: len(content) // 2])
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
-        assert main(command) == 0
+def test_a_run_over_a_damaged_result_solves_again(tmp_path, capsys, result_file):
+    file = tmp_path / "result.nc"
+    file.write_bytes(result_file[: len(result_file) // 2])
+    assert main(run_into(tmp_path, "0")) == 0
     assert open_result(file).converged
     assert "solved before" not in capsys.readouterr().err
 
@@ -325,40 +327,18 @@ def test_a_huge_gap_is_refused_before_it_is_read(tmp_path, refusal):
 
 # ------------------------------------------------------------------------------------- full disk
 
-FULL = """
-import resource, signal, sys
-import pyworm.plots.draw
-from pyworm.cli.main import main
-pyworm.plots.draw.draw = lambda *given, **options: []
-signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]), resource.RLIM_INFINITY))
-sys.exit(main(sys.argv[2:]))
-"""
-"""A command that can write no file larger than so many bytes, as if the disk were full."""
 
-
-def with_room_for(size, command):
-    return subprocess.run(
-        [sys.executable, "-c", FULL, str(size), *command],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-
-
-def test_a_full_disk_is_reported_and_costs_no_earlier_result(tmp_path, result_file):
-    _, command = whole_result(tmp_path)
-    before = (tmp_path / "out" / "result.nc").read_bytes()
-    more = [*command[: command.index("0")], "0", "1", *command[command.index("0") + 1 :]]
-    ended = with_room_for(len(before) // 2, more)
-    assert "Traceback" not in ended.stderr
-    assert ended.returncode == FAILED
-    assert "result.nc" in ended.stderr or "File too large" in ended.stderr
-    assert (tmp_path / "out" / "result.nc").read_bytes() == before
-    assert not list(tmp_path.rglob("*.part"))
+def test_a_full_disk_is_reported_and_costs_no_earlier_result(tmp_path, capsys, result_file):
+    (tmp_path / "result.nc").write_bytes(result_file)
+    before, more = files(tmp_path), run_into(tmp_path, "0", "1")
+    with Disk(len(result_file) // 2):
+        assert main(more) == FAILED
+    said = capsys.readouterr().err
+    assert "result.nc" in said or "File too large" in said
+    assert files(tmp_path) == before
     # with room again the same command goes on
-    assert with_room_for(1 << 30, more).returncode == 0
-    assert len(open_result(tmp_path / "out" / "result.nc").solutions) == 2
+    assert main(more) == 0
+    assert len(open_result(tmp_path / "result.nc").solutions) == 2
 
 
 # --------------------------------------------------------------------- a limit on processor time
@@ -425,9 +405,8 @@ def test_an_interrupt_ends_a_large_solve_at_once(effects, delays):
 def test_an_interrupted_run_keeps_what_is_finished(tmp_path):
     """One process; those with workers are in test_batch.py."""
     out = tmp_path / "out"
-    program = FULL.replace("(int(sys.argv[1])", "(resource.RLIM_INFINITY")
     process = subprocess.Popen(
-        [sys.executable, "-c", program, "", "run", str(TRACTION), *CHEAP, "--out", str(out)],
+        [sys.executable, "-m", "pyworm.cli", "run", str(TRACTION), *CHEAP, "--out", str(out)],
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,

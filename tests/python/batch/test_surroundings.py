@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import threading
+from dataclasses import asdict
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from pyworm.io import cache
 from pyworm.io.cache import cache_directory
 from pyworm.result.result import open_result
 from pyworm.scene.summary import scene_summary
+from pyworm.solver.cost.calibration import calibration
 
 POINT = (CASES / "point_m20_l10.toml").read_text()
 COARSE = ("--accuracy", "30%", "--effects", "isothermal", "--pictures", "none")
@@ -36,11 +38,6 @@ def in_process(*words, directory, **surroundings):
         env={name: value for name, value in environment.items() if value is not None},
         check=False,
     )
-
-
-def pyworm_in(directory, *words):
-    """A command in a process of its own."""
-    return in_process("-m", "pyworm.cli", *words, directory=directory)
 
 
 @pytest.fixture
@@ -70,17 +67,26 @@ COMMANDS = (
 ALL = """
 import json, sys
 from pyworm.cli.main import main
+from pyworm.solver.cost import calibration
+calibration.calibrate = lambda: calibration._read(json.loads(sys.argv[2]))
 print([main(words) for words in json.loads(sys.argv[1])], file=sys.stderr)
 """
-"""Several commands in one process, their exit codes at the end of standard error."""
+"""Several commands in one process, their exit codes at the end of standard error. The speed of the machine,
+which is measured again where it cannot be cached, is given: its measurement takes as long as all of them."""
+
+
+def all_commands(directory, before="", **surroundings):
+    """The commands in a process of their own, after some other lines of Python."""
+    commands = json.dumps([list(map(str, words)) for words in COMMANDS])
+    speed = json.dumps(asdict(calibration()))
+    return in_process("-c", before + ALL, commands, speed, directory=directory, **surroundings)
 
 
 @pytest.mark.parametrize(
     "odd", [NO_HOME | ASCII, FULL_HOME | LATIN], ids=["nohome, C", "full, latin"]
 )
 def test_every_command_works_in_odd_surroundings(case, odd):
-    commands = json.dumps([list(map(str, words)) for words in COMMANDS])
-    done = in_process("-c", ALL, commands, directory=case, **odd)
+    done = all_commands(case, **odd)
     assert b"Traceback" not in done.stderr, done.stderr
     assert done.stderr.split(b"\n")[-2] == b"[0, 0, 0, 0, 0, 0, 0]", done.stderr
     assert "Stößel µ 潤滑" in (case / "out/report.html").read_text(encoding="utf-8")
@@ -114,8 +120,7 @@ def turkish(request, tmp_path_factory):
 
 
 def test_every_command_works_in_turkish(case, turkish):
-    commands = json.dumps([list(map(str, words)) for words in COMMANDS])
-    done = in_process("-c", TURKISH + ALL, commands, directory=case, **turkish)
+    done = all_commands(case, TURKISH, **turkish)
     assert b"Traceback" not in done.stderr, done.stderr
     assert done.stderr.split(b"\n")[-2] == b"[0, 0, 0, 0, 0, 0, 0]", done.stderr
     said = (case / "out/report.html").read_text(encoding="utf-8")
