@@ -24,7 +24,7 @@ Run from the repository's root (a minute):
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cache, partial
 from math import atan, pi, sin, sqrt, tan
 from pathlib import Path
 from unittest.mock import patch
@@ -255,6 +255,7 @@ def rigid_rate(film: float, load: float, speed: float) -> float:
     return ruptured(exit_place)[0]
 
 
+@cache  # of most times of a course load and speed are the same
 def rigid_steady(load: float, speed: float) -> float:
     """The film [m] of the rigid line under a load [N/m] at a speed [m/s] (Martin)."""
     return scipy.optimize.brentq(lambda film: rigid_rate(film, load, speed), 1e-8, 1e-4, xtol=1e-13)

@@ -6,10 +6,13 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 from linked_programs import LIBRARY, Linker, Printed
-from undrawn_pages import undrawn_pages
+from undrawn_pages import plain_pages, undrawn_pages
+from zi_drives import shared_springs
 
 # a busy machine is no failure: examples count, not the time in which they are drawn
-settings.register_profile("pyworm", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.register_profile(
+    "pyworm", deadline=None, max_examples=50, suppress_health_check=[HealthCheck.too_slow]
+)
 settings.load_profile("pyworm")
 
 
@@ -26,6 +29,14 @@ def interrupts():
     signal.signal(signal.SIGINT, before)
 
 
+@pytest.fixture(autouse=True, scope="session")
+def springs():
+    """The tests solve the same worm drives again and again, whose springs take most of their time."""
+    with pytest.MonkeyPatch.context() as patch:
+        shared_springs(patch)
+        yield
+
+
 @pytest.fixture(autouse=True)
 def unhurried(monkeypatch):
     """A busy machine adds no lines about long stages to what commands say."""
@@ -36,6 +47,13 @@ def unhurried(monkeypatch):
 def undrawn():
     """Pictures of report pages are not drawn, for tests of what is written beside them."""
     with undrawn_pages():
+        yield
+
+
+@pytest.fixture
+def plain():
+    """Report pages without pictures and without what follows from other oils and mountings."""
+    with plain_pages():
         yield
 
 

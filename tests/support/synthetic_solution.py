@@ -376,13 +376,13 @@ def _flash(x, y, heat, motion):
     speed = np.hypot(u, v)
     reach = 2 * np.hypot(np.ptp(x), np.ptp(y))
     flux = RegularGridInterpolator((y, x), heat, bounds_error=False, fill_value=0.0)
-    places = (
-        reach * (np.arange(100) + 0.5) ** 2 / 100**2
-    )  # evenly spaced in the root of the distance
+    count = 30
+    # evenly spaced in the root of the distance
+    places = reach * (np.arange(count) + 0.5) ** 2 / count**2
     rise = np.zeros(heat.shape)
     for place in places:
         before = np.stack([y[:, None] - v / speed * place, x - u / speed * place], axis=-1)
-        rise += flux(before) * 2 * np.sqrt(reach) / 100
+        rise += flux(before) * 2 * np.sqrt(reach) / count
     return INLET + rise / np.sqrt(pi * 7900 * 477 * 47 * speed)
 
 

@@ -86,8 +86,23 @@ def coarse_springs(monkeypatch) -> None:
     """Fewer phases and loads for the compliance of tooth pairs, in tests that do not ask for its accuracy."""
     monkeypatch.setattr(tooth_compliance, "SPRING_PHASES", np.linspace(-0.2, 1.2, 15))
     monkeypatch.setattr(tooth_compliance, "LOAD_SHARES", np.array([0.02, 0.3, 1.0]))
-    # a cache of its own: these must not be taken for others
-    monkeypatch.setattr(mesh, "mesh_springs", lru_cache(maxsize=2)(mesh_springs.__wrapped__))
+
+
+def shared_springs(monkeypatch) -> None:
+    """Tooth springs are found once for all tests of a process, those of fewer phases or loads apart."""
+    monkeypatch.setattr(
+        mesh,
+        "mesh_springs",
+        lambda *given: _springs(
+            tooth_compliance.SPRING_PHASES.tobytes(), tooth_compliance.LOAD_SHARES.tobytes(), *given
+        ),
+    )
+
+
+@lru_cache(maxsize=30)
+def _springs(phases: bytes, loads: bytes, *given) -> tooth_compliance.ToothSprings:
+    """Springs of the phases and loads that are asked for at the time."""
+    return mesh_springs.__wrapped__(*given)
 
 
 def quickly_described(monkeypatch) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from worm_drawings import of_profile
+from zi_drives import coarse_springs
 
 from pyworm.case.case import case_of
 from pyworm.drives.worm.drawing.design import Assembly
@@ -46,6 +47,14 @@ CASE = {
     },
     "oil": {"name": "PAG VG 220", "temperature": "70 degC"},
 }
+
+
+@pytest.fixture(autouse=True, scope="module")
+def coarse():
+    """Fewer phases and loads for load sharing, which is looked at to a tenth."""
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_springs(patch)
+        yield
 
 
 def misaligned(**errors):

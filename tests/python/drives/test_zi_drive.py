@@ -9,6 +9,7 @@ import json
 import numpy as np
 import pytest
 from folders import CASES
+from zi_drives import coarse_patterns
 
 import pyworm
 from pyworm.cli.main import main
@@ -34,6 +35,7 @@ def drive(tmp_path_factory):
         said = []
         patch.setattr("pyworm.cli.run.print_json", said.append)
         patch.setattr("pyworm.plots.draw.draw", lambda *given, **options: [])
+        coarse_patterns(patch)  # which nothing here looks at
         options = ["--accuracy", "20%", "--phase", *PHASES, "--json", "--out", str(out)]
         assert main(["run", str(CASE), *options]) == CONVERGED
     return open_result(out / "result.nc"), json.loads(json.dumps(said[0]))

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from zi_drives import sharif
 
-from pyworm.drives.worm.loads import tooth_compliance
+from pyworm.drives.worm.loads import mesh, tooth_compliance
 from pyworm.drives.worm.loads.load_sharing import Arms, Transmission, share
 from pyworm.drives.worm.loads.tooth_compliance import ToothSprings, mesh_springs, tooth_springs
 from pyworm.formulas.hertz import hertz
@@ -213,6 +213,7 @@ def test_dry_contacts_are_solved_once_for_equal_teeth(monkeypatch):
     """Whatever friction, lifts and driver are; drives take them along to processes that know nothing."""
     calls = []
     solve = tooth_compliance.kernel.dry_contact
+    monkeypatch.setattr(mesh, "mesh_springs", mesh_springs)  # with its own cache
     monkeypatch.setattr(tooth_compliance, "SPRING_PHASES", np.array([0.0, 0.5, 1.0]))
     monkeypatch.setattr(
         tooth_compliance.kernel, "dry_contact", lambda *given: calls.append(1) or solve(*given)

@@ -140,7 +140,8 @@ def test_a_help_text_longer_than_the_buffer_of_a_closed_pipe_is_quiet(monkeypatc
 
 def test_closed_streams_cost_nothing(tmp_path):
     out = tmp_path / "out"
-    run = ("run", BALL, "--accuracy", "30%", "--effects", "isothermal", "--json", "--out", out)
+    run = ("run", BALL, "--accuracy", "30%", "--effects", "isothermal", "--pictures", "none")
+    run += ("--json", "--out", out)
     code, said, _ = shell('exec 2>&-; exec "$@"', *run)
     assert code == 0
     assert json.loads(said)["case"] == "ball_pag_460"

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from folders import CASES
+from zi_drives import coarse_springs
 
 from pyworm.case.case import case_again, case_of
 from pyworm.io.input_error import CaseError
@@ -38,8 +39,9 @@ def test_reduced_moduli_with_a_steel_worm_are_those_of_the_standard(name, standa
     assert reduced_modulus(worm, wheel) / 1e6 == pytest.approx(standard, rel=1e-4)
 
 
-def test_boundary_friction_of_wheels_stands_to_each_other_as_friction_at_rest():
+def test_boundary_friction_of_wheels_stands_to_each_other_as_friction_at_rest(monkeypatch):
     """0.13, 0.15 and 0.18 (DIN 3996, as others copied it), of which none is in the fit."""
+    coarse_springs(monkeypatch)
     tin, aluminium, iron = (
         bodies(wheel=f'material = "{name}"').scene(phase=0.5).boundary_friction
         for name in ("CuSn12Ni2", "CuAl10Fe5Ni5", "GJS")

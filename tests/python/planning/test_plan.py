@@ -13,6 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from plan_scenes import ROUGH, STEEL, TRIALS, mineral, point
 from plans import trial
+from zi_drives import quickly_described
 
 import pyworm
 from pyworm.cli.main import main
@@ -370,6 +371,7 @@ def test_check_lists_effects_as_json(capsys):
     ],
 )
 def test_the_page_on_effects_shows_what_check_prints(arguments, capsys, monkeypatch):
+    quickly_described(monkeypatch)
     monkeypatch.setenv("COLUMNS", "112")
     assert main(["check", *f"cases/{arguments}".split()]) == CONVERGED
     rows = [line.strip() for line in capsys.readouterr().out.splitlines()]

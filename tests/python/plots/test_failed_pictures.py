@@ -97,6 +97,13 @@ def result():
     return replace(built, solutions=tuple(built.solutions), mesh_cycle=None)
 
 
+@pytest.fixture
+def unrendered(monkeypatch):
+    """Files of pictures are empty, in tests of which ones there are."""
+    monkeypatch.setattr("pyworm.plots.attempts.write", lambda figure, path: path.touch() or path)
+
+
+@pytest.mark.usefixtures("unrendered")
 def test_one_that_fails_costs_no_other(tmp_path, result, monkeypatch):
     every = {path.name for path in draw(result, tmp_path / "all")}
     monkeypatch.setitem(SCENE_PICTURES["point"], "gap", fails)
@@ -109,6 +116,7 @@ def test_one_that_fails_costs_no_other(tmp_path, result, monkeypatch):
     assert left == {path.name for path in told.value.drawn} == {n for n in every if "_gap" not in n}
 
 
+@pytest.mark.usefixtures("unrendered")
 @pytest.mark.parametrize("json_asked", [True, False], ids=["json", "table"])
 def test_figures_and_table_come_first_and_the_exit_code_is_theirs(
     tmp_path, capsys, monkeypatch, json_asked

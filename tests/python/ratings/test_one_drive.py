@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from folders import DATA
 from refusals import changed
+from zi_drives import coarse_springs
 
 from pyworm.case.case import case_of
 from pyworm.io.input_error import CaseError
@@ -14,6 +15,16 @@ from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.ratings.standard_loss import standard_loss
 
 DRIVE = (DATA / "worm_rated.toml").read_text()
+
+
+@pytest.fixture(autouse=True, scope="module")
+def coarse():
+    """Fewer phases and loads for load sharing."""
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_springs(patch)
+        yield
+
+
 SYMBOLS = ("S_W", "S_H", "S_delta", "S_F", "S_T")
 
 

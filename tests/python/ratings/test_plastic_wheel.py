@@ -24,11 +24,13 @@ BRONZE = 'material = "CuSn12Ni2-C-GZ"'
 LIGHT = ('wheel_torque = "300 N m"', 'wheel_torque = "60 N m"')
 
 
-@pytest.fixture(autouse=True)
-def coarse(monkeypatch):
+@pytest.fixture(autouse=True, scope="module")
+def coarse():
     """Fewer places, phases and loads for patterns and load sharing."""
-    coarse_patterns(monkeypatch)
-    coarse_springs(monkeypatch)
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_patterns(patch)
+        coarse_springs(patch)
+        yield
 
 
 def case(wheel, *changes):
@@ -124,29 +126,39 @@ def test_no_wear_of_bronze_is_taken_for_a_plastic_wheel(tmp_path, capsys):
     assert "PEEK is not covered by the worm-gear standard" in capsys.readouterr().err
 
 
-def begun(lifts, monkeypatch):
-    """The film of a soft wheel on the last of its first grids, begun with some lifts."""
-    monkeypatch.setattr(contact, "LIFTS", lifts)
-    scene = case('material = "PEEK"').drive.scene(0.5)
+@pytest.fixture(scope="module")
+def soft():
+    """Contact of a soft wheel at mid-mesh."""
+    return case('material = "PEEK"').drive.scene(0.5)
+
+
+def begun(scene, lifts):
+    """The film on the last of the first grids, begun with some lifts."""
     plan = pyworm.plan(scene, 0.2, ("isothermal", "shear-thinning"))
-    level, steps = contact.PointContactSolver(plan.simplified(scene), plan).begin(plan.grids)
-    return level, len(steps) + len(iterate(level, plan.tolerance))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(contact, "LIFTS", lifts)
+        level, steps = contact.PointContactSolver(plan.simplified(scene), plan).begin(plan.grids)
+        return level, len(steps) + len(iterate(level, plan.tolerance))
 
 
-def test_a_film_that_a_flank_ends_under_is_found_from_a_thicker_one(monkeypatch):
+@pytest.fixture(scope="module")
+def lost(soft):
+    """The film that is not found from the expected one, and the number of steps."""
+    return begun(soft, ())
+
+
+def test_a_film_that_a_flank_ends_under_is_found_from_a_thicker_one(soft, lost):
     """Where none is found from the expected one."""
-    lifts = contact.LIFTS
-    lost, _ = begun((), monkeypatch)
-    level, _ = begun(lifts, monkeypatch)
-    assert lost.diverged() and not level.diverged()
+    level, _ = begun(soft, contact.LIFTS)
+    assert lost[0].diverged() and not level.diverged()
     assert 1e-7 < level.read().figures["film_min"] < 2e-6
 
 
-def test_where_no_thicker_film_leads_to_one_the_first_attempt_stays(monkeypatch):
-    lost, steps = begun((), monkeypatch)
-    again, more = begun((0.0,), monkeypatch)
+def test_where_no_thicker_film_leads_to_one_the_first_attempt_stays(soft, lost):
+    first, steps = lost
+    again, more = begun(soft, (0.0,))
     assert again.diverged() and more > steps
-    assert again.read().figures == pytest.approx(lost.read().figures, rel=1e-6)
+    assert again.read().figures == pytest.approx(first.read().figures, rel=1e-6)
 
 
 @pytest.mark.long

@@ -8,6 +8,7 @@ from tempfile import TemporaryDirectory
 import pytest
 from folders import CASES
 from synthetic_solution import make_hot_worm, make_line_solution, make_mesh_cycle
+from zi_drives import coarse_patterns, coarse_springs
 
 import pyworm
 from pyworm.cli.main import main
@@ -23,6 +24,15 @@ oil = "PAG VG 460"
 wheel_material = "CuSn12Ni2"
 life = "25000 h"
 """
+
+
+@pytest.fixture(autouse=True, scope="module")
+def coarse():
+    """Fewer places, phases and loads for patterns and load sharing."""
+    with pytest.MonkeyPatch.context() as patch:
+        coarse_patterns(patch)
+        coarse_springs(patch)
+        yield
 
 
 @cache
@@ -107,7 +117,7 @@ def test_the_command_names_variants_by_their_folders(files, capsys):
     assert '<th scope="col">b</th>' in out.read_text()
 
 
-@pytest.mark.usefixtures("undrawn")
+@pytest.mark.usefixtures("plain")
 def test_simulated_wear_stands_on_the_pages_to_sign(files, capsys, tmp_path):
     out = tmp_path / "report.html"
     assert main(["report", str(files[0]), "--wear", str(tmp_path), "--out", str(out)]) == 2
@@ -123,7 +133,7 @@ def test_options_of_one_result_are_refused_of_several(files, capsys):
     assert "--drawing: is of one result, 2 are given" in capsys.readouterr().err
 
 
-@pytest.mark.usefixtures("undrawn")
+@pytest.mark.usefixtures("plain")
 def test_without_a_browser_a_pdf_is_refused_in_a_sentence(files, capsys, monkeypatch):
     monkeypatch.setattr(pdf.shutil, "which", lambda name: None)
     out = files[0].with_name("here.html")

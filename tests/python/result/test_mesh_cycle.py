@@ -240,10 +240,18 @@ def heated_in(result, *numbers):
     )
 
 
+@pytest.fixture
+def coarse_map(monkeypatch):
+    """Fewer nodes of solutions on the flank, in tests that compare maps of the same nodes."""
+    monkeypatch.setattr("pyworm.result.flank_map.NODES", (100, 50))
+
+
+@pytest.mark.usefixtures("coarse_map")
 def test_the_flank_keeps_temperatures_of_the_phases_that_simulated_heat():
     """Drive 4 of seed 82001 neglected heat in some of its phases; its map ended in a KeyError."""
     whole = cycle_result(PHASES[::3])
-    everywhere = flank_map(whole)["temperature_middle"]
+    of_whole = flank_map(whole)
+    everywhere = of_whole["temperature_middle"]
     mapped = [flank_map(heated_in(whole, *numbers)) for numbers in ((0, 1), (1,), (0, 1, 3), ())]
     places = [np.isfinite(of["temperature_middle"]).values for of in mapped[:3]]
     assert 0 < places[1].sum() < places[0].sum() < places[2].sum() < np.isfinite(everywhere).sum()
@@ -253,7 +261,7 @@ def test_the_flank_keeps_temperatures_of_the_phases_that_simulated_heat():
         assert some.max() == pytest.approx(float(everywhere.max()), rel=1e-3)
     assert "temperature_middle" not in mapped[-1]
     for field in mapped:
-        assert field["pressure"].equals(flank_map(whole)["pressure"])
+        assert field["pressure"].equals(of_whole["pressure"])
 
 
 def ending_in_the_contact(result, phase):
@@ -279,6 +287,7 @@ def test_places_on_a_flank_go_straight_on_beyond_the_tooth():
         assert radius == pytest.approx(0.27 + y - 0.015 * 0.2, abs=1e-15)
 
 
+@pytest.mark.usefixtures("coarse_map")
 def test_the_flank_is_mapped_where_contacts_move_over_the_edge_of_a_tooth():
     """Places on the common grid of all phases lie beyond the tooth of some of them."""
     whole = cycle_result(PHASES[::3])
@@ -288,6 +297,7 @@ def test_the_flank_is_mapped_where_contacts_move_over_the_edge_of_a_tooth():
         assert short[name].values == pytest.approx(field[name].values, rel=1e-9, nan_ok=True)
 
 
+@pytest.mark.usefixtures("coarse_map")
 def test_wear_is_found_where_contacts_move_over_the_edge_of_a_tooth():
     whole = cycle_result(PHASES[::3])
     rough = replace(

@@ -59,7 +59,7 @@ def test_a_changed_case_is_refused_with_what_differs(kept, tmp_path, capsys, com
     assert all(said in error for _, said in CHANGES.values())
 
 
-@pytest.mark.usefixtures("undrawn")
+@pytest.mark.usefixtures("plain")
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command[0])
 def test_a_renamed_copy_is_taken(kept, capsys, command):
     """So is one of another title, accuracy or list of phases: none decides a contact."""
@@ -70,7 +70,7 @@ def test_a_renamed_copy_is_taken(kept, capsys, command):
     assert capsys.readouterr().err == ""
 
 
-@pytest.mark.usefixtures("undrawn")
+@pytest.mark.usefixtures("plain")
 @pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command[0])
 def test_a_changed_case_is_taken_anyway_with_a_warning(kept, capsys, command):
     Path("case.toml").write_text(changed(TEXT, ('"14 kN"', '"15 kN"')))
@@ -80,7 +80,7 @@ def test_a_changed_case_is_taken_anyway_with_a_warning(kept, capsys, command):
     assert "operation.load is 15 kN, was 14 kN" in told
 
 
-@pytest.mark.usefixtures("undrawn")
+@pytest.mark.usefixtures("plain")
 def test_a_report_takes_the_ratings_of_the_case(kept, capsys):
     """What is only rated may change: the life that is wanted, say."""
     Path("case.toml").write_text(changed(TEXT, ('"25000 h"', '"20000 h"')))

@@ -123,7 +123,7 @@ def test_results_have_both_bars():
 
 def test_smooth_films_have_one_bar():
     scene = pyworm.load(CASES / "spur_pair.toml").scene(phase=0.5)
-    solution = pyworm.solve(scene, pyworm.plan(scene, 0.05, ("all", "-roughness")))
+    solution = pyworm.solve(scene, pyworm.plan(scene, 0.2, ("all", "-roughness", "-squeeze")))
     assert solution.figures.friction_coefficient.model is None
     assert not any("model_error" in key for key in solution.summary())
 

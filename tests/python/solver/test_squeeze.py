@@ -21,6 +21,8 @@ from pyworm.solver.transient.time_integration import integrate_in_time
 
 RADIUS, VISCOSITY, CRAWL = 0.02, 0.09, 3e-4
 APART, APPROACH, DURATION = 8e-6, 2e-3, 3e-3
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(200)
+"""Of Gauss' quadrature."""
 
 
 @dataclass(frozen=True)
@@ -46,10 +48,10 @@ def cylinder():
     return as_line(steel_ball())
 
 
-def integrated(contact_at, kinks=(), refinement=0, effects=None):
+def time_grid_through(contact_at, kinks=(), effects=None):
     life = Life(DURATION, contact_at, kinks=kinks)
     present = replace(contact_at(DURATION), past=Past(life, DURATION))
-    time_grid = time_grid_of(
+    return time_grid_of(
         life,
         pyworm.plan(
             present,
@@ -59,6 +61,10 @@ def integrated(contact_at, kinks=(), refinement=0, effects=None):
             ("film",),
         ),
     )
+
+
+def integrated(contact_at, kinks=(), refinement=0, effects=None):
+    time_grid = time_grid_through(contact_at, kinks, effects)
     found = integrate_in_time(time_grid, refinement, 0.0, [0.95 * DURATION])
     assert found.failure is None
     return time_grid, found.records
@@ -66,12 +72,10 @@ def integrated(contact_at, kinks=(), refinement=0, effects=None):
 
 def strip_load(height, ends, rate, gap=lambda x: 0.0):
     """Load for each length of a strip whose walls approach at a rate, by quadratures of the closed form."""
-
-    nodes, weights = np.polynomial.legendre.leggauss(200)
-    x = (ends[0] + ends[1] + (ends[1] - ends[0]) * nodes) / 2
+    x = (ends[0] + ends[1] + (ends[1] - ends[0]) * NODES) / 2
 
     def over(power):
-        return (ends[1] - ends[0]) / 2 * float(weights @ (x**power / (height + gap(x)) ** 3))
+        return (ends[1] - ends[0]) / 2 * float(WEIGHTS @ (x**power / (height + gap(x)) ** 3))
 
     middle = over(1) / over(0)
     return 12 * VISCOSITY * rate * (over(2) - middle * over(1))
@@ -117,7 +121,7 @@ def test_a_body_that_is_let_go_sinks_as_the_closed_form_says(kind):
         half = (x[1] - x[0]) / 2
         return covered[0] - half, covered[-1] + half
 
-    time_grid, _ = integrated(contact_at, (release,))
+    time_grid = time_grid_through(contact_at, (release,))
     load = strip_load(height, ends(time_grid, release), APPROACH, shape)
     time_grid, records = integrated(lambda at: contact_at(at, load), (release,))
     sinking = scipy.integrate.solve_ivp(
