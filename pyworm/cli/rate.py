@@ -7,14 +7,17 @@ from typing import TYPE_CHECKING
 
 from pyworm.cli.arguments import add_anyway, add_json
 from pyworm.cli.shared import opened_result
+from pyworm.io.atomic import atomic_directory, check_writable
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
-from pyworm.io.terminal import print_message
+from pyworm.io.terminal import print_message, print_result
 from pyworm.result.result_case import case_for
 
 if TYPE_CHECKING:
+    from pyworm.drives.heat_network import TemperatureHistory
     from pyworm.io.console import Console
     from pyworm.ratings.rate import CaseRatings
+    from pyworm.ratings.rated_case import RatingRequest
     from pyworm.ratings.rating import Rating
     from pyworm.result.result import Result
 
@@ -29,14 +32,26 @@ def add(commands: argparse._SubParsersAction) -> None:
         metavar="RESULT",
         help="simulated result of the same gears, for comparison",
     )
+    rate.add_argument(
+        "--hours",
+        type=_hours,
+        nargs="+",
+        metavar="H",
+        help="temperatures over hours of running, of standing still, of running ..., with a picture",
+    )
+    rate.add_argument(
+        "--out", type=Path, default=Path(), metavar="DIR", help="of the picture (default: current)"
+    )
     add_anyway(rate)
     add_json(rate)
     rate.set_defaults(command=_rate)
 
 
 def _rate(options: argparse.Namespace) -> int:
+    from pyworm.io.console import Console
     from pyworm.ratings.rate import rated
     from pyworm.ratings.rated_case import load_rating_request, rating_request
+    from pyworm.ratings.temperatures import history_summary, rate_history
     from pyworm.result.result import readable
 
     request, result, differ = load_rating_request(options.case), None, None
@@ -50,11 +65,46 @@ def _rate(options: argparse.Namespace) -> int:
         found = rated(request, result, options.case)
     for warning in (*([] if differ is None else [differ]), *request.warnings):
         print_message(f"warning: {warning}")
+    history = None if options.hours is None else _history(found.request, options)
     if options.json:
-        print_json(found.summary())
-    else:
-        _show(found, result)
+        print_json(
+            found.summary() | ({} if history is None else {"history": history_summary(history)})
+        )
+        return 0
+    _show(found, result)
+    if history is not None:
+        _print(Console(), rate_history(history))
+        print_result(f"Picture   {_picture(options)}")
     return 0
+
+
+def _history(request: "RatingRequest", options: argparse.Namespace) -> "TemperatureHistory":
+    """Temperatures over the hours, after their picture is drawn; CaseError of a case without a housing."""
+    from pyworm.plots.layout import write
+    from pyworm.plots.temperatures import draw_temperatures
+    from pyworm.ratings.rated_case import thermal_unit
+
+    try:
+        unit = thermal_unit(request)
+        history = unit.history(options.hours)
+    except ValueError as error:
+        raise CaseError(f"{options.case}: {error}") from error
+    check_writable(options.out)
+    with atomic_directory(options.out) as aside:
+        picture = draw_temperatures(request.name, history, unit.steady)
+        write(picture, aside / _picture(options).name)
+    return history
+
+
+def _picture(options: argparse.Namespace) -> Path:
+    return Path(options.out) / f"{options.case.stem}_temperatures.png"
+
+
+def _hours(text: str) -> float:
+    hours = float(text)
+    if not 0 < hours <= 1e5:
+        raise argparse.ArgumentTypeError(f"{text}: must lie between 0 and 1e5 h")
+    return hours
 
 
 def _show(found: "CaseRatings", result: "Result | None") -> None:

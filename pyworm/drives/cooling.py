@@ -69,6 +69,8 @@ class Surroundings:
 
     ambient_temperature: units.Temperature
     """Temperature of the surroundings [K]."""
+    ambient_swing: units.TemperatureDifference = 0.0
+    """Half the difference of the day's warmest and coldest surroundings [K], over time alone."""
     conductance: units.ThermalConductance | None = None
     """Heat from the housing to its surroundings over the temperature difference to the oil [W/K]."""
     housing: HousingSizes | None = None

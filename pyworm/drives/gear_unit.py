@@ -10,21 +10,30 @@ of the seals the first shaft, and churning the oil. Heat flows on
 A unit of a given conductance has gear bodies and oil only. Correlations: `pyworm.formulas.heat_transfer`.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import hypot
+from math import hypot, pi, sin
 
 from scipy.optimize import brentq
 
 from pyworm.drives.cooling import Cooling, DriveTemperatures, HousingSizes
-from pyworm.drives.heat_network import HeatPath, HeatState, ThermalNetwork
+from pyworm.drives.heat_network import (
+    HeatPath,
+    HeatState,
+    TemperatureHistory,
+    ThermalNetwork,
+    ThermalStep,
+)
 from pyworm.drives.rotor import STEEL_CONDUCTIVITY, Rotor
 from pyworm.formulas import heat_transfer as ht
 from pyworm.io.present import present
 from pyworm.materials.oil import Oil
 
 OIL, HOUSING, AMBIENT, FOUNDATION = "oil", "housing", "ambient", "foundation"
+
+HOUR, DAY = 3600.0, 86400.0
+"""An hour and a day [s]."""
 
 IRON_DENSITY, IRON_HEAT = 7200.0, 500.0
 """Density [kg/m3] and specific heat [J/(kg K)] of cast iron."""
@@ -113,6 +122,22 @@ class GearUnit:
         """The network, with factors of some kinds of paths; ValueError of a point that nothing fits."""
         factors = dict(factors or {})
         return self._network(factors, self._fit(factors), self.cooling.ambient_temperature, 1.0)
+
+    def history(self, hours: Sequence[float]) -> TemperatureHistory:
+        """Temperatures from a start as cold as the surroundings; ValueError without sizes of the housing.
+
+        The unit runs for the first of the hours [h], stands still for the second, and so on. The surroundings
+        start at their mean and are warmest after 6 h.
+        """
+        if self.cooling.housing is None:
+            raise ValueError("temperatures over time need [cooling.housing], for its heat capacity")
+        steps = [ThermalStep(HOUR * each, number % 2 == 0) for number, each in enumerate(hours)]
+        mean, swing = self.cooling.ambient_temperature, self.cooling.ambient_swing
+
+        def ambient(time: float) -> float:
+            return mean + swing * sin(2 * pi * time / DAY)
+
+        return self.network().history(steps, mean, {AMBIENT: ambient})
 
     def _fit(self, factors: Mapping[str, float]) -> float:
         """Factor of the outer conductances for the measured point [-]."""

@@ -263,9 +263,8 @@ def _attempts(
         yield "Films by formula", _attempt(lambda: (rate_films(*_thinnest(request, result)),))
     if drive is not None:
         yield "Forces", _attempt(partial(_forces, request, drive, result))
-    if drive is not None and isinstance(tables, Cooled) and tables.cooling is not None:
-        unit = tables.unit_of
-        yield "Temperatures", _attempt(lambda: (rate_temperatures(unit(drive)),))
+    if getattr(tables, "cooling", None) is not None:
+        yield "Temperatures", _attempt(lambda: (rate_temperatures(thermal_unit(request)),))
     for name, bearing in tables.bearings.items():
         yield (
             f"Bearing {bearing.name or name}",
@@ -309,6 +308,14 @@ def _friction(request: RatingRequest, drive: Drive, result: Result | None) -> Fr
     balanced = drive.mesh_forces()
     assumed = 0.0 if balanced is None else balanced.friction
     return Friction(running or {"computed": assumed}, starting)
+
+
+def thermal_unit(request: RatingRequest) -> GearUnit:
+    """The thermal network of a case; ValueError without `[cooling]`."""
+    tables = request.tables
+    if not isinstance(tables, Cooled) or tables.cooling is None:
+        raise ValueError("temperatures need [cooling]")
+    return tables.unit_of(present(request.drive, "drive"))
 
 
 def _forces(request: RatingRequest, drive: Drive, result: Result | None) -> tuple[Rating, ...]:

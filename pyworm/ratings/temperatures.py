@@ -1,14 +1,21 @@
 """Temperatures and heat flows of a gear unit in balance, by its thermal network."""
 
 from collections.abc import Iterator
+from typing import Any
 
-from pyworm.drives.gear_unit import GearUnit
+import numpy as np
+
+from pyworm.drives.gear_unit import HOUR, GearUnit
+from pyworm.drives.heat_network import TemperatureHistory
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.ratings.rating import RatedFigure, Rating
 
 SOURCE = (
     "thermal network with conductances by published correlations (pyworm.formulas.heat_transfer)"
 )
+
+SHOWN_TIMES = 7
+"""Number of times in the table of temperatures."""
 
 GIVEN = "thermal network of gear bodies and oil in a housing of given conductance"
 
@@ -51,6 +58,39 @@ def _figures(unit: GearUnit) -> Iterator[RatedFigure]:
         "conductance_W_K", "Loss over excess of oil above ambient", (unit.conductance,), "W/K"
     )
     yield RatedFigure("imbalance", "Relative heat imbalance", (state.imbalance,), "")
+
+
+def rate_history(history: TemperatureHistory) -> Rating:
+    """Temperature of each node at some times."""
+    shown = np.unique(np.linspace(0, len(history.time) - 1, SHOWN_TIMES).round().astype(int))
+    return Rating(
+        key="temperatures_over_time",
+        title="Temperatures over time",
+        source=SOURCE,
+        columns=tuple(f"{history.time[number] / HOUR:.3g} h" for number in shown),
+        figures=tuple(
+            RatedFigure(
+                f"{_key(node)}_temperature_C",
+                node.capitalize(),
+                tuple(float(values[number]) - ZERO_CELSIUS for number in shown),
+                "°C",
+            )
+            for node, values in history.temperatures.items()
+        ),
+    )
+
+
+def history_summary(history: TemperatureHistory) -> dict[str, Any]:
+    """All times and temperatures as an object for JSON."""
+    return {
+        "time_h": (history.time / HOUR).tolist(),
+        **{
+            f"{_key(node)}_temperature_C": (values - ZERO_CELSIUS).tolist()
+            for node, values in history.temperatures.items()
+        },
+        "heat_stored_J": history.stored,
+        "heat_supplied_J": history.supplied,
+    }
 
 
 def _key(name: str) -> str:

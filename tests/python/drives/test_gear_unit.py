@@ -1,5 +1,6 @@
 """Thermal network of gear units: a given conductance, sizes of a housing, a measured point, time."""
 
+import json
 import re
 import tomllib
 
@@ -11,6 +12,7 @@ from refusals import changed
 from pyworm.batch import drive_iteration
 from pyworm.batch.task import Task
 from pyworm.case.case import case_of
+from pyworm.cli.main import main
 from pyworm.drives.heat_network import ThermalStep
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.formulas import heat_transfer as ht
@@ -266,3 +268,28 @@ def test_a_rating_shows_temperatures_and_heat_flows(half_load):
     outward = [value for key, value in figures.items() if key.startswith("heat_")]
     assert figures["pinion_loss_W"] + figures["gear_loss_W"] + figures["oil_loss_W"] < sum(outward)
     assert abs(figures["imbalance"]) < 1e-6
+
+
+def test_rate_shows_temperatures_over_time_with_a_picture(tmp_path, capsys):
+    text = (CASES / "errichello_speed_increaser.toml").read_text()
+    case = tmp_path / "half.toml"
+    case.write_text(
+        text.replace("346 hp", "173 hp")
+        + HALF_LOAD.replace('"300 W"', '"300 W"\nambient_swing = "5 K"')
+    )
+    assert (
+        main(["rate", str(case), "--hours", "8", "16", "--out", str(tmp_path / "a"), "--json"]) == 0
+    )
+    found = json.loads(capsys.readouterr().out)["history"]
+    hours, oil = np.array(found["time_h"]), np.array(found["oil_temperature_C"])
+    assert hours[-1] == pytest.approx(24) and abs(hours[oil.argmax()] - 8) < 0.1
+    assert oil[0] == pytest.approx(25) and 25 < oil[-1] < oil.max()
+    assert found["ambient_temperature_C"][len(hours) // 4] > 25
+    assert found["heat_stored_J"] == pytest.approx(found["heat_supplied_J"], rel=1e-3)
+    assert (tmp_path / "a/half_temperatures.png").stat().st_size > 1e4
+    case.write_text(text)
+    assert main(["rate", str(case), "--hours", "8"]) == 2
+    assert "half.toml: temperatures need [cooling]" in capsys.readouterr().err
+    case.write_text(text + COOLING.format("1 W") + 'conductance = "40 W/K"')
+    assert main(["rate", str(case), "--hours", "8"]) == 2
+    assert "need [cooling.housing], for its heat capacity" in capsys.readouterr().err
