@@ -1,23 +1,18 @@
 """Cases of gear sets whose losses warm them, but for worms, whose standard has more."""
 
 from collections.abc import Iterator
-from dataclasses import replace
-from typing import ClassVar, TypeVar
+from typing import ClassVar
 
 from pyworm.case.bodies import Bodies
 from pyworm.case.cooling import CoolingTable
 from pyworm.case.oil import OilTable
 from pyworm.case.ratings import RatedCase
 from pyworm.case.table import plain
-from pyworm.drives.cooling import Cooling, Surroundings
+from pyworm.drives.cooling import Cooling, DriveTemperatures, Surroundings
 from pyworm.drives.drive import Drive
-from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.drives.gear_unit import GearUnit
 from pyworm.drives.other_losses import NonMeshLosses
-from pyworm.drives.roller_worm.drive import RollerWormDrive
 from pyworm.io.present import present
-
-CooledDrive = TypeVar("CooledDrive", GearPairDrive, RollerWormDrive)
 
 
 def given_temperatures(oil: OilTable, bodies: Bodies) -> Iterator[str]:
@@ -61,9 +56,6 @@ class CooledCase(RatedCase):
             loss = self.first_loss * rotors[0].torque * rotors[0].speed
         return GearUnit(rotors, drive.oil, cooling, loss)
 
-    def warm(self, drive: CooledDrive) -> CooledDrive:
-        """The drive with oil and bodies as warm as its losses make them; as given without `[cooling]`."""
-        if self.cooling is None:
-            return drive
-        warm = self.unit_of(drive).temperatures
-        return replace(drive, oil=warm.oil(drive.oil), bodies=warm.warm(drive.bodies))
+    def temperatures_of(self, drive: Drive) -> DriveTemperatures | None:
+        """Temperatures of oil and bodies by the losses of the drive; None without `[cooling]`."""
+        return None if self.cooling is None else self.unit_of(drive).temperatures

@@ -1,6 +1,7 @@
 """A case about a pair of involute gears on parallel axes."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -123,7 +124,10 @@ class GearPairCase(CooledCase):
                 AS_DRAWN if table.inspection is None else plain(table.inspection, PairInspection)
             ),
         )
-        return self.warm(drive)
+        warm = self.temperatures_of(drive)
+        if warm is None:
+            return drive
+        return replace(drive, oil=warm.oil(oil), bodies=warm.warm(drive.bodies))
 
 
 def _relief(table: GearTable) -> LinearRelief:

@@ -4,9 +4,9 @@ from collections.abc import Iterator
 from math import exp, log
 
 from pyworm.case.bodies import BodyTable
-from pyworm.case.cooling import WormCoolingTable
 from pyworm.case.oil import OilTable
 from pyworm.case.ratings import WormRatingTable
+from pyworm.case.worm_cooling import WormCoolingTable
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.materials.body import Body
 from pyworm.materials.solids import alloy

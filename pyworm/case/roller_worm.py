@@ -1,6 +1,7 @@
 """A case about a roller enveloping worm drive."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from math import inf
 from typing import Annotated, Literal
 
@@ -158,7 +159,10 @@ class RollerWormCase(CooledCase):
             shaft=supports_of(self.drive.shaft),
             wheel_shaft=supports_of(self.drive.wheel_shaft),
         )
-        return self.warm(drive)
+        warm = self.temperatures_of(drive)
+        if warm is None:
+            return drive
+        return replace(drive, oil=warm.oil(oil), bodies=warm.warm(drive.bodies))
 
 
 CASE = RollerWormCase

@@ -11,7 +11,6 @@ import numpy as np
 from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
-from pyworm.case.cooling import WormCoolingTable
 from pyworm.case.drive_case import LOADS
 from pyworm.case.fitted_friction import with_fitted_friction
 from pyworm.case.one_wheel import other_cooling, other_material, other_temperature
@@ -19,6 +18,7 @@ from pyworm.case.ratings import CompletedRating, RatedCase, WormRatingTable
 from pyworm.case.shafts import supports_of
 from pyworm.case.table import Table, plain
 from pyworm.case.worm_conditions import conditions, standard_oil
+from pyworm.case.worm_cooling import WormCoolingTable
 from pyworm.case.worm_table import DeviationTable, WormDriveTable
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty

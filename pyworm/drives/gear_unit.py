@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from math import hypot, pi, sin
 
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.drives.cooling import Cooling, DriveTemperatures, HousingSizes
 from pyworm.drives.heat_network import (
@@ -153,7 +153,7 @@ class GearUnit:
         low, high = FIT_RANGE
         if excess(low) < 0 or excess(high) > 0:
             raise ValueError(f"cooling.measured: {UNFIT}")
-        return float(brentq(excess, low, high, xtol=1e-9))
+        return float(scipy.optimize.brentq(excess, low, high, xtol=1e-9))
 
     def _network(
         self, factors: Mapping[str, float], fit: float, ambient: float, scale: float

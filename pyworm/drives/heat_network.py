@@ -9,8 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.integrate import solve_ivp
-from scipy.optimize import root
+import scipy
 
 Array = np.ndarray
 
@@ -160,7 +159,7 @@ class ThermalNetwork:
         """The network in balance; ValueError where its balance does not close to `MAX_IMBALANCE`."""
         scale = max(sum(map(abs, self.sources.values())), 1.0)
         start = np.full(len(self._nodes), min(self.fixed.values()) + FIRST_EXCESS)
-        found = root(
+        found = scipy.optimize.root(
             lambda free: self._heating(free, self.fixed, True) / scale,
             start,
             method="hybr",
@@ -211,7 +210,7 @@ class ThermalNetwork:
 
         for step in steps:
             span = begun, begun + step.duration
-            found = solve_ivp(
+            found = scipy.integrate.solve_ivp(
                 rates,
                 span,
                 np.append(free, supplied),

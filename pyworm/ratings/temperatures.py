@@ -3,8 +3,6 @@
 from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
 from pyworm.drives.gear_unit import HOUR, GearUnit
 from pyworm.drives.heat_network import TemperatureHistory
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
@@ -62,7 +60,8 @@ def _figures(unit: GearUnit) -> Iterator[RatedFigure]:
 
 def rate_history(history: TemperatureHistory) -> Rating:
     """Temperature of each node at some times."""
-    shown = np.unique(np.linspace(0, len(history.time) - 1, SHOWN_TIMES).round().astype(int))
+    last = len(history.time) - 1
+    shown = [number * last // (SHOWN_TIMES - 1) for number in range(SHOWN_TIMES)]
     return Rating(
         key="temperatures_over_time",
         title="Temperatures over time",
