@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from math import atan2, cos, exp, hypot, inf, log, pi, sin, sqrt
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from pyworm.formulas import film_atlas
 from pyworm.formulas.film import (
@@ -173,7 +173,7 @@ def _whole_load(scene: Scene, groups: PointGroups, angle: float, film: float) ->
     high = low = log(film)
     while excess(low) < 0:
         low -= log(CUT_SHORT)
-    return scene.load * cut(exp(brentq(excess, low, high, xtol=FILM_PRECISION)))
+    return scene.load * cut(exp(scipy.optimize.brentq(excess, low, high, xtol=FILM_PRECISION)))
 
 
 def _supply_ratio(scene: Contact, flooded: float) -> float:
