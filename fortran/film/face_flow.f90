@@ -8,7 +8,7 @@ module pyworm_face_flow
   use pyworm_kinds, only: wp
   use pyworm_reynolds, only: film_fields
   use pyworm_rough_surfaces, only: rough_film
-  use pyworm_shear_flow, only: deficit_change, new_deficit_change, flow_change, flow_change_by_stresses
+  use pyworm_shear_flow, only: deficit_change, new_deficit_change, flow_change, flow_change_by_stresses, flow_deficit
   use pyworm_shear_stress, only: solve_shear
   use pyworm_sheared_oil, only: sheared_oil, oil_warming
   use pyworm_status, only: status_ok, status_no_memory
@@ -63,9 +63,10 @@ module pyworm_face_flow
     real(wp), allocatable :: geometric(:, :)
   end type face_mean
 
-  !> Scratch of a thread; `by_stresses` asks for the changes by the flow law's stresses of a law that does not harden, too.
+  !> Scratch of a thread; `by_stresses` asks for the changes by the flow law's stresses of a law that does not harden, too,
+  !> `flow_alone` for no changes at all: they are those of an evaluation before.
   type :: face_work
-    logical :: by_stresses = .false.
+    logical :: by_stresses = .false., flow_alone = .false.
     type(shear_strip) :: shear
     type(deficit_change) :: deficit
     type(node_strip) :: before, after
@@ -118,7 +119,12 @@ contains
     call set_nodes(fields, floor, merge(1, 2, faces%di == 1), work%before)
     call set_nodes(fields, floor, merge(1, 2, faces%di == 1), work%after)
     call average(nodes, faces, work%before, work%after, work%mean, work%shear)
-    call shear_faces(nodes, faces, work%by_stresses .or. hardens(nodes%law), work%shear, work%deficit, flows)
+    call solve_faces(nodes, faces, work%shear, flows)
+    if (work%flow_alone .and. .not. fields%is_rough()) then
+      call set_flow_alone(nodes, faces, work%shear, work%mean, work%deficit, flows)
+      return
+    end if
+    call shear_faces(nodes, faces, work%by_stresses .or. hardens(nodes%law), work%shear, work%deficit)
     if (fields%is_rough()) then
       call turn_flow(fields%rough, faces, nodes%levels%count, work%before, work%after, work%deficit)
     end if
@@ -204,14 +210,11 @@ contains
 
   end subroutine average
 
-  !> Solves for the stresses of the faces, from those found last, and computes the flow that they make with its changes; of
-  !> these x then is through the faces and y along them. Those by the flow law's stresses are computed if `by_stresses`.
-  subroutine shear_faces(nodes, faces, by_stresses, shear, deficit, flows)
+  !> Solves for the stresses of the faces, from those found last.
+  subroutine solve_faces(nodes, faces, shear, flows)
     type(sheared_oil), intent(in) :: nodes
     type(face_strip), intent(in) :: faces
-    logical, intent(in) :: by_stresses
     type(shear_strip), intent(inout) :: shear
-    type(deficit_change), intent(inout) :: deficit
     type(face_flow), intent(inout) :: flows
     integer :: m, failures
 
@@ -224,6 +227,36 @@ contains
       flows%stress_x(first:last, j) = shear%tau_x(:m)
       flows%stress_y(first:last, j) = shear%tau_y(:m)
     end associate
+  end subroutine solve_faces
+
+  !> Sets the flow through the faces of smooth surfaces without its changes.
+  pure subroutine set_flow_alone(nodes, faces, shear, mean, deficit, flows)
+    type(sheared_oil), intent(in) :: nodes
+    type(face_strip), intent(in) :: faces
+    type(shear_strip), intent(in) :: shear
+    type(face_mean), intent(in) :: mean
+    type(deficit_change), intent(inout) :: deficit
+    type(face_flow), intent(inout) :: flows
+
+    call flow_deficit(nodes%levels, shear, deficit%x, deficit%y)
+    associate (m => shear%points, through => flows%flow(faces%first:faces%last, faces%row))
+      if (faces%di == 1) then
+        through = mean%rho(:m)*deficit%x(:m)
+      else
+        through = mean%rho(:m)*deficit%y(:m)
+      end if
+    end associate
+  end subroutine set_flow_alone
+
+  !> Computes the flow that the stresses of the faces make with its changes; of these x then is through the faces and y along
+  !> them. Those by the flow law's stresses are computed if `by_stresses`.
+  subroutine shear_faces(nodes, faces, by_stresses, shear, deficit)
+    type(sheared_oil), intent(in) :: nodes
+    type(face_strip), intent(in) :: faces
+    logical, intent(in) :: by_stresses
+    type(shear_strip), intent(inout) :: shear
+    type(deficit_change), intent(inout) :: deficit
+
     call flow_change(nodes%levels, shear, deficit)
     if (by_stresses) then
       call flow_change_by_stresses(nodes%law, nodes%levels, shear, deficit)
@@ -233,7 +266,7 @@ contains
       deficit%by_limit_x = 0
       deficit%by_limit_y = 0
     end if
-    if (faces%di == 0) call swap_directions(m, nodes%levels%count, deficit)
+    if (faces%di == 0) call swap_directions(shear%points, nodes%levels%count, deficit)
   end subroutine shear_faces
 
   !> Swaps the directions of the first m points.

@@ -313,7 +313,8 @@ contains
     call begin_iteration(self, residual, load_error)
   end subroutine film_residual
 
-  !> As `film_residual` at the pressure and film of another contact with the same nodes, gap and moduli, whose rigid film is h0.
+  !> As `film_residual` at the pressure and film of another contact with the same nodes, gap and moduli, whose rigid film is h0;
+  !> the flow of smooth surfaces is not linearised.
   subroutine film_residual_at(self, other, h0, residual, load_error)
     class(film_contact), intent(inout) :: self
     class(film_contact), intent(in) :: other
@@ -327,7 +328,9 @@ contains
       self%model%fields%p = other%model%fields%p
       self%model%fields%h = other%model%fields%h
     end if
+    if (self%model%is_sheared()) self%model%shear%work%flow_alone = .true.
     call begin_iteration(self, residual, load_error)
+    if (self%model%is_sheared()) self%model%shear%work%flow_alone = .false.
   end subroutine film_residual_at
 
   !> Evaluates the balance of a film that an iteration starts from; arguments as of `film_residual`.

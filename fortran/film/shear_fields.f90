@@ -111,17 +111,19 @@ contains
     end do
   end subroutine bear_gradient
 
-  !> Computes the fields of a contact's shear; the flow factors, which cost more than all others, on request.
-  subroutine nodal_shear(contact, factors_wanted, field, stat)
+  !> Computes the fields of a contact's shear; the flow factors, which cost more than all others, on request. In each row they are
+  !> those from the first of the nodes that are `counted` to the last, by default all.
+  subroutine nodal_shear(contact, factors_wanted, field, stat, counted)
     class(film_contact), intent(in) :: contact
     logical, intent(in) :: factors_wanted
     type(shear_field), intent(out) :: field
     integer, intent(out) :: stat
+    logical, intent(in), optional :: counted(:, :)
     type(shear_strip) :: shear
     real(wp), dimension(most_nodes) :: mean, cosine, sine, along, across, lag_s, lag_r
     real(wp), dimension(most_nodes, contact%model%shear%nodes%levels%count) :: rise, softening, rate, heat, own, loading_x, &
       loading_y, relief_x, relief_y
-    integer :: j, first, last, m
+    integer :: j, first, last, m, ends(2)
 
     associate (nx => size(contact%gap, 1), ny => size(contact%gap, 2), levels => contact%model%shear%nodes%levels, &
         faces => contact%model%shear%along_x)
@@ -131,8 +133,11 @@ contains
       call new_shear_strip(most_nodes, levels%count, shear, stat)
       if (stat /= status_ok) return
       do j = first_row(contact), last_row(contact)
-        do first = 2, nx - 1, most_nodes
-          last = min(first + most_nodes - 1, nx - 1)
+        ends = [2, nx - 1]
+        if (present(counted)) ends = [max(findloc(counted(:, j), .true., dim=1), 2), &
+          min(findloc(counted(:, j), .true., dim=1, back=.true.), nx - 1)]
+        do first = ends(1), ends(2), most_nodes
+          last = min(first + most_nodes - 1, ends(2))
           m = last - first + 1
           shear%tau_x(:m) = (faces%stress_x(first - 1:last - 1, j) + faces%stress_x(first:last, j))/2
           shear%tau_y(:m) = (faces%stress_y(first - 1:last - 1, j) + faces%stress_y(first:last, j))/2

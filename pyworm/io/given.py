@@ -14,7 +14,7 @@ from typing import Any, get_args, get_origin, get_type_hints, overload
 
 import numpy as np
 
-from pyworm.io.quantity import Kind, doubt, parse
+from pyworm.io.quantity import Kind, doubt, parse, possible
 
 WithUnit = float | str
 """What stands for a number with a dimension: the number in SI, or a text with its unit."""
@@ -176,7 +176,7 @@ def number(name: str, value: object, kind: Kind, *, sizes: bool = True) -> float
         raise ValueError(
             f"{name} = {value!r:.{MAX_VALUE_LENGTH}}: must be {kind.noun} of a possible size"
         ) from None
-    if sizes and isfinite(given) and given > 0:
+    if sizes and isfinite(given) and given > 0 and not possible(given, kind):
         try:
             parse(_text(given, kind), kind)
         except ValueError as error:

@@ -93,6 +93,16 @@ def parse(text: object, kind: Kind) -> float:
     return value
 
 
+def possible(value: float, kind: Kind) -> bool:
+    """Whether `parse` would take a value that is given in `kind.unit` already."""
+    allowed, _ = _SIGNS[kind.sign]
+    return (
+        math.isfinite(value)
+        and allowed(value)
+        and (not value or kind.possible is None or _lies(value, kind, kind.possible))
+    )
+
+
 def doubt(text: str, kind: Kind) -> str | None:
     """The warning about a possible but unusual value, a text that `parse` takes; None for a usual one."""
     value = _in_kind(text, kind)

@@ -762,11 +762,12 @@ contains
     call start_temperature(contact%film, contact%heat, rise)
   end subroutine film_set_rise
 
-  !> Fields of a contact's shear; see `shear_fields`.
-  subroutine film_shear_fields(handle, factors_wanted, nx, ny, stress_x, stress_y, friction, rate, along, across, slip, stat)
+  !> Fields of a contact's shear, as far as nodes are `counted`; see `shear_fields`.
+  subroutine film_shear_fields(handle, factors_wanted, counted, nx, ny, stress_x, stress_y, friction, rate, along, across, slip, &
+      stat)
     use pyworm_shear_fields, only: shear_field, nodal_shear
     integer(c_int64_t), intent(in) :: handle
-    integer(c_int), intent(in) :: factors_wanted, nx, ny
+    integer(c_int), intent(in) :: factors_wanted, nx, ny, counted(nx, ny)
     real(c_double), intent(out) :: stress_x(nx, ny), stress_y(nx, ny), friction(nx, ny), rate(nx, ny), along(nx, ny), &
       across(nx, ny)
     integer(c_int), intent(out) :: slip(nx, ny), stat
@@ -775,7 +776,7 @@ contains
     !f2py threadsafe
 
     contact => contact_of(handle)
-    call nodal_shear(contact%film, factors_wanted /= 0, field, stat)
+    call nodal_shear(contact%film, factors_wanted /= 0, field, stat, counted /= 0)
     if (stat /= status_ok) return
     stress_x = field%stress_x
     stress_y = field%stress_y

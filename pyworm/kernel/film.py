@@ -460,12 +460,15 @@ class Film(ABC):
         if rise is not None:
             self.set_rise(rise)
 
-    def shear_fields(self, factors: bool = False) -> ShearFields:
+    def shear_fields(self, factors: bool = False, counted: Flags | None = None) -> ShearFields:
         """Shear of a film with a flow law; flow factors only on request, else zero.
 
-        KernelError if memory does not suffice.
+        At nodes that are not `counted` it may be zero, too. KernelError if memory does not suffice.
         """
-        *fields, status = core.bindings.film_shear_fields(self._handle, factors, *self._nodes)
+        nodes = np.ones(self._nodes, dtype=np.int32, order="F")
+        if counted is not None:
+            nodes = np.asfortranarray(counted, dtype=np.int32).reshape(self._nodes, order="F")
+        *fields, status = core.bindings.film_shear_fields(self._handle, factors, nodes)
         check_status(status)
         x, y, *others = (self._on_grid(field) for field in fields)
         return ShearFields((x, y)[: len(self._shape)], *others)

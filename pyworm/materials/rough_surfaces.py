@@ -205,7 +205,8 @@ class RoughPair:
         return _curves(self)
 
 
-@lru_cache(maxsize=8)  # the contacts of one life ask for the same ones, hundreds of times
+# the contacts of one life ask for the same ones hundreds of times, sensitivities for some thirty on two grids
+@lru_cache(maxsize=64)
 def _curves(pair: RoughPair) -> GapCurves:
     row, gap = gap_rows()
     thickness = pair.mean_thickness(gap)

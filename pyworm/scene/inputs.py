@@ -21,6 +21,12 @@ TEMPERATURE = "temperature"
 UNUSED = frozenset({"lay", "inlet_temperature", "alpha_spread"})
 """Attributes that are no inputs of a steady film: directions, what a law is given at, and a spread."""
 
+ATTRIBUTES = ("bodies", "motions", "velocities", "oil")
+"""Attributes of a contact that hold numbers."""
+
+FIELDS = "__dataclass_fields__"
+"""Attribute of a dataclass that has its fields by name; `dataclasses.fields` makes a list of them."""
+
 OF_HEAT = frozenset({"conductivity", "specific_heat", "bulk_temperature", "heat", "rho0"})
 """Attributes that only heat takes, beside the density of the bodies."""
 
@@ -40,10 +46,9 @@ def inputs_of(scene: AnyContact, *, heated: bool = True, rough: bool = True) -> 
         return heated or not (name in OF_HEAT or (name == "density" and path.startswith("bodies")))
 
     found = {"load": scene.load, **dict(_radii(scene))}
-    for attribute in ("bodies", "motions", "velocities", "oil"):
-        part = getattr(scene, attribute, None)
-        if attribute != "motions" or all(isinstance(motion, RigidMotion) for motion in part or ()):
-            found |= _numbers(part, attribute, counts)
+    for attribute in ATTRIBUTES:
+        if attribute != "motions" or _rigid(scene):
+            found |= _numbers(getattr(scene, attribute, None), attribute, counts)
     if scene.oil.heat is not None and not isinstance(scene.oil.viscosity, Tabulated):
         found[TEMPERATURE] = scene.oil.thermal.inlet_temperature
     return found
@@ -51,7 +56,8 @@ def inputs_of(scene: AnyContact, *, heated: bool = True, rough: bool = True) -> 
 
 def with_input(scene: AnyContact, name: str, value: float) -> AnyContact:
     """The contact with another value of one of its numbers; KeyError without it."""
-    if name not in inputs_of(scene):
+    path = name.replace("[", ".").replace("]", "").split(".")
+    if not _has(scene, name, path):
         raise KeyError(f"{scene.name} has no number {name}; it has {', '.join(inputs_of(scene))}")
     if name == TEMPERATURE:
         warmer = value - scene.oil.thermal.inlet_temperature
@@ -60,11 +66,31 @@ def with_input(scene: AnyContact, name: str, value: float) -> AnyContact:
         follows = None not in (first.bulk_temperature, second.bulk_temperature)
         oil = scene.oil if follows else scene.oil.warmed(warmer)
         return replace(scene, oil=oil, bodies=(first, second))
-    path = name.replace("[", ".").replace("]", "").split(".")
     changed: AnyContact = (
         _SHAPES[name](scene, value) if name in _SHAPES else _replaced(scene, path, value)
     )
     return changed
+
+
+def _has(scene: AnyContact, name: str, path: list[str]) -> bool:
+    """Whether a name is one of `inputs_of`; by its path alone, without the others."""
+    if name == TEMPERATURE or name in _SHAPES:
+        return name in inputs_of(scene)
+    if not (name == "load" or path[0] in ATTRIBUTES) or UNUSED.intersection(path):
+        return False
+    if path[0] == "motions" and not _rigid(scene):
+        return False
+    part: Any = scene
+    for step in path:
+        if isinstance(part, tuple):
+            part = part[int(step)] if step.isdecimal() and int(step) < len(part) else None
+        else:
+            part = getattr(part, step) if step in getattr(part, FIELDS, ()) else None
+    return isinstance(part, float) and part != 0
+
+
+def _rigid(scene: AnyContact) -> bool:
+    return all(isinstance(motion, RigidMotion) for motion in getattr(scene, "motions", ()))
 
 
 def _warmed(body: Body, rise: float) -> Body:

@@ -8,19 +8,20 @@ contact has its sensitivity: an oil constant, a radius, or a key of a drawing th
 load together.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from pyworm.formulas.arrays import Array
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.kernel.film import Adjoints
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.waves import opening
-from pyworm.solver.alike import gaps_alike, laws_alike, spread_alike
+from pyworm.solver.alike import gaps_alike, laws_alike, motions_alike, spread_alike
 from pyworm.solver.contact import ContactSolver
 from pyworm.solver.figure_weights import (
     LOAD_RATIOS,
@@ -31,9 +32,9 @@ from pyworm.solver.figure_weights import (
     stacked,
     weights_of_figures,
 )
-from pyworm.solver.interpolated_guess import interpolated_guess
+from pyworm.solver.interpolated_guess import interpolated_level, restricted_guess
 from pyworm.solver.kinds import SOLVERS
-from pyworm.solver.level import Level
+from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.newton import newton_step
 from pyworm.solver.solution import Solution
 
@@ -157,6 +158,11 @@ class Adjoint:
         """The figures as sums of the film's fields."""
         return {name: _weighed(parts, self.fields) for name, parts in self.weights.items()}
 
+    @cached_property
+    def _in_contact(self) -> Flags:
+        """Nodes whose shear counts in figures."""
+        return self.level.share_of_contact() > 0
+
     def _by_own_load(self, scene: AnyContact) -> Array:
         """Change of each figure by the load that it is relative to."""
         lighter = self.level.scene.load / scene.load - 1 if scene.separation is None else 0.0
@@ -167,13 +173,20 @@ class Adjoint:
             ]
         )
 
-    def _own_changes(self, other: Level) -> Array:
-        """Change of each figure by the contact itself, at the same pressure and rigid film."""
-        weights = weights_of_figures(other, LOAD_RATIOS)
+    def _own_weights(self, other: Level) -> dict[str, Weights]:
+        """Weights of the figures that change by the contact itself."""
+        here, there = self.level.scene, other.scene
         if other.film.rough:
             # averages over the roughness make another mean film of the same gap
-            weights = self.weights | weights
-        fields = fields_of(other) if weights else {}
+            return self.weights | weights_of_figures(other, LOAD_RATIOS)
+        if here.load != there.load or not motions_alike(here, there, self.level.grid.mesh()):
+            return weights_of_figures(other, LOAD_RATIOS)
+        return {name: self.weights[name] for name in LOAD_RATIOS if name in self.weights}
+
+    def _own_changes(self, other: Level) -> Array:
+        """Change of each figure by the contact itself, at the same pressure and rigid film."""
+        weights = self._own_weights(other)
+        fields = fields_of(other, self._in_contact) if weights else {}
         changes = dict.fromkeys(self.figures, 0.0) | {
             name: _weighed(parts, fields) - self._own_sums[name] for name, parts in weights.items()
         }
@@ -202,6 +215,8 @@ def adjoint_of(
     grid: Any | None = None,
     tolerance: float = TOLERANCE,
     residual: float = CONVERGED_RESIDUAL,
+    *,
+    finer: Adjoint | None = None,
 ) -> Adjoint:
     """Solve a steady contact on one grid, and the adjoint for each of its figures.
 
@@ -212,6 +227,7 @@ def adjoint_of(
         grid: The grid, by default the planned wider one: nothing bears load beyond it.
         tolerance: Residual of the linear solves over that of no solution.
         residual: Residual to which the film is solved.
+        finer: Its adjoint on a grid of half the spacing, from whose film it then starts.
 
     Raises:
         NoAdjointError: A limited supply of oil, or a film that is not found on the grid.
@@ -222,7 +238,15 @@ def adjoint_of(
             f"{scene.name}: a film of a limited supply of oil has no adjoint; leave the supply out"
         )
     solver = SOLVERS[type(scene)](plan.simplified(scene), plan)
-    level = _solved_level(solver, plan, solution, grid, residual)
+    nest = plan.wider_grids or plan.grids
+    grid = nest[-1] if grid is None else grid
+    if finer is not None:
+        level = solver.isolated(grid, restricted_guess(finer.level, grid))
+    elif solution is None or not solution.converged:
+        level = solver.isolated(grid, _guess(solver, nest, grid))
+    else:
+        level = interpolated_level(solver, solution, grid, plan.model.levels)
+    _converge(level, residual)
     weights = weights_of_figures(level)
     shape = level.film.pressure.shape
     fields = fields_of(level)
@@ -238,6 +262,7 @@ def adjoint_of(
     read = level.read().figures
     figures = {name: read[name] + solver.origins.get(name, 0.0) for name in weights}
     beside = solver.unsolved(level)
+    beside.film.evaluate_at(level.film)
     return Adjoint(plan, solver, level, figures, weights, fields, solved, beside)
 
 
@@ -247,30 +272,22 @@ def _by_pressure(level: Level, name: str, weights: Weights, fields: Weights) -> 
     return np.asarray(direct + by_outline(level, name, weights, fields))
 
 
-def _solved_level(
-    solver: ContactSolver[Any, Any],
-    plan: Plan,
-    solution: Solution | None,
-    grid: Any | None,
-    residual: float,
-) -> Level:
-    """The film of a contact on one grid that bears the whole load; NoAdjointError where it is not found."""
-    nest = plan.wider_grids or plan.grids
-    grid = nest[-1] if grid is None else grid
-    if solution is None or not solution.converged:
-        level, _ = solver.begin(nest)
-        while level.grid.spacing[0] > 1.5 * grid.spacing[0]:
-            level, _ = solver.refined(level)
-        guess = level.state()
-    else:
-        guess = interpolated_guess(solver, solution, grid, plan.model.levels)
-    level = solver.isolated(grid, guess)
+def _guess(solver: ContactSolver[Any, Any], nest: Sequence[Any], grid: Any) -> InitialGuess:
+    """Initial guess on a grid from coarser ones, first those of a nest."""
+    level: Level
+    level, _ = solver.begin(nest)
+    while level.grid.spacing[0] > 1.5 * grid.spacing[0]:
+        level, _ = solver.refined(level)
+    return level.state()
+
+
+def _converge(level: Level, residual: float) -> None:
+    """Make Newton steps to a residual on a grid; NoAdjointError where no film is found."""
     for _ in range(MOST_STEPS):
         if level.film.balance.worst <= residual or newton_step(level, FORCING) is None:
             break
     if not level.film.balance.worst <= MAX_RESIDUAL:
         raise NoAdjointError(
-            f"{level.scene.name}: no film was found on {grid.nodes} nodes for its sensitivities: the "
+            f"{level.scene.name}: no film was found on {level.grid.nodes} nodes for its sensitivities: the "
             f"residual stayed at {level.film.balance.worst:.1e}"
         )
-    return level

@@ -149,8 +149,12 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """The solver of another contact near this one, which it takes the scales of."""
         other = copy(self)
         other._scene = scene
-        other._rough = scene.rough_pair if self._model.rough else None
-        other._curves = None if other._rough is None else other._rough.curves()
+        if self._model.rough and (scene.bodies, scene.motion_angles) != (
+            self._scene.bodies,
+            self._scene.motion_angles,
+        ):
+            other._rough = scene.rough_pair
+            other._curves = None if other._rough is None else other._rough.curves()
         return other
 
     @abstractmethod
@@ -158,17 +162,19 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """This contact on the grid of an isolated film, not started, without shear and heat."""
 
     def displaced(self, level: LevelT, beside: LevelT) -> LevelT:
-        """This contact at the state, gap, moduli and load of a level near it, in another level's film."""
+        """This contact at the state, gap, moduli and load of a level near it, in another level's film.
+
+        That one has the state already, without this contact's laws: its pressure chooses the model of the
+        bodies' conduction.
+        """
         other = replace(level, scene=self._scene, film=beside.film)
         other.film.take_oil(self._scene.oil)
         other.film.entrain(self._scene.entrainment_at(*level.grid.mesh()))
         if level.film.levels:
             self._shear(other)
-        other.film.evaluate_at(level.film)
         if level.film.heated:
-            # the model of the bodies' conduction is chosen by the pressure
             self._heat(other, level.film.rise())
-            other.film.evaluate_at(level.film)
+        other.film.evaluate_at(level.film)
         return other
 
     @abstractmethod

@@ -10,7 +10,7 @@ from math import hypot
 import numpy as np
 
 from pyworm import kernel
-from pyworm.formulas.arrays import Array
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.kernel.film import WEIGHED
 from pyworm.planning.grid import Grid
 from pyworm.planning.target import HEAT_FIGURES
@@ -89,11 +89,14 @@ def _sliding(level: Level) -> list[float]:
     return [float(component) for component in level.scene.sliding_at(*origin)]
 
 
-def fields_of(level: Level) -> Weights:
-    """The fields that figures weigh; of a sheared film with its shear, of a rough one with its asperities."""
+def fields_of(level: Level, counted: Flags | None = None) -> Weights:
+    """The fields that figures weigh; of a sheared film with its shear, of a rough one with its asperities.
+
+    Shear may be left out at nodes that are not `counted`.
+    """
     found = {"film": level.film.thickness(), "pressure": level.film.pressure}
     if level.film.levels:
-        shear = level.film.shear_fields()
+        shear = level.film.shear_fields(counted=counted)
         wetted = 1 - level.film.asperities().area if level.film.rough else 1.0
         found |= {
             f"stress_{axis}": wetted * part

@@ -119,7 +119,7 @@ def sensitivities(
     sides = Inputs(scene, plan, chosen)
     found = sides.relative_changes(fine)
     try:
-        coarse = adjoint_of(scene, plan, solution, grid=fine.level.grid.coarser())
+        coarse = adjoint_of(scene, plan, grid=fine.level.grid.coarser(), finer=fine)
         before = sides.relative_changes(coarse)
     except (NoAdjointError, KernelError):
         before = {}

@@ -17,7 +17,7 @@ def _unknown(scene: AnyContact) -> str | None:
 
 
 def _cold(scene: AnyContact) -> AnyContact:
-    return replace(scene, oil=replace(scene.oil, heat=None))
+    return scene if scene.oil.heat is None else replace(scene, oil=replace(scene.oil, heat=None))
 
 
 def _temperature(prediction: Prediction, rise: float) -> float:

@@ -60,6 +60,6 @@ ROUGHNESS = Effect(
     source="Patir and Cheng (1978), Tripp (1983): flow between rough walls; elastic asperities",
     indicator=_thickness,
     influence=_by_roughness,
-    without=lambda scene: replace(scene, smooth=True),
+    without=lambda scene: scene if scene.smooth else replace(scene, smooth=True),
     lacking=lambda scene: "roughness not given" if scene.composite_roughness is None else None,
 )

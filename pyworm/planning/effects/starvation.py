@@ -36,12 +36,19 @@ def _lacking(scene: AnyContact) -> str | None:
     return None
 
 
+def _flooded(scene: AnyContact) -> AnyContact:
+    """The contact with oil in plenty."""
+    if scene.oil.supply is None:
+        return scene
+    return replace(scene, oil=replace(scene.oil, supply=None))
+
+
 STARVATION = Effect(
     name="starvation",
     symbol="h_oil / h",
     source="h/h_flooded = r/(1 + r^g)^(1/g), Chevalier, Lubrecht, Cann, Colin and Dalmaz (1998)",
     indicator=lambda prediction: prediction.supply_ratio,
     influence=_by_starvation,
-    without=lambda scene: replace(scene, oil=replace(scene.oil, supply=None)),
+    without=_flooded,
     lacking=_lacking,
 )

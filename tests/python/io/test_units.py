@@ -7,8 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from pyworm.io import units
+from pyworm.io.given import kind_of
 from pyworm.io.number_with_unit import converted, parse_any
-from pyworm.io.quantity import SHARE_KIND, Kind, parse
+from pyworm.io.quantity import SHARE_KIND, Kind, parse, possible
 
 FORCE = Kind("a force", "N", "14 kN")
 LENGTH = Kind("a length", "m", "305 mm", "any")
@@ -244,3 +246,18 @@ def test_pound_inches_of_torques_are_forces(unit):
     assert parse(f"300 {unit}", TORQUE) == pytest.approx(300 * 4.4482216152605 * 0.0254)
     feet = unit.replace("in", "ft")
     assert parse(f"25 {feet}", TORQUE) == pytest.approx(25 * 4.4482216152605 * 0.3048)
+
+
+@pytest.mark.parametrize(
+    "kind", [FORCE, LENGTH, kind_of(units.Modulus), kind_of(units.Temperature)]
+)
+@pytest.mark.parametrize(
+    "value", [-1.0, 0.0, 1e-30, 1e-6, 1.0, 300.0, 2e11, 1e30, math.inf, math.nan]
+)
+def test_a_number_is_possible_where_its_text_is_taken(value, kind):
+    try:
+        parse(f"{value!r} {kind.unit}", kind)
+        taken = True
+    except ValueError:
+        taken = False
+    assert possible(value, kind) == taken

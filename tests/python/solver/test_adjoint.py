@@ -186,8 +186,8 @@ def test_without_a_film_on_the_coarser_grid_no_uncertainty_is_known(monkeypatch)
     scene = circular(20, 10)
     plan = pyworm.plan(scene, 0.1, "isothermal")
 
-    def fine_alone(scene, plan, solution=None, grid=None):
-        if grid is not None:
+    def fine_alone(scene, plan, solution=None, *, grid=None, finer=None):
+        if finer is not None:
             raise pyworm.NoAdjointError("no film")
         return adjoint_of(scene, plan, solution)
 
@@ -218,6 +218,11 @@ def test_a_number_that_a_contact_has_not_is_refused():
     scene = circular(20, 10)
     with pytest.raises(KeyError, match="has no number spin"):
         with_input(scene, "spin", 1.0)
+    for name in ("bodies[2].density", "bodies[0].lay", "bodies[0].name.x", "oil.reduced", "gap"):
+        with pytest.raises(KeyError):
+            with_input(scene, name, 1.0)
+    with pytest.raises(KeyError, match=r"has no number motions\[0\].u"):
+        with_input(tooth_scene(), "motions[0].u", 1.0)
     warm = pyworm.load("cases/line_thermal.toml").scene()
     warmer = with_input(warm, "temperature", inputs_of(warm)["temperature"] + 10)
     assert warmer.oil.viscosity.eta0 < warm.oil.viscosity.eta0
