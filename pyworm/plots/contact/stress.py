@@ -119,11 +119,10 @@ def _profile(panel: Axes, depths: Array, field: Array, shear: Array, peak: Stres
         fmt="+",
         color="black",
         markersize=10,
-        label="maximum",
     )
     panel.set_xlim(left=0)
     panel.set_xlabel("largest stress at a depth / MPa")
-    panel.legend(loc="best")
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=2, frameon=False)
     add_grids([panel])
 
 

@@ -34,6 +34,7 @@ _CAPTIONS = {
     "temperature": "Temperatures",
     "across_film": "Across the film where it is hottest",
     "supply": "Lubricant supply",
+    "stress": "Stress below the surface",
 }
 
 

@@ -19,3 +19,6 @@ def test_a_run_has_the_stress_below_its_surfaces(tmp_path, capsys):
     assert any(name.endswith("scene_000_stress.png") for name in found["pictures"])
     solution = pyworm.open_result(found["results"]).solutions[0]
     assert solution.stress(body=1).von_mises_max.value.value > 0
+    assert main(["report", found["results"]]) == 0
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Stress below the surface" in page
