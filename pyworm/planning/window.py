@@ -16,6 +16,10 @@ SAMPLES = 65
 WINDOW_GROWTH = 1.4
 """Factor by which the distance of a side grows at a time."""
 
+MOST_WIDER_STEPS = 2
+"""Largest number of such growths from a window to the wider one for its window error, in which the gap at the
+sides is twice as high: paraboloids need one, of a distance of 1.4."""
+
 MOST_GROWTHS = 40
 """Number of growths after which the gap is taken never to rise."""
 
@@ -115,12 +119,16 @@ def windows(scene: Scene, size: Scales, *reaches: Reach) -> tuple[Box, ...]:
 
 
 def grown(scene: Scene, inner: Box, wider: Box) -> Box:
-    """A window one step larger than an inner one on all sides where the teeth continue.
+    """A window one or two steps larger than an inner one on all sides where the teeth continue.
 
-    Beside a thin film the gap may rise beyond both reaches within one step, on one side or on all.
+    Beside a thin film the gap may rise beyond both reaches within one step, on one side or on all. Or the
+    inner window ends just before a valley of the gap along the flank, which leads to the flank's end.
     """
-    beyond, least = np.array(wider), np.array(enlarged(scene, inner, WINDOW_GROWTH))
-    west, east, south, north = np.where(np.abs(beyond) > np.abs(least), beyond, least).tolist()
+    least, most = (
+        np.abs(enlarged(scene, inner, WINDOW_GROWTH**steps)) for steps in (1, MOST_WIDER_STEPS)
+    )
+    distance = np.clip(np.abs(wider), least, most)
+    west, east, south, north = np.copysign(distance, inner).tolist()
     return west, east, south, north
 
 

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from pyworm.kernel.interpolation import prolong
 from pyworm.planning.grid import CELLS_MULTIPLE, Grid, nest
-from pyworm.planning.window import Reach, windows
+from pyworm.planning.window import Reach, grown, windows
 from pyworm.scene.scales import scales
 
 side = st.floats(0.5, 20.0)
@@ -102,6 +102,25 @@ def test_a_window_ends_where_the_teeth_do():
     reach = Reach(150.0, 10.0)
     (cut,), (whole,) = (windows(of, size, reach) for of in (replace(scene, gap=short), scene))
     assert cut[3] < whole[3]
+
+
+def test_a_wider_window_does_not_follow_a_valley_of_the_gap():
+    """In the distance the gap is low along a line beside the contact, as the contact line of a worm bends."""
+    scene = circular(100, 10)
+    size, reach = scales(scene), Reach.around(20.0)
+
+    def valley(x, y):
+        gap, covered = scene.gap(x, y)
+        low = (x > 0) & (np.abs(y + x) < 0.3 * np.abs(x)) & (np.hypot(x, y) > 1.5 * inner[1])
+        return np.where(low, 0.02 * gap, gap), covered
+
+    (inner,) = windows(scene, size, reach)
+    far = windows(scene, size, reach.doubled())[0]
+    assert grown(scene, inner, far)[2:] == far[2:]
+    winding = replace(scene, gap=valley)
+    followed = windows(winding, size, reach.doubled())[0]
+    assert followed[1] > 3 * inner[1]
+    assert np.max(np.divide(grown(winding, inner, followed), inner)) == pytest.approx(1.4**2)
 
 
 @pytest.mark.parametrize("west", [-5.0, -2.0, 2.0])
