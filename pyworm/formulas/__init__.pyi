@@ -10,6 +10,7 @@ from . import flow_factors as flow_factors
 from . import fzg_test_gears as fzg_test_gears
 from . import gaussian_filter as gaussian_filter
 from . import gear_oil as gear_oil
+from . import heat_transfer as heat_transfer
 from . import hertz as hertz
 from . import least_squares as least_squares
 from . import liquids as liquids
