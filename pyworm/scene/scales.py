@@ -173,6 +173,8 @@ def _whole_load(scene: Scene, groups: PointGroups, angle: float, film: float) ->
     high = low = log(film)
     while excess(low) < 0:
         low -= log(CUT_SHORT)
+    if low == high:  # the formula's film hardly depends on a light load, and may rise with it
+        return scene.load
     return scene.load * cut(exp(scipy.optimize.brentq(excess, low, high, xtol=FILM_PRECISION)))
 
 

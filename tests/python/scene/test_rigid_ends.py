@@ -7,6 +7,7 @@ import pytest
 from contacts import INLET, ball, motions
 
 import pyworm
+from pyworm.scene import scales as scales_of_scene
 from pyworm.scene.scales import scales
 
 RADIUS, ACROSS, SPEED = 5e-3, 4.0, 7.0
@@ -46,3 +47,15 @@ def test_ends_beyond_the_film_change_nothing():
     )
     assert scales(paraboloid).film == whole
     assert scales(short_roller(0.05, 100.0)).film == whole
+
+
+def test_a_film_that_does_not_fall_with_the_load_is_kept(monkeypatch):
+    """Between teeth under 40 N the formula gives 0.298 um, and 0.285 to 0.299 um under larger loads."""
+    of_paraboloid = scales_of_scene._flooded
+
+    def rising(scene, groups, at_rest):
+        film, *others = of_paraboloid(scene, groups, at_rest)
+        return (film * (scene.load / 10.0) ** 3, *others)
+
+    monkeypatch.setattr(scales_of_scene, "_flooded", rising)
+    assert scales(short_roller(5e-3, 10.0)).film == scales(short_roller(np.inf, 10.0)).film
