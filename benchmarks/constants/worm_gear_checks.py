@@ -418,7 +418,7 @@ STANDARD = Chapter(
         "_size_factor": Clause("Y_S and its bounds, m", TRANSCRIBED),
         "_rubbing": Clause("Y_R = (Ra/0.5 um)^(1/4)", TRANSCRIBED),
         "pitting_safety": Clause("Z_h, its bound, Z_v, Z_S, Z_u", MEMORY),
-        "bulk_temperature": Clause("alpha_L = c_k (1940 + 15 n1)", MEMORY),
+        "rim_heat_transfer": Clause("alpha_L = c_k (1940 + 15 n1)", MEMORY),
         "injected_bulk_temperature": Clause("16 K_n K_nu K_S P_Vz", TRANSCRIBED),
     },
     (

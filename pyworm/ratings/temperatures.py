@@ -6,6 +6,7 @@ from typing import Any
 from pyworm.drives.gear_unit import HOUR, GearUnit
 from pyworm.drives.heat_network import TemperatureHistory
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
+from pyworm.io.quantities import QUANTITIES
 from pyworm.ratings.rating import RatedFigure, Rating
 
 SOURCE = (
@@ -55,7 +56,9 @@ def _figures(unit: GearUnit) -> Iterator[RatedFigure]:
     yield RatedFigure(
         "conductance_W_K", "Loss over excess of oil above ambient", (unit.conductance,), "W/K"
     )
-    yield RatedFigure("imbalance", "Relative heat imbalance", (state.imbalance,), "")
+    yield RatedFigure(
+        "imbalance", "Imbalance of the heat flows over the losses", (state.imbalance,), ""
+    )
 
 
 def rate_history(history: TemperatureHistory) -> Rating:
@@ -111,5 +114,5 @@ def _words(unit: GearUnit) -> Iterator[str]:
         return
     yield (
         f"The conductance of the housing's outside is {unit.fit:.3g} times that of the correlations, by the "
-        f"measured {point.sump_temperature - ZERO_CELSIUS:.4g} °C at {point.loss:.4g} W."
+        f"measured {QUANTITIES['sump_temperature'].text(point.sump_temperature)} at {point.loss:.4g} W."
     )

@@ -7,6 +7,7 @@ import numpy as np
 import scipy
 
 from pyworm.formulas import film_atlas
+from pyworm.formulas.arrays import Array, Flags
 from pyworm.formulas.film import (
     LineGroups,
     PointGroups,
@@ -35,8 +36,8 @@ LEAST_TO_CENTRAL = 0.6
 """Typical ratio of least to central film, where no formula gives it."""
 
 CUT_SHORT, PLACES, FILM_PRECISION = 4.0, 257, 0.01
-"""Part of the paraboloid's load from which the ends of surfaces count, a rigid film off by its square; number
-of places across the entrainment where the gap is read; relative precision of the film."""
+"""Reach of the paraboloid's film over that of surfaces from which their ends count; number of places across
+the entrainment where the gap is read; relative precision of the film."""
 
 STARVED_EXPONENT, NEVER_BELOW = 3.0, 0.01
 """Exponent of the law of starved films for point contacts (`formulas.starvation`), and the least share of the
@@ -148,17 +149,21 @@ def _whole_load(scene: Scene, groups: PointGroups, angle: float, film: float) ->
 
     Across the entrainment a rigid film bears pressure in proportion to h0/h (Martin 1916) wherever there are
     surfaces. A light load is spread beyond the ends of a roller by the paraboloid alone: its film is many
-    times too thick. That is mended where surfaces bear less than a `CUT_SHORT` of what the paraboloid does;
-    `film` is that of the paraboloid under the load of the scene [m].
+    times too thick. That is mended where surfaces end to both sides within a `CUT_SHORT` of its lens; flanks
+    on the edge of a tooth end to one side. `film` is that of the paraboloid under the load of the scene [m].
     """
     across = groups.radius / groups.ratio
+    places = np.tan((np.arange(PLACES) + 0.5) * pi / PLACES - pi / 2)
+
+    def surfaces(film: float) -> tuple[Array, Flags]:
+        """Gap [m] at the places over the lens of a film [m], and where there are surfaces."""
+        lens = sqrt(2 * across * film)
+        return scene.gap(-sin(angle) * lens * places, cos(angle) * lens * places)
 
     def cut(film: float) -> float:
         """What the paraboloid bears over what the surfaces do, at the same film [m]."""
-        lens = sqrt(2 * across * film)
-        places = lens * np.tan((np.arange(PLACES) + 0.5) * pi / PLACES - pi / 2)
-        gap, covered = scene.gap(-sin(angle) * places, cos(angle) * places)
-        whole = film + places**2 / (2 * across)
+        gap, covered = surfaces(film)
+        whole = film * (1 + places**2)
         borne = np.where(covered, whole / (film + np.maximum(gap, 0.0)), 0.0)
         return 1 / max(float(borne.mean()), 1 / PLACES)
 
@@ -168,7 +173,7 @@ def _whole_load(scene: Scene, groups: PointGroups, angle: float, film: float) ->
         found, *_ = _flooded(replace(scene, load=more * scene.load), heavier, at_rest=False)
         return log(found) - log_film
 
-    if cut(film) < CUT_SHORT:
+    if np.any(surfaces(film)[1] & (np.abs(places) > 1 / CUT_SHORT)):
         return scene.load
     high = low = log(film)
     while excess(low) < 0:

@@ -128,7 +128,7 @@ class SubsurfaceStress(Shown):
         """Heading and rows of the maxima in words."""
         rows = {}
         for label, found in (
-            ("maximum von Mises stress", self.von_mises_max),
+            (QUANTITIES["von_mises"].worst(), self.von_mises_max),
             ("maximum shear stress", self.shear_max),
         ):
             text = in_words(found.value, QUANTITIES["pressure_max"])

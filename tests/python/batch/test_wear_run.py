@@ -320,7 +320,7 @@ def test_a_full_disk_ends_wear_with_its_state_named(contacts, tmp_path, capsys, 
 
 
 def test_where_the_state_fits_and_the_picture_does_not_wear_is_known(contacts, tmp_path, capsys):
-    code, after, said = on_a_full_disk(20_000, tmp_path / "out", capsys)
+    code, after, said = on_a_full_disk(40_000, tmp_path / "out", capsys)
     assert code == FAILED and tmp_path / "out" / STATE in after
     assert "wear.png: cannot be written (File too large)" in said[-1], said
 

@@ -16,9 +16,8 @@ from pyworm.drives.worm.flanks.helicoid import Array
 THROUGH = 10
 """Number of nodes along each side that a polynomial goes through."""
 
-LONGER_SIDE = 48
-"""Least number of intervals between such nodes along the longer side: over windows of `cases/zi_drive.toml`
-heights are off by 6e-14 m at most; with 24 to 36 intervals most nodes have to be evaluated."""
+LONGER_SIDE = 120
+"""Least number of intervals between such nodes along the longer side."""
 
 MIN_ERROR_RATIO = 100.0
 """Error of the polynomials through every second of these nodes, over that of those through all, at least:
