@@ -8,6 +8,7 @@ marked); 130 and 143 stopped by Ctrl-C and by SIGTERM.
 import argparse
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from importlib import import_module
 from typing import Any, NoReturn
 
@@ -54,6 +55,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except ImportError as error:
         return end_with(f"{error}; pyworm doctor shows what is missing", FAILED)
     except (OSError, WorkerDiedError) as error:
+        with suppress(OSError):
+            flush()  # what cannot be written is not tried again by the interpreter
         return end_with(f"{error}", FAILED)
     except KeyboardInterrupt as stop:
         return end_with(_stopped(options), exit_code(stop))

@@ -150,7 +150,8 @@ def test_closed_streams_cost_nothing(tmp_path):
     assert shell('exec 2>&- >&- <&-; exec "$@"', "check", tmp_path / "none.toml")[0] == BAD_INPUT
 
 
-def test_a_full_device_is_reported():
-    code, _, said = shell('exec "$@" >/dev/full', "check", BALL)
+@pytest.mark.parametrize("buffer", ["unset PYTHONUNBUFFERED", "export PYTHONUNBUFFERED=1"])
+def test_a_full_device_is_reported(buffer):
+    code, _, said = shell(f'{buffer}; exec "$@" >/dev/full', "check", BALL)
     assert code == 1
     assert said.startswith("pyworm: ") and said.count("\n") == 1 and "No space left" in said
