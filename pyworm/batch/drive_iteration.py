@@ -45,9 +45,9 @@ PHASE_STRIDE = 4
 ones."""
 
 ESTIMATE_ACCURACY = 0.1
-"""Accuracy at which lifts are sought: it leaves 1 % in a lift, and so 0.1 % in a load. A lift interpolated
-between phases is off by 8 % where the number of teeth in contact changes, the tenth of it that first
-transient solves lack by so much of itself."""
+"""Accuracy at which lifts are sought: it leaves 1 % in a lift, and so 0.1 % in a load. Interpolated between
+phases is what first transient solves lack, a tenth of a lift: it is off by 8 % of itself where the number of
+teeth in contact changes."""
 
 MAX_ESTIMATES = 2
 """Maximum number of passes at that accuracy."""
@@ -135,9 +135,9 @@ class _Search:
     ) -> Case:
         """The case with lifts and friction by first transient solves.
 
-        `beyond` are what lifts of some phases are more by than in the windows of these, interpolated between
-        them; where there are none, a tenth of a lift is in none of them. Where loads differ by more than
-        the accuracy allows, the films that follow ask for another pass.
+        `beyond` has what these lack at some phases [m], a tenth of a lift, by pressure beyond their windows;
+        it is interpolated between the phases. Where loads differ by more than the accuracy allows, the films
+        that follow ask for another pass.
         """
         for _ in range(MAX_TRANSIENT_SOLVES):
             then = lifts_of([replace(task, case=case) for task in moving], True, executor)

@@ -1,6 +1,6 @@
 """Stress below the surfaces of the contacts of a run, as `pyworm run --stress` shows."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,10 +9,21 @@ from pyworm.batch.task import Task
 from pyworm.result.result import Result
 from pyworm.scene.index import ContactIndex
 from pyworm.solver.stress.subsurface import inputs_of_scene, with_stress
+from pyworm.solver.stress.tractions import has_shear
+
+WITHOUT_SHEAR = "stress by the pressure alone, since the shear stress of the film was not simulated"
 
 
-def stressed_run(result: Result, tasks: Sequence[Task], directory: Path) -> Result:
-    """A result with the stresses of its converged contacts, in its file in a directory too."""
+def stressed_run(
+    result: Result,
+    tasks: Sequence[Task],
+    directory: Path,
+    print_message: Callable[[str], None] = lambda message: None,
+) -> Result:
+    """A result with the stresses of its converged contacts, in its file in a directory too.
+
+    `print_message` reports contacts whose stress lacks that by the shear of the film.
+    """
     scenes = {task.place: task.scene for task in tasks}
     solutions = tuple(
         with_stress(solution, inputs_of_scene(scenes[ContactIndex.of(solution)]))
@@ -20,6 +31,9 @@ def stressed_run(result: Result, tasks: Sequence[Task], directory: Path) -> Resu
         else solution
         for solution in result.solutions
     )
+    for solution in solutions:
+        if solution.converged and not has_shear(solution):
+            print_message(f"{solution.name}: {WITHOUT_SHEAR}")
     whole = replace(result, solutions=solutions)
     whole.save(directory / RESULT_NAME)
     return whole

@@ -197,9 +197,8 @@ def _lives(tasks: Sequence[Task], directory: Path) -> list[list[Task]]:
 
 def is_transient(task: Task) -> bool:
     """Whether a task's film is transient, and its life is solved as a whole."""
-    if "-squeeze" in effect_names(
-        task.effects
-    ):  # without a plan, which costs a tenth of a coarse solve
+    # a plan costs a tenth of a coarse solve
+    if "-squeeze" in effect_names(task.effects):
         return False
     try:
         return "squeeze" in task.plan.on and recent(task.scene) is task.scene.past

@@ -2,6 +2,7 @@
 
 import argparse
 from contextlib import nullcontext
+from math import nan
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -101,9 +102,12 @@ def _picture(options: argparse.Namespace) -> Path:
 
 
 def _hours(text: str) -> float:
-    hours = float(text)
+    try:
+        hours = float(text)
+    except ValueError:
+        hours = nan
     if not 0 < hours <= 1e5:
-        raise argparse.ArgumentTypeError(f"{text}: must lie between 0 and 1e5 h")
+        raise argparse.ArgumentTypeError(f"{text}: must be a number of hours up to 1e5, above 0")
     return hours
 
 

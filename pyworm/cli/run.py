@@ -102,7 +102,7 @@ def _run(options: argparse.Namespace) -> int:
         if options.stress:
             from pyworm.batch.run_stress import stressed_run
 
-            result = stressed_run(result, tasks, directory)
+            result = stressed_run(result, tasks, directory, print_message)
         result = uncertain.completed(result, tasks, directory, executor)
         for warning in result.provenance["warnings"][len(case.warnings) :]:
             print_message(f"warning: {warning}")

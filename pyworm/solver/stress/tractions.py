@@ -86,6 +86,11 @@ class Tractions:
         return sqrt(HERTZ_RATIOS[self.pressure.ndim] * smallest)
 
 
+def has_shear(solution: Solution) -> bool:
+    """Whether the shear stress of a film was simulated."""
+    return "shear_stress_x" in solution.dataset("fields")
+
+
 def tractions(solution: Solution, body: int, boundary_friction: float) -> Tractions:
     """What acts on body 1 or 2 of a solved contact, within the nodes that bear `EDGE_PRESSURE`.
 
@@ -102,7 +107,7 @@ def tractions(solution: Solution, body: int, boundary_friction: float) -> Tracti
     positions = [np.asarray(fields[axis].values, dtype=float) for axis in axes]
     pressure = field("pressure")
     shear = [np.zeros(pressure.shape) for _ in axes]
-    if "shear_stress_x" in fields:
+    if has_shear(solution):
         shear = [field(f"shear_stress_{axis}") for axis in axes]
         if "asperity_pressure" in fields:
             sliding = [field(f"sliding_{axis}") for axis in axes]

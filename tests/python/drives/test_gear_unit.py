@@ -293,3 +293,11 @@ def test_rate_shows_temperatures_over_time_with_a_picture(tmp_path, capsys):
     case.write_text(text + COOLING.format("1 W") + 'conductance = "40 W/K"')
     assert main(["rate", str(case), "--hours", "8"]) == 2
     assert "need [cooling.housing], for its heat capacity" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("hours", ["a", "-3", "nan"])
+def test_hours_that_are_none_are_refused_in_one_sentence(hours, capsys):
+    with pytest.raises(SystemExit) as refused:
+        main(["rate", str(CASES / "worm_drawing.toml"), "--hours", hours])
+    assert refused.value.code == 2
+    assert f"{hours}: must be a number of hours" in capsys.readouterr().err
