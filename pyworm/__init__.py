@@ -22,6 +22,8 @@ A contact
 
 Solids and oils
     Body            elastic and thermal constants of a solid, `Body.from_name` those of a material
+    Coating         an elastic layer on it
+    FatigueStrength what its material endures, over depth
     Roughness       height, slope, lay and asperities of a surface
     Oil             laws of viscosity, density, flow and heat
     Barus, Roelands     viscosity against pressure

@@ -26,6 +26,8 @@ from .io.input_error import CaseError as CaseError
 from .io.version import __version__ as __version__
 from .kernel.core import KernelError as KernelError
 from .materials.body import Body as Body
+from .materials.coating import Coating as Coating
+from .materials.fatigue_strength import FatigueStrength as FatigueStrength
 from .materials.flow_laws import Branch as Branch
 from .materials.flow_laws import FlowLaw as FlowLaw
 from .materials.library import NamedOil as NamedOil

@@ -6,12 +6,14 @@ from typing import Annotated, Any
 from pydantic import AfterValidator, Field, ValidationInfo, model_validator
 
 from pyworm.case.surface import SurfaceTable, texture_of
-from pyworm.case.table import Table
+from pyworm.case.table import Table, plain
 from pyworm.formulas.rough_contact import RQ_OVER_RA
 from pyworm.io import units
 from pyworm.io.plain_values import AboveZeroToOne
 from pyworm.materials import solids
 from pyworm.materials.body import Body, SolidConstants
+from pyworm.materials.coating import Coating
+from pyworm.materials.fatigue_strength import FatigueStrength, check_strength
 from pyworm.materials.oil import Oil
 from pyworm.materials.softening import check_points
 from pyworm.materials.topography import Topography
@@ -32,6 +34,23 @@ _ROUGHNESSES = "roughness", "roughness_ra", "roughness_rz"
 
 _OF_HEIGHTS = "roughness_slope", "roughness_aspect", "asperity_sharpness", "asperity_density"
 """Keys that say how the heights of a roughness are spread."""
+
+
+class CoatingTable(Table, Coating):
+    """`[bodies.NAME.coating]`: an elastic layer on the surface."""
+
+    poisson_ratio: Annotated[float, Field(strict=True, ge=0, lt=0.5)]
+
+
+class FatigueTable(Table, FatigueStrength):
+    """`[bodies.NAME.fatigue]`: what the material endures without end, over depth."""
+
+    def flaws(self) -> Iterator[str]:
+        """Limits and profiles that no material has."""
+        try:
+            check_strength(self)
+        except ValueError as error:
+            yield str(error)
 
 
 class BodyTable(Table, SolidConstants):
@@ -57,6 +76,8 @@ class BodyTable(Table, SolidConstants):
     asperity_density: Annotated[float, Field(strict=True, gt=0, le=0.3)] | None = None
     boundary_friction_factor: Annotated[float, Field(strict=True, ge=0.2, le=5)] | None = None
     surface: SurfaceTable | None = None
+    coating: CoatingTable | None = None
+    fatigue: FatigueTable | None = None
 
     @model_validator(mode="before")
     @classmethod
@@ -102,8 +123,12 @@ class BodyTable(Table, SolidConstants):
 
     def body(self, oil: Oil) -> Body:
         """The solid under an oil."""
-        names = {"surface", "material", "finish"}
+        names = {"surface", "material", "finish", "coating", "fatigue"}
         constants = {name: value for name, value in self if value is not None and name not in names}
+        constants["coating"] = None if self.coating is None else plain(self.coating, Coating)
+        constants["fatigue"] = (
+            None if self.fatigue is None else plain(self.fatigue, FatigueStrength)
+        )
         if self.surface is not None and self.surface.found:
             constants |= _of_surface(self.surface.topography())
             constants["long_waves"] = self.surface.long_waves()

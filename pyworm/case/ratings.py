@@ -112,6 +112,22 @@ class DamageLimits(Table):
             yield "give either permissible_specific_film or micropitting_load_stage, of which it is made"
 
 
+class ScuffingTable(Table):
+    """`[scuffing]`: scuffing temperature of the oil, given or by its load stage in the FZG test.
+
+    `structure_factor` is X_W of the standard, by the flanks' steel or coating.
+    """
+
+    temperature: units.ScuffingTemperature | None = None
+    scuffing_load_stage: _LoadStage | None = None
+    scuffing_structure_factor: PositiveNumber = 1.0
+    required_scuffing: PositiveNumber = 2.0
+
+    def flaws(self) -> Iterator[str]:
+        """Two limits or none."""
+        yield from self.unless_one("temperature", "scuffing_load_stage")
+
+
 USUAL_AMBIENT = 293.15
 """Temperature of the surroundings where none is given [K]."""
 
@@ -209,6 +225,7 @@ class RatedCase(DriveCase):
 
     bearings: dict[str, BearingTable] = Field(default_factory=dict)
     oil_choice: OilChoiceTable | None = None
+    scuffing: ScuffingTable | None = None
 
     def flaws(self) -> Iterator[str]:
         """A second oil."""

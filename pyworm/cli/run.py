@@ -69,6 +69,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         action="store_true",
         help="maximum von Mises stress below both surfaces, its depth, and a picture of it",
     )
+    run.add_argument(
+        "--thermal-stress",
+        action="store_true",
+        help="--stress with the thermal stress of the surface temperature",
+    )
     run.set_defaults(command=_run)
 
 
@@ -99,10 +104,11 @@ def _run(options: argparse.Namespace) -> int:
                 told = {"case": case.name, "scenes": [], "failed": error.reasons}
                 print_json(told | {"warnings": list(case.warnings), "stop_reason": str(error)})
             return end_with(f"{case.name}: {error}", FAILED)
-        if options.stress:
+        if options.stress or options.thermal_stress:
             from pyworm.batch.run_stress import stressed_run
 
-            result = stressed_run(result, tasks, directory, print_message)
+            heat = options.thermal_stress
+            result = stressed_run(result, tasks, directory, print_message, thermal=heat)
         result = uncertain.completed(result, tasks, directory, executor)
         for warning in result.provenance["warnings"][len(case.warnings) :]:
             print_message(f"warning: {warning}")

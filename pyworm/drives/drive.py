@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 from pyworm.drives.answers import HobSetup, Misalignment, Shim, Space
 from pyworm.drives.duty import Duty
 from pyworm.drives.forces import MeshForces, Supports
+from pyworm.drives.loaded_root import LoadedRoot
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.oil_supply import Lubricated
 from pyworm.drives.rotor import Rotor
@@ -153,6 +154,10 @@ class Drive(Shown, Lubricated, ABC):
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss between all teeth, from that of some contacts; None where they are not enough."""
         return None
+
+    def roots(self) -> tuple[LoadedRoot, ...]:
+        """Roots of its threads, teeth or pins under load; empty where no model of them is known."""
+        return ()
 
     def mesh_at_torque(self) -> MeshAtTorque | None:
         """Loss both ways and yielding of its mesh; None where locking or yielding is not computed.

@@ -14,5 +14,8 @@ SQUARE_MILLIMETRE = 1e-6
 SQUARE_METRE = 1e6
 """1 m2 [mm2]: a kinematic viscosity of 1 m2/s [mm2/s]."""
 
+VICKERS = 9.80665e6
+"""Hardness of 1 HV [Pa]: a kilogram-force for each square millimetre."""
+
 RPM = 30 / pi
 """1 rad/s [rpm]."""

@@ -66,6 +66,11 @@ Roughness = Annotated[float, Quantity(
     "a root mean square height", "m", "0.4 um", possible=("0.1 nm", "0.1 mm"), usual=("1 nm", "5 um"))]
 """Root mean square height Rq of a surface; 5 um is a hobbed or milled one."""
 
+CoatingThickness = Annotated[float, Quantity(
+    "a thickness of a coating", "m", "3 um", possible=("1 nm", "10 mm"), usual=("0.1 um", "1 mm"))]
+DepthOrZero = Annotated[float, Quantity(
+    "a depth", "m", "50 um", "not negative", ("1 nm", "1 m"), usual=("0.1 um", "20 mm"))]
+
 Wave = Annotated[float, Quantity(
     "a length along a surface", "m", "20 um", possible=("1 nm", "100 mm"), usual=("0.1 um", "10 mm"))]
 """Length of a wave of roughness, distance of points, nesting index of a filter."""
@@ -120,6 +125,7 @@ PressureCoordinate = Annotated[float, Quantity(
 
 _SHEAR: _Sizes = {"possible": ("1 Pa", "1000 GPa"), "usual": ("0.01 MPa", "2 GPa")}
 Stress = Annotated[float, Quantity("a stress", "Pa", "3 MPa", **_SHEAR)]
+ResidualStress = Annotated[float, Quantity("a residual stress", "Pa", "-400 MPa", "any", **_SHEAR)]
 StressOrZero = Annotated[float, Quantity("a stress", "Pa", "100 MPa", sign="not negative", **_SHEAR)]
 _ALPHA: _Sizes = {"possible": ("1e-6 1/GPa", "1000 1/GPa"), "usual": ("0.1 1/GPa", "60 1/GPa")}
 PressureViscosity = Annotated[float, Quantity(
@@ -157,6 +163,10 @@ OilConductivity = Annotated[float, Quantity(
 SpecificHeat = Annotated[float, Quantity(
     "a specific heat", "J/(kg K)", "477 J/(kg K)", possible=("20 J/(kg K)", "20000 J/(kg K)"),
     usual=("100 J/(kg K)", "5000 J/(kg K)"))]
+
+ThermalExpansion = Annotated[float, Quantity(
+    "a linear thermal expansion", "1/K", "11.5e-6 1/K", possible=("1e-8 1/K", "1e-3 1/K"),
+    usual=("1e-6 1/K", "2e-4 1/K"))]
 
 Temperature = Annotated[float, Quantity(
     "a temperature", "K", "60 degC", possible=("-110 degC", "400 degC"), usual=("-40 degC", "160 degC"))]

@@ -12,6 +12,8 @@ from pyworm.io.plain_values import AboveZeroToOne
 from pyworm.io.present import present
 from pyworm.io.shown import ShownFields
 from pyworm.materials import solids
+from pyworm.materials.coating import Coating
+from pyworm.materials.fatigue_strength import FatigueStrength
 from pyworm.materials.long_waves import LongWaves
 from pyworm.materials.roughness import ASPERITY_DENSITY, RUN_IN_SLOPE, Roughness
 from pyworm.materials.softening import Points, modulus_at, points
@@ -45,6 +47,8 @@ class SolidConstants:
     """Indentation hardness [Pa], which asperities bear at most; None of a surface that does not yield."""
     temperature_limit: units.MaterialTemperature | None = field(default=None, kw_only=True)
     """Temperature that it bears in continuous use [K]; None where it is not known."""
+    thermal_expansion: units.ThermalExpansion | None = field(default=None, kw_only=True)
+    """Linear thermal expansion [1/K]; needed only for thermal stress."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -69,6 +73,10 @@ class Body(ShownFields, SolidConstants):
     """Heights of the surface, in place of averages by the figures above; None where they are not known."""
     long_waves: LongWaves | None = None
     """Its waves longer than those of the roughness; None where they are not known."""
+    coating: Coating | None = field(default=None, kw_only=True)
+    """Elastic layer on its surface; None of a bare one."""
+    fatigue: FatigueStrength | None = field(default=None, kw_only=True)
+    """What it endures; None of a body whose fatigue is not rated."""
 
     if TYPE_CHECKING:  # given with units, kept as numbers in SI
         # fmt: off
@@ -81,7 +89,8 @@ class Body(ShownFields, SolidConstants):
             topography: Topography | None = ..., long_waves: LongWaves | None = ..., *,
             modulus_by_temperature: Sequence[Sequence[WithUnit]] = ...,
             asperity_sharpness: float | None = ..., hardness: WithUnit | None = ...,
-            temperature_limit: WithUnit | None = ...
+            temperature_limit: WithUnit | None = ..., thermal_expansion: WithUnit | None = ...,
+            coating: Coating | None = ..., fatigue: FatigueStrength | None = ...
         ) -> None: ...
         # fmt: on
 
@@ -164,6 +173,7 @@ _POSITIVE = {
     "specific_heat": "J/(kg K)",
     "bulk_temperature": "K",
     "temperature_limit": "K",
+    "thermal_expansion": "1/K",
     "roughness": "m",
     "roughness_slope": "",
     "roughness_aspect": "",

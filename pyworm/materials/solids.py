@@ -29,6 +29,7 @@ class SolidTable(BaseModel):
     density: units.MassDensity
     conductivity: units.Conductivity
     specific_heat: units.SpecificHeat
+    thermal_expansion: units.ThermalExpansion
     hardness: units.Hardness
     boundary_friction_factor: Annotated[float, Field(strict=True, ge=0.2, le=5)] = 1.0
     source: str

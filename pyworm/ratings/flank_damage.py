@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from pyworm.case.ratings import DamageLimits
+from pyworm.case.ratings import DamageLimits, ScuffingTable
 from pyworm.formulas.fzg_test_gears import film_at_load_stage
 from pyworm.formulas.micropitting import (
     FRICTION_FACTORS,
@@ -84,7 +84,7 @@ def gear_oil(oil: Oil, base: str) -> GearOil:
     return GearOil(law("eta0"), law("alpha"), FRICTION_FACTORS[base])
 
 
-def scuffing_limit(table: DamageLimits, oil: Oil, base: str | None) -> Limit:
+def scuffing_limit(table: DamageLimits | ScuffingTable, oil: Oil, base: str | None) -> Limit:
     """The oil's scuffing temperature by its load stage in the FZG test and its viscosity as it is fed [K]."""
     if table.scuffing_load_stage is None:
         return Limit(None, "scuffing_load_stage of the oil (FZG A/8.3/90) is missing")

@@ -37,6 +37,8 @@ from pyworm.ratings.forces import Friction, rate_forces
 from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.rating import SIMULATION, Rating
+from pyworm.ratings.roots import rate_roots
+from pyworm.ratings.scuffing import rate_scuffing
 from pyworm.ratings.standard_loss import rated_teeth
 from pyworm.ratings.temperatures import rate_temperatures
 from pyworm.ratings.worm import rate_worm_gear, worm_duty_of_table
@@ -263,6 +265,9 @@ def _attempts(
         yield "Films by formula", _attempt(lambda: (rate_films(*_thinnest(request, result)),))
     if drive is not None:
         yield "Forces", _attempt(partial(_forces, request, drive, result))
+        if isinstance(tables, RatedCase) and tables.scuffing is not None:
+            yield "Scuffing", _attempt(partial(_scuffing, drive, tables, result))
+        yield "Roots", _attempt(partial(_roots, drive))
     if getattr(tables, "cooling", None) is not None:
         yield "Temperatures", _attempt(lambda: (rate_temperatures(thermal_unit(request)),))
     for name, bearing in tables.bearings.items():
@@ -320,6 +325,17 @@ def thermal_unit(request: RatingRequest) -> GearUnit:
 
 def _forces(request: RatingRequest, drive: Drive, result: Result | None) -> tuple[Rating, ...]:
     found = rate_forces(drive, _friction(request, drive, result))
+    return () if found is None else (found,)
+
+
+def _scuffing(drive: Drive, tables: RatedCase, result: Result | None) -> tuple[Rating, ...]:
+    if result is None:
+        raise ValueError("simulated contact temperatures are missing; give a result of pyworm run")
+    return (rate_scuffing(drive, present(tables.scuffing, "scuffing"), tables.oil.base, result),)
+
+
+def _roots(drive: Drive) -> tuple[Rating, ...]:
+    found = rate_roots(drive)
     return () if found is None else (found,)
 
 

@@ -8,7 +8,9 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from pyworm.formulas.layered_half_space import Layer
 from pyworm.formulas.regimes import Regime
+from pyworm.formulas.thermal_stress import ThermalSolid
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.on_demand import attribute_of, lazy_property
 from pyworm.io.on_demand import xarray as xr
@@ -55,6 +57,10 @@ class StressFigures:
     """Poisson's ratio of each body [-]."""
     boundary_friction: float
     """Friction coefficient of asperities [-]."""
+    coatings: tuple[Layer | None, Layer | None] = (None, None)
+    """Layer on each body; None of a bare one."""
+    heated: tuple[ThermalSolid, ThermalSolid] | None = None
+    """Thermal constants of both bodies, of a stress with that of heat; None without."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -338,15 +344,27 @@ class Solution(Shown):
         find: Callable[..., Any] = attribute_of("pyworm.solver.sensitivities", "sensitivities")
         return find(scene, plan, self, inputs=inputs)
 
-    def stress(self, body: int = 1, depths: Sequence[Any] | Any = None) -> Any:
+    def stress(
+        self, body: int = 1, depths: Sequence[Any] | Any = None, thermal: bool | None = None
+    ) -> Any:
         """Stress below the surface of body 1 or 2 at depths, by default down to twice the half-width.
+
+        With that of the surface temperature where it is `thermal`.
 
         ValueError as of `pyworm.solver.stress.subsurface.subsurface_stress`, which makes it.
         """
         find: Callable[..., Any] = attribute_of(
             "pyworm.solver.stress.subsurface", "subsurface_stress"
         )
-        return find(self, body, depths)
+        return find(self, body, depths, thermal)
+
+    def fatigue(self, body: int = 1, strength: Any = None, thermal: bool | None = None) -> Any:
+        """Dang Van's fatigue stress of the material of body 1 or 2 that passes through the contact.
+
+        ValueError as of `pyworm.solver.stress.fatigue.fatigue_pass`, which makes it.
+        """
+        find: Callable[..., Any] = attribute_of("pyworm.solver.stress.fatigue", "fatigue_pass")
+        return find(self, body, strength, thermal)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
         """Write one NetCDF file, which `pyworm.open_solution` and the commands read; returns its path."""

@@ -109,6 +109,7 @@ def tolerance_of_wear(tolerance):
         )
 
 
+PROFILED = pyworm.FatigueStrength(5e8, 3e8, (0.0, 1e-4), (-4e8, 0.0), (7e9, 5e9))
 OIL = pyworm.named_oil("PAO VG 220")
 WARM = OIL.oil(333.15)
 NAMED = {
@@ -250,6 +251,7 @@ DIMENSIONED = {
                     ("lay", np.pi / 2, "90 deg"),
                     ("hardness", 1.1e9, "1.1 GPa"),
                     ("temperature_limit", 373.15, "100 degC"),
+                    ("thermal_expansion", 11.5e-6, "11.5e-6 1/K"),
                     (
                         "modulus_by_temperature",
                         ((293.15, 3e9), (373.15, 1e9)),
@@ -258,6 +260,44 @@ DIMENSIONED = {
                 )
             ),
         )
+    },
+    "Coating.thickness": (lambda v: pyworm.Coating(v, 2e11, 0.2).thickness, 3e-6, "3 um"),
+    "Coating.youngs_modulus": (
+        lambda v: pyworm.Coating(3e-6, v, 0.2).youngs_modulus,
+        2e11,
+        "200 GPa",
+    ),
+    "FatigueStrength.bending_limit": (
+        lambda v: pyworm.FatigueStrength(v, 3e8).bending_limit,
+        5e8,
+        "500 MPa",
+    ),
+    "FatigueStrength.torsion_limit": (
+        lambda v: pyworm.FatigueStrength(5e8, v).torsion_limit,
+        3e8,
+        "300 MPa",
+    ),
+    **{
+        f"FatigueStrength.{name}": (
+            lambda v, name=name: getattr(
+                pyworm.FatigueStrength(5e8, 3e8, **{"depths": (0.0, 1e-4), name: v}), name
+            ),
+            numbers,
+            texts,
+        )
+        for name, numbers, texts in (
+            ("depths", (0.0, 1e-4), ("0 um", "100 um")),
+            ("residual_stresses", (-4e8, 0.0), ("-400 MPa", "0 MPa")),
+            ("hardnesses", (7e9, 5e9), ("7 GPa", "5 GPa")),
+        )
+    },
+    **{
+        f"FatigueStrength.{name}(depths)": (
+            lambda v, name=name: getattr(PROFILED, name)(v).tolist(),
+            [0.0, 5e-5],
+            ["0 um", "50 um"],
+        )
+        for name in ("limit", "residual")
     },
     "Body.warm_at(inlet)": (pyworm.Body(2e11, 0.3).warm_at, 333.15, "60 degC"),
     "named_liquid(temperature)": (lambda v: pyworm.named_liquid("squalane", v), 333.15, "60 degC"),
@@ -521,8 +561,9 @@ DIMENSIONED = {
 PLAIN = {
     "Body": (
         "poisson_ratio roughness_slope roughness_aspect asperity_sharpness asperity_density "
-        "boundary_friction_factor topography long_waves"
+        "boundary_friction_factor topography long_waves coating fatigue"
     ),
+    "Coating": "poisson_ratio",
     "Body.from_name": "material",
     "Roughness": "slope aspect sharpness density",
     "Branch": "fraction ratio exponent yasuda",
@@ -586,7 +627,8 @@ PLAIN = {
     "Sensitivities.by_gap": "figure",
     "sensitivities": "scene plan solution accuracy effects inputs",
     "Solution.sensitivities": "inputs",
-    "Solution.stress": "body",
+    "Solution.stress": "body thermal",
+    "Solution.fatigue": "body strength thermal",
     "Solution.held": "part",
     "Solution.dataset": "part",
     "Solution.figure_text": "quantity",

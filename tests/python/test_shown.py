@@ -60,6 +60,8 @@ def built():
         "Barus": (pyworm.Barus(0.04, 2e-8), "eta0 40 mPa s, alpha 20 1/GPa"),
         "Body": (steel, "youngs_modulus 210 GPa, poisson_ratio 0.3, density 7850 kg/m³"),
         "Branch": (pyworm.Branch(0.5, 1.0, 0.4), "fraction 0.5, ratio 1, exponent 0.4"),
+        "Coating": (pyworm.Coating("3 um", "250 GPa", 0.2), "thickness 3 µm"),
+        "FatigueStrength": (pyworm.FatigueStrength("500 MPa", "300 MPa"), "bending_limit 500 MPa"),
         "Case": (pyworm.load("cases/point_m20_l10.toml"), "contacts 1, accuracy 1 %"),
         "Comparison": (pyworm.compare(solution, solution), "µm"),
         "Density": (pyworm.Density(870.0, 6e-10, 1.7e-9), "rho0 870 kg/m³"),

@@ -8,12 +8,14 @@ from math import sin
 from pyworm.drives.answers import Space
 from pyworm.drives.drive import Drive
 from pyworm.drives.forces import MeshForces, Supports
+from pyworm.drives.loaded_root import LoadedRoot
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.roller_worm.checks import check_gears
 from pyworm.drives.roller_worm.dataset import roller_cycle_data
 from pyworm.drives.roller_worm.geometry_table import SHEET, described_rollers
 from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.mesh_loss import roller_mesh_loss
+from pyworm.drives.roller_worm.roots import roller_roots
 from pyworm.drives.roller_worm.shaft_forces import roller_forces
 from pyworm.drives.roller_worm.shapes import in_space
 from pyworm.drives.rotor import Rotor
@@ -58,6 +60,10 @@ class RollerWormDrive(RollerMesh, Drive):
     def mesh_loss(self, contacts: Sequence[ContactLoss]) -> MeshLoss | None:
         """Loss of all rollers in mesh; None for too few phases of a section that carries load."""
         return roller_mesh_loss(self, contacts)
+
+    def roots(self) -> tuple[LoadedRoot, ...]:
+        """Roots of the thread and of the pins, where their radius is given."""
+        return roller_roots(self)
 
     def geometry_table(self) -> dict[str, float | str]:
         """Worm and rollers with their mesh."""

@@ -8,6 +8,7 @@ from pyworm.drives.answers import HobSetup, Misalignment, Shim, Space
 from pyworm.drives.drive import AllowedErrors, Drive
 from pyworm.drives.duty import WormDuty
 from pyworm.drives.forces import MeshForces, Supports
+from pyworm.drives.loaded_root import LoadedRoot
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss
 from pyworm.drives.rotor import Rotor
 from pyworm.drives.tooth_life import ToothLife
@@ -41,6 +42,7 @@ from pyworm.drives.worm.shapes import in_space
 from pyworm.drives.worm.solids import solids
 from pyworm.drives.worm.teeth.checks import check_gears, check_values
 from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
+from pyworm.drives.worm.teeth_roots import worm_roots
 from pyworm.drives.worm.tolerances import Tolerance, tolerances
 from pyworm.formulas.ranges import one_of
 from pyworm.io.on_demand import xarray as xr
@@ -228,6 +230,10 @@ class WormDrive(WormMesh, Drive):
     def wheel_shim(self, wanted: float | None) -> Shim:
         """The shim under the wheel for a place of the pattern without load; of no errors where None."""
         return found_shim(self.with_rigid_shaft, self.patterns, wanted)
+
+    def roots(self) -> tuple[LoadedRoot, ...]:
+        """Roots of the thread and of the wheel's teeth."""
+        return worm_roots(self, self.duty().gear)
 
     def mesh_at_torque(self) -> MeshAtTorque:
         """Loss both ways and yielding of the mesh, the worm driving."""

@@ -1,6 +1,6 @@
 """Maximum of a measure of the stress below a surface, over depth and plane, with its uncertainty."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property, partial
 from math import exp, log, log2
@@ -10,6 +10,8 @@ import numpy as np
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.stress_invariants import von_mises
 from pyworm.solver import extremum
+from pyworm.solver.stress.layer import CoatedBody
+from pyworm.solver.stress.thermal import HeatedBody
 from pyworm.solver.stress.tractions import Tractions
 
 Measure = Callable[[Array], Array]
@@ -56,10 +58,20 @@ class Peak:
 
 
 class StressBelow:
-    """Stress below tractions, on their own grid and on coarser ones, which suffice at larger depths."""
+    """Stress below tractions, on their own grid and on coarser ones, which suffice at larger depths.
 
-    def __init__(self, tractions: Tractions, poisson_ratio: float):
+    With that by a coating, and by the heat of the surface, where they are given.
+    """
+
+    def __init__(
+        self,
+        tractions: Tractions,
+        poisson_ratio: float,
+        coated: CoatedBody | None = None,
+        heated: HeatedBody | None = None,
+    ):
         self._grids = [tractions]
+        self.coated, self.heated = coated, heated
         self.poisson_ratio = poisson_ratio
         """Poisson's ratio of the body."""
         self.half_width = tractions.half_width
@@ -74,6 +86,29 @@ class StressBelow:
         while len(self._grids) <= level:
             self._grids.append(self._grids[-1].coarser())
         return self._grids[level]
+
+    def stress(self, grid: Tractions, depths: Sequence[float] | Array) -> Array:
+        """Stress below the nodes of a grid [Pa], (component, depth, nx[, ny])."""
+        stress = grid.stress(self.poisson_ratio, depths)
+        for part in (self.coated, self.heated):
+            if part is not None:
+                stress += part.stress(grid, depths)
+        return stress
+
+    def heat_share(self, measure: Measure, peak: Peak) -> float:
+        """Share of a maximum that thermal stress makes, at its depth [-]."""
+        if self.heated is None:
+            return 0.0
+        cold = StressBelow(self.grid(0), self.poisson_ratio, self.coated)
+        level = self.level_for(peak.depth, SEARCH_CELLS)
+        return abs(1 - cold.highest(measure, peak.depth, level)[0] / peak.value)
+
+    @cached_property
+    def layer_depths(self) -> tuple[float, ...]:
+        """Depths where the stress over depth has an edge, which are searched besides [m]."""
+        if self.coated is not None:
+            return (0.0, *self.coated.faces)
+        return () if self.heated is None else (0.0,)
 
     def level_for(self, depth: float, cells: int) -> int:
         """Number of the coarsest grid with so many cells to a depth."""
@@ -91,15 +126,18 @@ class StressBelow:
 
     def _field(self, measure: Measure, depth: float, level: int) -> Array:
         """A measure at the nodes of a grid, at a depth."""
-        return measure(self.grid(level).stress(self.poisson_ratio, [depth])[:, 0])
+        return measure(self.stress(self.grid(level), [depth])[:, 0])
 
     @cached_property
     def critical_depth(self) -> float:
         """Depth of the largest equivalent stress among those searched [m]."""
+        edges = {depth / self.half_width: depth for depth in self.layer_depths}
 
         @cache
         def searched(factor: float) -> float:
             depth = factor * self.half_width
+            if factor in edges:
+                depth = edges[factor]
             level = self.level_for(depth, SEARCH_CELLS)
             return float(self._field(von_mises, depth, level).max())
 
@@ -109,7 +147,8 @@ class StressBelow:
         factors = [DEPTHS[place]]
         if self._largest_at_surface() > searched(DEPTHS[place]):
             factors += SURFACE_DEPTHS
-        return self.half_width * max(factors, key=searched)
+        best_factor = max([*factors, *edges], key=searched)
+        return edges.get(best_factor, self.half_width * best_factor)
 
     def _largest_at_surface(self) -> float:
         """Bound of the equivalent stress at the surface, by its tractions and by pressure spikes [Pa]."""
@@ -126,7 +165,8 @@ class StressBelow:
         fine = self.level_for(depth, FINAL_CELLS)
         on_coarse = partial(self.highest, measure, level=fine + 1)
         foreseen = 0.0
-        if depth > 0:
+        refined = depth > 0 and depth not in self.layer_depths
+        if refined:
             factors = (1 / (1 + DEPTH_STEP), 1, 1 + DEPTH_STEP)
             before, middle, behind = (on_coarse(depth * factor)[0] for factor in factors)
             step, gain = _vertex(before, middle, behind)
@@ -142,7 +182,7 @@ class StressBelow:
             depth,
             position,
             abs(correction) * (1 if resolved else 3) / value,
-            abs(coarse - foreseen) / value if depth > 0 else 0.0,
+            abs(coarse - foreseen) / value if refined else 0.0,
         )
 
 

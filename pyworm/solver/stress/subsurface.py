@@ -8,12 +8,14 @@ from typing import cast
 import numpy as np
 
 from pyworm.formulas.arrays import Array
+from pyworm.formulas.layered_half_space import Layer
 from pyworm.formulas.stress_invariants import (
     max_shear_stress,
     principal_stresses,
     tresca,
     von_mises,
 )
+from pyworm.formulas.thermal_stress import ThermalSolid
 from pyworm.io import units
 from pyworm.io.given import WithUnit, in_si
 from pyworm.io.quantities import QUANTITIES
@@ -21,8 +23,10 @@ from pyworm.io.shown import Shown
 from pyworm.scene.any_contact import AnyContact
 from pyworm.solver.estimate import Estimate, in_words
 from pyworm.solver.solution import Solution, StressFigures
+from pyworm.solver.stress.layer import CoatedBody, layer_on
 from pyworm.solver.stress.maximum import Measure, StressBelow
-from pyworm.solver.stress.tractions import EDGE_PRESSURE, tractions
+from pyworm.solver.stress.thermal import heated_body, thermal_solid
+from pyworm.solver.stress.tractions import EDGE_PRESSURE, has_shear, tractions
 
 DEFAULT_DEPTHS = 17
 """Number of depths of a field whose depths are not given."""
@@ -144,29 +148,50 @@ class StressInputs:
     """Poisson's ratio of each body [-]."""
     boundary_friction: float
     """Friction coefficient of asperities [-]."""
+    coatings: tuple[Layer | None, Layer | None] = (None, None)
+    """Layer on each body; None of a bare one."""
+    heated: tuple[ThermalSolid, ThermalSolid] | None = None
+    """Thermal constants of both bodies; None without thermal stress."""
 
 
-def inputs_of_scene(scene: AnyContact) -> StressInputs:
-    """What the stress of a contact depends on besides the fields of its film."""
-    first, second = (body.poisson_ratio for body in scene.bodies)
-    return StressInputs((first, second), scene.boundary_friction)
+def inputs_of_scene(scene: AnyContact, thermal: bool = False) -> StressInputs:
+    """What the stress of a contact depends on besides the fields of its film.
+
+    ValueError of a thermal stress of bodies without thermal constants.
+    """
+    first, second = scene.bodies
+    heated = (thermal_solid(first, 1), thermal_solid(second, 2)) if thermal else None
+    return StressInputs(
+        (first.poisson_ratio, second.poisson_ratio),
+        scene.boundary_friction,
+        (layer_on(first), layer_on(second)),
+        heated,
+    )
 
 
-def stress_inputs(solution: Solution) -> StressInputs:
-    """What its stress depends on besides its fields; ValueError of a solution that does not know it."""
+def stress_inputs(solution: Solution, thermal: bool | None = None) -> StressInputs:
+    """What its stress depends on besides its fields; ValueError of a solution that does not know it.
+
+    `thermal` is whether heat counts, by default as among its figures.
+    """
     known = solution.figures.stress
-    if known is not None:
-        return StressInputs(known.poisson_ratios, known.boundary_friction)
+    if known is not None and thermal in (None, known.heated is not None):
+        return StressInputs(
+            known.poisson_ratios, known.boundary_friction, known.coatings, known.heated
+        )
     if solution.solved is None:
         raise ValueError(
             f"{solution.name}: read from a file without stresses; solve it with pyworm run --stress, "
             "or by pyworm.solve"
         )
-    return inputs_of_scene(solution.solved[0])
+    return inputs_of_scene(solution.solved[0], bool(thermal))
 
 
 def subsurface_stress(
-    solution: Solution, body: int = 1, depths: Sequence[WithUnit] | Array | None = None
+    solution: Solution,
+    body: int = 1,
+    depths: Sequence[WithUnit] | Array | None = None,
+    thermal: bool | None = None,
 ) -> SubsurfaceStress:
     """Stress below the surface of body 1 or 2 of a solved contact, each an elastic half-space.
 
@@ -174,11 +199,14 @@ def subsurface_stress(
         solution: The solved contact.
         body: Number of the body.
         depths: Depths of the fields [m]; by default from the surface to twice the half-width.
+        thermal: Whether to add the thermal stress of the surface temperature; by default as among the
+            solution's figures, or not.
 
     Raises:
-        ValueError: Another body, a depth above the surface, a film that did not converge, or a file's.
+        ValueError: Another body, a depth above the surface, a film that did not converge, thermal stress
+            without simulated heat or thermal expansion, or a file without stresses.
     """
-    below = stress_below(solution, body)
+    below = stress_below(solution, body, stress_inputs(solution, thermal))
     if depths is None:
         chosen = np.linspace(0, DEPTH_REACH * below.half_width, DEFAULT_DEPTHS)
     else:
@@ -192,7 +220,7 @@ def subsurface_stress(
         poisson_ratio=below.poisson_ratio,
         depths=chosen,
         axes=acting.axes(),
-        components=acting.stress(below.poisson_ratio, chosen),
+        components=below.stress(acting, chosen),
         von_mises_max=maximum_below(below, von_mises, solution),
         shear_max=maximum_below(below, max_shear_stress, solution),
     )
@@ -205,16 +233,26 @@ def stress_below(solution: Solution, body: int, inputs: StressInputs | None = No
     if not solution.converged:
         raise ValueError(f"{solution.name}: no stress, since the film did not converge")
     inputs = inputs or stress_inputs(solution)
+    layer = inputs.coatings[body - 1]
+    solids = inputs.heated
     return StressBelow(
-        tractions(solution, body, inputs.boundary_friction), inputs.poisson_ratios[body - 1]
+        tractions(solution, body, inputs.boundary_friction),
+        inputs.poisson_ratios[body - 1],
+        None if layer is None else CoatedBody(layer),
+        None if solids is None else heated_body(solution, body, solids[body - 1]),
     )
 
 
 def with_stress(solution: Solution, inputs: StressInputs) -> Solution:
     """A converged solution with the maximum von Mises stress of both bodies among its figures."""
-    first = maximum_below(stress_below(solution, 1, inputs), von_mises, solution)
-    other = stress_below(solution, 2, inputs)
-    second = maximum_below(other, von_mises, solution, first.depth)
+    first_below = stress_below(solution, 1, inputs)
+    first = maximum_below(first_below, von_mises, solution)
+    alike = inputs.coatings == (None, None) and inputs.heated is None
+    if alike and len(set(inputs.poisson_ratios)) == 1 and not has_shear(solution):
+        second = first  # the same tractions on the same half-space
+    else:
+        other = stress_below(solution, 2, inputs)
+        second = maximum_below(other, von_mises, solution, first.depth if alike else None)
     stress = StressFigures(
         first.value,
         second.value,
@@ -222,6 +260,8 @@ def with_stress(solution: Solution, inputs: StressInputs) -> Solution:
         second.depth,
         inputs.poisson_ratios,
         inputs.boundary_friction,
+        inputs.coatings,
+        inputs.heated,
     )
     return solution.changed(figures=replace(solution.figures, stress=stress))
 
@@ -236,9 +276,11 @@ def maximum_below(
     peak = below.peak(measure, below.critical_depth if near is None else near)
     pressure = solution.figures.pressure_max.error
     film = pressure if isfinite(pressure) else solution.figures.film_central.error
+    hot = solution.figures.temperature_max_body_1, solution.figures.temperature_max_body_2
+    heat = hypot(*(flank.error for flank in hot if flank is not None))
     value = Estimate(
         peak.value,
-        grid=hypot(peak.grid_error, film),
+        grid=hypot(peak.grid_error, film, below.heat_share(measure, peak) * heat),
         domain=EDGE_PRESSURE,
         approximation=peak.depth_error,
     )

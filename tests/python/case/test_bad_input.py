@@ -55,6 +55,36 @@ def refuse(tmp_path, monkeypatch, capsys):
             'wheel_torque = "4 kN m"\nlifts = [[0.5, "1 um"], [0.1, "2 um"]]',
             "lifts has the phases 0.5, 0.1; they must rise",
         ),
+        # bodies: layers and fatigue limits; scuffing
+        (
+            "[bodies.wheel]",
+            '[bodies.wheel.coating]\nthickness = "3 m"\nyoungs_modulus = "250 GPa"\n'
+            "poisson_ratio = 0.2\n[bodies.wheel]",
+            "bodies.wheel.coating.thickness",
+        ),
+        (
+            "[bodies.wheel]",
+            '[bodies.wheel.fatigue]\nbending_limit = "300 MPa"\ntorsion_limit = "400 MPa"\n'
+            "[bodies.wheel]",
+            "torsion_limit is 1.33 of bending_limit: must be 0.5 to 1 of it",
+        ),
+        (
+            "[bodies.wheel]",
+            '[bodies.wheel.fatigue]\nbending_limit = "500 MPa"\ntorsion_limit = "300 MPa"\n'
+            'hardnesses = ["7 GPa"]\n[bodies.wheel]',
+            "hardnesses: needs one value for each of the 0 depths",
+        ),
+        (
+            "[bodies.wheel]",
+            '[bodies.wheel.fatigue]\nbending_limit = "500 MPa"\ntorsion_limit = "300 MPa"\n'
+            'depths = ["0.2 mm", "0.1 mm"]\n[bodies.wheel]',
+            "depths: must rise from point to point",
+        ),
+        (
+            "[bodies.wheel]",
+            '[scuffing]\ntemperature = "300 degC"\nscuffing_load_stage = 10\n[bodies.wheel]',
+            "give one of temperature, scuffing_load_stage, not temperature and scuffing_load_stage",
+        ),
         ('"14 kN"', '"14 kN"\nwheel_speed = "9 rpm"', "give either worm_speed or wheel_speed"),
         (
             "[drive.worm]",

@@ -24,3 +24,12 @@ def test_a_run_has_the_stress_below_its_surfaces(tmp_path, capsys):
     assert main(["report", found["results"]]) == 0
     page = (tmp_path / "report.html").read_text(encoding="utf-8")
     assert "Stress below the surface" in page
+
+
+def test_thermal_stress_without_heat_is_reported(tmp_path, capsys):
+    case = "cases/line_m20_l10.toml"
+    run = ["run", case, "--accuracy", "20%", "--thermal-stress", "--json", "--pictures", "none"]
+    assert main([*run, "--out", str(tmp_path)]) == 0
+    shown = capsys.readouterr()
+    assert "no thermal stress: heat was not simulated" in shown.err
+    assert json.loads(shown.out)["scenes"][0]["von_mises_max_body_1_Pa"] > 0

@@ -20,12 +20,12 @@ def sliding_below(nodes, depths, friction=FRICTION):
     return x, subsurface_stress(pressure, shear, (x[1] - x[0],) * 2, NU, depths)
 
 
-def largest_error(nodes):
+def largest_error(nodes, depths=DEPTHS):
     """Largest error of any component below the sliding sphere, over p0."""
-    x, stress = sliding_below(nodes, DEPTHS)
+    x, stress = sliding_below(nodes, depths)
     every = nodes // 16
     x = x[::every]
-    exact = [sliding_sphere(x[:, None], x, depth, FRICTION, NU) for depth in DEPTHS]
+    exact = [sliding_sphere(x[:, None], x, depth, FRICTION, NU) for depth in depths]
     return np.abs(stress[..., ::every, ::every] - np.stack(exact, axis=1)).max()
 
 
@@ -34,6 +34,12 @@ def test_the_sliding_sphere_is_met_to_a_thousandth_and_of_second_order():
     print(f"largest error over p0: {coarse:.1e}, then {fine:.1e}")
     assert fine < 4e-4
     assert fine < coarse / 3
+
+
+def test_the_sliding_sphere_is_met_to_a_thousandth_near_the_surface():
+    error = largest_error(193, np.array([0.1]))
+    print(f"largest error over p0 at 0.1 radii, 64 cells to the radius: {error:.1e}")
+    assert error < 1e-3
 
 
 def test_the_reference_is_in_equilibrium_and_has_the_tractions():
