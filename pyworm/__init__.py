@@ -56,6 +56,8 @@ Gear sets
     BestDesign      what `design` gives
     wear            wear of the wheel over its service life
     CaseWear        what `wear` gives
+    duty            temperatures, losses and damage of a gear unit over its duty
+    CaseDuty        what `duty` gives
 
 Solving
     plan            effects, grids and tolerance for an accuracy

@@ -5,6 +5,8 @@ from .batch.check import CheckedCase as CheckedCase
 from .batch.check import PlannedContact as PlannedContact
 from .batch.check import check as check
 from .batch.design import design as design
+from .batch.duty_run import CaseDuty as CaseDuty
+from .batch.duty_run import duty as duty
 from .batch.run import run as run
 from .batch.study import sweep as sweep
 from .batch.study import traction_curve as traction_curve

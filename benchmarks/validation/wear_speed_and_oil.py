@@ -65,7 +65,7 @@ def main() -> None:
         for oil, speed in ROWS:
             case = case_of(oil, speed, Path(name))
             found, share = simulated(case, accuracy, Path(name) / f"{oil}{speed}")
-            duty = case.tables.duty(case.drive)
+            duty = case.tables.rated_duty(case.drive)
             (load,) = RatedWormGear(case.tables.rating_as_run(), duty, case.directory).loads
             rate = load.rated.wear.depth / load.hours
             scale = scale or rate / found

@@ -79,7 +79,7 @@ class WearInput:
         key = f"{self.prefix}calibrate"
         if getattr(case.tables, "worm_rating", None) is None:
             raise CaseError(f"{key}: needs [worm_rating] with wheel_material and life")
-        table, duty = case.tables.rating_as_run(), case.tables.duty(case.drive)
+        table, duty = case.tables.rating_as_run(), case.tables.rated_duty(case.drive)
         loads = RatedWormGear(table, duty, case.directory).loads
         if len(loads) != 1:
             raise CaseError(f"{key}: needs [worm_rating] with one life, and it gives a spectrum")

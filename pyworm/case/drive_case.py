@@ -60,7 +60,7 @@ class DriveCase(CaseTable):
     def make_drive(self) -> Drive:
         """The gear set of the file; ValueError with a key of `[drive]` if its parts do not make one."""
 
-    def duty(self, drive: Drive) -> Duty | None:
+    def rated_duty(self, drive: Drive) -> Duty | None:
         """Input of the drive's rating by standards; as `Drive.duty`."""
         return drive.duty()
 

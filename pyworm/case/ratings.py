@@ -7,6 +7,7 @@ from pydantic import AfterValidator, Field
 
 from pyworm.case.case_file import FileTable, Published
 from pyworm.case.drive_case import DriveCase
+from pyworm.case.duty import DutyTable
 from pyworm.case.one_oil import second_oil
 from pyworm.case.table import Table
 from pyworm.drives.forces import Side
@@ -226,10 +227,13 @@ class RatedCase(DriveCase):
     bearings: dict[str, BearingTable] = Field(default_factory=dict)
     oil_choice: OilChoiceTable | None = None
     scuffing: ScuffingTable | None = None
+    duty: DutyTable | None = None
 
     def flaws(self) -> Iterator[str]:
-        """A second oil."""
+        """A second oil, or a duty of what does not warm."""
         yield from super().flaws()
+        if self.duty is not None and getattr(self, "cooling", None) is None:
+            yield "[duty] asks for [cooling] with the sizes of its housing"
         worm = getattr(self, "worm_rating", None)
         yield from second_oil(self.oil, _oils_named(worm, self.bearings))
 

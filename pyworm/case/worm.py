@@ -226,7 +226,7 @@ class WormCase(RatedCase):
             bearings=cooled.get("bearings"),
         )
 
-    def duty(self, drive: Drive) -> WormDuty:
+    def rated_duty(self, drive: Drive) -> WormDuty:
         """The worm gear with the temperatures and the cooling of the drive."""
         if not isinstance(drive, WormDrive):
             raise TypeError("a worm drive is rated as a worm gear")

@@ -9,6 +9,7 @@ EXAMPLES = {
     "check": "cases/zi_drive.toml --phase 0.5",
     "precision": "cases/point_m20_l10.toml",
     "film": "cases/zi_drive.toml --phase 0.5",
+    "duty": "cases/conveyor.toml",
     "sweep": "cases/sweeps/film_of_speed_and_load.toml -j 2",
     "table": "cases/worm_drawing.toml --check 4 -j 2",
     "calibrate": "cases/film_rig.toml --measured films.csv --fit z",

@@ -229,6 +229,13 @@ class Drive(Shown, Lubricated, ABC):
         """Its gear bodies with their shafts, as its thermal network sees them; None where not known."""
         return None
 
+    def at_load(self, speed: float, torque: float) -> "Drive":
+        """The drive at another speed of its first shaft [rad/s] and torque of its second [N m].
+
+        ValueError where another load is given than that of a shaft.
+        """
+        raise ValueError("the load of this gear set is not that of a shaft")
+
     def duty(self) -> Duty | None:
         """Input of its rating by standards, of the type `rated_as`; None where no standard covers it.
 

@@ -21,6 +21,7 @@ from pyworm.drives.cooling import Cooling, DriveTemperatures, HousingSizes
 from pyworm.drives.heat_network import (
     HeatPath,
     HeatState,
+    Source,
     TemperatureHistory,
     ThermalNetwork,
     ThermalStep,
@@ -76,6 +77,8 @@ class GearUnit:
     """Loss between the teeth [W]."""
     to_oil: float | None = None
     """Conductance from each gear body to the oil [W/K]; None: that of discs that turn in oil."""
+    tooth_loss_at: Callable[[Mapping[str, float]], float] | None = None
+    """Loss between the teeth [W] by the temperatures of all nodes [K]; None: the same at any."""
 
     @property
     def loss(self) -> float:
@@ -118,10 +121,20 @@ class GearUnit:
         """Factor of the housing's conductance that gives the measured point [-]; 1 without one."""
         return self._fit({})
 
-    def network(self, factors: Mapping[str, float] | None = None) -> ThermalNetwork:
-        """The network, with factors of some kinds of paths; ValueError of a point that nothing fits."""
+    def network(
+        self,
+        factors: Mapping[str, float] | None = None,
+        fit: float | None = None,
+        ambient: float | None = None,
+    ) -> ThermalNetwork:
+        """The network, with factors of some kinds of paths; ValueError of a point that nothing fits.
+
+        `fit` is a factor of the housing's conductance instead of its own, `ambient` a temperature [K].
+        """
         factors = dict(factors or {})
-        return self._network(factors, self._fit(factors), self.cooling.ambient_temperature, 1.0)
+        fit = self._fit(factors) if fit is None else fit
+        ambient = self.cooling.ambient_temperature if ambient is None else ambient
+        return self._network(factors, fit, ambient, 1.0)
 
     def history(self, hours: Sequence[float]) -> TemperatureHistory:
         """Temperatures from a start as cold as the surroundings; ValueError without sizes of the housing.
@@ -129,15 +142,20 @@ class GearUnit:
         The unit runs for the first of the hours [h], stands still for the second, and so on. The surroundings
         start at their mean and are warmest after 6 h.
         """
+        self.require_capacity()
+        steps = [ThermalStep(HOUR * each, number % 2 == 0) for number, each in enumerate(hours)]
+        mean = self.cooling.ambient_temperature
+        return self.network().history(steps, mean, {AMBIENT: self.ambient_at})
+
+    def require_capacity(self) -> None:
+        """ValueError without sizes of the housing, whose heat capacity temperatures over time need."""
         if self.cooling.housing is None:
             raise ValueError("temperatures over time need [cooling.housing], for its heat capacity")
-        steps = [ThermalStep(HOUR * each, number % 2 == 0) for number, each in enumerate(hours)]
+
+    def ambient_at(self, time: float) -> float:
+        """Temperature of the surroundings [K] at a time of the day [s], warmest after 6 h."""
         mean, swing = self.cooling.ambient_temperature, self.cooling.ambient_swing
-
-        def ambient(time: float) -> float:
-            return mean + swing * sin(2 * pi * time / DAY)
-
-        return self.network().history(steps, mean, {AMBIENT: ambient})
+        return mean + swing * sin(2 * pi * time / DAY)
 
     def _fit(self, factors: Mapping[str, float]) -> float:
         """Factor of the outer conductances for the measured point [-]."""
@@ -165,8 +183,17 @@ class GearUnit:
             replace(path, factor=factors.get(path.name, 1.0) * (fit if path.name in OUTER else 1.0))
             for path in self._paths()
         ]
-        sources = {node: scale * power for node, power in self._sources().items()}
+        sources: dict[str, Source] = {
+            node: scale * power for node, power in self._sources().items()
+        }
+        if self.tooth_loss_at is not None:
+            sources |= {rotor.name: self._tooth_source(scale) for rotor in self.rotors}
         return ThermalNetwork(self._capacities(), fixed, paths, sources)
+
+    def _tooth_source(self, scale: float) -> Source:
+        """Half of the loss between the teeth, as they are warm."""
+        lost = present(self.tooth_loss_at, "tooth_loss_at")
+        return lambda known: scale / 2 * lost(known)
 
     def _sources(self) -> dict[str, float]:
         """Node -> loss in it [W]."""
@@ -229,11 +256,11 @@ class GearUnit:
         """From a gear body to the oil: it turns in it, or both are still."""
 
         def turning(body: float, oil: float) -> float:
-            fluid = self._fluid((body + oil) / 2)
+            fluid = self.fluid((body + oil) / 2)
             return rotor.surface * ht.rotating_disc(fluid, rotor.speed)
 
         def still(body: float, oil: float) -> float:
-            fluid = self._fluid((body + oil) / 2)
+            fluid = self.fluid((body + oil) / 2)
             return rotor.surface * ht.free_on_wall(fluid, rotor.diameter, body - oil)
 
         running = turning if self.to_oil is None else self.to_oil
@@ -245,11 +272,11 @@ class GearUnit:
         area = housing.foot_print + housing.oil_level * housing.sides
 
         def still(oil: float, wall: float) -> float:
-            return area * ht.free_on_wall(self._fluid((oil + wall) / 2), depth, oil - wall)
+            return area * ht.free_on_wall(self.fluid((oil + wall) / 2), depth, oil - wall)
 
         return still
 
-    def _fluid(self, temperature: float) -> ht.Fluid:
+    def fluid(self, temperature: float) -> ht.Fluid:
         """The oil at a temperature [K], at ambient pressure."""
         heat = present(self.oil.heat, "oil.heat")
         rise = temperature - heat.inlet_temperature

@@ -15,6 +15,11 @@ Derived, not measured: the worm standard's base wear of 1e-9 (bath and injected 
 which counts the whole pressure, over asperities that carry half of 300 MPa. Its spread is that of the
 standard's curves and of the share: a factor of `WEAR_SPREAD` either way."""
 
+STEEL_WEAR_COEFFICIENT = 1e-18
+"""k of ground, hard steel gears in oil between asperities that touch [m2/N]: of the order of what is
+published for them (9.65e-19 over the whole pressure, P. Bajpai, A. Kahraman and N. E. Anderson, J. Tribol.
+126 (2004) 597, from memory); known to a factor of 10."""
+
 WEAR_ACCURACY = "10 %"
 """Accuracy of simulated contacts that is enough for wear, as its coefficient is known to a factor of 3."""
 
@@ -43,6 +48,18 @@ def archard_depth(coefficient: float, pressure: Values, path: Values) -> Values:
     within("wear coefficient", coefficient, 1e-24, 1e-9, "m2/N")
     archard_depth: Values = coefficient * np.asarray(pressure) * np.asarray(path)
     return archard_depth
+
+
+def pass_depth(coefficient: float, unit_load: float, sliding: float, velocity: float) -> float:
+    """Depth that a line contact wears off a surface as it passes once [m], k w |dv|/|v|.
+
+    Archard's law over the time that a place of the surface, which moves at v over the contact line [m/s], is
+    in contact: the pressure integrates to w, the load that asperities carry for each length [N/m]; dv is the
+    sliding velocity [m/s].
+    """
+    positive("wear coefficient", coefficient, "m2/N")
+    positive("velocity", abs(velocity), "m/s")
+    return coefficient * unit_load * abs(sliding / velocity)
 
 
 def harder_ratio(hardness: float, softer: float, exponent: float = HARDNESS_EXPONENT) -> float:

@@ -97,9 +97,10 @@ _DRIVEN: _Sizes = {"possible": ("1e-12 W", "1e12 W"), "usual": ("0.01 W", "100 M
 Power = Annotated[float, Quantity("a power", "W", "250 kW", **_DRIVEN)]
 PowerOrZero = Annotated[float, Quantity("a power", "W", "400 W", "not negative", **_DRIVEN)]
 
-Speed = Annotated[float, Quantity(
-    "a speed of rotation", "rad/s", "1500 rpm", possible=("1e-9 rpm", "1e7 rpm"),
-    usual=("0.01 rpm", "1e5 rpm"))]
+_ROTATED: _Sizes = {"possible": ("1e-9 rpm", "1e7 rpm"), "usual": ("0.01 rpm", "1e5 rpm")}
+Speed = Annotated[float, Quantity("a speed of rotation", "rad/s", "1500 rpm", **_ROTATED)]
+SpeedOrZero = Annotated[float, Quantity(
+    "a speed of rotation", "rad/s", "1500 rpm", "not negative", **_ROTATED)]
 Spin = Annotated[float, Quantity(
     "a speed of rotation", "rad/s", "-20 rad/s", "any", ("1e-24 rad/s", "1e12 rad/s"), ("", "1e4 rad/s"))]
 Velocity = Annotated[float, Quantity(
@@ -198,6 +199,10 @@ TemperatureCoefficientAnySign = Annotated[float, Quantity(
     "a temperature coefficient", "1/K", "3.4e-4 1/K", "any", **_BETA)]
 Duration = Annotated[float, Quantity(
     "a duration", "s", "25000 h", possible=("1e-6 s", "1e7 h"), usual=("1 h", "3e5 h"))]
+Span = Annotated[float, Quantity(
+    "a duration", "s", "90 min", possible=("1 ms", "1e6 h"), usual=("1 s", "1e4 h"))]
+"""A span of a duty, such as an hour of a day."""
+
 TimeOrZero = Annotated[float, Quantity(
     "a time", "s", "2 ms", "not negative", possible=("1e-12 s", "1 h"), usual=("1 us", "10 s"))]
 # fmt: on

@@ -110,7 +110,7 @@ class RatingRequest:
     def duty(self) -> Duty | None:
         """Its gears as the standards see them; ValueError where these do not know such gears."""
         if self.drive is not None and isinstance(self.tables, RatedCase):
-            return self.tables.duty(self.drive)
+            return self.tables.rated_duty(self.drive)
         table = self._worm_gear
         return None if table is None else worm_duty_of_table(table)
 

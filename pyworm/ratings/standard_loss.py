@@ -69,7 +69,7 @@ class NoStandard:
 def standard_loss(case: Case) -> StandardLoss | NoStandard:
     """The loss between a drive's teeth by a standard or a closed form, or why there is none."""
     try:
-        duty = None if case.drive is None else case.tables.duty(case.drive)
+        duty = None if case.drive is None else case.tables.rated_duty(case.drive)
         if isinstance(duty, WormDuty):
             return _worm(case, duty)
         if isinstance(duty, GearPairDuty):

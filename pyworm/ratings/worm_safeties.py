@@ -38,6 +38,9 @@ AS_IF_BRONZE = (
 _PITTING_POWER = 6
 """Hours of pitting fall with this power of the stress: Z_h = (25000 h/Lh)^(1/6)."""
 
+ENDURANCE_CYCLES, ROOT_POWER = 3e6, 0.16
+"""Cycles from which roots endure, and power of fewer cycles with which their strength falls (from memory)."""
+
 _MOST_LASTING = 1.6
 """Largest Z_h [-]."""
 
@@ -126,9 +129,22 @@ def _miner(loads: tuple[RatedLoad, ...]) -> float:
         hours = known(load.hours)
         lasting = min((25000 / hours) ** (1 / _PITTING_POWER), _MOST_LASTING)
         endured = load.rated.pitting_safety / lasting  # over 25000 h
-        damage += hours / 25000 * endured**-_PITTING_POWER
+        damage += pitting_damage(hours, endured)
         bound = min(bound, endured * _MOST_LASTING)
     return min(damage ** (-1 / _PITTING_POWER), bound)
+
+
+def pitting_damage(hours: float, endured: float) -> float:
+    """Share of a flank's life that some hours take [-], by its safety over 25000 h, `endured`."""
+    return hours / 25000 * endured**-_PITTING_POWER
+
+
+def root_damage(cycles: float, endured: float) -> float:
+    """Share of a root's life that some load cycles take [-], by its safety over unlimited ones, `endured`.
+
+    None above it; below it cycles endured are 3e6 S^(1/0.16), the life factor Y_NL of DIN 3996 (from memory).
+    """
+    return 0.0 if endured >= 1 else cycles / (ENDURANCE_CYCLES * endured ** (1 / ROOT_POWER))
 
 
 def _deflection(gear_set: RatedWormGear) -> Safety:

@@ -16,6 +16,7 @@ COMMANDS = {
         ("oil", "choose", "cases/oil_zi.toml"),
         ("rate", "cases/oil_zi.toml"),
     ),
+    "conveyor": (("duty", "cases/conveyor.toml"),),
     "zi-drive": (
         ("check", "cases/zi_drive.toml", "--phase", "0.5"),
         ("run", "cases/zi_drive.toml", "--pictures", "none"),

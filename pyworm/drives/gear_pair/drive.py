@@ -140,6 +140,10 @@ class GearPairDrive(GearPairMesh, Drive):
             scuffing_temperature=None if surfaces is None else surfaces.scuffing_temperature,
         )
 
+    def at_load(self, speed: float, torque: float) -> "GearPairDrive":
+        """The gears at another speed of the pinion [rad/s] and torque of the gear [N m]."""
+        return replace(self, pinion_speed=speed, power=torque * speed / self.teeth.ratio)
+
     def geometry_table(self) -> dict[str, float | str]:
         """The gears with their measures, backlash and mesh."""
         return described_pair(self, self.inspection)

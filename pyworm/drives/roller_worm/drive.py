@@ -1,7 +1,7 @@
 """The roller enveloping worm drive: what it answers of its mesh."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from math import sin
 
@@ -64,6 +64,10 @@ class RollerWormDrive(RollerMesh, Drive):
     def roots(self) -> tuple[LoadedRoot, ...]:
         """Roots of the thread and of the pins, where their radius is given."""
         return roller_roots(self)
+
+    def at_load(self, speed: float, torque: float) -> "RollerWormDrive":
+        """The rollers at another speed of the worm [rad/s] and torque of the wheel without friction [N m]."""
+        return replace(self, speed=speed, torque=torque * self.wheel_speed / self.speed)
 
     def geometry_table(self) -> dict[str, float | str]:
         """Worm and rollers with their mesh."""

@@ -235,6 +235,11 @@ class WormDrive(WormMesh, Drive):
         """Roots of the thread and of the wheel's teeth."""
         return worm_roots(self, self.duty().gear)
 
+    def at_load(self, speed: float, torque: float) -> "WormDrive":
+        """The gears at another speed of the worm [rad/s] and torque of the wheel [N m]."""
+        shared = replace(self.shared_torque, torque=torque, shaft="wheel")
+        return replace(self, speed=speed, transmission=shared)
+
     def mesh_at_torque(self) -> MeshAtTorque:
         """Loss both ways and yielding of the mesh, the worm driving."""
         return mesh_at_torque(self, torque_balance(self.loaded_cycle()))

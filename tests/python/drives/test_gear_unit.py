@@ -182,7 +182,7 @@ def test_a_worm_s_network_has_the_standard_s_wheel():
         }
     )
     assert drive_iteration.tooth_loss_of(case) == pytest.approx(1100)
-    duty = case.tables.duty(case.drive)
+    duty = case.tables.rated_duty(case.drive)
     assert duty.conductance == pytest.approx(unit.conductance)
     worm_shaft, oil = (unit.steady.temperatures[node] for node in ("worm shaft", "oil"))
     assert worm_shaft > oil > unit.steady.temperatures["housing"]

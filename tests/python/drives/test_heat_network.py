@@ -1,5 +1,7 @@
 """Thermal networks against analytic solutions of one and two nodes, and their balance."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -93,3 +95,60 @@ def test_a_node_without_a_way_out_and_a_balance_that_does_not_close_are_refused(
         ThermalNetwork({}, {"ambient": 300.0}, [], {"seal": 1.0})
     with pytest.raises(ValueError, match="does not close"):
         one_node(lambda hot, cold: 0.0).steady()
+
+
+def test_a_source_that_falls_with_temperature_is_a_stronger_path():
+    """P0 - c (T - T0) over G is P0 over G + c; the heat set free is that of the path outside."""
+    network = ThermalNetwork(
+        {"oil": 2e4},
+        {"ambient": 300.0},
+        [HeatPath("air", "oil", "ambient", 30.0)],
+        {"oil": lambda known: 1600.0 - 10.0 * (known["oil"] - 300.0)},
+    )
+    state = network.steady()
+    assert state.temperatures["oil"] == pytest.approx(340, abs=1e-6)
+    assert state.power == pytest.approx(1200)
+    history = network.history([ThermalStep(1000.0)], 300.0)
+    rise = 40 * (1 - np.exp(-history.time * 40 / 2e4))
+    np.testing.assert_allclose(history.temperatures["oil"] - 300, rise, atol=2e-4)
+    lost = 1600 * history.time - 10 * 40 * (history.time - 500 * (1 - np.exp(-history.time / 500)))
+    np.testing.assert_allclose(history.lost, lost, rtol=1e-6, atol=1e-2)
+
+
+@pytest.mark.parametrize("seconds", [100.0, 5000.0])
+def test_repeated_steps_begin_where_the_series_of_all_before_ends(seconds):
+    """On and off for equal times: the least excess is 40 K x/(1 + x), x = exp(-t/tau)."""
+    network, steps = one_node(), [ThermalStep(seconds), ThermalStep(seconds, running=False)]
+    start = network.periodic_start(steps, 293.15)
+    decay = np.exp(-seconds / 500)
+    assert start["oil"] - 293.15 == pytest.approx(40 * decay / (1 + decay), abs=2e-3)
+
+
+def test_steps_have_networks_and_surroundings_of_their_own():
+    colder = ThermalNetwork(
+        {"oil": 2e4},
+        {"ambient": 283.15},
+        [HeatPath("fan", "oil", "ambient", 80.0)],
+        {"oil": 1600.0},
+    )
+    network = one_node()
+    history = network.history(
+        [ThermalStep(1e5), ThermalStep(1e5, network=colder, swings={})],
+        293.15,
+        {"ambient": lambda time: 303.15},
+    )
+    oil, ambient = (history.temperatures[node] for node in ("oil", "ambient"))
+    assert oil[[199, -1]] == pytest.approx([343.15, 303.15], abs=1e-3)
+    assert ambient[[0, 199, -1]] == pytest.approx([303.15, 303.15, 283.15])
+
+
+def test_temperatures_that_never_come_back_are_refused(monkeypatch):
+    """Each period ends anywhere."""
+    ends = np.random.default_rng(1)
+
+    def history(self, *given, **points):
+        return SimpleNamespace(temperatures={"oil": [ends.uniform(300, 400)]})
+
+    monkeypatch.setattr(ThermalNetwork, "history", history)
+    with pytest.raises(ValueError, match="come back after a period"):
+        one_node().periodic_start([ThermalStep(10.0)], 293.15)
