@@ -22,6 +22,7 @@ from pyworm.drives.gear_unit import AMBIENT, FOUNDATION, HOUR, OIL, GearUnit
 from pyworm.drives.heat_network import TemperatureHistory, ThermalStep
 from pyworm.drives.other_losses import NonMeshLosses
 from pyworm.drives.rotor import Rotor
+from pyworm.formulas.whole_numbers import whole
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
 from pyworm.ratings.duty_damage import DutyDamage, HourlyDamage
@@ -35,7 +36,7 @@ Load = tuple[float, float]
 HOTTEST = 423.15
 """Temperature of teeth up to which losses are tabulated [K]; hotter ones lose as much."""
 
-MARGIN = 5.0
+COLDEST_MARGIN = 5.0
 """Range of these temperatures below the coldest surroundings [K]."""
 
 TIMES, FEWEST_TIMES, MOST_TIMES = 3000, 4, 100
@@ -58,8 +59,8 @@ class LoadState:
 
     def corrected(self, factor: float) -> "LoadState":
         """The state with its loss between the teeth times a factor."""
-        lost = present(self.unit.tooth_loss_at, "tooth_loss_at")
-        unit = replace(self.unit, tooth_loss_at=lambda known: factor * lost(known))
+        tooth_loss = present(self.unit.tooth_loss_at, "tooth_loss_at")
+        unit = replace(self.unit, tooth_loss_at=lambda known: factor * tooth_loss(known))
         return replace(self, unit=unit)
 
 
@@ -177,21 +178,21 @@ class DutyModel:
             "speed": block.speed,
             "temperatures": {node: _mean(time, values) for node, values in nodes.items()},
             "oil_max": float(nodes["oil"].max()),
-            "energy_lost": float(history.lost[span][-1] - history.lost[span][0]),
+            "energy_lost": float(history.dissipated[span][-1] - history.dissipated[span][0]),
         }
         if not block.running:
             return BlockFigures(**known)
         state = self.loads[block.load]
         count = min(max(ceil(block.duration / HOUR / PIECE), 1), MOST_PIECES, len(time) - 1)
-        edges = np.linspace(0, len(time) - 1, count + 1).round().astype(int)
+        edges = whole(np.linspace(0, len(time) - 1, count + 1).round())
         pieces = []
         for first, end in pairwise(edges):
             part = slice(first, end + 1)
             warm = {node: _mean(time[part], values[part]) for node, values in nodes.items()}
             mesh = state.friction.at(mean_of_teeth(state.unit.rotors, warm))
             hours = float(time[end] - time[first]) / HOUR
-            lost = present(state.unit.tooth_loss_at, "tooth_loss_at")(warm)
-            pieces.append(_Piece(hours, lost, mesh, rate.hourly(state.drive, mesh, warm)))
+            loss = present(state.unit.tooth_loss_at, "tooth_loss_at")(warm)
+            pieces.append(_Piece(hours, loss, mesh, rate.hourly(state.drive, mesh, warm)))
         return BlockFigures(**known, **_of_pieces(pieces))
 
 
@@ -221,14 +222,14 @@ def _of_pieces(pieces: Sequence[_Piece]) -> dict[str, Any]:
         }
 
     meshes = [piece.mesh for piece in pieces]
-    lost = [piece.tooth_loss for piece in pieces]
+    losses = [piece.tooth_loss for piece in pieces]
     # friction of a table or of solves is that of the closed forms by its loss
     frictions = [
         mesh.loss.friction * power / mesh.loss.loss
-        for mesh, power in zip(meshes, lost, strict=True)
+        for mesh, power in zip(meshes, losses, strict=True)
     ]
     return {
-        "tooth_loss": mean(lost),
+        "tooth_loss": mean(losses),
         "friction": mean(frictions),
         "film_min": mean([mesh.film_min for mesh in meshes]),
         "specific_film": mean([mesh.specific_film for mesh in meshes]),
@@ -249,7 +250,7 @@ def duty_model(case: Case, table: TabulatedLoss | None = None) -> DutyModel:
         base = tables.unit_of(drive)  # type: ignore[attr-defined]  # each that has [cooling]
         base.require_capacity()
         base = replace(base, rotors=_sized(base.rotors, base.rotors))
-        low = coldest_ambient(cycle, base) - MARGIN
+        low = coldest_ambient(cycle, base) - COLDEST_MARGIN
         loads = {load: _at_load(case, base, load, low, table) for load in cycle.loads}
     except ValueError as error:
         raise CaseError(f"{case.name}: {error}") from error
@@ -273,9 +274,9 @@ def _at_load(
     rotors = present(drive.rotors, "rotors")
     if table is None:
         curve = _interpolated(*friction.losses(low, HOTTEST))
-        lost = lambda known: curve(mean_of_teeth(rotors, known))  # noqa: E731
+        tooth_loss = lambda known: curve(mean_of_teeth(rotors, known))  # noqa: E731
     else:
-        lost = lambda known: table.at(*load, known[OIL])  # noqa: E731
+        tooth_loss = lambda known: table.at(*load, known[OIL])  # noqa: E731
     unit = case.tables.unit_of(drive, base.tooth_loss)
     other = unit.cooling.other
     if other.standard is None:
@@ -285,7 +286,7 @@ def _at_load(
         unit,
         rotors=_sized(unit.rotors, base.rotors),
         cooling=replace(unit.cooling, other=other),
-        tooth_loss_at=lost,
+        tooth_loss_at=tooth_loss,
     )
     return LoadState(drive, unit, friction)
 

@@ -21,6 +21,9 @@ from pyworm.solver.solve import solve
 YEAR = 365 * DAY
 """A year [s]."""
 
+ACCURACY = 0.1
+"""Accuracy of the contacts that are solved [-]."""
+
 EFFECTS = ("auto", "-squeeze")
 """Effects of the contacts that are solved: steady films."""
 
@@ -98,7 +101,7 @@ class CaseDuty(Shown):
     @property
     def energy_lost(self) -> float:
         """Energy lost in the duty [J]."""
-        return float(self.model.history.lost[-1])
+        return float(self.model.history.dissipated[-1])
 
     @property
     def energy_out(self) -> float:
@@ -238,7 +241,6 @@ def duty(
     *,
     table: str | Path | None = None,
     solve_loads: int = 0,
-    accuracy: float = 0.1,
     progress: Callable[[str], None] = lambda words: None,
 ) -> CaseDuty:
     """Temperatures, losses and damage of a gear unit over its `[duty]`, as the command `pyworm duty`.
@@ -248,8 +250,7 @@ def duty(
         table: CSV file of `pyworm table`, by which teeth lose instead of by closed forms.
         solve_loads: Number of loads, those with the largest parts in a damage or the energy first, whose
             contacts are solved; the loss of each is corrected, and temperatures are found anew.
-        accuracy: Accuracy of the contacts solved [-].
-        progress: Told in words what is being done.
+        progress: Called with what is being done, in words.
 
     Raises:
         CaseError: Invalid input, or a case whose losses or temperatures are not found.
@@ -264,7 +265,7 @@ def duty(
         if not solve_loads:
             return found
         confirmed = tuple(
-            _confirmed(found, load, accuracy, progress) for load in _heaviest(found)[:solve_loads]
+            _confirmed(found, load, progress) for load in _heaviest(found)[:solve_loads]
         )
         factors = {load: each.tooth_loss / each.closed_form_loss for load, each in confirmed}
         corrected = {
@@ -298,7 +299,7 @@ def _heaviest(found: CaseDuty) -> list[Load]:
 
 
 def _confirmed(
-    found: CaseDuty, load: Load, accuracy: float, progress: Callable[[str], None]
+    found: CaseDuty, load: Load, progress: Callable[[str], None]
 ) -> tuple[Load, ConfirmedLoad]:
     """A load with its contacts solved at the mean temperature of its longest block."""
     state = found.model.loads[load]
@@ -311,7 +312,7 @@ def _confirmed(
     solutions = []
     for scene in state.friction.warmed(temperature):
         progress(f"solving {block.name}: {scene.name}")
-        solution = solve(scene, plan(scene, accuracy, EFFECTS))
+        solution = solve(scene, plan(scene, ACCURACY, EFFECTS))
         if not solution.converged:
             raise ValueError(f"{block.name}, {scene.name} did not converge: {solution.stop_reason}")
         solutions.append(solution)

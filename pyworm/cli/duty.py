@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING
 
 from pyworm.case.case import load
 from pyworm.cli.arguments import add_json
-from pyworm.cli.shared import CONVERGED, option_value, warn_of_unusual
+from pyworm.cli.shared import CONVERGED, warn_of_unusual
 from pyworm.io.atomic import atomic_directory, check_writable
 from pyworm.io.json import print_json
-from pyworm.io.quantity import SHARE_KIND
 from pyworm.io.quantity_text import percent
 from pyworm.io.terminal import print_message, print_result
 
@@ -31,7 +30,6 @@ def add(commands: argparse._SubParsersAction) -> None:
     duty.add_argument(
         "--solve", type=int, default=0, metavar="N", help="loads that are solved, heaviest first"
     )
-    duty.add_argument("--accuracy", default="10 %", help="of what is solved (default: 10 %%)")
     duty.add_argument(
         "--out", type=Path, help="directory (default: results/, the case's name, duty)"
     )
@@ -45,7 +43,6 @@ def _duty(options: argparse.Namespace) -> int:
     from pyworm.plots.layout import write
     from pyworm.report.duty import blocks_csv, temperatures_csv
 
-    accuracy = option_value("accuracy", options.accuracy, SHARE_KIND)
     case = load(options.case)
     directory = options.out or Path("results") / case.name / "duty"
     check_writable(directory)
@@ -54,7 +51,6 @@ def _duty(options: argparse.Namespace) -> int:
         case,
         table=options.table,
         solve_loads=options.solve,
-        accuracy=accuracy,
         progress=print_message,
     )
     with atomic_directory(directory) as aside:

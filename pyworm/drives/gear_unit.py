@@ -192,8 +192,8 @@ class GearUnit:
 
     def _tooth_source(self, scale: float) -> Source:
         """Half of the loss between the teeth, as they are warm."""
-        lost = present(self.tooth_loss_at, "tooth_loss_at")
-        return lambda known: scale / 2 * lost(known)
+        tooth_loss = present(self.tooth_loss_at, "tooth_loss_at")
+        return lambda known: scale / 2 * tooth_loss(known)
 
     def _sources(self) -> dict[str, float]:
         """Node -> loss in it [W]."""

@@ -111,7 +111,7 @@ class TemperatureHistory:
     """Heat that the nodes took up from start to end [J]."""
     supplied: float
     """Heat of the sources less that given off from start to end [J]."""
-    lost: Array
+    dissipated: Array
     """Heat of the sources from the start to each time, (times,) [J]."""
 
 
@@ -240,7 +240,7 @@ class ThermalNetwork:
             0.0,
             free,
         )
-        fixed_nodes, lost = [self._surroundings(0.0, swings)], [np.zeros(1)]
+        fixed_nodes, dissipated = [self._surroundings(0.0, swings)], [np.zeros(1)]
 
         for step in steps:
             span, network = (begun, begun + step.duration), step.network or self
@@ -260,14 +260,16 @@ class ThermalNetwork:
                 raise ValueError(f"temperatures over time: {found.message}")
             times.append(found.t)
             states.append(found.y[:-2])
-            lost.append(found.y[-1])
+            dissipated.append(found.y[-1])
             fixed_nodes += [network._surroundings(when, moved) for when in found.t]
             free, energies, begun = found.y[:-2, -1], found.y[-2:, -1], span[1]
         time, values = np.concatenate(times), np.concatenate(states, axis=1)
         known = {node: values[number] for node, number in self._nodes.items()}
         known |= {node: np.array([there[node] for there in fixed_nodes]) for node in self.fixed}
         stored = float(self._held @ (free - first))
-        return TemperatureHistory(time, known, stored, float(energies[0]), np.concatenate(lost))
+        return TemperatureHistory(
+            time, known, stored, float(energies[0]), np.concatenate(dissipated)
+        )
 
     def periodic_start(
         self, steps: Sequence[ThermalStep], start: float, swings: Swings | None = None

@@ -20,11 +20,11 @@ MAX_NAMED = 12
 def draw_duty(found: "CaseDuty") -> Figure:
     """Temperatures, loss with load, and parts of the blocks, one above the other."""
     figure = new_figure(9.5, 9.0, f"{found.name} · duty of the gear unit")
-    warm, lost, parts = figure.subplots(3, 1, height_ratios=(1.5, 1, 1))
+    warm, power, parts = figure.subplots(3, 1, height_ratios=(1.5, 1, 1))
     _draw_temperatures(warm, found)
-    _draw_loss(lost, found)
+    _draw_loss(power, found)
     _draw_parts(parts, found)
-    add_grids([warm, lost])
+    add_grids([warm, power])
     return figure
 
 
@@ -50,7 +50,7 @@ def _draw_temperatures(axes: Axes, found: "CaseDuty") -> None:
 def _draw_loss(axes: Axes, found: "CaseDuty") -> None:
     """Loss of the unit, and the torque."""
     history = found.model.history
-    time, power = history.time, np.diff(history.lost) / np.diff(history.time)
+    time, power = history.time, np.diff(history.dissipated) / np.diff(history.time)
     axes.stairs(power, time / HOUR, color="tab:red", label="loss of the unit")
     axes.set_ylabel("loss / W", color="tab:red")
     axes.set_xlabel("time / h")

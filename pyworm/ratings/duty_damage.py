@@ -9,22 +9,38 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from math import pi
 
+import numpy as np
+
 from pyworm.case.case import Case
 from pyworm.case.ratings import BearingTable
 from pyworm.case.worm_conditions import conditions, material_of, standard_oil
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import WormDuty
-from pyworm.drives.gear_pair.drive import GearPairDrive
 from pyworm.formulas.unknown import Unknown, attempt, known
-from pyworm.formulas.wear_law import STEEL_WEAR_COEFFICIENT, pass_depth
+from pyworm.formulas.wear_law import (
+    STEEL_WEAR_COEFFICIENT,
+    WEAR_COEFFICIENT,
+    WHEEL_HARDNESS,
+    WORM_HARDNESS,
+    harder_ratio,
+    pass_depth,
+)
 from pyworm.formulas.worm_rating import WormRating
 from pyworm.io.present import present
+from pyworm.materials.body import Body
 from pyworm.ratings.bearing import ShaftLoad, bearing_life, carried_load
 from pyworm.ratings.mesh_estimate import MeshEstimate
 from pyworm.ratings.rated_case import Cooled, WormRated
 from pyworm.ratings.worm_safeties import pitting_damage, root_damage
 
 HOUR = 3600.0
+"""[s]."""
+
+STIFF = 150e9
+"""Young's modulus above which a body of unknown hardness is taken for hard steel, else for bronze [Pa]."""
+
+SOFT = 3e9
+"""Indentation hardness of the softer body up to which it wears as bronze does [Pa]."""
 
 NO_ROOT = "pitting, roots: no formulas of them are known here for this kind of gears"
 
@@ -59,8 +75,7 @@ class DutyDamage:
             self._worm(drive, temperatures, wear, lives, missing)
         else:
             missing.append(NO_ROOT)
-        if isinstance(drive, GearPairDrive):
-            wear |= gear_pair_wear(drive, mesh)
+            wear |= {name: depth for name, (depth, _) in tooth_wear(drive, mesh).items()}
         for name, table in self.case.tables.bearings.items():
             rated = attempt(lambda: self._bearing(drive, mesh, name, table, temperatures))  # noqa: B023
             if isinstance(rated, Unknown):
@@ -148,24 +163,40 @@ class DutyDamage:
         return table.model_copy(update=given)
 
 
-def gear_pair_wear(
-    drive: GearPairDrive, mesh: MeshEstimate, coefficient: float = STEEL_WEAR_COEFFICIENT
-) -> dict[str, float]:
-    """Largest depth worn off the teeth of each gear in an hour, by k of Archard's law [m2/N]."""
-    worn = dict.fromkeys(drive.body_names, 0.0)
-    speeds = drive.shaft_speeds
-    for phase, contact in zip(mesh.phases, mesh.contacts, strict=True):
-        teeth = drive.contacts(phase)
-        for name, velocity in (
-            ("pinion", teeth.pinion_velocity),
-            ("gear", teeth.gear_velocity),
-        ):
-            depth = pass_depth(
-                coefficient,
-                contact.asperity_load_fraction * float(teeth.unit_load),
-                float(teeth.sliding),
-                float(velocity),
-            )
-            passes = speeds[name] / (2 * pi) * HOUR
-            worn[name] = max(worn[name], passes * depth)
+def tooth_wear(drive: Drive, mesh: MeshEstimate) -> dict[str, tuple[float, float]]:
+    """Depth worn off each gear body in an hour [m/h]: the largest, and the mean over where it wears.
+
+    Archard's law over the load of asperities, at each contact as a line that passes once in a turn.
+    """
+    rotors, worn = present(drive.rotors, "rotors"), {}
+    for number, (rotor, coefficient) in enumerate(
+        zip(rotors, wear_coefficients(drive.bodies), strict=True)
+    ):
+        depths = np.array(
+            [
+                pass_depth(
+                    coefficient,
+                    contact.asperity_load_fraction * contact.unit_load,
+                    contact.sliding,
+                    contact.velocities[number],
+                )
+                for contact in mesh.contacts
+            ]
+        )
+        hourly = rotor.speed / (2 * pi) * HOUR * depths
+        total = float(hourly.sum())
+        mean = float((hourly**2).sum()) / total if total else 0.0
+        worn[rotor.name] = float(hourly.max()), mean
     return worn
+
+
+def wear_coefficients(bodies: tuple[Body, Body]) -> tuple[float, float]:
+    """k of both bodies [m2/N]: that of bronze or of hard steel of the softer one, less of the harder one."""
+    usual = [
+        body.hardness or (WHEEL_HARDNESS if body.youngs_modulus < STIFF else WORM_HARDNESS)
+        for body in bodies
+    ]
+    softer = min(usual)
+    base = STEEL_WEAR_COEFFICIENT if softer > SOFT else WEAR_COEFFICIENT
+    first, second = (base * harder_ratio(hard, softer) for hard in usual)
+    return first, second

@@ -20,6 +20,7 @@ from pyworm.materials.body import Body
 from pyworm.planning.prediction import Prediction, predicted
 from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.index import ContactIndex
+from pyworm.scene.line import LineScene
 
 FEWEST_TEMPERATURES, SPACING = 4, 15.0
 """Least number and largest spacing [K] of the temperatures between which a loss is interpolated."""
@@ -41,6 +42,12 @@ class ContactEstimate:
     """Sliding velocity [m/s]."""
     load: float
     """Load [N], of a line contact for each length [N/m]."""
+    unit_load: float
+    """Load for each length across the entrainment, in the mean [N/m]."""
+    velocities: tuple[float, float]
+    """Speeds of both surfaces over the contact [m/s]."""
+    surface_rise: float
+    """Temperature rise of the surfaces by the friction [K]."""
 
 
 @dataclass(frozen=True)
@@ -143,13 +150,20 @@ def estimated(prediction: Prediction) -> ContactEstimate:
         borne = exp(curves.at_thickness(prediction.film_central)[0])
         share = min(borne / prediction.pressure_mean, 1.0)
         specific = prediction.film_min / scene.composite_roughness
+    friction = (1 - share) * fluid + share * scene.boundary_friction
+    length = 1.0 if isinstance(scene, LineScene) else 2 * prediction.half_length
     return ContactEstimate(
         film_min=prediction.film_min,
         specific_film=specific,
         asperity_load_fraction=share,
-        friction=(1 - share) * fluid + share * scene.boundary_friction,
+        friction=friction,
         sliding=prediction.sliding,
         load=scene.load,
+        unit_load=scene.load / length,
+        velocities=prediction.velocities,
+        surface_rise=prediction.surface_rise(
+            friction * prediction.pressure_mean * prediction.sliding
+        ),
     )
 
 

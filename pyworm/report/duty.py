@@ -60,8 +60,8 @@ def damage_table(found: CaseDuty) -> Table:
         )
         for name, part in found.damage.items()
     ]
-    lost = f"{found.energy_lost / KWH:.3g} kWh"
-    rows.append(("energy lost", lost, "", _by(ENERGY, decisive, shares)))
+    energy = f"{found.energy_lost / KWH:.3g} kWh"
+    rows.append(("energy lost", energy, "", _by(ENERGY, decisive, shares)))
     return Table(
         ("", "Miner sum\nof the duty", "Life\nh", "Most by"), tuple(rows), "Damage", narrow=True
     )
@@ -75,12 +75,12 @@ def _by(name: str, decisive: dict[str, str], shares: dict[str, tuple[float, ...]
 
 def words(found: CaseDuty) -> Iterator[str]:
     """Energy a day and a year, wear, and what is not rated."""
-    times, lost, out = found.periods_per_year, found.energy_lost, found.energy_out
-    efficiency = 100 * out / (out + lost)
-    yield f"Energy: {lost / KWH:.4g} kWh lost, {out / KWH:.4g} kWh given on, efficiency {efficiency:.1f} %."
+    times, energy, out = found.periods_per_year, found.energy_lost, found.energy_out
+    efficiency = 100 * out / (out + energy)
+    yield f"Energy: {energy / KWH:.4g} kWh lost, {out / KWH:.4g} kWh given on, efficiency {efficiency:.1f} %."
     if times is not None:
-        a_day = lost * DAY / found.model.cycle.duration / KWH
-        yield f"Lost in a day {a_day:.4g} kWh, in a year {lost * times / KWH:.4g} kWh."
+        a_day = energy * DAY / found.model.cycle.duration / KWH
+        yield f"Lost in a day {a_day:.4g} kWh, in a year {energy * times / KWH:.4g} kWh."
     for name, depth in found.wear.items():
         a_year = "" if times is None else f", {1e6 * depth * times:.3g} µm in a year"
         yield f"Wear of the {name}: {1e6 * depth:.3g} µm in the duty{a_year}."
@@ -102,7 +102,7 @@ def temperatures_csv(found: CaseDuty) -> str:
         f"{node.replace(' ', '_')}_temperature_C": values - ZERO_CELSIUS
         for node, values in history.temperatures.items()
     }
-    columns = {"time_h": history.time / HOUR, **nodes, "energy_lost_J": history.lost}
+    columns = {"time_h": history.time / HOUR, **nodes, "energy_lost_J": history.dissipated}
     rows = zip(*columns.values(), strict=True)
     return _csv([dict(zip(columns, row, strict=True)) for row in rows])
 

@@ -46,6 +46,12 @@ MADE_BY = {
         "batch/test_uncertain_run.py::test_exact_inputs_and_impossible_moves_are_refused",
     "batch/request.py planned ValueError":
         "batch/test_run.py::test_a_contact_that_cannot_be_planned_is_refused",
+    "batch/duty.py duty_model ValueError":
+        "batch/test_duty.py::test_a_unit_without_sizes_or_cooling_is_refused",
+    "batch/duty_run.py duty ValueError":
+        "batch/test_duty.py::test_solved_loads_correct_the_losses",
+    "batch/duty_run.py _table ValueError":
+        "batch/test_duty.py::test_a_unit_without_sizes_or_cooling_is_refused",
     "batch/wear.py wear ValueError":
         "batch/test_run.py::test_wear_needs_a_roughness",
     "batch/case_run.py _collected OSError":

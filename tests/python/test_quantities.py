@@ -26,6 +26,7 @@ from pyworm.solver.solution import StressFigures
 MADE = (
     "TransientResult",
     "Case",
+    "CaseDuty",
     "CaseRatings",
     "CaseSetup",
     "CaseWear",
@@ -659,6 +660,7 @@ PLAIN = {
     ),
     "traction_curve": "scene slide_roll_ratios accuracy effects out processes progress",
     "with_slide_roll_ratio": "scene ratio",
+    "duty": "case table solve_loads progress",
     "write_csv": "solution path",
     "write_vtk": "solution path",
 }

@@ -16,7 +16,9 @@ from pyworm.case.case import case_of
 from pyworm.case.duty import read_blocks
 from pyworm.cli.main import main
 from pyworm.drives.mesh_loss import ContactLoss
+from pyworm.formulas.unit_factors import RPM
 from pyworm.io.input_error import CaseError
+from pyworm.report.duty import words
 
 UNIT = """
 [cooling]
@@ -151,29 +153,42 @@ def test_solved_loads_correct_the_losses(monkeypatch, found):
         pyworm.duty(case, solve_loads=1)
 
 
-def test_the_command_writes_tables_and_a_picture(tmp_path, capsys, monkeypatch):
-    path = tmp_path / "unit.toml"
+def test_the_command_writes_tables_and_a_picture(tmp_path, capsys):
+    """Teeth lose 500 W by a table, whatever their temperature."""
+    path, out, table = tmp_path / "unit.toml", tmp_path / "out", tmp_path / "table.csv"
     (tmp_path / "day.csv").write_text(
         "torque_N_m,speed_rpm,time_s,ambient_C\n20000,375,3600,10\n0,0,1800,10\n"
     )
     path.write_text(TEXT + UNIT + '\n[duty]\nfile = "day.csv"\nstart = "cold"\n')
-    assert main(["duty", str(path), "--out", str(tmp_path / "out"), "--json"]) == 0
-    found = json.loads(capsys.readouterr().out)
-    assert found["imbalance"] < 1e-6 and not found["periodic"]
-    assert "energy_lost_J_per_year" not in found
-    with (tmp_path / "out/blocks.csv").open() as file:
+    table.write_text(
+        "worm_speed_rpm,wheel_torque_N_m,oil_temperature_C,friction_torque_N_m\n"
+        f"375,20000,60,{500 / (375 / RPM)}\n"
+    )
+    assert main(["duty", str(path), "--out", str(out), "--table", str(table)]) == 0
+    text = capsys.readouterr().out
+    assert "block 1 (100 %)" in text and "Heat balance" in text and "in a year" not in text
+    with (out / "blocks.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert [row["name"] for row in rows] == ["block 1", "block 2"]
-    lost = sum(float(row["energy_lost_J"]) for row in rows)
-    assert lost == pytest.approx(found["energy_lost_J"], rel=1e-8)
-    assert (tmp_path / "out/duty.png").stat().st_size > 10_000
-    assert main(["duty", str(path), "--out", str(tmp_path / "out")]) == 0
-    text = capsys.readouterr().out
-    assert "Energy:" in text and "block 1 (100 %)" in text and "Heat balance" in text
+    assert float(rows[0]["energy_lost_J"]) == pytest.approx(800 * 3600, rel=1e-5)
+    with (out / "temperatures.csv").open() as file:
+        last = list(csv.DictReader(file))[-1]
+    assert float(last["energy_lost_J"]) == pytest.approx(800 * 3600, rel=1e-5)
+    assert (out / "duty.png").stat().st_size > 10_000
+
+
+def test_all_of_it_is_an_object_for_json(found):
+    held = json.loads(json.dumps(found.summary()))
+    assert held["imbalance"] < 1e-6 and held["periodic"]
+    assert held["energy_lost_J_per_year"] == pytest.approx(held["energy_lost_J"] * 730)
+    assert held["blocks"][0]["duration_h"] == 6
+    assert held["blocks"][2]["film_min_m"] is None
+    assert len(held["time_h"]) == len(held["oil_temperature_C"])
+    assert "of the pinion" in " ".join(words(found)) and "in a year" in " ".join(words(found))
 
 
 @pytest.mark.parametrize(
-    ("content", "words"),
+    ("content", "reason"),
     [
         ("torque,speed\n", "its first line is torque, speed"),
         ("torque_N_m,speed_rpm,time_s\n", "no block with a speed"),
@@ -182,15 +197,15 @@ def test_the_command_writes_tables_and_a_picture(tmp_path, capsys, monkeypatch):
         ("torque_N_m,speed_rpm,time_s\n" + "1,1,1\n" * 2001, "more than 2000 blocks"),
     ],
 )
-def test_files_that_are_no_duty_are_refused(tmp_path, content, words):
+def test_files_that_are_no_duty_are_refused(tmp_path, content, reason):
     file = tmp_path / "duty.csv"
     file.write_text(content)
-    with pytest.raises(ValueError, match=words):
+    with pytest.raises(ValueError, match=reason):
         read_blocks(file)
 
 
 @pytest.mark.parametrize(
-    ("duty", "changes", "words"),
+    ("duty", "changes", "reason"),
     [
         ("", (), r"has no \[duty\]"),
         ('[duty]\nfile = "none.csv"\n', (), "none.csv.*no such file"),
@@ -207,8 +222,8 @@ def test_files_that_are_no_duty_are_refused(tmp_path, content, words):
         ),
     ],
 )
-def test_duties_that_cannot_be_are_refused(duty, changes, words):
-    with pytest.raises(CaseError, match=words):
+def test_duties_that_cannot_be_are_refused(duty, changes, reason):
+    with pytest.raises(CaseError, match=reason):
         pyworm.duty(gears(duty, *changes))
 
 
@@ -221,3 +236,5 @@ def test_a_unit_without_sizes_or_cooling_is_refused():
         case_of(tomllib.loads(TEXT + block), "unit", CASES)
     with pytest.raises(CaseError, match="solve_loads = -1"):
         pyworm.duty(gears(), solve_loads=-1)
+    with pytest.raises(CaseError, match=r"none\.csv: no such file"):
+        pyworm.duty(gears(), table="none.csv")

@@ -112,7 +112,7 @@ def test_a_source_that_falls_with_temperature_is_a_stronger_path():
     rise = 40 * (1 - np.exp(-history.time * 40 / 2e4))
     np.testing.assert_allclose(history.temperatures["oil"] - 300, rise, atol=2e-4)
     lost = 1600 * history.time - 10 * 40 * (history.time - 500 * (1 - np.exp(-history.time / 500)))
-    np.testing.assert_allclose(history.lost, lost, rtol=1e-6, atol=1e-2)
+    np.testing.assert_allclose(history.dissipated, lost, rtol=1e-6, atol=1e-2)
 
 
 @pytest.mark.parametrize("seconds", [100.0, 5000.0])

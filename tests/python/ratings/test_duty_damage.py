@@ -8,7 +8,7 @@ from folders import CASES
 import pyworm
 from pyworm.formulas.wear_law import pass_depth
 from pyworm.planning.prediction import predicted
-from pyworm.ratings.duty_damage import gear_pair_wear
+from pyworm.ratings.duty_damage import tooth_wear, wear_coefficients
 from pyworm.ratings.mesh_estimate import MeshFriction, estimated
 from pyworm.ratings.worm_safeties import pitting_damage, root_damage
 
@@ -38,15 +38,28 @@ def mesh():
     return MeshFriction(case.drive, case.places())
 
 
-def test_gears_wear_at_the_root_of_the_pinion_most_and_not_where_they_roll(mesh):
+def test_gears_wear_where_they_slide_most_over_their_own_surface(mesh):
     hot = mesh.at(383.15)
-    worn = gear_pair_wear(mesh.drive, hot, 1e-18)
-    low = mesh.drive.contacts(0.06)
-    share = hot.contacts[0].asperity_load_fraction
-    depth = 1e-18 * share * float(low.unit_load) * abs(float(low.pinion_specific_sliding))
-    assert hot.phases[0] == 0.06
-    assert worn["pinion"] >= 375 * 60 * depth > 0
-    assert worn["gear"] < worn["pinion"]  # a seventh of the passes
+    worn = tooth_wear(mesh.drive, hot)
+    teeth = [mesh.drive.contacts(phase) for phase in hot.phases]
+    depths = [
+        1e-18
+        * each.asperity_load_fraction
+        * float(at.unit_load)
+        * abs(float(at.pinion_specific_sliding))
+        for each, at in zip(hot.contacts, teeth, strict=True)
+    ]
+    assert worn["pinion"][0] == pytest.approx(375 * 60 * max(depths), rel=1e-3)
+    assert worn["pinion"][1] < worn["pinion"][0]
+    assert worn["gear"][0] < worn["pinion"][0]  # a seventh of the passes
+
+
+def test_bronze_wears_and_its_worm_by_the_square_of_their_hardnesses():
+    bronze, steel = (pyworm.Body.from_name(name) for name in ("CuSn12Ni2-C-GZ", "16MnCr5"))
+    worm, wheel = wear_coefficients((steel, bronze))
+    assert wheel == 7e-18
+    assert worm == pytest.approx(wheel * (0.93 / 6.7) ** 2, rel=0.2)
+    assert wear_coefficients((steel, steel)) == (1e-18, 1e-18)
 
 
 def test_smoother_flanks_carry_less_of_the_load_on_asperities(mesh):
