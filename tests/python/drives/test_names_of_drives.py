@@ -15,7 +15,7 @@ from pyworm.drives.worm.drive import WormDrive
 NAMES = {
     # what every set of gears answers, also one of another package
     Drive: """
-        all_assumptions allowed_errors assumptions bodies body_names cycle_around_contact cycle_data
+        all_assumptions allowed_errors at_load assumptions bodies body_names cycle_around_contact cycle_data
         cycle_seconds duty geometry geometry_table hob_setup idle in_space loaded_cycle
         lubricated_teeth lubrication mesh_at_torque mesh_forces mesh_loss misalignment normal_load
         oil_supplied oil_supply pattern_margin phases_per_second possible_drivers rated_as roots rotors
