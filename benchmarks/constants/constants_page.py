@@ -17,6 +17,7 @@ from itertools import groupby
 from pathlib import Path
 
 import bearing_checks
+import lubricant_checks
 import oil_rule_checks
 import plastic_checks
 import tooth_damage_checks
@@ -33,6 +34,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     *bearing_checks.CHAPTERS,
     *tooth_damage_checks.CHAPTERS,
     *oil_rule_checks.CHAPTERS,
+    *lubricant_checks.CHAPTERS,
     *plastic_checks.CHAPTERS,
 )
 

@@ -451,6 +451,20 @@ def _methods(of):
     )
 
 
+def _fast_and_rough(of):
+    """Splash ends where AGMA 250.04 does; 3625 rpm are fast, with oil two grades below that of the rule."""
+    index = {grade: step for step, grade in enumerate(of.ISO_GRADES)}
+    below, above = (of.application_method(part * of.FASTEST_250_04) for part in (0.999, 1.001))
+    by_rule = of.nearest_grade(of.pitch_line_viscosity(15.24))
+    return (
+        "baffles" in below
+        and "jets" in above
+        and 3500 < of.FAST_SHAFT * 30 / 3.14159265 < 3625
+        and index[by_rule] - index.get(of.GRADE_421_06, 99) == 2
+        and of.HOBBED_WHEEL_GRADE == of._WORM_ROWS[0].mineral[0]
+    )
+
+
 RULES = Chapter(
     "Rules of practice for gear oils",
     ModuleNumbers("pyworm.formulas.gear_oil"),
@@ -470,6 +484,10 @@ RULES = Chapter(
         "_is_warm": Clause("AGMA 250.04: 50 degF", MEMORY),
         "_WORM_ROWS": Clause("table: mm, rpm, degC, grades mineral, synthetic", READ),
         "worm_table": Clause("table: hottest ordinary sump, degC", READ),
+        "FASTEST_250_04": Clause("Errichello: ft/min", READ),
+        "FAST_SHAFT": Clause("AGMA 421.06: rpm", MEMORY),
+        "GRADE_421_06": Clause("Errichello's example of AGMA 421.06", READ),
+        "HOBBED_WHEEL_GRADE": Clause("article, surface finish", READ),
         "FLOWS": Clause("Errichello, table 1", READ),
         "SMALLEST_JET, LARGEST_JET": Clause("Errichello: inches", READ),
         "FEED_PRESSURES": Clause("Errichello: psi", READ),
@@ -486,6 +504,7 @@ RULES = Chapter(
         Check("cold places end at 50 degF", _warm),
         Check("rows of worms meet, in order", _rows_of_worms),
         Check("jets and pressures", _jets),
+        Check("fast gears and rough wheels", _fast_and_rough),
         Check("ways of bringing oil in order", _methods),
     ),
     lambda of: [of.pitch_line_viscosity(10)],

@@ -13,11 +13,12 @@ from pyworm.case.table import Table
 from pyworm.drives.forces import Side
 from pyworm.formulas.bearing_life import RollingBearing
 from pyworm.formulas.fzg_test_gears import TEST_TEMPERATURE
+from pyworm.formulas.oil_life import UsedOil
 from pyworm.formulas.worm_curves import Lubrication, OilKind
 from pyworm.formulas.worm_gear import WormGearSizes
 from pyworm.formulas.worm_losses import Bearings
 from pyworm.io import units
-from pyworm.io.plain_values import Count, PositiveNumber, Text
+from pyworm.io.plain_values import Count, NumberOrZero, PositiveNumber, Text
 from pyworm.materials.base_stock import Base
 from pyworm.materials.oil_requirements import OilRequirements
 from pyworm.materials.solids import named_material
@@ -72,8 +73,34 @@ class BearingTable(Table, RollingBearing):
         yield from self.unless_together("lubrication", "cleanliness")
 
 
+class UsedOilTable(Table, UsedOil):
+    """`[oil_choice.used_oil]`: analysis of the oil in the sump."""
+
+
 class OilChoiceTable(Table, OilRequirements):
     """`[oil_choice]`: requirements of an oil (`OilDuty`); drive and bodies give the rest."""
+
+    used_oil: UsedOilTable | None = None
+
+    def flaws(self) -> Iterator[str]:
+        """A price of energy without the loss, or the time in which it is lost."""
+        if self.energy_price is not None and None in (self.loss, self.yearly_operation):
+            yield "energy_price needs loss and yearly_operation"
+        if self.motor_torque is not None and self.coldest_start is None:
+            yield "motor_torque needs coldest_start"
+
+
+class StartingTable(Table):
+    """`[starting]`: a start of a worm gear set that `[worm_rating]` rates, in oil as cold as the unit.
+
+    `load_share` of the wheel's torque is on during the start. `mass` of the whole unit, as of iron, gives the
+    time of its warming.
+    """
+
+    temperature: units.Temperature
+    load_share: units.Share = 1.0
+    motor_torque: units.Torque | None = None
+    mass: units.Mass | None = None
 
 
 class LoadStepTable(Table):
@@ -185,7 +212,8 @@ class CompletedRating(WormRatingTable):
 class GearRatingTable(DamageLimits):
     """`[gear_rating]`: oil of a pair of gears, its supply and tests; drive and `[surfaces]` give the rest.
 
-    `base` is the stock of an oil that `[oil]` does not name from the list.
+    `base` is the stock of an oil that `[oil]` does not name from the list. With `jet_length`, that of the
+    jets' holes over their diameter, jets are sized for the viscosity of the oil at its temperature.
     """
 
     base: Base | None = None
@@ -194,11 +222,14 @@ class GearRatingTable(DamageLimits):
     flow: Literal["copious", "adequate", "lean", "starved"] | None = None
     feed_pressure: units.Pressure | None = None
     jets: Count | None = None
+    jet_length: NumberOrZero | None = None
 
     def flaws(self) -> Iterator[str]:
         """Jets in part."""
         yield from super().flaws()
         yield from self.unless_together("flow", "feed_pressure", "jets")
+        if self.jet_length is not None and self.jets is None:
+            yield "jet_length has no effect without jets"
 
 
 class WormGearTable(Table, WormGearSizes):
@@ -228,13 +259,16 @@ class RatedCase(DriveCase):
     oil_choice: OilChoiceTable | None = None
     scuffing: ScuffingTable | None = None
     duty: DutyTable | None = None
+    starting: StartingTable | None = None
 
     def flaws(self) -> Iterator[str]:
-        """A second oil, or a duty of what does not warm."""
+        """A second oil, a duty of what does not warm, or a start of gears that are not rated."""
         yield from super().flaws()
         if self.duty is not None and getattr(self, "cooling", None) is None:
             yield "[duty] asks for [cooling] with the sizes of its housing"
         worm = getattr(self, "worm_rating", None)
+        if self.starting is not None and worm is None:
+            yield "[starting] needs [worm_rating]"
         yield from second_oil(self.oil, _oils_named(worm, self.bearings))
 
 
@@ -245,6 +279,7 @@ class RatingCase(FileTable):
     worm_gear: WormGearTable | None = None
     worm_rating: WormRatingTable | None = None
     oil_choice: OilChoiceTable | None = None
+    starting: StartingTable | None = None
 
     def flaws(self) -> Iterator[str]:
         """Ratings without a worm gear or an oil, or with a second oil, and shafts of no drive."""
@@ -254,13 +289,15 @@ class RatingCase(FileTable):
                 yield f"bearings.{name}.shaft has no effect without a [drive]"
         for key in self.given("worm_rating", "oil_choice") if self.worm_gear is None else ():
             yield f"[{key}] needs a [worm_gear] or a [drive]"
+        if self.starting is not None and self.worm_rating is None:
+            yield "[starting] needs [worm_rating]"
         if self.worm_rating is not None and self.worm_rating.oil is None:
             yield 'worm_rating.oil is missing, such as "PAG VG 220"'
         if self.worm_gear is not None:
             yield from second_oil(None, _oils_named(self.worm_rating, self.bearings))
 
 
-RATING_TABLES = ("bearings", "worm_gear", "worm_rating", "gear_rating", "oil_choice")
+RATING_TABLES = ("bearings", "worm_gear", "worm_rating", "gear_rating", "oil_choice", "starting")
 """Tables of a case file that ask for ratings."""
 
 OIL_KINDS: tuple[OilKind, ...] = get_args(OilKind)

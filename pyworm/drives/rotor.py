@@ -19,6 +19,11 @@ STEEL_DENSITY, STEEL_HEAT, STEEL_CONDUCTIVITY = 7850.0, 470.0, 45.0
 """Density [kg/m3], specific heat [J/(kg K)] and conductivity [W/(m K)] of shafts and bearings."""
 
 
+def sized_shaft(torque: float, most: float) -> float:
+    """Diameter of a shaft that carries a torque [N m] under `SHAFT_STRESS`, at most that of its body [m]."""
+    return float(min((16 * torque / (pi * SHAFT_STRESS)) ** (1 / 3), most))
+
+
 @dataclass(frozen=True)
 class Rotor:
     """A gear body with its shaft and two bearings."""
@@ -43,9 +48,7 @@ class Rotor:
     @property
     def shaft_diameter(self) -> float:
         """Diameter of its shaft [m], at most that of the gear body."""
-        if self.shaft is not None:
-            return self.shaft
-        return float(min((16 * self.torque / (pi * SHAFT_STRESS)) ** (1 / 3), self.diameter))
+        return sized_shaft(self.torque, self.diameter) if self.shaft is None else self.shaft
 
     @property
     def span(self) -> float:

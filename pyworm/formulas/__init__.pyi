@@ -16,9 +16,13 @@ from . import hertz as hertz
 from . import layered_half_space as layered_half_space
 from . import least_squares as least_squares
 from . import liquids as liquids
+from . import lubricant_type as lubricant_type
 from . import lubrication as lubrication
 from . import micropitting as micropitting
+from . import no_load_torque as no_load_torque
+from . import nozzle as nozzle
 from . import oil_layers as oil_layers
+from . import oil_life as oil_life
 from . import oil_properties as oil_properties
 from . import plane_waves as plane_waves
 from . import ranges as ranges

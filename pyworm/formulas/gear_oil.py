@@ -14,6 +14,27 @@ SOURCE = "R. Errichello, Lubrication of Gears, part 3"
 FOOT_PER_MINUTE = 0.3048 / 60
 """1 ft/min [m/s]."""
 
+SUCCESSORS = {
+    "AGMA 250.04": "ANSI/AGMA 9005-F16",
+    "AGMA 421.06": "ANSI/AGMA 6011-J14",
+    "AGMA 2001-B88": "ANSI/AGMA 2001-D04",
+}
+"""Withdrawn standard -> what stands in its place (9005-D94 revises 250.04; the others from memory)."""
+
+FASTEST_250_04 = 5000 * FOOT_PER_MINUTE
+"""Pitch line velocity up to which AGMA 250.04 holds, and from which AGMA 421.06 does [m/s] (Errichello)."""
+
+FAST_SHAFT = 3600 / RPM
+"""Speed of the pinion from which AGMA 421.06 counts gears as fast [rad/s]; from memory, near Errichello's
+3625 rpm."""
+
+GRADE_421_06 = 68
+"""Grade of AGMA 421.06 in the one example that Errichello gives; its table was not read."""
+
+HOBBED_WHEEL_GRADE = 220
+"""Least grade of a new worm gear, whose hobbed wheel is rough: article on viscosity of worm gear oils, 3.1.
+"""
+
 INCH = 0.0254
 """1 in [m]."""
 
@@ -71,6 +92,23 @@ class TableAdvice:
     """The row of the table."""
     source: str
     """The table."""
+    least: bool = False
+    """Whether it names the least grade only."""
+
+
+def withdrawn(standard: str) -> str:
+    """A withdrawn standard with its successor, in words."""
+    return f"{standard}, withdrawn; today {SUCCESSORS[standard]}"
+
+
+def hobbed_wheel() -> TableAdvice:
+    """Least grade for the hobbed wheel of a worm gear; the table of the same article goes below it."""
+    return TableAdvice(
+        (HOBBED_WHEEL_GRADE,),
+        f"VG {HOBBED_WHEEL_GRADE} or thicker while a hobbed wheel runs in, mineral or synthetic",
+        "article on worm gear oils, surface finish",
+        least=True,
+    )
 
 
 # centre distance up to [in], AGMA numbers for a cold (15 to 50 degF) and a warm (50 to 125 degF) place
@@ -84,12 +122,22 @@ _AGMA_PARALLEL: tuple[tuple[float, tuple[str, str], tuple[str, str]], ...] = (
 _AGMA_WORM = ((6, 700), (12, 450), (18, 300), (24, 250), (inf, 200))
 
 
-def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAdvice:
+def agma_parallel(
+    centre_distance: float, ambient_temperature: float, pitch_line_velocity: float = 0.0
+) -> TableAdvice:
     """AGMA 250.04's grades for single-reduction parallel-shaft drives, by centre distance and ambient.
 
     Source: AGMA 250.04, from memory. Verified by what Errichello reads from it: VG 150 or 220 at 16 in, VG
-    150 for a small drive. Range: pitch line velocities to 25 m/s (5000 ft/min), ambient 15 to 125 degF.
+    150 for a small drive. Range: ambient 15 to 125 degF. Above 5000 ft/min it has no grades: AGMA 421.06 is
+    to be consulted there, of which one example is known.
     """
+    if pitch_line_velocity > FASTEST_250_04:
+        return TableAdvice(
+            (),
+            f"{pitch_line_velocity:.3g} m/s is above {FASTEST_250_04:.1f} m/s (5000 ft/min), where AGMA "
+            f"250.04 ends: consult {withdrawn('AGMA 421.06')}, which was not read",
+            withdrawn("AGMA 250.04"),
+        )
     within("centre distance", centre_distance, 0.02, 3, "m")
     warm = _is_warm(ambient_temperature)
     inches = centre_distance / INCH
@@ -101,7 +149,7 @@ def agma_parallel(centre_distance: float, ambient_temperature: float) -> TableAd
     return TableAdvice(
         grades,
         f"centre distance {size}, {'warm' if warm else 'cold'} place: AGMA {low} to {high}",
-        "AGMA 250.04",
+        withdrawn("AGMA 250.04"),
     )
 
 
@@ -125,7 +173,7 @@ def agma_worm(centre_distance: float, worm_speed: float, ambient_temperature: fl
     return TableAdvice(
         (AGMA_GRADES[number],),
         f"centre distance {bound}, {speed}, {'warm' if warm else 'cold'} place: AGMA {number} Comp",
-        "AGMA 250.04",
+        withdrawn("AGMA 250.04"),
     )
 
 
@@ -233,6 +281,8 @@ class Jets:
     """Velocity of the oil [m/s]."""
     most: int
     """The most jets for which the diameter is not below `SMALLEST_JET`; 0 if even one is."""
+    discharge: float
+    """Discharge coefficient [-]."""
     advice: tuple[str, ...]
     """Where the jets leave usual practice; empty if they do not."""
 
@@ -242,14 +292,15 @@ def oil_jets(
 ) -> Jets:
     """Jets that pass a flow [m3/s]: Torricelli's velocity through holes with a discharge coefficient.
 
-    That is 0.6 to 1; `pressure` is that of the feed above the housing's [Pa]. Source: the limits are
-    Errichello's; the flow through a hole is Bernoulli's, so that thick oil in long holes needs larger ones.
+    That is 0.6 to 1 of thin oil, and less of thick oil (`nozzle.discharge_coefficient`); `pressure` is that
+    of the feed above the housing's [Pa]. Source: the limits are Errichello's; the flow through a hole is
+    Bernoulli's.
     """
     positive("oil flow", flow, "m3/s")
     within("feed pressure", pressure, 1e4, 1e7, "Pa")
     within("density", density, 500, 2000, "kg/m3")
     within("number of jets", number, 1, 1000, "")
-    within("discharge coefficient", discharge, 0.3, 1, "")
+    within("discharge coefficient", discharge, 1e-3, 1, "")
     velocity = sqrt(2 * pressure / density)
     area = flow / (discharge * velocity)
     diameter = sqrt(4 * area / (pi * number))
@@ -265,7 +316,7 @@ def oil_jets(
     low, high = FEED_PRESSURES
     if not 0.99 * low <= pressure <= 1.01 * high:
         advice.append("feed pressures are usually between 0.14 and 0.69 MPa (20 and 100 psi)")
-    return Jets(number, diameter, velocity, most, tuple(advice))
+    return Jets(number, diameter, velocity, most, discharge, tuple(advice))
 
 
 def application_method(pitch_line_velocity: float) -> str:

@@ -32,6 +32,7 @@ _SLIPS = {
     "Pa": ("MPa", "GPa", "Pa"),
     "1/Pa": ("1/GPa", "1/Pa"),
     "Pa s": ("mPa s", "Pa s"),
+    "kg": ("kg",),
     "kg/m^3": ("g/cm^3", "kg/m^3"),
     "K": ("degC", "K"),
     "delta_degC": ("K",),

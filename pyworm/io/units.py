@@ -155,6 +155,9 @@ MassDensity = Annotated[float, Quantity(
 OilDensity = Annotated[float, Quantity(
     "a density of an oil", "kg/m^3", "870 kg/m^3", possible=("100 kg/m^3", "5000 kg/m^3"),
     usual=("600 kg/m^3", "2200 kg/m^3"))]
+Mass = Annotated[float, Quantity(
+    "a mass", "kg", "450 kg", possible=("1e-3 kg", "1e6 kg"), usual=("0.1 kg", "1e5 kg"))]
+
 Conductivity = Annotated[float, Quantity(
     "a thermal conductivity", "W/(m K)", "47 W/(m K)", possible=("1 mW/(m K)", "3000 W/(m K)"),
     usual=("0.1 W/(m K)", "450 W/(m K)"))]

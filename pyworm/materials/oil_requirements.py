@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from pyworm.formulas.lubricant_type import Enclosure
+from pyworm.formulas.oil_life import UsedOil
 from pyworm.io import units
 from pyworm.io.plain_values import Count, PositiveNumber
 from pyworm.materials.base_stock import Base
@@ -29,3 +31,15 @@ class OilRequirements:
     """Highest sump temperature allowed [K]."""
     coldest_start: units.Temperature | None = None
     """Lowest temperature at which the drive starts [K], if the pour point is to be given."""
+    enclosure: Enclosure = "oil-tight"
+    """Housing: "oil-tight" with shaft seals, "leaking", "open", or in "vacuum"."""
+    loss: units.Power | None = None
+    """Loss of the whole unit with that grade [W], if losses are to be compared."""
+    yearly_operation: units.Duration | None = None
+    """Time in operation in a year [s], for energy and change interval."""
+    energy_price: PositiveNumber | None = None
+    """Price of a kilowatt hour, in any currency."""
+    motor_torque: units.Torque | None = None
+    """Torque that the motor has at the fast shaft to start with [N m]."""
+    used_oil: UsedOil | None = None
+    """Analysis of the oil in the sump."""

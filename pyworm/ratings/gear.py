@@ -10,6 +10,7 @@ from pyworm.case.ratings import GearRatingTable
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import GearPairDuty
 from pyworm.formulas import gear_oil, scuffing
+from pyworm.formulas.nozzle import jet_discharge
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_distress import SOURCE as WEAR_SOURCE
 from pyworm.formulas.wear_distress import rate_wear
@@ -234,18 +235,14 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
         figures.append((f"flow_{word}_m3_s", label, flow, "l/min"))
     words = [f"Oil is brought by {gear_oil.application_method(speed)}."]
     if table.flow is not None:
-        flow = gear_oil.oil_flow(duty.power, table.flow)
-        jets = gear_oil.oil_jets(
-            flow,
-            present(table.feed_pressure, "gear_rating.feed_pressure"),
-            duty.oil.density.rho0,
-            present(table.jets, "gear_rating.jets"),
-        )
+        jets = _jets(duty, table, gear_oil.oil_flow(duty.power, table.flow))
         figures += [
             ("jets", f"Jets, {table.flow} flow", jets.number, ""),
             ("jet_diameter_m", "  diameter", jets.diameter, "mm"),
             ("jet_velocity_m_s", "  velocity", jets.velocity, "m/s"),
         ]
+        if table.jet_length is not None:
+            figures.append(("jet_discharge", "  discharge coefficient", jets.discharge, ""))
         words += [f"{advice[0].upper()}{advice[1:]}." for advice in jets.advice]
     return Rating(
         key="gear oil supply",
@@ -257,3 +254,14 @@ def _supply(duty: GearPairDuty, table: GearRatingTable) -> Rating:
         ),
         words=tuple(words),
     )
+
+
+def _jets(duty: GearPairDuty, table: GearRatingTable, flow: float) -> gear_oil.Jets:
+    """Jets for a flow [m3/s]; with the length of their holes, for the viscosity of the oil as it enters."""
+    pressure = present(table.feed_pressure, "gear_rating.feed_pressure")
+    number, density = present(table.jets, "gear_rating.jets"), duty.oil.density.rho0
+    if table.jet_length is None:
+        return gear_oil.oil_jets(flow, pressure, density, number)
+    viscosity = duty.oil.eta(0.0) / density
+    discharge = jet_discharge(flow, pressure, density, viscosity, number, table.jet_length)
+    return gear_oil.oil_jets(flow, pressure, density, number, discharge)

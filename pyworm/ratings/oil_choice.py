@@ -4,12 +4,13 @@ A pure function of plain numbers: whoever calls it takes them from a case, from 
 drawing.
 """
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from textwrap import fill
 
-from pyworm.formulas import gear_oil, scuffing, wear_distress
+from pyworm.formulas import scuffing, wear_distress
 from pyworm.formulas.bearing_life import reference_viscosity
-from pyworm.formulas.gear_oil import ISO_GRADES
+from pyworm.formulas.gear_oil import ISO_GRADES, withdrawn
 from pyworm.formulas.lubrication import BOUNDARY
 from pyworm.formulas.unit_factors import SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.io.present import present
@@ -19,26 +20,22 @@ from pyworm.ratings.oil_grades import (
     GradeRow,
     OilDuty,
     grade_row,
+    least_grade,
     past_practice,
     viscosity_needed,
+)
+from pyworm.ratings.oil_reasons import (
+    POUR_MARGIN,
+    Step,
+    additive_step,
+    cold_step,
+    life_step,
+    practice_steps,
+    type_step,
 )
 
 PAGE_WIDTH = 100
 """Letters in a line of the page."""
-
-
-@dataclass(frozen=True)
-class Step:
-    """One step of the choice."""
-
-    title: str
-    """What it is about."""
-    text: str
-    """What was found, in words with numbers."""
-    source: str = ""
-    """Where the rule comes from; empty where nothing but arithmetic is used."""
-    table: tuple[str, ...] = ()
-    """Lines of a table that belongs to it."""
 
 
 @dataclass(frozen=True)
@@ -77,27 +74,16 @@ def choose_oil(duty: OilDuty) -> OilChoice:
             f"limit of the sump temperature = {duty.sump_limit:g} K: exceeded by every grade, "
             f"{rows[0].sump_temperature:.0f} K with VG {rows[0].grade}; cool the sump"
         )
-    practice = past_practice(duty)
+    practice, least = past_practice(duty), least_grade(duty)
     needed = viscosity_needed(duty)
     thick_enough = [row for row in cool if row.specific_film >= duty.specific_film]
     if thick_enough:
-        least = min(practice, default=0)
         wanted = [row for row in thick_enough if row.grade >= least]
         chosen = wanted[0] if wanted else thick_enough[-1]
     else:
-        most = max(practice, default=ISO_GRADES[-1])
+        most = max([*practice, least]) if practice else ISO_GRADES[-1]
         chosen = [row for row in cool if row.grade <= most or row is cool[0]][-1]
-    steps = [
-        *_practice_steps(duty),
-        _film_step(duty),
-        _backwards_step(duty, needed),
-        _balance_step(duty, rows, chosen),
-    ]
-    if duty.bearing_speed is not None:
-        steps.append(_bearing_step(duty, chosen))
-    if duty.contact_temperature is not None:
-        steps.append(_scuffing_step(duty, chosen))
-    steps.append(_recommendation(duty, chosen, practice, cool))
+    steps = tuple(_steps(duty, rows, chosen, practice, needed, cool))
     return OilChoice(
         duty=duty,
         grade=chosen.grade,
@@ -105,48 +91,49 @@ def choose_oil(duty: OilDuty) -> OilChoice:
         reached=chosen.specific_film >= duty.specific_film,
         viscosity_needed=needed,
         rows=rows,
-        steps=tuple(steps),
+        steps=steps,
     )
+
+
+def _steps(
+    duty: OilDuty,
+    rows: tuple[GradeRow, ...],
+    chosen: GradeRow,
+    practice: list[int],
+    needed: float | None,
+    cool: list[GradeRow],
+) -> Iterator[Step]:
+    """All steps in the order of the reasoning."""
+    teeth = duty.teeth
+    if teeth is not None:
+        yield type_step(duty, teeth)
+    yield from practice_steps(duty)
+    yield _film_step(duty)
+    yield _backwards_step(duty, needed)
+    yield _balance_step(duty, rows, chosen)
+    if duty.bearing_speed is not None:
+        yield _bearing_step(duty, chosen)
+    if duty.contact_temperature is not None:
+        yield _scuffing_step(duty, chosen)
+    if teeth is not None:
+        yield additive_step(duty, teeth, chosen)
+        if duty.coldest_start is not None:
+            yield cold_step(duty, teeth, chosen, rows)
+    yield life_step(duty, chosen)
+    yield _recommendation(duty, chosen, practice, cool)
 
 
 def page(choice: OilChoice) -> str:
     """The choice as one page of plain text."""
     lines = [f"Oil for {choice.duty.name}", ""]
     for number, step in enumerate(choice.steps, 1):
-        lines.append(f"{number}. {step.title}")
-        if step.source:
-            lines.append(fill(f"({step.source})", PAGE_WIDTH, initial_indent="   "))
+        source = f" ({step.source})" if step.source else ""
+        lines.append(fill(f"{number}. {step.title}{source}", PAGE_WIDTH, subsequent_indent="   "))
         lines.append(fill(step.text, PAGE_WIDTH, initial_indent="   ", subsequent_indent="   "))
         if step.table:
             lines += ["", *(f"   {line}" for line in step.table)]
         lines.append("")
     return "\n".join(lines[:-1]) + "\n"
-
-
-def _practice_steps(duty: OilDuty) -> list[Step]:
-    steps = []
-    if duty.pitch_line_velocity is not None:
-        velocity = duty.pitch_line_velocity
-        wanted = gear_oil.pitch_line_viscosity(velocity)
-        feet = velocity / gear_oil.FOOT_PER_MINUTE
-        steps.append(
-            Step(
-                "Speed",
-                f"At a pitch line velocity of {velocity:.3g} m/s ({feet:.0f} ft/min) the viscosity at "
-                f"40 degC should be 7000/sqrt({feet:.0f}) = {wanted / SQUARE_MILLIMETRE:.0f} mm2/s; "
-                f"nearest is VG {gear_oil.nearest_grade(wanted)}. The faster the teeth, "
-                "the thinner the oil that still makes a film.",
-                "Errichello, pitch line rule",
-            )
-        )
-    for table in duty.tables:
-        if table is None:
-            text = "This table has no row for this size, speed and temperature."
-            steps.append(Step("Table", text, gear_oil.WORM_TABLE_SOURCE))
-            continue
-        grades = " or ".join(f"VG {grade}" for grade in table.grades)
-        steps.append(Step("Table", f"{grades} ({table.row}).", table.source))
-    return steps
 
 
 def _film_step(duty: OilDuty) -> Step:
@@ -203,18 +190,45 @@ def _balance_step(duty: OilDuty, rows: tuple[GradeRow, ...], chosen: GradeRow) -
     )
 
 
+_COLUMNS: tuple[tuple[str, str, Callable[[GradeRow], float | None], str], ...] = (
+    ("sump", "degC", lambda row: row.sump_temperature - ZERO_CELSIUS, "5.0f"),
+    ("teeth", "degC", lambda row: row.bulk_temperature - ZERO_CELSIUS, "5.0f"),
+    ("teeth", "mm2/s", lambda row: row.viscosity / SQUARE_MILLIMETRE, "6.1f"),
+    ("film", "um", lambda row: row.film * 1e6, "6.3f"),
+    ("lambda", "", lambda row: row.specific_film, "6.3f"),
+    ("heat", "", lambda row: row.heat, "5.2f"),
+    ("kappa", "", lambda row: row.kappa, "5.2f"),
+    ("loss", "W", lambda row: row.loss, "6.0f"),
+    ("energy", "/year", lambda row: row.energy_cost, "6.0f"),
+    ("oil", "h", lambda row: row.oil_life, "7.0f"),
+    ("start", "N m", lambda row: row.start_torque, "6.3g"),
+)
+"""Heading, unit, number and format of each column of the table of grades."""
+
+
 def _table(rows: tuple[GradeRow, ...], chosen: GradeRow) -> tuple[str, ...]:
-    bearings = chosen.kappa is not None
-    head = "VG    sump degC  teeth degC  mm2/s on teeth  film um  lambda  heat"
-    lines = [head + ("  kappa" if bearings else "")]
-    for row in rows:
-        mark = "  <-" if row is chosen else ""
-        kappa = f"  {row.kappa:5.2f}" if row.kappa is not None else ""
-        lines.append(
-            f"{row.grade:<5d} {row.sump_temperature - ZERO_CELSIUS:9.0f} "
-            f"{row.bulk_temperature - ZERO_CELSIUS:11.0f} {row.viscosity / SQUARE_MILLIMETRE:15.1f} "
-            f"{row.film * 1e6:8.3f} {row.specific_film:7.3f} {row.heat:5.2f}{kappa}{mark}"
+    """One line a grade, with the columns that are known."""
+    columns = [column for column in _COLUMNS if column[2](rows[0]) is not None]
+    widths = [max(len(head), len(unit), int(form.split(".")[0])) for head, unit, _, form in columns]
+    heads = (
+        "  ".join(
+            [
+                "VG  ",
+                *(
+                    f"{column[part]:>{width}}"
+                    for column, width in zip(columns, widths, strict=True)
+                ),
+            ]
         )
+        for part in (0, 1)
+    )
+    lines = [next(heads), "    " + next(heads)[4:]]
+    for row in rows:
+        cells = (
+            f"{format(column[2](row), column[3]):>{width}}"
+            for column, width in zip(columns, widths, strict=True)
+        )
+        lines.append("  ".join([f"{row.grade:<4d}", *cells]) + ("  <-" if row is chosen else ""))
     return tuple(lines)
 
 
@@ -250,7 +264,7 @@ def _scuffing_step(duty: OilDuty, chosen: GradeRow) -> Step:
         "Scuffing",
         f"The teeth reach {_celsius(contact)} in contact; VG {chosen.grade} scuffs at {texts[0]} "
         f"and at {texts[1]}. {limits}".strip(),
-        scuffing.SOURCE,
+        f"{scuffing.SOURCE}; {withdrawn('AGMA 2001-B88')}",
     )
 
 
@@ -289,8 +303,10 @@ def _recommendation(
         words.append(
             "Boundary lubrication: choose an oil with anti-scuff (EP) or, for bronze, lubricity additives."
         )
-    if duty.coldest_start is not None:
-        words.append(f"Its pour point should be {_celsius(duty.coldest_start - 5)} or lower.")
+    if duty.coldest_start is not None and duty.teeth is None:
+        words.append(
+            f"Its pour point should be {_celsius(duty.coldest_start - POUR_MARGIN)} or lower."
+        )
     return Step("Recommendation", " ".join(words))
 
 

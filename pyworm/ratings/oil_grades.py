@@ -9,6 +9,7 @@ from pyworm.formulas import film as films
 from pyworm.formulas import gear_oil
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.formulas.gear_oil import TableAdvice
+from pyworm.formulas.oil_life import HOUR, oil_life
 from pyworm.formulas.ranges import positive, within
 from pyworm.formulas.unit_factors import RPM, SQUARE_MILLIMETRE
 from pyworm.formulas.worm_gear import WormGear
@@ -17,9 +18,13 @@ from pyworm.io.quantities import QUANTITIES
 from pyworm.materials.base_stock import Base, base_stock
 from pyworm.materials.library import NamedOil, named_oil, oil_from_index
 from pyworm.materials.oil_requirements import OilRequirements
+from pyworm.ratings.no_load import NoLoad
 
 CHURNING_EXPONENT = 0.5
 """How churning loss grows with viscosity: friction of a laminar boundary layer on a disc goes as its root."""
+
+KILOWATT = 1e3
+"""[W]."""
 
 THICKEST = 9e-3
 """Largest viscosity at 40 degC [m2/s] that is looked for."""
@@ -95,6 +100,31 @@ def worm_film(
 
 
 @dataclass(frozen=True, kw_only=True)
+class GearTeeth:
+    """What the teeth ask of type and additives."""
+
+    worm: bool
+    """Whether it is a worm gear set."""
+    velocity: float
+    """Pitch line velocity, or sliding velocity of a worm gear set [m/s]."""
+    pressure: float
+    """Maximum contact pressure, or the mean one of a worm gear set [Pa]."""
+    fast_shaft: float
+    """Speed of the fast shaft [rad/s]."""
+    fast_torque: float
+    """Torque of the fast shaft without losses [N m]."""
+    starting_torque: float
+    """Torque that starts it under load, with the friction of teeth at rest [N m]."""
+    wheel_material: str | None = None
+    """Material of the wheel; None where it has no name."""
+
+    @property
+    def copper(self) -> bool:
+        """Whether a wheel is of a copper alloy; one without a name is taken for bronze."""
+        return self.worm and (self.wheel_material or "Cu").startswith("Cu")
+
+
+@dataclass(frozen=True, kw_only=True)
 class OilDuty(OilRequirements):
     """Requirements of an oil."""
 
@@ -114,6 +144,15 @@ class OilDuty(OilRequirements):
     """Speed of the bearing that needs the thickest oil [rad/s]."""
     bearing_diameter: float | None = None
     """Mean diameter of the bearing that needs the thickest oil [m]."""
+    teeth: GearTeeth | None = None
+    """What they ask of type and additives; None where that is not looked at."""
+    no_load: NoLoad | None = None
+    """Torque with which oil resists, if starts are looked at."""
+
+    @property
+    def hours_per_year(self) -> float | None:
+        """Hours of operation in a year [h]; None where not given."""
+        return None if self.yearly_operation is None else self.yearly_operation / HOUR
 
     def __post_init__(self) -> None:
         """Refuse impossible requirements."""
@@ -156,6 +195,14 @@ class GradeRow:
     """Heat in the sump over that with the grade of reference [-]."""
     kappa: float | None
     """Viscosity ratio of the bearing at the sump temperature [-]."""
+    oil_life: float
+    """Life of the oil in the sump by oxidation [h]."""
+    loss: float | None = None
+    """Loss of the unit [W]; None where that of the grade of reference is not given."""
+    energy_cost: float | None = None
+    """Cost of that loss in a year, in the currency of the price; None without one."""
+    start_torque: float | None = None
+    """Torque at the fast shaft with which oil resists at full speed at the coldest start [N m]."""
 
 
 def grade_row(duty: OilDuty, grade: int) -> GradeRow:
@@ -185,7 +232,25 @@ def grade_row(duty: OilDuty, grade: int) -> GradeRow:
         specific_film=film / duty.roughness,
         heat=heat(sump),
         kappa=_kappa(duty, float(oil.kinematic_viscosity(sump))),
+        oil_life=oil_life(duty.base, sump),
+        loss=None if duty.loss is None else duty.loss * heat(sump),
+        energy_cost=_energy_cost(duty, heat(sump)),
+        start_torque=_start_torque(duty, oil),
     )
+
+
+def _energy_cost(duty: OilDuty, heat: float) -> float | None:
+    """Cost of the loss in a year."""
+    if duty.loss is None or duty.energy_price is None or duty.hours_per_year is None:
+        return None
+    return duty.energy_price * duty.hours_per_year * duty.loss * heat / KILOWATT
+
+
+def _start_torque(duty: OilDuty, oil: NamedOil) -> float | None:
+    """Torque of the oil at the coldest start [N m]."""
+    if duty.coldest_start is None or duty.no_load is None:
+        return None
+    return duty.no_load.torque(oil, duty.coldest_start)
 
 
 def _kappa(duty: OilDuty, viscosity: float) -> float | None:
@@ -215,9 +280,20 @@ def viscosity_needed(duty: OilDuty) -> float | None:
     return float(scipy.optimize.brentq(surplus, thinnest, THICKEST, rtol=1e-6))
 
 
+def least_grade(duty: OilDuty) -> int:
+    """The thinnest grade that rules of practice allow; 0 without any."""
+    least = [min(table.grades) for table in duty.tables if table is not None and table.least]
+    return max([min(past_practice(duty), default=0), *least])
+
+
 def past_practice(duty: OilDuty) -> list[int]:
     """Grades that the rule of speed and the tables name."""
-    grades = [grade for table in duty.tables if table is not None for grade in table.grades]
+    grades = [
+        grade
+        for table in duty.tables
+        if table is not None and not table.least
+        for grade in table.grades
+    ]
     if duty.pitch_line_velocity is not None:
         wanted = gear_oil.pitch_line_viscosity(duty.pitch_line_velocity)
         grades.append(gear_oil.nearest_grade(wanted))

@@ -19,6 +19,7 @@ from pyworm.case.ratings import (
     GearRatingTable,
     RatedCase,
     RatingCase,
+    StartingTable,
     WormGearTable,
 )
 from pyworm.case.unusual import unusual
@@ -36,10 +37,12 @@ from pyworm.ratings.films import rate_films
 from pyworm.ratings.forces import Friction, rate_forces
 from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.mesh_loss import mesh_loss
+from pyworm.ratings.no_load import worm_no_load
 from pyworm.ratings.rating import SIMULATION, Rating
 from pyworm.ratings.roots import rate_roots
 from pyworm.ratings.scuffing import rate_scuffing
 from pyworm.ratings.standard_loss import rated_teeth
+from pyworm.ratings.starting import WormStart, rate_start
 from pyworm.ratings.temperatures import rate_temperatures
 from pyworm.ratings.worm import rate_worm_gear, worm_duty_of_table
 from pyworm.ratings.worm_damage import worm_flanks
@@ -120,6 +123,15 @@ class RatingRequest:
         if not isinstance(self.duty, WormDuty):
             raise ValueError("the case has no worm gear that standards know")
         return self.duty
+
+    @property
+    def mean_diameters(self) -> dict[float, float]:
+        """Speed of the shaft of each bearing whose size is given [rad/s] -> its mean diameter [m]."""
+        return {
+            self.bearing_speed(bearing): bearing.mean_diameter
+            for bearing in self.tables.bearings.values()
+            if bearing.mean_diameter is not None
+        }
 
     def bearing_speed(self, bearing: BearingTable) -> float:
         """Speed of a bearing [rad/s], as given or that of its shaft; ValueError of an unknown shaft."""
@@ -259,6 +271,8 @@ def _attempts(
         yield "Worm gear", _attempt(worm_gear)
         if drive is not None and result is not None:
             yield "Contacts", _attempt(lambda: (worm_flanks(request.worm_duty, drive.oil, result),))
+    if table is not None and tables.starting is not None:
+        yield "Starting", _attempt(partial(_start, request, table, tables.starting))
     if drive is not None and request.rated_as is GearPairDuty:
         yield "Gears", _attempt(partial(_gear_pair, request, drive, result))
     if drive is not None:
@@ -285,6 +299,15 @@ def _attempt(rate: Callable[[], tuple[Rating, ...]]) -> tuple[Rating, ...] | Unk
         raise
     except ValueError as error:
         return Unknown(str(error))
+
+
+def _start(
+    request: RatingRequest, rating: CompletedRating, table: StartingTable
+) -> tuple[Rating, ...]:
+    duty = request.worm_duty
+    resistance = worm_no_load(duty, rating.bearings, request.mean_diameters)
+    gear_set = RatedWormGear(rating, duty, request.directory)
+    return (rate_start(WormStart(gear_set, table, resistance)),)
 
 
 def _gear_pair(request: RatingRequest, drive: Drive, result: Result | None) -> tuple[Rating, ...]:

@@ -10,6 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from matplotlib.text import Text
 
+from pyworm.formulas.gear_oil import agma_parallel, hobbed_wheel
+from pyworm.formulas.oil_life import UsedOil
 from pyworm.io.input_error import CaseError
 from pyworm.materials.base_stock import BASES
 from pyworm.materials.library import ISO_GRADES, named_oil, oil_from_index
@@ -26,6 +28,10 @@ ERRICHELLO = oil_duty(load_rating_request(CASES / "errichello_speed_increaser.to
 
 def row_of(choice, grade):
     return next(row for row in choice.rows if row.grade == grade)
+
+
+def step_of(choice, title):
+    return next(step for step in choice.steps if step.title == title)
 
 
 def test_the_zi_worm_gets_the_oil_it_runs_with():
@@ -87,7 +93,7 @@ def numbers_in(words, *names):
 
 def test_the_film_of_the_zi_worm_can_be_followed_by_hand():
     """The printed formula with the printed numbers gives the wanted film."""
-    step = choose_oil(ZI_WORM).steps[3]
+    step = step_of(choose_oil(ZI_WORM), "Backwards to the oil")
     shape = float(re.search(r"h\* = ([0-9.]+)", step.text)[1])
     n, a, e, t, alpha = numbers_in(step.text, "n", "a", "E", "T", "alpha")
     eta = float(re.search(r"or ([0-9.]+) mPa s", step.text)[1]) / 1e3
@@ -98,7 +104,7 @@ def test_the_film_of_the_zi_worm_can_be_followed_by_hand():
 
 def test_the_film_of_errichellos_teeth_can_be_followed_by_hand():
     choice = choose_oil(ERRICHELLO)
-    step = choice.steps[3]
+    step = step_of(choice, "Backwards to the oil")
     radius, speed, load, modulus = numbers_in(step.text, "R", "u", "w", "E'")
     radius, load, modulus = radius * 1e-3, load * 1e3, modulus * 1e9
     row = row_of(choice, 320)
@@ -139,6 +145,80 @@ def test_practice_bounds_the_grade_from_below():
     choice = choose_oil(replace(ZI_WORM, specific_film=0.5))
     assert choice.grade == 460
     assert "not what practice asks for" in choice.steps[-1].text
+
+
+def test_a_hobbed_wheel_has_vg_220_at_least():
+    """The article's minimum for rough wheels stands where film and tables would do with less."""
+    thin = replace(ZI_WORM, specific_film=0.1, tables=(hobbed_wheel(),))
+    assert choose_oil(thin).grade == 220
+    assert choose_oil(replace(thin, tables=())).grade == 32
+    assert "VG 220 or thicker while a hobbed wheel runs in" in page(choose_oil(thin))
+
+
+def test_agma_250_04_ends_at_5000_ft_min():
+    """Above, its table has no grades, and the withdrawn standards are named with their successors."""
+    assert agma_parallel(0.4, 300.0, 25.3).grades == (150, 220)
+    fast = agma_parallel(0.4, 300.0, 25.5)
+    assert fast.grades == ()
+    text = page(choose_oil(replace(ERRICHELLO, tables=(fast,), pitch_line_velocity=25.5)))
+    assert "consult AGMA 421.06, withdrawn; today ANSI/AGMA 6011-J14" in " ".join(text.split())
+    assert "AGMA 250.04, withdrawn; today ANSI/AGMA 9005-F16" in text
+
+
+def test_the_pitch_line_decides_on_fast_drives():
+    """Errichello's second example: 3625 rpm at 3000 ft/min, VG 68 by AGMA 421.06, failed; VG 150 runs."""
+    teeth = replace(ERRICHELLO.teeth, fast_shaft=3625 * np.pi / 30)
+    duty = replace(ERRICHELLO, teeth=teeth, pitch_line_velocity=15.24)
+    text = step_of(choose_oil(duty), "Speed").text
+    assert "nearest is VG 150" in text and "counts the shaft as fast (VG 68" in text
+
+
+def test_additives_by_the_wheel():
+    zi = step_of(choose_oil(ZI_WORM), "Additives").text
+    assert zi.startswith("CuSn12Ni2-C-GZ: anti-wear additives without active sulphur")
+    mineral = replace(ZI_WORM, base="mineral")
+    assert "compounded with 3 to 10 % fatty oil" in step_of(choose_oil(mineral), "Additives").text
+    iron = replace(ZI_WORM, teeth=replace(ZI_WORM.teeth, wheel_material="EN-GJS-400-15"))
+    assert "sulphur-phosphorus) are safe" in step_of(choose_oil(iron), "Additives").text
+    hot = replace(ZI_WORM, sump_temperature=350.0, sump_limit=400.0)
+    assert "so it would" in step_of(choose_oil(hot), "Additives").text
+    fast = replace(ERRICHELLO, teeth=replace(ERRICHELLO.teeth, velocity=30.0), roughness=1e-8)
+    assert "R&O" in step_of(choose_oil(fast), "Additives").text
+
+
+def test_each_grade_is_motivated():
+    """Energy: 3.88 kW times the heat, 6000 h, 0.2 each kWh; cold oil resists as in the start's rating."""
+    choice = choose_oil(ZI_WORM)
+    for row in choice.rows:
+        assert row.loss == pytest.approx(3880 * row.heat)
+        assert row.energy_cost == pytest.approx(3.88 * row.heat * 6000 * 0.2)
+    assert row_of(choice, 460).start_torque == pytest.approx(30.4, abs=0.1)
+    torques = [row_of(choice, grade).start_torque for grade in (100, 460, 1000)]
+    assert torques == sorted(torques)
+    cold = step_of(choice, "Cold start").text
+    assert "VG 1000 is the thickest that the motor starts" in cold
+    weak = step_of(choose_oil(replace(ZI_WORM, motor_torque=400.0)), "Cold start").text
+    assert "no grade is thin enough" in weak
+
+
+def test_type_and_life_are_steps():
+    open_gears = replace(ERRICHELLO, enclosure="open")
+    assert step_of(choose_oil(open_gears), "Type of lubricant").text.startswith(
+        "Open-gear compound"
+    )
+    leaking = replace(ZI_WORM, enclosure="leaking", teeth=replace(ZI_WORM.teeth, velocity=2.0))
+    assert "here its base oil" in step_of(choose_oil(leaking), "Type of lubricant").text
+    windy = replace(ERRICHELLO, enclosure="open", teeth=replace(ERRICHELLO.teeth, velocity=9.0))
+    assert "No type suits" in step_of(choose_oil(windy), "Type of lubricant").text
+    used = UsedOil(
+        operation=4000 * 3600, viscosity_40=490e-6, new_viscosity_40=457e-6, acid_number=1.1
+    )
+    life = step_of(choose_oil(replace(ZI_WORM, used_oil=used)), "Life of the oil").text
+    assert "viscosity +7.2 %, acid number 1.1 mg KOH/g" in life and "watch it" in life
+    hot = replace(ERRICHELLO, sump_temperature=372.0, sump_limit=400.0)
+    assert (
+        "another maker's table has none so hot" in step_of(choose_oil(hot), "Life of the oil").text
+    )
 
 
 def test_grades_that_overheat_the_sump_are_not_chosen():

@@ -59,7 +59,7 @@ def rated(capsys, name):
     ("name", "keys"),
     [
         ("bearing_nu2210", ["bearing vg_220", "bearing vg_460"]),
-        ("oil_zi", ["worm", "bearing worm_shaft"]),
+        ("oil_zi", ["worm", "starting", "bearing worm_shaft"]),
         ("zi_sharif_2001", ["worm", "films", "forces", "bearing worm_shaft"]),
         ("errichello_speed_increaser", ["gear teeth", "gear oil supply", "films", "forces"]),
     ],
@@ -562,6 +562,12 @@ def refuse(tmp_path, monkeypatch, capsys):
         ),
         (BEARING, 'viscosity = "22 mm^2/s"', 'oil = "PAG VG 220"', "oil and temperature together"),
         (INCREASER, "jets = 4\n", "", "flow, feed_pressure and jets together"),
+        (
+            INCREASER,
+            'flow = "copious"\nfeed_pressure = "30 psi"\njets = 4\n',
+            "jet_length = 2\n",
+            "jet_length has no effect without jets",
+        ),
         # what there is
         (WORM, '"PAG VG 460"', '"PAG VG 450"', 'oil "PAG VG 450": must be a base stock'),
         (WORM, '"CuSn12Ni2"', '"brass"', 'wheel_material = "brass": must be'),
