@@ -249,7 +249,7 @@ def duty_model(case: Case, table: TabulatedLoss | None = None) -> DutyModel:
     try:
         base = tables.unit_of(drive)  # type: ignore[attr-defined]  # each that has [cooling]
         base.require_capacity()
-        base = replace(base, rotors=_sized(base.rotors, base.rotors))
+        base = replace(base, rotors=sized(base.rotors, base.rotors))
         low = coldest_ambient(cycle, base) - COLDEST_MARGIN
         loads = {load: _at_load(case, base, load, low, table) for load in cycle.loads}
     except ValueError as error:
@@ -277,21 +277,25 @@ def _at_load(
         tooth_loss = lambda known: curve(mean_of_teeth(rotors, known))  # noqa: E731
     else:
         tooth_loss = lambda known: table.at(*load, known[OIL])  # noqa: E731
+    unit = unit_at_load(case, base, drive)
+    return LoadState(drive, replace(unit, tooth_loss_at=tooth_loss), friction)
+
+
+def unit_at_load(case: Case, base: GearUnit, drive: Drive) -> GearUnit:
+    """The thermal network of a drive at another load, with the shafts of its own.
+
+    Given losses besides the teeth are taken in proportion to the speed.
+    """
     unit = case.tables.unit_of(drive, base.tooth_loss)
     other = unit.cooling.other
     if other.standard is None:
-        part = load[0] / base.rotors[0].speed
+        part = unit.rotors[0].speed / base.rotors[0].speed
         other = NonMeshLosses(given=part * base.cooling.other.given)
-    unit = replace(
-        unit,
-        rotors=_sized(unit.rotors, base.rotors),
-        cooling=replace(unit.cooling, other=other),
-        tooth_loss_at=tooth_loss,
-    )
-    return LoadState(drive, unit, friction)
+    cooling = replace(unit.cooling, other=other)
+    return replace(unit, rotors=sized(unit.rotors, base.rotors), cooling=cooling)
 
 
-def _sized(rotors: tuple[Rotor, Rotor], base: tuple[Rotor, Rotor]) -> tuple[Rotor, Rotor]:
+def sized(rotors: tuple[Rotor, Rotor], base: tuple[Rotor, Rotor]) -> tuple[Rotor, Rotor]:
     """Rotors with shafts as thick as others, whatever their torque."""
     first, second = (
         replace(rotor, shaft=sized.shaft_diameter)

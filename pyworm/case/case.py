@@ -40,6 +40,7 @@ NO_PHYSICS: dict[str, bool | set[str]] = {
         (
             *("title", "source", "published", "assumed", "accuracy", "effects", "quantities"),
             *RATING_TABLES,
+            *("duty", "running_in"),
         ),
         True,
     ),

@@ -9,6 +9,7 @@ from pyworm.case.case_file import FileTable, Published
 from pyworm.case.drive_case import DriveCase
 from pyworm.case.duty import DutyTable
 from pyworm.case.one_oil import second_oil
+from pyworm.case.running_in import RunningInTable
 from pyworm.case.table import Table
 from pyworm.drives.forces import Side
 from pyworm.formulas.bearing_life import RollingBearing
@@ -260,12 +261,14 @@ class RatedCase(DriveCase):
     scuffing: ScuffingTable | None = None
     duty: DutyTable | None = None
     starting: StartingTable | None = None
+    running_in: RunningInTable | None = None
 
     def flaws(self) -> Iterator[str]:
         """A second oil, a duty of what does not warm, or a start of gears that are not rated."""
         yield from super().flaws()
-        if self.duty is not None and getattr(self, "cooling", None) is None:
-            yield "[duty] asks for [cooling] with the sizes of its housing"
+        for key in self.given("duty", "running_in"):
+            if getattr(self, "cooling", None) is None:
+                yield f"[{key}] asks for [cooling] with the sizes of its housing"
         worm = getattr(self, "worm_rating", None)
         if self.starting is not None and worm is None:
             yield "[starting] needs [worm_rating]"

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pyworm.case.case import load
+from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_json
 from pyworm.cli.shared import CONVERGED, warn_of_unusual
 from pyworm.io.atomic import atomic_directory, check_writable
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from pyworm.batch.duty_run import CaseDuty
 
 BLOCKS, TEMPERATURES, PICTURE = "blocks.csv", "temperatures.csv", "duty.png"
+
+RUN_IN_STATES, RUN_IN_PICTURE = "running_in.csv", "running_in.png"
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -31,6 +33,11 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--solve", type=int, default=0, metavar="N", help="loads that are solved, heaviest first"
     )
     duty.add_argument(
+        "--running-in",
+        action="store_true",
+        help="the programme of [running_in] instead, compared with none",
+    )
+    duty.add_argument(
         "--out", type=Path, help="directory (default: results/, the case's name, duty)"
     )
     add_json(duty)
@@ -38,21 +45,20 @@ def add(commands: argparse._SubParsersAction) -> None:
 
 
 def _duty(options: argparse.Namespace) -> int:
+    case = load(options.case)
+    directory = options.out or Path("results") / case.name / "duty"
+    check_writable(directory)
+    warn_of_unusual(case)
+    return (_run_in if options.running_in else _over_blocks)(case, directory, options)
+
+
+def _over_blocks(case: Case, directory: Path, options: argparse.Namespace) -> int:
     from pyworm.batch.duty_run import duty
     from pyworm.plots.duty import draw_duty
     from pyworm.plots.layout import write
     from pyworm.report.duty import blocks_csv, temperatures_csv
 
-    case = load(options.case)
-    directory = options.out or Path("results") / case.name / "duty"
-    check_writable(directory)
-    warn_of_unusual(case)
-    found = duty(
-        case,
-        table=options.table,
-        solve_loads=options.solve,
-        progress=print_message,
-    )
+    found = duty(case, table=options.table, solve_loads=options.solve, progress=print_message)
     with atomic_directory(directory) as aside:
         (aside / BLOCKS).write_text(blocks_csv(found), encoding="utf-8")
         (aside / TEMPERATURES).write_text(temperatures_csv(found), encoding="utf-8")
@@ -62,6 +68,28 @@ def _duty(options: argparse.Namespace) -> int:
         return CONVERGED
     _show(found)
     print_result(f"Written   {directory}: {BLOCKS}, {TEMPERATURES}, {PICTURE}")
+    return CONVERGED
+
+
+def _run_in(case: Case, directory: Path, options: argparse.Namespace) -> int:
+    from pyworm.batch.running_in import running_in
+    from pyworm.io.console import Console
+    from pyworm.plots.layout import write
+    from pyworm.plots.running_in import draw_running_in
+    from pyworm.report.running_in import stages_table, states_csv, words
+
+    found = running_in(case)
+    with atomic_directory(directory) as aside:
+        (aside / RUN_IN_STATES).write_text(states_csv(found), encoding="utf-8")
+        write(draw_running_in(found), aside / RUN_IN_PICTURE)
+    if options.json:
+        print_json(found.summary())
+        return CONVERGED
+    console = Console()
+    console.print(stages_table(found))
+    for sentence in words(found):
+        console.print(sentence)
+    print_result(f"Written   {directory}: {RUN_IN_STATES}, {RUN_IN_PICTURE}")
     return CONVERGED
 
 

@@ -92,7 +92,7 @@ def words(found: CaseDuty) -> Iterator[str]:
 def blocks_csv(found: CaseDuty) -> str:
     """A row for each block."""
     blocks = found.summary()["blocks"]
-    return _csv(list(map(_flat, blocks)))
+    return as_csv(list(map(_flat, blocks)))
 
 
 def temperatures_csv(found: CaseDuty) -> str:
@@ -104,7 +104,7 @@ def temperatures_csv(found: CaseDuty) -> str:
     }
     columns = {"time_h": history.time / HOUR, **nodes, "energy_lost_J": history.dissipated}
     rows = zip(*columns.values(), strict=True)
-    return _csv([dict(zip(columns, row, strict=True)) for row in rows])
+    return as_csv([dict(zip(columns, row, strict=True)) for row in rows])
 
 
 def _flat(block: dict[str, Any]) -> dict[str, Any]:
@@ -117,7 +117,8 @@ def _flat(block: dict[str, Any]) -> dict[str, Any]:
     return rest | wear | damage
 
 
-def _csv(rows: Sequence[dict[str, Any]]) -> str:
+def as_csv(rows: Sequence[dict[str, Any]]) -> str:
+    """Rows by name as comma-separated values; cells that a row lacks are empty."""
     text = io.StringIO()
     names: Iterable[str] = dict.fromkeys(name for row in rows for name in row)
     writer = csv.DictWriter(text, list(names), lineterminator="\n")

@@ -52,6 +52,8 @@ MADE_BY = {
         "batch/test_duty.py::test_solved_loads_correct_the_losses",
     "batch/duty_run.py _table ValueError":
         "batch/test_duty.py::test_a_unit_without_sizes_or_cooling_is_refused",
+    "batch/running_in.py running_in ValueError":
+        "batch/test_running_in.py::test_programmes_that_cannot_be_are_refused",
     "batch/wear.py wear ValueError":
         "batch/test_run.py::test_wear_needs_a_roughness",
     "batch/case_run.py _collected OSError":
