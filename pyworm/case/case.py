@@ -186,8 +186,7 @@ class Case(Shown):
             content = (self.directory / self.tables.contact.file).read_bytes()
             tables["contact"]["file"] = sha256(content).hexdigest()
         for name, surface in self.tables.bodies.surfaces.items():
-            if surface.file is not None:
-                tables["bodies"][name]["surface"]["file"] = surface.content
+            tables["bodies"][name]["surface"] |= surface.contents
         return tables
 
     @property

@@ -1,4 +1,4 @@
-"""pyworm surface: figures and curves of a measured or generated surface."""
+"""pyworm surface: figures and curves of surfaces and profiles, and films between two surfaces."""
 
 import argparse
 from dataclasses import dataclass, replace
@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from pyworm.cli.arguments import add_json
 from pyworm.cli.shared import CONVERGED, FAILED, drawn_pictures, option_value
+from pyworm.cli.surface_keys import OF_PROFILES, add_keys, given_keys, keys_of
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.terminal import print_result
@@ -15,12 +16,10 @@ if TYPE_CHECKING:
     from pyworm.surfaces.cell_table import CellTable
     from pyworm.surfaces.parameters import Texture
     from pyworm.surfaces.preparing import SeparatedWaves
+    from pyworm.surfaces.profile import Profile
 
 STEEL_ON_STEEL = 226e9
 """Reduced modulus E' of a surface that no case gives a body [Pa]."""
-
-FILE_KEYS = ("spacing", "height_unit", "nesting_index", "shortest_wave", "outliers")
-"""Keys of `[bodies.NAME.surface]` that are options beside a file."""
 
 
 def add(commands: argparse._SubParsersAction) -> None:
@@ -35,11 +34,23 @@ def add(commands: argparse._SubParsersAction) -> None:
         help="measured heights (instrument format, .npy, .csv), .toml with keys of "
         "[bodies.NAME.surface], or case with such keys",
     )
-    surface.add_argument("--spacing", help='point spacing, "0.5 um", if not in the file')
-    surface.add_argument("--height-unit", help="unit of the heights, um, if not in the file")
-    surface.add_argument("--nesting-index", help='longest wave of roughness, "0.25 mm"')
-    surface.add_argument("--shortest-wave", help='cut-off wavelength against noise, "2.5 um"')
-    surface.add_argument("--outliers", help="refuse, fill or keep outliers")
+    add_keys(surface)
+    surface.add_argument(
+        "--with",
+        dest="other",
+        type=Path,
+        metavar="FILE",
+        help="surface of the second body, that of the first being FILE; with --case",
+    )
+    surface.add_argument(
+        "--case",
+        type=Path,
+        metavar="CASE.toml",
+        help="solve a contact of a case whose bodies have these surfaces, as measured and run in",
+    )
+    surface.add_argument(
+        "--phase", type=float, help="phase of the mesh of that contact (default: the middle one)"
+    )
     surface.add_argument(
         "--modulus",
         help="reduced modulus E' for the contact, \"226 GPa\"; default: the case's, or steel",
@@ -73,6 +84,12 @@ def _surface(options: argparse.Namespace) -> int:
 
     if options.out is not None:
         check_writable(options.out)
+    if options.other is not None or options.case is not None:
+        from pyworm.cli.surface_film import film_between
+
+        return film_between(options, given_keys(options))
+    if (profile := _profile(options)) is not None:
+        return _show_profile(options, profile)
     shown = _with_bodies(_surfaces(options), options)
     found = [{"name": surface.name, **figures(surface.waves, surface.texture)} for surface in shown]
     pictures: list[str] = []
@@ -99,16 +116,70 @@ def _surfaces(options: argparse.Namespace) -> list[_Shown]:
     """The surfaces of a file: one, or those of a case's bodies."""
     from pyworm.io.toml import read_toml
 
-    given = {key: getattr(options, key) for key in FILE_KEYS if getattr(options, key) is not None}
-    path = options.file
+    given, path = given_keys(options), options.file
     if path.suffix != ".toml":
-        return [_shown(path.stem, given | {"file": path.name}, path)]
+        return [_shown(path.stem, keys_of(path, given), path)]
     if given:
         raise CaseError(f"--{next(iter(given)).replace('_', '-')}: {path} has keys for that")
     data = read_toml(path)
     if "bodies" not in data:
         return [_shown(path.stem, data, path)]
     return _of_case(path)
+
+
+def _profile(options: argparse.Namespace) -> "Profile | None":
+    """The profile in a file of one; None of areas, generated surfaces and profiles with others."""
+    from pyworm.case.case import checked
+    from pyworm.case.surface import SurfaceTable
+    from pyworm.surfaces.reading import read_heights
+
+    given, path = given_keys(options), options.file
+    if path.suffix == ".toml" or set(given) & set(OF_PROFILES):
+        return None
+    if set(given) & {"channel", "crop", "mask"}:
+        return None
+    try:
+        table = checked(SurfaceTable, keys_of(path, given | {"aspect": 1.0}))
+        heights, _ = read_heights(path, table.spacing, table.height_unit)
+        if heights.ndim != 1:
+            return None
+        table.lie_in(path.parent)
+        return table.profiles()["across"][0]
+    except ValueError as error:
+        raise CaseError(f"{path}: {error}") from error
+
+
+def _show_profile(options: argparse.Namespace, profile: "Profile") -> int:
+    from pyworm.io.console import Console
+    from pyworm.plots.attempts import Attempts
+    from pyworm.plots.profile import draw_profile
+    from pyworm.report.table import Table
+    from pyworm.surfaces.profile_parameters import profile_figures
+    from pyworm.surfaces.summary import profile_summary
+
+    name, figures = options.file.stem, profile_figures(profile)
+    known = {"name": name, **profile_summary(profile, figures)}
+    pictures: list[str] = []
+    complete = True
+    if options.out is not None:
+
+        def drawn(aside: Path) -> list[Path]:
+            attempts = Attempts()
+            attempts.draw(
+                aside / f"{name}_profile.png", lambda: draw_profile(name, profile, figures)
+            )
+            return attempts.result()
+
+        pictures, complete = drawn_pictures(options.out, drawn)
+    if options.json:
+        print_json({"profiles": [known], "pictures": pictures})
+        return CONVERGED if complete else FAILED
+    head = f"{name}\n{known['points']} points, {profile.length * 1e3:.4g} mm"
+    rows = ((label, _cell(known, *rest)) for label, *rest in PROFILE_ROWS)
+    Console().print(Table(("Profile", head), tuple(rows)))
+    for picture in pictures:
+        print_result(f"{options.out / picture}")
+    return CONVERGED if complete else FAILED
 
 
 def _shown(name: str, keys: dict[str, Any], path: Path) -> _Shown:
@@ -181,24 +252,47 @@ MICRO, DEGREES = 1e6, 57.29577951308232
 """From metres to micrometres, from radians to degrees."""
 
 ROWS = (
-    ("Rq, root mean square height", "rq_m", MICRO, "µm"),
-    ("Ra, arithmetic mean height", "ra_m", MICRO, "µm"),
-    ("Rsk, skewness", "skewness", 1, ""),
-    ("Rku, kurtosis", "kurtosis", 1, ""),
-    ("Rk, core height", "rk_m", MICRO, "µm"),
-    ("Rpk, reduced peak height", "rpk_m", MICRO, "µm"),
-    ("Rvk, reduced valley height", "rvk_m", MICRO, "µm"),
-    ("Mr1, Mr2, ends of the core", ("mr1", "mr2"), 100, "%"),
-    ("Root mean square slope", "slope", 1, ""),
+    ("Sq (Rq), root mean square height", "rq_m", MICRO, "µm"),
+    ("Sa, arithmetic mean height", "ra_m", MICRO, "µm"),
+    ("Sz, maximum height", "rz_m", MICRO, "µm"),
+    ("Ssk, skewness", "skewness", 1, ""),
+    ("Sku, kurtosis", "kurtosis", 1, ""),
+    ("Sk, core height", "rk_m", MICRO, "µm"),
+    ("Spk, reduced peak height", "rpk_m", MICRO, "µm"),
+    ("Svk, reduced valley height", "rvk_m", MICRO, "µm"),
+    ("Smrk1, Smrk2, ends of the core", ("mr1", "mr2"), 100, "%"),
+    ("Sdq, root mean square slope", "slope", 1, ""),
     ("Slope along x and y", ("slope_x", "slope_y"), 1, ""),
     ("Correlation length across and along", ("length_across_m", "length_along_m"), MICRO, "µm"),
     ("Peklenik number", "aspect", 1, ""),
     ("Sal, Str", ("shortest_length_m", "texture_ratio"), (MICRO, 1), ("µm", "")),
     ("Lay, from the x axis", "lay_rad", DEGREES, "°"),
-    ("Rq of longer waves", "long_waves_rq_m", MICRO, "µm"),
+    ("Sq of longer waves", "long_waves_rq_m", MICRO, "µm"),
+    ("Points filled", "filled_fraction", 100, "%"),
+    ("Outliers among them", "outliers", 1, ""),
+)
+"""Row of the table of an area (ISO 25178-2), its keys, factors and units."""
+
+PROFILE_ROWS = (
+    ("Rq, root mean square height", "rq_m", MICRO, "µm"),
+    ("Ra, arithmetic mean height", "ra_m", MICRO, "µm"),
+    ("Rz, maximum height, mean of sections", "rz_m", MICRO, "µm"),
+    ("Rp, Rv, peak height and pit depth", ("rp_m", "rv_m"), MICRO, "µm"),
+    ("Rt, total height", "rt_m", MICRO, "µm"),
+    ("Rsk, skewness", "skewness", 1, ""),
+    ("Rku, kurtosis", "kurtosis", 1, ""),
+    ("Rk, core height", "rk_m", MICRO, "µm"),
+    ("Rpk, reduced peak height", "rpk_m", MICRO, "µm"),
+    ("Rvk, reduced valley height", "rvk_m", MICRO, "µm"),
+    ("Rmrk1, Rmrk2, ends of the core", ("mr1", "mr2"), 100, "%"),
+    ("Rdq, root mean square slope", "slope", 1, ""),
+    ("Rsm, mean width of elements", "width_m", MICRO, "µm"),
+    ("Correlation length", "correlation_length_m", MICRO, "µm"),
+    ("Section length", "section_m", 1e3, "mm"),
+    ("Wq of longer waves", "long_waves_rq_m", MICRO, "µm"),
     ("Points filled", "filled_fraction", 100, "%"),
 )
-"""Row of the table, its keys, factors and units."""
+"""Row of the table of a profile (ISO 21920-2), its keys, factors and units."""
 
 
 def _print(shown: list[_Shown], found: list[dict[str, Any]]) -> None:
@@ -218,15 +312,16 @@ def _print(shown: list[_Shown], found: list[dict[str, Any]]) -> None:
 
 
 def _cell(known: dict[str, Any], keys: Any, factors: Any, units: Any) -> str:
-    """Values of a row in its units."""
+    """Values of a row in its units, with their uncertainty by the place where it is known."""
     if isinstance(keys, str):
         keys = (keys,)
     if not isinstance(factors, tuple):
         factors = (factors,) * len(keys)
     if not isinstance(units, tuple):
         units = ("",) * (len(keys) - 1) + (units,)
-    parts = (
-        f"{known[key] * factor:.3g} {unit}".strip()
-        for key, factor, unit in zip(keys, factors, units, strict=True)
-    )
+    scatter = known.get("uncertainty", {})
+    parts = []
+    for key, factor, unit in zip(keys, factors, units, strict=True):
+        bar = f" ± {scatter[key] * factor:.2g}" if key in scatter else ""
+        parts.append(f"{known[key] * factor:.3g}{bar} {unit}".strip())
     return ", ".join(parts)

@@ -75,6 +75,10 @@ Wave = Annotated[float, Quantity(
     "a length along a surface", "m", "20 um", possible=("1 nm", "100 mm"), usual=("0.1 um", "10 mm"))]
 """Length of a wave of roughness, distance of points, nesting index of a filter."""
 
+PlaceInArea = Annotated[float, Quantity(
+    "a place in a measured area", "m", "0.2 mm", "not negative", ("0.1 nm", "1 m"))]
+"""Distance from the first point of a measured area."""
+
 _TURN: _Sizes = {"possible": ("1e-24 deg", "360 deg")}
 Angle = Annotated[float, Quantity("an angle", "rad", "27.5 deg", **_TURN)]
 AngleOrZero = Annotated[float, Quantity("an angle", "rad", "12 deg", sign="not negative", **_TURN)]

@@ -182,6 +182,9 @@ class RoughPair:
             return None
         return self._with(lambda surface: replace(surface, hardness=None))
 
+    def sampled(self) -> None:
+        """None: nothing was measured in parts."""
+
     def steeper(self, factor: float) -> "RoughPair":
         """Surfaces whose slopes are larger by a factor, asperities of one radius as much sharper."""
         return self._with(

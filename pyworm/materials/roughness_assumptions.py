@@ -45,7 +45,7 @@ SLOPE_POWER = log(SLOPE_FACTOR) / log(STIFFNESS_FACTOR)
 """Power of the stiffer law's factor that is the factor by steeper slopes: pressures are as the slopes."""
 
 
-BY_FACTOR = ("contact", "slope", "aspect")
+BY_FACTOR = ("contact", "slope", "aspect", "sample")
 """Assumptions that are known to a factor."""
 
 
@@ -58,6 +58,12 @@ class RoughSurfaces(Protocol):
 
     def curves(self) -> GapCurves:
         """Averages over the gap."""
+
+    def sampled(self) -> Array | None:
+        """Uncertainty of the logarithm of the asperities' pressure over the rows by the measured area [-].
+
+        None where it is not known from parts of it.
+        """
 
     def elastic(self) -> "RoughSurfaces | None":
         """The surfaces as if they did not yield; None where neither does."""
@@ -106,6 +112,7 @@ def variations(
         "long waves": curves.scaled(1 + part * higher),
         "contact": pressed(curves, pressure, part),
         "slope": _steeper(pair, curves, part),
+        "sample": _sampled(pair, curves, part),
         "aspect": _drawn_out(pair, curves, float(thickness.min()), part),
         "pressure flow": _scattered(curves, slice(3, 6), part),
         "shear flow": _scattered(curves, slice(6, 9), part),
@@ -156,6 +163,12 @@ def pressed(curves: GapCurves, other: Array, part: float) -> GapCurves:
     """Curves with the asperities' logarithm of pressure changed by a part of the way to another law's."""
     pressure = curves.values[0]
     return _with_rows(curves, slice(0, 1), pressure + part * (other - pressure))
+
+
+def _sampled(pair: RoughSurfaces, curves: GapCurves, part: float) -> GapCurves:
+    """Curves with the pressure of asperities larger by a part of what other places would show."""
+    error = pair.sampled()
+    return curves if error is None else pressed(curves, curves.values[0] + error, part)
 
 
 def _steeper(pair: RoughSurfaces, curves: GapCurves, part: float) -> GapCurves:

@@ -8,6 +8,9 @@ import numpy as np
 
 from pyworm.formulas.arrays import Array, Flags
 
+BISECTIONS = 50
+"""Bisections for the height at which summits are worn off."""
+
 
 @dataclass(frozen=True, eq=False)
 class Topography:
@@ -24,6 +27,9 @@ class Topography:
     measured: Flags | None = None
     """True where a height was measured, false where one was filled in between those around it, which no
     figure counts; None where all were measured or generated."""
+    samples: tuple["Topography", ...] = ()
+    """Surfaces by parts of what was measured, whose averages scatter as those of other places would; none of
+    generated surfaces."""
 
     @property
     def extent(self) -> tuple[float, float]:
@@ -47,7 +53,41 @@ class Topography:
 
     def turned(self, x_direction: float) -> "Topography":
         """The heights with their x axis at an angle from the surface's own motion [rad]."""
-        return replace(self, x_direction=x_direction)
+        samples = tuple(sample.turned(x_direction) for sample in self.samples)
+        return replace(self, x_direction=x_direction, samples=samples)
+
+    @property
+    def quarters(self) -> "tuple[Topography, ...]":
+        """Its four quarters, each of which leaves the other three out."""
+        middle = [n // 2 for n in self.height.shape]
+        halves = [(slice(0, n), slice(n, None)) for n in middle]
+        places = [(first, second) for first in halves[0] for second in halves[1]]
+        return tuple(
+            replace(
+                self,
+                height=self.height[place] - self.height[place].mean(),
+                periodic=False,
+                measured=None if self.measured is None else self.measured[place],
+            )
+            for place in places
+        )
+
+    def run_in(self, ratio: float) -> "Topography":
+        """The heights with summits worn off so far that Rq falls to a ratio of what it was (`wear_law`).
+
+        Heights z become min(z, t), whose mean is zero again; t by bisection between both ends.
+        """
+        low, high = float(self.height.min()), float(self.height.max())
+        for _ in range(BISECTIONS):
+            level = (low + high) / 2
+            left = float(np.minimum(self.measured_heights, level).std())
+            low, high = (level, high) if left < ratio * self.rms else (low, level)
+        height = np.minimum(self.height, high)
+        return replace(
+            self,
+            height=height - height.mean(),
+            samples=tuple(sample.run_in(ratio) for sample in self.samples),
+        )
 
     @property
     def mirrored(self) -> "Topography":
@@ -57,6 +97,7 @@ class Topography:
             height=self.height[:, ::-1],
             x_direction=-self.x_direction,
             measured=None if self.measured is None else self.measured[:, ::-1],
+            samples=tuple(sample.mirrored for sample in self.samples),
         )
 
     @cached_property
@@ -66,6 +107,8 @@ class Topography:
         digest = sha256(place.encode() + np.ascontiguousarray(self.height).tobytes())
         if self.measured is not None:
             digest.update(np.packbits(self.measured).tobytes())
+        for sample in self.samples:
+            digest.update(sample.digest.encode())
         return digest.hexdigest()
 
     def __eq__(self, other: object) -> bool:

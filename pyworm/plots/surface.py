@@ -1,15 +1,27 @@
 """Pictures of a rough surface: its heights and Abbott curve, its contact and the flow over it."""
 
+from collections.abc import Mapping
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.flow_factors import pressure_flow_factor, shear_flow_factor
 from pyworm.materials.rough_surfaces import RoughPair, RoughSurface
+from pyworm.materials.roughness_assumptions import RoughSurfaces
 from pyworm.materials.topography import Topography
 from pyworm.plots.layout import MEGA, MICRO, joined, new_figure
 from pyworm.surfaces.cell_table import CellTable
 from pyworm.surfaces.parameters import Texture, abbott
+
+STATE_COLOURS = "tab:blue", "tab:orange"
+"""Colours of surfaces as measured and run in."""
+
+LEAST_DRAWN, MOST_HEIGHTS = 0.3, 4.0
+"""Ends of the axis of gaps over the composite roughness: pressed together, and far apart."""
+
+PRESSURES = 1e-2, 1e4
+"""Ends of the axis of asperity pressures [MPa]."""
 
 MOST_DRAWN = 600
 """Points of the map along its longer side."""
@@ -21,7 +33,7 @@ EXTREME_FRACTION = 0.001
 def draw_heights(name: str, surface: Topography, texture: Texture) -> Figure:
     """Map of heights, and the Abbott curve with its core."""
     heading = (
-        f"Heights of {name}  ·  Rq {texture.rq * MICRO:.3g} µm, slope {texture.slope:.3g}, "
+        f"Heights of {name}  ·  Sq {texture.rq * MICRO:.3g} µm, slope {texture.slope:.3g}, "
         f"Peklenik number {texture.aspect:.3g}"
     )
     figure = new_figure(11, 5, heading)
@@ -43,13 +55,14 @@ def draw_heights(name: str, surface: Topography, texture: Texture) -> Figure:
     map_axes.set_ylabel("y / µm")
     stretched = "" if map_axes.get_aspect() == 1 else ", scales of x and y differ"
     map_axes.set_title(f"heights{stretched}", fontsize="medium")
-    _draw_abbott(curve_axes, surface, texture)
+    draw_abbott(curve_axes, surface.measured_heights, texture.mr1, texture.rk, "Sk")
     return figure
 
 
-def _draw_abbott(axes: Axes, surface: Topography, texture: Texture) -> None:
-    part, height = abbott(surface.measured_heights)
-    count, edges = np.histogram(surface.measured_heights, bins=60)
+def draw_abbott(axes: Axes, heights: np.ndarray, begin: float, core: float, symbol: str) -> None:
+    """Distribution of heights [m] and their Abbott curve with its core, by its lower end and height [m]."""
+    part, height = abbott(heights)
+    count, edges = np.histogram(heights, bins=60)
     axes.stairs(
         count / count.max() * 40,
         edges * MICRO,
@@ -59,14 +72,14 @@ def _draw_abbott(axes: Axes, surface: Topography, texture: Texture) -> None:
         label="heights, frequency",
     )
     axes.plot(100 * part, height * MICRO, color="tab:blue", label="Abbott curve")
-    top = float(np.interp(texture.mr1, part, height)) * MICRO
-    bottom = top - texture.rk * MICRO
+    top = float(np.interp(begin, part, height)) * MICRO
+    bottom = top - core * MICRO
     axes.plot(
         (0, 100),
         (top, bottom),
         color="tab:red",
         lw=1,
-        label=f"core, Rk {texture.rk * MICRO:.3g} µm",
+        label=f"core, {symbol} {core * MICRO:.3g} µm",
     )
     for edge in (top, bottom):
         axes.axhline(edge, color="tab:red", lw=0.8, ls=":")
@@ -143,3 +156,40 @@ def _draw_contact(
         )
     )
     axes.legend(handles, labels, frameon=False, fontsize="small", loc="upper right")
+
+
+def draw_states(states: Mapping[str, tuple[RoughSurfaces, float]]) -> Figure:
+    """Averages of two surfaces together over the gap between mean planes, for each state of them.
+
+    Each state comes with its mean central film thickness [m], which is marked.
+    """
+    figure = new_figure(13.6, 4.8, "Two surfaces together: asperity contact and flow factors")
+    contact, flow, shear = figure.subplots(1, 3)
+    for colour, state in zip(STATE_COLOURS, states, strict=True):
+        pair, film = states[state]
+        curves = pair.curves()
+        gap = curves.gaps * MICRO
+        rows = curves.values
+        contact.semilogy(gap, np.exp(rows[0]) * MEGA, color=colour, label=state)
+        for axes, first in ((flow, 3), (shear, 6)):
+            size = 1.0 if axes is flow else MICRO
+            axes.plot(gap, rows[first] * size, color=colour, label=f"{state}, along x")
+            axes.plot(gap, rows[first + 1] * size, "--", color=colour, label=f"{state}, along y")
+        place = float(np.interp(film, curves.thicknesses, curves.gaps)) * MICRO
+        for axes in (contact, flow, shear):
+            axes.axvline(place, color=colour, lw=0.8, ls=":")
+    heights = [pair.height * MICRO for pair, _ in states.values()]
+    narrowest, widest = LEAST_DRAWN * min(heights), MOST_HEIGHTS * max(heights)
+    for axes in (contact, flow, shear):
+        axes.set_xlim(narrowest, widest)
+        axes.set_xlabel("gap between mean planes / µm")
+        axes.grid(True, color="0.9")
+        axes.legend(frameon=False, fontsize="small")
+    contact.set_ylim(*PRESSURES)
+    contact.set_ylabel("asperity pressure $p_a$ / MPa")
+    contact.set_title("asperity contact; dotted: central film thickness", fontsize="medium")
+    flow.set_ylabel(r"pressure flow factor (of $h_T^3$)")
+    flow.set_title("pressure flow", fontsize="medium")
+    shear.set_ylabel(r"shear flow $\sigma\phi_s$ / µm")
+    shear.set_title("shear flow", fontsize="medium")
+    return figure

@@ -31,6 +31,8 @@ class Texture:
     """Root mean square height [m]; Sq of areas."""
     ra: float
     """Arithmetic mean height [m]; Sa of areas."""
+    rz: float
+    """Height from the lowest to the highest point [m]; Sz of areas."""
     skewness: float
     """Rsk [-]; 0 of heights spread normally."""
     kurtosis: float
@@ -76,9 +78,10 @@ def texture(surface: Topography) -> Texture:
     return Texture(
         rq=rq,
         ra=float(np.abs(height).mean()),
+        rz=float(np.ptp(height)),
         skewness=float((height**3).mean() / rq**3),
         kurtosis=float((height**4).mean() / rq**4),
-        **_core(height),
+        **core(height),
         slope=float(np.hypot(slope_x, slope_y)),
         slope_x=slope_x,
         slope_y=slope_y,
@@ -109,8 +112,8 @@ def abbott(height: Array) -> tuple[Array, Array]:
     return part, np.quantile(height, 1 - part)
 
 
-def _core(height: Array) -> dict[str, float]:
-    """Core, peaks and valleys of the Abbott curve (ISO 13565-2)."""
+def core(height: Array) -> dict[str, float]:
+    """Core, peaks and valleys [m] of the Abbott curve and its ends [-] (ISO 13565-2), by name."""
     part, level = abbott(height)
     steps = round(SECANT * (QUANTILES - 1))
     drop = level[:-steps] - level[steps:]

@@ -63,18 +63,27 @@ def require_plausible_sides(points: tuple[int, ...], steps: tuple[float, ...], g
 
 def require_plausible(surface: Topography) -> None:
     """Refuse heights and slopes, without form, that no surface has (ValueError)."""
-    if surface.rms < MIN_RMS_HEIGHT:
+    spacing = float(np.min(surface.spacing))
+    _require_plausible(surface.rms, hypot(*slopes(surface)), spacing)
+
+
+def require_plausible_profile(height: Array, spacing: float) -> None:
+    """Refuse a profile [m] of points so far apart [m] that no surface has (ValueError)."""
+    steepness = float(np.sqrt(np.mean(np.diff(height) ** 2))) / spacing
+    _require_plausible(float(height.std()), steepness, spacing)
+
+
+def _require_plausible(rms: float, steepness: float, spacing: float) -> None:
+    if rms < MIN_RMS_HEIGHT:
         raise ValueError(
-            f"has heights of {surface.rms * 1e9:.2g} nm root mean square, less than "
+            f"has heights of {rms * 1e9:.2g} nm root mean square, less than "
             f"{MIN_RMS_HEIGHT * 1e9:g} nm, a tenth of an atom; check the unit of its heights, height_unit"
         )
-    steepness = hypot(*slopes(surface))
     if steepness > tan(MAX_RMS_SLOPE):
         raise ValueError(
             f"has a root mean square slope of {degrees(atan(steepness)):.3g} degrees, more than "
-            f"{degrees(MAX_RMS_SLOPE):g}, with heights of {surface.rms * 1e6:.3g} um and points "
-            f"{float(np.min(surface.spacing)) * 1e6:.3g} um apart; check the units of both, height_unit "
-            "and spacing"
+            f"{degrees(MAX_RMS_SLOPE):g}, with heights of {rms * 1e6:.3g} um and points "
+            f"{spacing * 1e6:.3g} um apart; check the units of both, height_unit and spacing"
         )
 
 

@@ -1,4 +1,4 @@
-"""Lists of points x, y, z on a regular grid, as heights over that grid."""
+"""Lists of points x, y, z on a regular grid, or x, z of a profile, as heights over that grid."""
 
 import numpy as np
 
@@ -31,6 +31,29 @@ def on_grid(points: Array, most: int) -> tuple[Array, tuple[float, float]]:
     heights = np.full(shape, np.nan)
     heights[row, column] = points[:, 2]
     return heights, (dx, dy)
+
+
+def evenly_spaced(points: Array, most: int) -> tuple[Array, float]:
+    """Heights of a profile's points x, z at even distances along x, and that distance.
+
+    Where the points lie off an even scale, as those of styluses that record in time, heights are interpolated
+    between them, at their median distance; NaN where a height is missing. ValueError if two lie at one place,
+    or if there are too many places.
+    """
+    points = points[np.isfinite(points[:, 0])]
+    points = points[np.argsort(points[:, 0], kind="stable")]
+    place, height = points.T
+    gaps = np.diff(place)
+    if not gaps.size or not gaps.min() > 0:
+        raise ValueError("is a profile of which two points lie at one place")
+    step = float(np.median(gaps))
+    mean = float(place[-1] - place[0]) / len(gaps)
+    if np.abs(place - place[0] - np.arange(len(place)) * mean).max() <= OFF_GRID * mean:
+        return height, mean
+    count = int(float(place[-1] - place[0]) / step) + 1
+    if count > most:
+        raise ValueError(f"is a profile of {count} places, {most} at most are read")
+    return np.interp(place[0] + np.arange(count) * step, place, height), step
 
 
 def _places(coordinate: Array, name: str) -> tuple[Array, float]:

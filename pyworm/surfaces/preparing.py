@@ -12,7 +12,7 @@ from pyworm.materials.topography import Topography
 Array = np.ndarray
 
 MOST_MISSING = 0.1
-"""Largest fraction of points that are missing, and filled from those around them."""
+"""Largest fraction of points that are missing, and filled from those around them, unless given."""
 
 MAX_HEIGHT_DEVIATION = 15.0
 """Distance of a height from the median, over the normal deviation of the middle half, from which on it may be
@@ -48,6 +48,8 @@ class SeparatedWaves:
     """Waves longer than that, without form, which belong to the contact's gap."""
     filled: float
     """Fraction of points that were missing or left out, and filled."""
+    outliers: int = 0
+    """Number of outliers that were left out."""
 
     @property
     def all_waves(self) -> Topography:
@@ -63,20 +65,22 @@ def separate_waves(
     nesting_index: float | None = None,
     shortest_wave: float | None = None,
     outliers: Outliers = "refuse",
+    fill: float = MOST_MISSING,
 ) -> SeparatedWaves:
     """Fill, level and filter heights (nx, ny) [m], NaN where missing; only measured points count.
 
     Form, none of periodic ones, is a polynomial of second order. Filters are Gaussian (ISO 16610-61): without
     `nesting_index`, the longest wave of roughness [m], all that is no form is roughness; `shortest_wave` [m]
-    filters noise. Outliers, heights that are far from all others, are to "refuse", "fill" or "keep".
-    ValueError for too many missing points, outliers, or an index that the area does not hold.
+    filters noise. Outliers, heights that are far from all others, are to "refuse", "fill" or "keep"; `fill`
+    is the largest fraction of points that may be missing. ValueError for too many missing points, outliers,
+    or an index that the area does not hold.
     """
-    level, missing = _levelled(heights, periodic, outliers)
+    level, missing, far = _levelled(heights, periodic, outliers, fill)
     if not np.nanstd(level) > 0:
         raise ValueError("is flat: all heights are equal after levelling")
     extent = [n * step for n, step in zip(level.shape, spacing, strict=True)]
     for name, index in (("nesting_index", nesting_index), ("shortest_wave", shortest_wave)):
-        _require_index(name, index, spacing, extent)
+        require_index(name, index, spacing, extent)
     if missing.any():
         level = _filled(level, missing)
     if shortest_wave is not None:
@@ -89,21 +93,23 @@ def separate_waves(
         Topography(heights - heights[~missing].mean(), spacing, periodic, measured=measured)
         for heights in (level - long_waves, long_waves)
     )
-    return SeparatedWaves(rough, longer, float(missing.mean()))
+    return SeparatedWaves(rough, longer, float(missing.mean()), far)
 
 
-def _levelled(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array, Array]:
-    """Heights without form, NaN where they are missing or left out, and where that is."""
+def _levelled(
+    heights: Array, periodic: bool, outliers: Outliers, fill: float
+) -> tuple[Array, Array, int]:
+    """Heights without form, NaN where they are missing or left out, where that is, and outliers left out."""
     heights = np.where(np.isfinite(heights), heights, np.nan)
-    _require_most(heights)
+    _require_most(heights, fill)
     level = _without_form(heights, periodic)
     if outliers == "keep":
-        return level, np.isnan(level)
+        return level, np.isnan(level), 0
     far = outlying(level)
     cleaned = np.where(far, np.nan, level)
     if far.any() and outliers == "refuse":
         if not _matter(level, cleaned, far):
-            return level, np.isnan(level)
+            return level, np.isnan(level), 0
         worst = np.nanmax(np.abs(level[far])) * 1e6
         kept, without = (np.nanstd(field) * 1e6 for field in (level, cleaned))
         raise ValueError(
@@ -112,9 +118,9 @@ def _levelled(heights: Array, periodic: bool, outliers: Outliers) -> tuple[Array
             '"fill" to leave them out, or "keep" if they are real'
         )
     if far.any():
-        _require_most(cleaned)
+        _require_most(cleaned, fill)
         level = _without_form(cleaned, periodic)
-    return level, np.isnan(level)
+    return level, np.isnan(level), int(far.sum())
 
 
 def _without_form(heights: Array, periodic: bool) -> Array:
@@ -122,19 +128,19 @@ def _without_form(heights: Array, periodic: bool) -> Array:
     return level - np.nanmean(level)
 
 
-def _require_most(heights: Array) -> None:
+def _require_most(heights: Array, fill: float) -> None:
     missing = float(np.isnan(heights).mean())
-    if missing > MOST_MISSING:
+    if missing > fill:
         raise ValueError(
-            f"{missing * 100:.0f} % of its points are missing, at most {MOST_MISSING * 100:.0f} % can be "
-            "filled; give a part of it that is complete"
+            f"{missing * 100:.0f} % of its points are missing, at most {fill * 100:.0f} % are filled; "
+            f"give a part of it that is complete by crop, or fill = {min(missing + 0.05, 0.99):.2f}"
         )
 
 
-def _require_index(
-    name: str, index: float | None, spacing: tuple[float, float], extent: list[float]
+def require_index(
+    name: str, index: float | None, spacing: tuple[float, ...], extent: list[float]
 ) -> None:
-    """Refuse a filter whose waves the points do not resolve or the area does not hold."""
+    """Refuse a filter whose waves the points do not resolve or the area or profile does not hold."""
     if index is None:
         return
     if index < MIN_NESTING_RATIO * max(spacing):
@@ -144,7 +150,7 @@ def _require_index(
         )
     if index > min(extent):
         raise ValueError(
-            f"{name} of {index * 1e6:.4g} um is longer than the area, whose side is "
+            f"{name} of {index * 1e6:.4g} um is longer than what was measured, "
             f"{min(extent) * 1e6:.4g} um"
         )
 

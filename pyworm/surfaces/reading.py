@@ -1,18 +1,19 @@
-"""Files of measured surfaces: arrays, texts with or without a header, lists of points, instruments."""
+"""Files of measured surfaces and profiles: arrays, texts, lists of points, formats of instruments."""
 
 from math import prod
 from pathlib import Path
 
 import numpy as np
 
-from pyworm.surfaces.instrument_file import is_compressed, read_instrument
+from pyworm.surfaces.compressed_file import unpacked
+from pyworm.surfaces.instrument_file import read_instrument
 from pyworm.surfaces.plausible import (
     likely_unit,
     plausible_side,
     require_plausible_sides,
     require_possible_heights,
 )
-from pyworm.surfaces.point_list import on_grid
+from pyworm.surfaces.point_list import evenly_spaced, on_grid
 from pyworm.surfaces.text_file import TextHeights, read_text
 from pyworm.surfaces.text_header import metres_of
 
@@ -21,8 +22,8 @@ Array = np.ndarray
 MOST_POINTS = 25_000_000
 """Points of the largest file that is read, 5000 by 5000: 200 MB."""
 
-LEAST_POINTS = 16
-"""Points along the shorter side of the smallest."""
+LEAST_POINTS, LEAST_OF_PROFILE = 16, 64
+"""Points along the shorter side of the smallest area, and of the shortest profile."""
 
 MOST_BYTES_A_POINT = 40
 """Length of a number in a text, beyond which no file of `MOST_POINTS` has to go."""
@@ -38,33 +39,95 @@ SNIFFED = 4096
 
 
 def read_heights(
-    path: Path, spacing: float | None = None, height_unit: str | None = None
-) -> tuple[Array, tuple[float, float]]:
-    """Heights [m] of a file, shape (nx, ny), NaN where points are missing, and their spacing [m].
+    path: Path,
+    spacing: float | None = None,
+    height_unit: str | None = None,
+    channel: str | int | None = None,
+) -> tuple[Array, tuple[float, ...]]:
+    """Heights [m] of an area, shape (nx, ny), or of a profile, (nx,), and their spacing [m] along each axis.
 
-    The file is `.npy` or a text with rows along y and columns along x, or with columns x, y and z of points
-    on a regular grid, or a format of an instrument; spacing, of a list of points that along x, and unit count
-    where it gives none. ValueError for no such file, none that can be read, without unit or spacing, too
-    large or too small.
+    NaN where points are missing. The file, which may be compressed as a whole, is `.npy` or a text with rows
+    along y and columns along x, with columns x, y and z of points on a regular grid, or x and z of a profile,
+    or a format of an instrument, of whose channels one is read by its name or number. Spacing, of lists of
+    points that along x, and unit count where it gives none. ValueError for no such file, none that can be
+    read, without unit or spacing, too large or too small.
     """
     if not path.is_file():
         raise ValueError("no such file")
     if path.stat().st_size == 0:
         raise ValueError("is empty")
     metres = None if height_unit is None else _metres(height_unit)
-    if path.suffix.lower() == ".npy":
-        numbers = _read_npy(path)
-        metres, step = _require_given(numbers, metres, spacing)
-        with np.errstate(invalid="ignore"):  # by the other kind of NaN, which damaged files have
-            heights, steps = numbers.T * metres, (step, step)
-    elif _is_text(path):
-        heights, steps = _of_text(_text(path), metres, spacing)
-    else:
-        heights, steps = read_instrument(path, metres, spacing, MOST_POINTS)
-    _require_area(heights)
+    with unpacked(path) as plain:
+        heights, steps = _read(plain, metres, spacing, channel)
+    _require_size(heights)
     require_possible_heights(heights)
     require_plausible_sides(heights.shape, steps, spacing is not None)
     return np.ascontiguousarray(heights), steps
+
+
+def read_area(
+    path: Path,
+    spacing: float | None = None,
+    height_unit: str | None = None,
+    channel: str | int | None = None,
+) -> tuple[Array, tuple[float, float]]:
+    """Heights [m] of an area, shape (nx, ny), and their spacing [m]; arguments and errors as `read_heights`.
+
+    ValueError for a profile, too.
+    """
+    heights, steps = read_heights(path, spacing, height_unit, channel)
+    if heights.ndim == 1:
+        raise ValueError(
+            "is a profile along a line; heights of an area are needed, or profiles as across or along"
+        )
+    return heights, (steps[0], steps[1])
+
+
+def read_profile(
+    path: Path, spacing: float | None = None, height_unit: str | None = None
+) -> tuple[Array, float]:
+    """Heights [m] of a profile, shape (n,), and their spacing [m]; arguments and errors as `read_heights`.
+
+    ValueError for an area, too.
+    """
+    heights, steps = read_heights(path, spacing, height_unit)
+    if heights.ndim != 1:
+        raise ValueError("holds the heights of an area, not a profile; give it as file")
+    return heights, steps[0]
+
+
+def read_numbers(path: Path) -> Array:
+    """Plain numbers of an `.npy` or text file, a row for each y; ValueError if it holds none."""
+    if not path.is_file():
+        raise ValueError("no such file")
+    with unpacked(path) as plain:
+        return _read_npy(plain) if plain.suffix.lower() == ".npy" else _text(plain).numbers
+
+
+def _read(
+    path: Path, metres: float | None, spacing: float | None, channel: str | int | None
+) -> tuple[Array, tuple[float, ...]]:
+    """Heights and spacing of a file that is not compressed."""
+    is_array = path.suffix.lower() == ".npy"
+    if is_array or _is_text(path):
+        if channel is not None:
+            raise ValueError("has one channel; omit channel")
+        return (
+            _of_array(path, metres, spacing) if is_array else _of_text(_text(path), metres, spacing)
+        )
+    return read_instrument(path, metres, spacing, MOST_POINTS, channel)
+
+
+def _of_array(
+    path: Path, metres: float | None, spacing: float | None
+) -> tuple[Array, tuple[float, ...]]:
+    """Heights [m] and spacing [m] of an array, of a profile where it has one row."""
+    numbers = np.squeeze(_read_npy(path))
+    if numbers.ndim not in (1, 2):
+        raise ValueError(f"must hold heights along one or two dimensions, not {numbers.ndim}")
+    metres, step = _require_given(numbers, metres, spacing)
+    with np.errstate(invalid="ignore"):  # by the other kind of NaN, which damaged files have
+        return numbers.T * metres, (step,) * numbers.ndim
 
 
 def _metres(unit: str) -> float:
@@ -80,8 +143,6 @@ def _is_text(path: Path) -> bool:
         return False
     with path.open("rb") as file:
         begin = file.read(SNIFFED)
-    if is_compressed(begin):
-        return False
     if b"\0" in begin and path.suffix.lower() in MOSTLY_TEXTS:
         return False
     return not begin.lstrip().startswith(LIBRARY_TEXTS)
@@ -111,14 +172,16 @@ def _require_readable(shape: tuple[int, ...]) -> None:
         raise ValueError(f"has {size} points, {MOST_POINTS} are read at most; give a part of it")
 
 
-def _require_area(heights: Array) -> None:
-    if heights.ndim != 2:
-        raise ValueError(f"must be an area, two dimensions of heights, not {heights.ndim}")
-    if min(heights.shape) < LEAST_POINTS:
+def _require_size(heights: Array) -> None:
+    least = LEAST_OF_PROFILE if heights.ndim == 1 else LEAST_POINTS
+    if min(heights.shape) < least:
         size = " x ".join(f"{count}" for count in heights.shape)
-        raise ValueError(
-            f"has {size} points, at least {LEAST_POINTS} along each side are needed, such as 256 x 256"
+        needed = (
+            f"a profile needs at least {least}"
+            if heights.ndim == 1
+            else f"at least {least} along each side are needed, such as 256 x 256"
         )
+        raise ValueError(f"has {size} points, {needed}")
 
 
 def _read_npy(path: Path) -> Array:
@@ -144,16 +207,19 @@ def _text(path: Path) -> TextHeights:
 
 def _of_text(
     text: TextHeights, metres: float | None, spacing: float | None
-) -> tuple[Array, tuple[float, float]]:
+) -> tuple[Array, tuple[float, ...]]:
     """Heights [m] and spacing [m] of a text, by its header or by what is given in its place."""
     header, numbers = text.header, text.numbers
     numbers = numbers[:, : 1 + np.flatnonzero(np.isfinite(numbers).any(axis=0)).max(initial=0)]
     rows, columns = numbers.shape
-    if min(rows, columns) == 1 or columns == 2:
-        raise ValueError("is a profile along a line; heights of an area are needed")
     if header.height_metres is not None and metres is not None:
         raise ValueError("gives its own unit in its header; omit height_unit")
     metres = header.height_metres if metres is None else metres
+    if columns == 2:
+        return _of_places(numbers, header.metres, metres, spacing)
+    if min(rows, columns) == 1:
+        metres, step = _require_given(numbers, metres, spacing)
+        return numbers.ravel() * metres, (step,)
     if columns == 3 and header.sides is None:
         return _of_points(numbers, header.metres, metres, spacing)
     file_steps = header.steps
@@ -182,3 +248,19 @@ def _of_points(
     heights, (dx, dy) = on_grid(points, MOST_POINTS)
     scales = (step / dx, step / dx) if file_units is None else file_units
     return heights * metres, (dx * scales[0], dy * scales[1])
+
+
+def _of_places(
+    points: Array,
+    file_units: tuple[float, float] | None,
+    metres: float | None,
+    spacing: float | None,
+) -> tuple[Array, tuple[float, ...]]:
+    """Heights [m] and spacing [m] of a profile's columns x and z, `file_units` the metres of x."""
+    if file_units is not None and spacing is not None:
+        raise ValueError("gives the unit of x in its header; omit spacing")
+    metres, step = _require_given(
+        points[:, 1], metres, spacing if file_units is None else file_units[0]
+    )
+    heights, distance = evenly_spaced(points, MOST_POINTS)
+    return heights * metres, (step if file_units is None else distance * step,)

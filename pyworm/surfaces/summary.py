@@ -8,11 +8,21 @@ import numpy as np
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.cell_table import CellTable
 from pyworm.surfaces.parameters import Texture, slopes
+from pyworm.surfaces.parameters import texture as texture_of
 from pyworm.surfaces.preparing import SeparatedWaves
+from pyworm.surfaces.profile import Profile
+from pyworm.surfaces.profile_parameters import ProfileFigures, profile_figures
+from pyworm.surfaces.scatter import figures_scatter
 
 UNITS = {
     "rq": "m",
     "ra": "m",
+    "rz": "m",
+    "rt": "m",
+    "rp": "m",
+    "rv": "m",
+    "width": "m",
+    "correlation_length": "m",
     "rk": "m",
     "rpk": "m",
     "rvk": "m",
@@ -31,11 +41,34 @@ def figures(waves: SeparatedWaves, texture: Texture) -> dict[str, Any]:
         "points": list(surface.height.shape),
         "spacing_m": list(surface.spacing),
         "filled_fraction": waves.filled,
+        "outliers": waves.outliers,
         "long_waves_rq_m": waves.long_waves.rms,
-        **{
-            f"{name}_{UNITS[name]}" if name in UNITS else name: value
-            for name, value in asdict(texture).items()
-        },
+        **_with_units(asdict(texture)),
+        **_by_samples([asdict(texture_of(sample)) for sample in surface.samples]),
+    }
+
+
+def profile_summary(profile: Profile, known: ProfileFigures) -> dict[str, Any]:
+    """Figures of a profile, and of what it was made from."""
+    return {
+        "points": len(profile.height),
+        "spacing_m": profile.spacing,
+        "section_m": profile.section,
+        "filled_fraction": profile.filled,
+        "long_waves_rq_m": profile.waviness,
+        **_with_units(asdict(known)),
+        **_by_samples([asdict(profile_figures(part)) for part in profile.parts]),
+    }
+
+
+def _by_samples(samples: list[dict[str, float]]) -> dict[str, dict[str, float]]:
+    """Uncertainty of each figure, by samples of the surface; nothing without."""
+    return {"uncertainty": _with_units(figures_scatter(samples))} if samples else {}
+
+
+def _with_units(known: dict[str, Any]) -> dict[str, Any]:
+    return {
+        f"{name}_{UNITS[name]}" if name in UNITS else name: value for name, value in known.items()
     }
 
 

@@ -40,10 +40,19 @@ _VALUES_IN = re.compile(
 )
 """A comment without a label: heights in um, z [um]."""
 
-_COLUMN = re.compile(r"(?:.*?[\[(/]|.*\bin\s+|)\s*(?P<unit>[^\s\[\](/)]+?)\s*[\])]?", re.IGNORECASE)
-"""Title of a column: x [mm], y/mm, z in um, or the unit alone."""
+_COLUMN = re.compile(
+    r"(?:.*?[\[(/]|.*\bin\s+|.*\s|)\s*(?P<unit>[^\s\[\](/)]+?)\s*[\])]?", re.IGNORECASE
+)
+"""Title of a column: x [mm], y/mm, z in um, lateral um, or the unit alone."""
 
-_SPELLED = {"å": "angstrom", "microns": "micron", "ångström": "angstrom"}
+_TITLES = re.compile(r"[^\s\[(]+\s*[\[(][^\])]+[\])]")
+"""Titles with a unit in brackets, one after the other: x [um] z [nm]."""
+
+_SPELLED = {
+    "å": "angstrom", "microns": "micron", "ångström": "angstrom", "micrometer": "micron",
+    "micrometers": "micron", "micrometre": "micron", "micrometres": "micron", "nanometer": "nm",
+    "nanometers": "nm", "millimeter": "mm", "millimeters": "mm",
+}  # fmt: skip
 """What units are called in headers and nowhere else."""
 
 
@@ -117,12 +126,14 @@ def _by_titles(lines: Sequence[str], header: Header) -> Header:
     for line in lines:
         fields = [field for field in re.split(r"[;,\t]|\s{2,}", line.strip(" #%;\t")) if field]
         if len(fields) == 1:
-            fields = fields[0].split()
+            fields = _TITLES.findall(fields[0]) or fields[0].split()
         columns = [_COLUMN.fullmatch(field.strip()) for field in fields]
         units = [None if found is None else metres_of(found["unit"]) for found in columns]
         metres = [unit for unit in units if unit is not None]
         if len(metres) == len(units) == 3:
             return replace(header, height_metres=metres[2], metres=(metres[0], metres[1]))
+        if len(units) == 2 and units[0] is not None:
+            return replace(header, height_metres=units[1], metres=(units[0], units[0]))
         found = _VALUES_IN.search(line)
         if found is not None and metres_of(found["unit"]) is not None:
             return replace(header, height_metres=metres_of(found["unit"]))

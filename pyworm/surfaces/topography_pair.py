@@ -12,11 +12,18 @@ from pyworm.materials.rough_surfaces import MIN_GAP_RATIO, GapCurves, gap_rows, 
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.cell import common_cell, periodic_cell
 from pyworm.surfaces.cell_table import CellTable, cell_table
+from pyworm.surfaces.scatter import uncertainty_of_mean
 
 Array = np.ndarray
 
 LEAST_TOUCHED = 1e-4
 """Real area of contact below which so few nodes touch that the pressure is that of single summits."""
+
+LEAST_PRESSURE = 1e-200
+"""Pressure of asperities [Pa] that is none."""
+
+MOST_SCATTER = 1.0
+"""Largest uncertainty of a logarithm that counts: where single summits touch, and bear next to nothing."""
 
 
 @dataclass(frozen=True)
@@ -59,6 +66,27 @@ class TopographyPair:
         """Table of a cell, as high as both surfaces together."""
         as_high = replace(cell, height=cell.height * (self.height / cell.rms), x_direction=0.0)
         return cell_table(as_high, self.reduced_modulus, self.hardness)
+
+    def sampled(self) -> Array | None:
+        """Uncertainty of the logarithm of the asperities' pressure at the rows' gaps [-].
+
+        It is that of the mean of the surfaces' samples, each as high as the whole, so that their texture
+        alone scatters; None of surfaces without samples.
+        """
+        counts = [len(surface.samples) for surface in self.surfaces if surface and surface.samples]
+        if not counts:
+            return None
+        gap = gap_rows()[1] * self.height
+        pressures = []
+        for number in range(min(counts)):
+            parts = [
+                surface and (surface.samples[number] if surface.samples else surface)
+                for surface in self.surfaces
+            ]
+            part = replace(self, surfaces=(parts[0], parts[1]))
+            pressure, _ = contact_beyond(part.contact(), gap, self.hardness)
+            pressures.append(np.log(np.maximum(pressure, LEAST_PRESSURE)))
+        return np.minimum(uncertainty_of_mean(pressures), MOST_SCATTER)
 
     def elastic(self) -> "TopographyPair | None":
         """The surfaces as if they did not yield; None where neither does."""

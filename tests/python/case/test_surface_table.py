@@ -66,8 +66,8 @@ def test_the_case_of_a_result_has_its_surface_but_no_file(tmp_path, flank):
 @pytest.mark.parametrize(
     "keys, sentence",
     [
-        ("", "give either file or generated"),
-        (f'{GAUSSIAN}\nfile = "flank.npy"', "give either file or generated"),
+        ("", "give one of file, across, generated"),
+        (f'{GAUSSIAN}\nfile = "flank.npy"', "give one of file, across, generated"),
         (f'{GAUSSIAN}\nspacing = "1 um"', "spacing has no effect without file"),
         (GAUSSIAN.replace("gaussian", "fractal"), "generated.spectrum"),
         (GAUSSIAN.replace(", seed = 1", ""), "bodies.body_1.surface.generated.seed is missing"),
@@ -80,7 +80,10 @@ def test_the_case_of_a_result_has_its_surface_but_no_file(tmp_path, flank):
             'file = "flank.npy"',
             'give height_unit = "um" and spacing = "0.5 um" with it',
         ),
-        (f'{ARRAY}\nnesting_index = "2.5 mm"', "nesting_index of 2500 um is longer than the area"),
+        (
+            f'{ARRAY}\nnesting_index = "2.5 mm"',
+            "nesting_index of 2500 um is longer than what was measured",
+        ),
         (f'{ARRAY}\noutliers = "drop"', 'outliers = "drop": must be "refuse", "fill" or "keep"'),
         (f"{ARRAY}\nfilter = 3", "bodies.body_1.surface.filter: no such key"),
     ],

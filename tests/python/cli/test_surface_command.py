@@ -33,13 +33,14 @@ def test_a_file_is_shown(heights, capsys):
     table = capsys.readouterr().out
     assert "128 x 96" in table
     for name in (
-        "Rq, root",
-        "Ra",
-        "Rsk",
-        "Rku",
-        "Rk,",
-        "Rpk",
-        "Rvk",
+        "Sq (Rq), root",
+        "Sa",
+        "Sz",
+        "Ssk",
+        "Sku",
+        "Sk,",
+        "Spk",
+        "Svk",
         "slope",
         "Peklenik",
         "Sal, Str",
@@ -96,3 +97,132 @@ def test_what_is_wrong_is_one_sentence(heights, tmp_path, capsys, options, sente
 def test_a_case_without_surfaces_is_refused(tmp_path, capsys):
     said = refusal(["surface", "cases/point_m20_l10.toml"], tmp_path, capsys)
     assert "no body has a surface" in said
+
+
+@pytest.fixture
+def profile(tmp_path):
+    built = gaussian(0.4e-6, 20e-6, seed=1)
+    path = tmp_path / "line.txt"
+    places = np.arange(256) * built.spacing[1]
+    np.savetxt(path, np.c_[places, built.height[9]] * 1e6, header="x [um]  z [um]")
+    return path
+
+
+def test_a_profile_is_shown_and_drawn(profile, tmp_path, capsys):
+    assert main(["surface", str(profile)]) == 0
+    table = capsys.readouterr().out
+    for name in ("256 points", "Rq, root", "Rz, maximum", "Rsm", "Rdq", "Rmrk1", "Section length"):
+        assert name in table
+    out = tmp_path / "out"
+    assert main(["surface", str(profile), "--json", "--out", str(out)]) == 0
+    content = json.loads(capsys.readouterr().out)
+    (own,) = content["profiles"]
+    assert 0.2e-6 < own["rq_m"] < 0.5e-6
+    assert own["uncertainty"]["rq_m"] > 0
+    assert content["pictures"] == ["line_profile.png"]
+    assert (out / "line_profile.png").stat().st_size > 10_000
+
+
+def test_profiles_across_and_along_are_shown_as_a_surface(profile, capsys):
+    command = ["surface", str(profile), "--along", str(profile), "--json"]
+    assert main(command) == 0
+    (own,) = json.loads(capsys.readouterr().out)["surfaces"]
+    assert own["points"] == [512, 512]
+    assert own["aspect"] == pytest.approx(1.0, rel=0.2)
+    assert own["uncertainty"]["rq_m"] > 0
+
+
+def test_outliers_are_left_out_and_told(heights, tmp_path, capsys):
+    path, spacing = heights
+    spiked = np.load(path)
+    spiked[7, 9] = 99.0
+    np.save(path, spiked)
+    assert main(["surface", str(path), "--spacing", f"{spacing} m", "--height-unit", "um"]) == 0
+    assert "Outliers among them" in capsys.readouterr().out
+
+
+def test_parts_and_masks_are_options(heights, tmp_path, capsys):
+    path, spacing = heights
+    np.savetxt(tmp_path / "mask.txt", np.ones((96, 128)))
+    options = [
+        "--spacing",
+        f"{spacing} m",
+        "--height-unit",
+        "um",
+        "--mask",
+        str(tmp_path / "mask.txt"),
+    ]
+    crop = ["--crop", "0 um", f"{64 * spacing} m", "0 um", f"{32 * spacing} m"]
+    assert main(["surface", str(path), *options, *crop, "--json"]) == 0
+    (own,) = json.loads(capsys.readouterr().out)["surfaces"]
+    assert own["points"] == [64, 32]
+
+
+BALL = """
+title = "A ball on a disc"
+source = "made up"
+accuracy = "20 %"
+effects = ["second-dimension", "elastic-deflection", "roughness"]
+[contact]
+kind = "point-contact"
+radii = ["12.7 mm", "12.7 mm"]
+load = "60 N"
+[motion]
+velocity_1 = ["0.2 m/s", "0 m/s"]
+velocity_2 = ["0.2 m/s", "0 m/s"]
+[bodies.body_1]
+material = "16MnCr5"
+finish = "ground"
+[bodies.body_2]
+material = "16MnCr5"
+finish = "run-in"
+[oil]
+name = "PAG VG 460"
+temperature = "60 degC"
+"""
+
+
+@pytest.fixture
+def case(tmp_path, monkeypatch):
+    from pyworm.surfaces import cell, cell_table, from_profiles
+
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setattr(cell_table, "SEPARATIONS", np.geomspace(6.0, 0.5, 10))
+    monkeypatch.setattr(cell, "NODES", 32)
+    monkeypatch.setattr(from_profiles, "NODES", 64)
+    path = tmp_path / "ball.toml"
+    path.write_text(BALL)
+    return path
+
+
+def test_measured_surfaces_lead_to_a_film_before_and_after_running_in(
+    heights, case, tmp_path, capsys
+):
+    path, spacing = heights
+    options = ["--spacing", f"{spacing} m", "--height-unit", "um", "--with", str(path)]
+    out = tmp_path / "out"
+    command = ["surface", str(path), *options, "--case", str(case), "--out", str(out)]
+    assert main(command) == 0
+    table = capsys.readouterr().out
+    for name in (
+        "body_1, Rq",
+        "body_2, Rq",
+        "as measured",
+        "run in",
+        "Minimum film",
+        "Asperity load",
+    ):
+        assert name in table
+    assert (out / "between_surfaces.png").stat().st_size > 10_000
+
+
+def test_a_second_surface_needs_a_case(heights, tmp_path, capsys):
+    path, _ = heights
+    said = refusal(["surface", str(path), "--with", str(path)], tmp_path, capsys)
+    assert "give --case CASE.toml too" in said
+    said = refusal(
+        ["surface", str(tmp_path / "none.npy"), "--case", "cases/point_m20_l10.toml"],
+        tmp_path,
+        capsys,
+    )
+    assert "no such file" in said

@@ -9,7 +9,7 @@ import pytest
 
 from pyworm.surfaces.generated import gaussian
 from pyworm.surfaces.preparing import separate_waves
-from pyworm.surfaces.reading import read_heights
+from pyworm.surfaces.reading import read_area, read_heights
 
 SURFACE = gaussian(0.4e-6, 10e-6, seed=1)
 HEIGHTS = SURFACE.height[:96, :64]
@@ -105,7 +105,7 @@ def _write_sur(path):
             {"height_unit": "kg", "spacing": 1e-6},
             'height_unit = "kg" is no unit of length',
         ),
-        (HEIGHTS[0], {"height_unit": "um", "spacing": 1e-6}, "must be an area"),
+        (HEIGHTS[0], {"height_unit": "um", "spacing": 1e-6}, "is a profile along a line"),
         (HEIGHTS[:3], {"height_unit": "um", "spacing": 1e-6}, "has 3 x 64 points, at least 16"),
         (
             np.array([["a"]]),
@@ -121,7 +121,7 @@ def test_bad_files_are_refused_in_a_sentence(tmp_path, content, options, sentenc
     else:
         np.save(path, content.T)
     with pytest.raises(ValueError, match=r"^[^\n]*$") as refused:
-        read_heights(path, **options)
+        read_area(path, **options)
     assert sentence in str(refused.value)
 
 
@@ -187,7 +187,9 @@ def test_form_is_removed_and_waves_are_separated():
     assert total[inside] == pytest.approx((long + short)[inside], abs=0.3e-6)
     unfiltered = separate_waves(form + short, (1e-6, 1e-6))
     assert unfiltered.roughness.height == pytest.approx(short, abs=0.05e-6)
-    with pytest.raises(ValueError, match="nesting_index of 500 um is longer than the area"):
+    with pytest.raises(
+        ValueError, match="nesting_index of 500 um is longer than what was measured"
+    ):
         separate_waves(short, (1e-6, 1e-6), nesting_index=500e-6)
     with pytest.raises(ValueError, match="nesting_index of 2 um is too short"):
         separate_waves(short, (1e-6, 1e-6), nesting_index=2e-6)

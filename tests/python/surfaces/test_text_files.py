@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pyworm.surfaces.generated import gaussian
-from pyworm.surfaces.reading import read_heights
+from pyworm.surfaces.reading import read_area, read_heights
 
 HEIGHTS = gaussian(0.1e-6, 2e-6, seed=5).height[:20, :18]
 STEP = 0.5e-6
@@ -189,15 +189,5 @@ def test_other_texts_are_refused_in_a_sentence(tmp_path, content):
     text, sentence = REFUSED[content]
     options = {} if content == "two channels" else GIVEN
     with pytest.raises(ValueError, match=r"^[^\n]*$") as refused:
-        read_heights(written(tmp_path, text), **options)
+        read_area(written(tmp_path, text), **options)
     assert re.search(sentence, str(refused.value))
-
-
-def test_compressed_files_are_told_so(tmp_path):
-    import gzip
-
-    path = tmp_path / "flank.txt"
-    path.write_bytes(gzip.compress(rows(HEIGHTS).encode()))
-    pytest.importorskip("SurfaceTopography")
-    with pytest.raises(ValueError, match="is compressed; unpack it"):
-        read_heights(path, **GIVEN)
