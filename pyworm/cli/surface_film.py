@@ -88,9 +88,9 @@ def _print(cases: "dict[str, Case]", solutions: "dict[str, Solution]") -> None:
     for body in surfaces["as measured"]:
         textures = [texture_of(tables[body].topography()) for tables in surfaces.values()]
         for name, size in (
-            ("Rq", [f"{texture.rq * 1e6:.3g} µm" for texture in textures]),
-            ("reduced peak height", [f"{texture.rpk * 1e6:.3g} µm" for texture in textures]),
-            ("root mean square slope", [f"{texture.slope:.3g}" for texture in textures]),
+            ("Sq", [f"{texture.rq * 1e6:.3g} µm" for texture in textures]),
+            ("Spk", [f"{texture.rpk * 1e6:.3g} µm" for texture in textures]),
+            ("Sdq", [f"{texture.slope:.3g}" for texture in textures]),
         ):
             rows.append((f"{body}, {name}", *size))
     for quantity in QUANTITIES.values():

@@ -27,10 +27,11 @@ RANGES = {
     r"_error(_\w+)?_W$": (0, 1e4),
     r"_error(_grid|_domain|_algebra|_approximation)?$": (0, 0.5),
     # surfaces, their heights and lengths
-    r"^(rq|ra|rk|rpk|rvk|long_waves_rq)_m$": (0, 1e-4),
+    r"^(rq|ra|rz|rk|rpk|rvk|long_waves_rq)_m$": (0, 1e-4),
     r"^(spacing|length_across|length_along|shortest_length)_m$": (1e-7, 1e-2),
     r"^(skewness|lay_rad)$": (-3.2, 3.2),
     r"^(mr1|mr2|slope\w*|filled_fraction|texture_ratio)$": (0, 1),
+    r"^outliers$": (0, 1e7),
     r"^(kurtosis|aspect|points)$": (1, 1e5),
     # films and heights of surfaces; lengths of contacts, of gears, places on a flank
     r"film\w*_at_m$": (-0.1, 0.1),

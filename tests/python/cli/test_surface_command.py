@@ -205,8 +205,8 @@ def test_measured_surfaces_lead_to_a_film_before_and_after_running_in(
     assert main(command) == 0
     table = capsys.readouterr().out
     for name in (
-        "body_1, Rq",
-        "body_2, Rq",
+        "body_1, Sq",
+        "body_2, Sq",
         "as measured",
         "run in",
         "Minimum film",
