@@ -101,7 +101,7 @@ def compared(number: int) -> list[tuple]:
             continue
         bar = float(uncertainty_of_mean([sample[name] for sample in samples]))
         if name.startswith("phi"):
-            bar = float(flow_scatter(float(name.split()[-1]))) * abs(by[name])
+            bar = float(np.hypot(bar, flow_scatter(float(name.split()[-1])) * by[name]))
         rows.append((number, name, value, by[name], bar))
     return rows
 

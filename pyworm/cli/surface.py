@@ -10,6 +10,7 @@ from pyworm.cli.shared import CONVERGED, FAILED, drawn_pictures, option_value
 from pyworm.cli.surface_keys import OF_PROFILES, add_keys, given_keys, keys_of
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
+from pyworm.io.stage import stage
 from pyworm.io.terminal import print_result
 
 if TYPE_CHECKING:
@@ -96,10 +97,10 @@ def _surface(options: argparse.Namespace) -> int:
     complete = True
     if options.out is not None:
         cells = [periodic_cell(surface.waves.roughness) for surface in shown]
-        tables = [
-            cell_table(cell, surface.modulus, surface.hardness)
-            for surface, cell in zip(shown, cells, strict=True)
-        ]
+        tables = []
+        for surface, cell in zip(shown, cells, strict=True):
+            with stage(f"solving contact and flow of {surface.name}"):
+                tables.append(cell_table(cell, surface.modulus, surface.hardness))
         for entry, cell, table in zip(found, cells, tables, strict=True):
             entry["curves"] = curves(cell, table)
         pictures, complete = drawn_pictures(options.out, lambda aside: _draw(shown, tables, aside))
@@ -190,10 +191,12 @@ def _shown(name: str, keys: dict[str, Any], path: Path) -> _Shown:
     try:
         table = checked(SurfaceTable, keys)
         table.lie_in(path.parent)
-        waves = table.waves()
+        with stage(f"reading and filtering {path.name}"):
+            waves = table.waves()
+            texture = texture_of(waves.roughness)
     except ValueError as error:
         raise CaseError(f"{path}: {error}") from error
-    return _Shown(name, waves, texture_of(waves.roughness), STEEL_ON_STEEL, None)
+    return _Shown(name, waves, texture, STEEL_ON_STEEL, None)
 
 
 def _of_case(path: Path) -> list[_Shown]:

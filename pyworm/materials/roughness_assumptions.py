@@ -59,10 +59,10 @@ class RoughSurfaces(Protocol):
     def curves(self) -> GapCurves:
         """Averages over the gap."""
 
-    def sampled(self) -> Array | None:
-        """Uncertainty of the logarithm of the asperities' pressure over the rows by the measured area [-].
+    def sampled(self) -> tuple[Array, Array] | None:
+        """Uncertainties by the measured place, over the rows [-]; None where parts of it do not show it.
 
-        None where it is not known from parts of it.
+        That of the logarithm of the asperities' pressure, and the relative one of the pressure flow factors.
         """
 
     def elastic(self) -> "RoughSurfaces | None":
@@ -166,9 +166,14 @@ def pressed(curves: GapCurves, other: Array, part: float) -> GapCurves:
 
 
 def _sampled(pair: RoughSurfaces, curves: GapCurves, part: float) -> GapCurves:
-    """Curves with the pressure of asperities larger by a part of what other places would show."""
-    error = pair.sampled()
-    return curves if error is None else pressed(curves, curves.values[0] + error, part)
+    """Curves with asperity pressure and flow factors larger by a part of what other places would show."""
+    errors = pair.sampled()
+    if errors is None:
+        return curves
+    pressure, flow = errors
+    rows = slice(3, 6)
+    larger = _with_rows(curves, rows, curves.values[rows] * (1 + part * flow))
+    return pressed(larger, curves.values[0] + pressure, part)
 
 
 def _steeper(pair: RoughSurfaces, curves: GapCurves, part: float) -> GapCurves:

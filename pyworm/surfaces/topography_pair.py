@@ -19,8 +19,8 @@ Array = np.ndarray
 LEAST_TOUCHED = 1e-4
 """Real area of contact below which so few nodes touch that the pressure is that of single summits."""
 
-LEAST_PRESSURE = 1e-200
-"""Pressure of asperities [Pa] that is none."""
+PRESSURE_FLOW = 3, 6
+"""Rows of the pressure flow factors among those of `GapCurves`."""
 
 MOST_SCATTER = 1.0
 """Largest uncertainty of a logarithm that counts: where single summits touch, and bear next to nothing."""
@@ -67,8 +67,8 @@ class TopographyPair:
         as_high = replace(cell, height=cell.height * (self.height / cell.rms), x_direction=0.0)
         return cell_table(as_high, self.reduced_modulus, self.hardness)
 
-    def sampled(self) -> Array | None:
-        """Uncertainty of the logarithm of the asperities' pressure at the rows' gaps [-].
+    def sampled(self) -> tuple[Array, Array] | None:
+        """Uncertainty by the measured place over the rows [-], as of `RoughSurfaces.sampled`.
 
         It is that of the mean of the surfaces' samples, each as high as the whole, so that their texture
         alone scatters; None of surfaces without samples.
@@ -76,17 +76,21 @@ class TopographyPair:
         counts = [len(surface.samples) for surface in self.surfaces if surface and surface.samples]
         if not counts:
             return None
-        gap = gap_rows()[1] * self.height
-        pressures = []
-        for number in range(min(counts)):
-            parts = [
-                surface and (surface.samples[number] if surface.samples else surface)
-                for surface in self.surfaces
-            ]
-            part = replace(self, surfaces=(parts[0], parts[1]))
-            pressure, _ = contact_beyond(part.contact(), gap, self.hardness)
-            pressures.append(np.log(np.maximum(pressure, LEAST_PRESSURE)))
-        return np.minimum(uncertainty_of_mean(pressures), MOST_SCATTER)
+        curves = [self._sample(number).curves().values for number in range(min(counts))]
+        pressure, flow = (
+            uncertainty_of_mean([values[rows] for values in curves])
+            for rows in (0, slice(*PRESSURE_FLOW))
+        )
+        present = np.mean([values[slice(*PRESSURE_FLOW)] for values in curves], axis=0)
+        return np.minimum(pressure, MOST_SCATTER), (flow[:2] / np.abs(present[:2])).max(axis=0)
+
+    def _sample(self, number: int) -> "TopographyPair":
+        """The surfaces by a sample of each that has some."""
+        first, second = (
+            surface.samples[number] if surface and surface.samples else surface
+            for surface in self.surfaces
+        )
+        return replace(self, surfaces=(first, second))
 
     def elastic(self) -> "TopographyPair | None":
         """The surfaces as if they did not yield; None where neither does."""

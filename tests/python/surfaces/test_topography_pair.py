@@ -8,6 +8,7 @@ import pytest
 from pyworm.io.input_error import CaseError
 from pyworm.materials.body import Body
 from pyworm.materials.rough_surfaces import MIN_GAP_RATIO, RoughPair, RoughSurface, gap_rows
+from pyworm.materials.roughness_assumptions import variations
 from pyworm.materials.topography import Topography
 from pyworm.surfaces import cell_table as tables
 from pyworm.surfaces.generated import gaussian
@@ -181,3 +182,24 @@ def test_surfaces_of_any_shape_have_sound_curves(name, hardness):
     assert np.all(found["flow"][:2] > 0)
     # no wall carries more than twice the oil that there is
     assert np.all(np.abs(found["shear"]) * 0.4e-6 <= 2 * found["thickness"])
+
+
+def test_other_places_show_how_uncertain_the_averages_are(monkeypatch):
+    monkeypatch.setattr(tables, "SEPARATIONS", np.geomspace(6.0, 0.5, 10))
+    samples = tuple(_coarse(0.4e-6, seed) for seed in (3, 4, 5, 6))
+    whole = TopographyPair((ALONG, None), (0.4e-6, 0.3e-6), MODULUS, None)
+    assert whole.sampled() is None
+    known = replace(whole, surfaces=(replace(ALONG, samples=samples), None))
+    pressure, flow = known.sampled()
+    curves = [replace(whole, surfaces=(sample, None)).curves().values for sample in samples]
+    touching, apart = (np.abs(GAP - gap).argmin() for gap in (1.0, 5.5))
+    # the mean of four samples: Student's t of three degrees of freedom, 3.182
+    scatter = 3.182 / 2 * np.std([values[0, touching] for values in curves], ddof=1)
+    assert pressure[touching] == pytest.approx(scatter, rel=1e-3)
+    assert 0 < flow[apart] < flow[touching] < 1
+    assert pressure.max() <= 1.0
+    varied = dict(variations(known, 0.1, 0.1, np.full(9, 0.5e-6)))["sample"].curves.values
+    before = known.curves().values
+    assert varied[0] - before[0] == pytest.approx(0.1 * pressure, abs=1e-9)
+    assert varied[3:5] / before[3:5] - 1 == pytest.approx(0.1 * np.array([flow, flow]), abs=1e-9)
+    assert "sample" not in dict(variations(whole, 0.1, 0.1, np.full(9, 0.5e-6)))
