@@ -246,7 +246,7 @@ def duty(
     """Temperatures, losses and damage of a gear unit over its `[duty]`, as the command `pyworm duty`.
 
     Args:
-        case: A gear set with `[cooling.housing]` and `[duty]`, its file or its tables.
+        case: A gear set with its `duty` and the housing of its `cooling`, its file or its tables.
         table: CSV file of `pyworm table`, by which teeth lose instead of by closed forms.
         solve_loads: Number of loads, those with the largest parts in a damage or the energy first, whose
             contacts are solved; the loss of each is corrected, and temperatures are found anew.
