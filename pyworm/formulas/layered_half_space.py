@@ -14,6 +14,9 @@ import numpy as np
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.plane_waves import Amplitudes, Waves, WaveStress
 
+WAVES_OF_HERTZ = np.linspace(0.05, 40, 800)
+"""Wave numbers over the half-width of the contact by which its energy is summed."""
+
 MEAN_NUMBER = 0.1
 """Wave number of the mean traction over that of the longest wave: its stress hardly depends on it."""
 
@@ -48,6 +51,16 @@ class Layer:
             unknowns, self.shear_moduli[0], self.poisson_ratios[0], number * self.thickness, 0.0
         )[..., 1]
 
+    def contact_compliance(self, half_width: float) -> float:
+        """Compliance (1 - nu^2)/E of a half-space with the same elastic energy under Hertz's pressure [1/Pa].
+
+        Of a circle of a half-width [m], whose pressure has the waves (sin ka - ka cos ka)/(ka)^3.
+        """
+        size = WAVES_OF_HERTZ
+        pressure = ((np.sin(size) - size * np.cos(size)) / size**3) ** 2
+        compliance = self.compliance(size / half_width) / 2
+        return float(np.trapezoid(pressure * compliance, size) / np.trapezoid(pressure, size))
+
 
 def layered_stress(
     tractions: Sequence[Array], spacing: Sequence[float], layer: Layer, depth: float
@@ -63,11 +76,7 @@ def layered_stress(
         layer: The layer.
         depth: Depth [m].
     """
-    waves = Waves(tractions[0].shape, spacing)
-    spectra = [waves.spectrum(traction) for traction in tractions]
-    c, s = waves.directions
-    along_y = spectra[2] if len(spectra) > 2 else np.zeros_like(spectra[1])
-    acting = spectra[0], c * spectra[1] + s * along_y, c * along_y - s * spectra[1]
+    waves, acting = _along_waves(tractions, spacing)
     bare = Layer(layer.thickness, layer.moduli[1:] * 2, layer.poisson_ratios[1:] * 2)
     mean = (0,) * tractions[0].ndim
     number = waves.number.copy()
@@ -81,6 +90,30 @@ def layered_stress(
         isotropic = (change["along"][mean] + change["across"][mean]) / 2
         change["along"][mean] = change["across"][mean] = isotropic
     return waves.stress(WaveStress(**change))
+
+
+def wave_stress(
+    tractions: Sequence[Array], spacing: Sequence[float], layer: Layer, depth: float
+) -> Array:
+    """Stress [Pa] at a depth below tractions that repeat themselves, less that of their mean.
+
+    Arguments and components are those of `layered_stress`.
+    """
+    waves, acting = _along_waves([traction - traction.mean() for traction in tractions], spacing)
+    number = np.where(waves.number > 0, waves.number, waves.number.max())
+    return waves.stress(_stress(layer, number, acting, depth))
+
+
+def _along_waves(
+    tractions: Sequence[Array], spacing: Sequence[float]
+) -> tuple[Waves, tuple[Amplitudes, Amplitudes, Amplitudes]]:
+    """Waves of a grid, and of its tractions: pressure, shear along and shear across each."""
+    waves = Waves(tractions[0].shape, spacing)
+    spectra = [waves.spectrum(traction) for traction in tractions]
+    c, s = waves.directions
+    along_y = spectra[2] if len(spectra) > 2 else np.zeros_like(spectra[1])
+    acting = spectra[0], c * spectra[1] + s * along_y, c * along_y - s * spectra[1]
+    return waves, acting
 
 
 def _stress(layer: Layer, number: Array, acting: Sequence[Amplitudes], depth: float) -> WaveStress:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Self
 
 from pyworm.formulas import wear_distress
+from pyworm.formulas.layered_half_space import Layer
 from pyworm.formulas.ranges import positive, scalar
 from pyworm.io import units
 from pyworm.io.given import WithUnit, in_si, take, text
@@ -143,6 +144,16 @@ class Body(ShownFields, SolidConstants):
         constants: dict[str, Any] = {**solids.constants(name)}
         constants |= {"roughness": roughness, "bulk_temperature": bulk_temperature}
         return cls(**constants)
+
+    @property
+    def layer(self) -> Layer | None:
+        """The coating on the body; None of a bare one."""
+        if self.coating is None:
+            return None
+        moduli = self.coating.youngs_modulus, self.youngs_modulus
+        return Layer(
+            self.coating.thickness, moduli, (self.coating.poisson_ratio, self.poisson_ratio)
+        )
 
     @property
     def heat_capacity(self) -> float:

@@ -16,6 +16,7 @@ import numpy as np
 import scipy
 
 from pyworm.drives.tooth_loss import FEWEST_PHASES
+from pyworm.formulas.fatigue import failure_probability
 from pyworm.formulas.whole_numbers import whole
 from pyworm.io.on_demand import xarray as xr
 from pyworm.io.present import present
@@ -41,12 +42,20 @@ LOADED_FRACTION = 0.05
 FAILURE = 0.2
 """Speed at which oil enters, over the mean entrainment, below which the entrainment fails."""
 
+PITTED_AREA, PASSES = 1e-6, 1e7
+"""Area [m2] whose probability of pitting is shown, after so many passes of the teeth."""
+
+LEAST_PROBABILITY = 1e-9
+"""Probability that counts as none."""
+
 _MAXIMUM_FIELDS = (
     "pressure",
     "temperature_body_2",
     "temperature_middle",
     "asperity_pressure",
     "asperity_rubbing",
+    "fatigue_ratio_body_2",
+    "fatigue_risk_body_2",
 )
 
 _MINIMUM_FIELDS = ("film", "entry")
@@ -56,7 +65,8 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     """Extremes over the mesh cycle on the wheel's flank; None without enough phases.
 
     Over (radius, face), NaN where no contact passed: pressure, and in the phases that simulated them
-    temperature_body_2, temperature_middle, asperity_pressure and asperity_rubbing, their largest values; film
+    temperature_body_2, temperature_middle, asperity_pressure and asperity_rubbing, or where a run had fatigue
+    limits fatigue_ratio_body_2 and pitting_probability, their largest values; film
     and entry, their least. `entry` is the speed at which oil entered over the mean entrainment [-],
     `asperity_rubbing` the asperities' pressure times the sliding [W/m2], by which wear goes.
     """
@@ -83,6 +93,11 @@ def flank_map(result: Result) -> "xr.Dataset | None":
             [*compress(phases, held)], [*compress(layers, held)], unsolved + without
         )
         extremes |= _extremes(pairs, names, (radius, face), loaded)
+    if "fatigue_risk_body_2" in extremes:
+        once = extremes.pop("fatigue_risk_body_2") * PITTED_AREA
+        found = failure_probability([(np.maximum(once, 0), PASSES)])
+        rounded = np.where(found > LEAST_PROBABILITY, found, 0)
+        extremes["pitting_probability"] = np.where(np.isfinite(once), rounded, np.nan)
     on_tooth = _on_tooth(result, face, radius)
     return describe(
         xr.Dataset(

@@ -16,6 +16,7 @@ from pyworm.io.shown import Shown
 from pyworm.materials.body import Body, composite_roughness, reduced_modulus
 from pyworm.materials.oil import Oil, require_kinds, require_oil
 from pyworm.materials.rough_surfaces import rough_pair
+from pyworm.scene.coated import coated_modulus, compliance
 from pyworm.scene.life import Past
 from pyworm.scene.oil_arrival import arriving, bulk_temperature
 
@@ -159,7 +160,12 @@ class Contact(Shown, ABC):
     @property
     def reduced_modulus(self) -> float:
         """Reduced modulus E' of the two bodies [Pa]."""
-        return reduced_modulus(*self.bodies)
+        first, second = self.bodies
+        if first.coating is None and second.coating is None:
+            return reduced_modulus(first, second)
+        compliances = compliance(first), compliance(second)
+        layers = first.layer, second.layer
+        return coated_modulus(layers, compliances, tuple(self.radii_along), self.load)
 
     @property
     def coldest(self) -> float:

@@ -61,6 +61,10 @@ class StressFigures:
     """Layer on each body; None of a bare one."""
     heated: tuple[ThermalSolid, ThermalSolid] | None = None
     """Thermal constants of both bodies, of a stress with that of heat; None without."""
+    fatigue_ratio_max_body_1: float | None = None
+    """Maximum of Dang Van's equivalent stress in body 1 over its limit [-]; None without fatigue limits."""
+    fatigue_ratio_max_body_2: float | None = None
+    """That in body 2 [-]."""
 
 
 @dataclass(frozen=True, repr=False)

@@ -16,7 +16,7 @@ from pyworm.result.result import Result
 
 _PANELS = (
     "film", "pressure", "temperature_body_2", "asperity_pressure", "asperity_rubbing", "asperity_work",
-    "entry",
+    "entry", "fatigue_ratio_body_2", "pitting_probability",
 )  # fmt: skip
 """Fields that are shown."""
 
@@ -39,6 +39,8 @@ def draw_flank(result: Result) -> Figure | None:
             np.where(work > SHOWN_RATIO * work.max(), work, np.nan),
         )
     cycle = result.cycle_data
+    if "pitting_probability" in field and not field["pitting_probability"].max() > 0:
+        field = field.drop_vars("pitting_probability")
     shown = [QUANTITIES[name] for name in _PANELS if name in field]
     rows = (len(shown) + 1) // 2
     gaps = ", ".join(f"{solution.phase:g}" for solution in result.unsound)

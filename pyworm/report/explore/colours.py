@@ -9,11 +9,15 @@ from pyworm.io.quantities import QUANTITIES
 
 FIELDS = (
     "film", "pressure", "dry_pressure", "asperity_pressure", "temperature_middle", "temperature_body_1",
-    "temperature_body_2", "friction_power", "shear_stress", "sliding",
+    "temperature_body_2", "friction_power", "shear_stress", "sliding", "fatigue_ratio_body_1",
+    "fatigue_ratio_body_2",
 )  # fmt: skip
 """Fields of a contact that are shown, or lengths of vectors of fields."""
 
-FLANK = "film", "pressure", "temperature_body_2", "temperature_middle", "asperity_pressure", "entry"
+FLANK = (
+    "film", "pressure", "temperature_body_2", "temperature_middle", "asperity_pressure", "entry",
+    "fatigue_ratio_body_2", "pitting_probability",
+)  # fmt: skip
 """Variables of the flank map that are shown."""
 
 

@@ -1,8 +1,9 @@
 """Fatigue below the surfaces of a solved contact: what a pass through it does to the material."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 import scipy
@@ -170,7 +171,8 @@ def with_fatigue(solution: Solution, scene: AnyContact) -> Solution:
     `fatigue_ratio_body_N` is the largest ratio over depth below each node's path, `fatigue_risk_body_N` its
     risk; zero beyond the paths.
     """
-    found = {}
+    found: dict[str, Array] = {}
+    worst: dict[str, Any] = {}
     known = solution.figures.stress
     inputs = inputs_of_scene(scene, known is not None and known.heated is not None)
     for number, body in enumerate(scene.bodies, 1):
@@ -178,6 +180,7 @@ def with_fatigue(solution: Solution, scene: AnyContact) -> Solution:
             continue
         below = stress_below(solution, number, inputs)
         material = _passed(below, solution, number, body.fatigue)
+        worst[f"fatigue_ratio_max_body_{number}"] = 1 / material.safety
         found[f"fatigue_ratio_body_{number}"] = _on_nodes(
             solution, number, material, material.ratio.max(axis=0)
         )
@@ -187,7 +190,9 @@ def with_fatigue(solution: Solution, scene: AnyContact) -> Solution:
     fields = solution.dataset("fields")
     dims = ("y", "x") if solution.kind == "point" else ("x",)
     more = described({name: (dims, values) for name, values in found.items()}, {})
-    return solution.changed(fields=merged(fields, more))
+    stress = None if known is None else replace(known, **worst)
+    figures = replace(solution.figures, stress=stress)
+    return solution.changed(fields=merged(fields, more), figures=figures)
 
 
 def _on_nodes(solution: Solution, body: int, material: FatiguePass, values: Array) -> Array:

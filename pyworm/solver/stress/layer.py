@@ -6,7 +6,6 @@ import numpy as np
 
 from pyworm.formulas.arrays import Array
 from pyworm.formulas.layered_half_space import Layer, layered_stress
-from pyworm.materials.body import Body
 from pyworm.solver.stress.tractions import Tractions
 
 ROOM = 0.5
@@ -14,17 +13,6 @@ ROOM = 0.5
 
 FACE = 1e-9
 """Distance from the lower face of the layer over its thickness at which stresses on both sides are taken."""
-
-
-def layer_on(body: Body) -> Layer | None:
-    """The layer on a body; None of a bare one."""
-    if body.coating is None:
-        return None
-    return Layer(
-        body.coating.thickness,
-        (body.coating.youngs_modulus, body.youngs_modulus),
-        (body.coating.poisson_ratio, body.poisson_ratio),
-    )
 
 
 class CoatedBody:

@@ -23,7 +23,7 @@ from pyworm.io.shown import Shown
 from pyworm.scene.any_contact import AnyContact
 from pyworm.solver.estimate import Estimate, in_words
 from pyworm.solver.solution import Solution, StressFigures
-from pyworm.solver.stress.layer import CoatedBody, layer_on
+from pyworm.solver.stress.layer import CoatedBody
 from pyworm.solver.stress.maximum import Measure, StressBelow
 from pyworm.solver.stress.thermal import heated_body, thermal_solid
 from pyworm.solver.stress.tractions import EDGE_PRESSURE, has_shear, tractions
@@ -164,7 +164,7 @@ def inputs_of_scene(scene: AnyContact, thermal: bool = False) -> StressInputs:
     return StressInputs(
         (first.poisson_ratio, second.poisson_ratio),
         scene.boundary_friction,
-        (layer_on(first), layer_on(second)),
+        (first.layer, second.layer),
         heated,
     )
 
