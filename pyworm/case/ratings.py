@@ -144,13 +144,15 @@ class DamageLimits(Table):
 class ScuffingTable(Table):
     """`[scuffing]`: scuffing temperature of the oil, given or by its load stage in the FZG test.
 
-    `structure_factor` is X_W of the standard, by the flanks' steel or coating.
+    `scuffing_structure_factor` is X_W of the standard, by the flanks' steel or coating; `base` the stock of
+    an oil that `[oil]` does not name from the list.
     """
 
     temperature: units.ScuffingTemperature | None = None
     scuffing_load_stage: _LoadStage | None = None
     scuffing_structure_factor: PositiveNumber = 1.0
     required_scuffing: PositiveNumber = 2.0
+    base: Base | None = None
 
     def flaws(self) -> Iterator[str]:
         """Two limits or none."""

@@ -352,9 +352,10 @@ def _forces(request: RatingRequest, drive: Drive, result: Result | None) -> tupl
 
 
 def _scuffing(drive: Drive, tables: RatedCase, result: Result | None) -> tuple[Rating, ...]:
+    table = present(tables.scuffing, "scuffing")
     if result is None:
-        raise ValueError("simulated contact temperatures are missing; give a result of pyworm run")
-    return (rate_scuffing(drive, present(tables.scuffing, "scuffing"), tables.oil.base, result),)
+        return ()
+    return (rate_scuffing(drive, table, table.base or tables.oil.base, result),)
 
 
 def _roots(drive: Drive) -> tuple[Rating, ...]:

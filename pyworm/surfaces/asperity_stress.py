@@ -27,7 +27,7 @@ MOST_TRACKS = 48
 GAP_TOLERANCE = 1e-3
 """Gap left in the contact over the roughness, root mean square."""
 
-WIDEST, CLOSEST, CROSSED = 6.0, 0.05, -2.0
+MAX_SEPARATION, MIN_SEPARATION, MIN_YIELDED_SEPARATION = 6.0, 0.05, -2.0
 """Separations of the mean planes over the roughness: the largest, the least of elastic and of yielding
 ones."""
 
@@ -102,7 +102,7 @@ def _pressed(cell: Topography, wanted: float, modulus: float, hardness: float) -
             height, cell.spacing, modulus, separation * rough, bound, GAP_TOLERANCE * rough
         )[0]
 
-    closest = CLOSEST if np.isinf(hardness) else CROSSED
+    closest = MIN_SEPARATION if np.isinf(hardness) else MIN_YIELDED_SEPARATION
     reached = float(at(closest).mean())
     if not 0 < wanted < reached:
         raise ValueError(
@@ -111,7 +111,7 @@ def _pressed(cell: Topography, wanted: float, modulus: float, hardness: float) -
     found = brentq(
         lambda away: np.log(max(at(away).mean(), 1e-12 * wanted) / wanted),
         closest,
-        WIDEST,
+        MAX_SEPARATION,
         xtol=1e-3,
     )
     return at(float(found))

@@ -505,3 +505,24 @@ def test_lifts_of_a_coarse_solution_come_from_transient_solutions_alone(
     lifting.clear()
     drive_iteration.run_balanced(case, tasks, tmp_path / "lost")
     assert lifting[0] == (drive_iteration.ESTIMATE_ACCURACY, ())
+
+
+@pytest.mark.usefixtures("coarse_map")
+def test_the_flank_has_the_probability_of_pitting():
+    """A risk of 1/m2 a pass, in 1e7 passes of 1 mm2: 1 - exp(-1e-6 (1e7)^(10/9)); as drawn."""
+    whole = cycle_result(PHASES[::3])
+    fields = [one.fields for one in whole.solutions]
+    risky = [
+        field.assign(
+            fatigue_risk_body_2=0 * field["pressure"] + risk, fatigue_ratio_body_2=field["gap"]
+        )
+        for field, risk in zip(fields, (1e-3, 0.0, 0.0, 0.0, 0.0), strict=False)
+    ]
+    solutions = [
+        replace(one, fields=field) for one, field in zip(whole.solutions, risky, strict=True)
+    ]
+    found = flank_map(replace(whole, solutions=tuple(solutions)))["pitting_probability"]
+    exact = 1 - np.exp(-1e-9 * 1e7 ** (10 / 9))
+    assert float(found.max()) == pytest.approx(exact, rel=1e-6)
+    assert float(found.min()) == 0
+    assert np.isnan(found.values).any()
