@@ -66,7 +66,8 @@ def flank_map(result: Result) -> "xr.Dataset | None":
 
     Over (radius, face), NaN where no contact passed: pressure, and in the phases that simulated them
     temperature_body_2, temperature_middle, asperity_pressure and asperity_rubbing, or where a run had fatigue
-    limits fatigue_ratio_body_2 and pitting_probability, their largest values; film
+    limits fatigue_ratio_body_2 and pitting_probability, their largest values (that of the whole flank is an
+    attribute, by the area of its projection); film
     and entry, their least. `entry` is the speed at which oil entered over the mean entrainment [-],
     `asperity_rubbing` the asperities' pressure times the sliding [W/m2], by which wear goes.
     """
@@ -93,11 +94,12 @@ def flank_map(result: Result) -> "xr.Dataset | None":
             [*compress(phases, held)], [*compress(layers, held)], unsolved + without
         )
         extremes |= _extremes(pairs, names, (radius, face), loaded)
+    attributes = {}
     if "fatigue_risk_body_2" in extremes:
-        once = extremes.pop("fatigue_risk_body_2") * PITTED_AREA
-        found = failure_probability([(np.maximum(once, 0), PASSES)])
-        rounded = np.where(found > LEAST_PROBABILITY, found, 0)
-        extremes["pitting_probability"] = np.where(np.isfinite(once), rounded, np.nan)
+        risk = extremes.pop("fatigue_risk_body_2")
+        extremes["pitting_probability"] = _pitting(risk * PITTED_AREA)
+        whole_flank = np.sum(risk, where=np.isfinite(risk)) * CELL**2
+        attributes["pitting_probability_of_flank"] = float(_pitting(whole_flank))
     on_tooth = _on_tooth(result, face, radius)
     return describe(
         xr.Dataset(
@@ -106,8 +108,16 @@ def flank_map(result: Result) -> "xr.Dataset | None":
                 for name, values in extremes.items()
             },
             coords={"radius": radius, "face": face},
+            attrs=attributes,
         )
     )
+
+
+def _pitting(once: Array) -> Array:
+    """Probability of pitting after `PASSES` by the risk of one pass; not a number where none passed."""
+    found = failure_probability([(np.maximum(once, 0), PASSES)])
+    rounded = np.where(found > LEAST_PROBABILITY, found, 0)
+    return np.asarray(np.where(np.isfinite(once), rounded, np.nan))
 
 
 def _simulated(layers: list[dict[str, Array]]) -> dict[tuple[bool, ...], list[str]]:

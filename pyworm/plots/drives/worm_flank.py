@@ -70,6 +70,9 @@ def draw_flank(result: Result) -> Figure | None:
             bar.ax.yaxis.set_minor_locator(NullLocator())
         if name == "entry":
             panel.contour(*places, field[name], levels=[FAILURE], colors="white", linewidths=1.2)
+        if name == "pitting_probability":
+            of_flank = quantity.number(field.attrs["pitting_probability_of_flank"])
+            panel.set_title(f"of the whole flank: {of_flank:.2g} %", fontsize="medium")
         _draw_tooth(panel, cycle)
     for panel in axes[len(shown) :]:
         panel.remove()

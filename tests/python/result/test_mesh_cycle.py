@@ -521,8 +521,10 @@ def test_the_flank_has_the_probability_of_pitting():
     solutions = [
         replace(one, fields=field) for one, field in zip(whole.solutions, risky, strict=True)
     ]
-    found = flank_map(replace(whole, solutions=tuple(solutions)))["pitting_probability"]
+    field = flank_map(replace(whole, solutions=tuple(solutions)))
+    found = field["pitting_probability"]
     exact = 1 - np.exp(-1e-9 * 1e7 ** (10 / 9))
     assert float(found.max()) == pytest.approx(exact, rel=1e-6)
     assert float(found.min()) == 0
     assert np.isnan(found.values).any()
+    assert exact < field.attrs["pitting_probability_of_flank"] < 1
