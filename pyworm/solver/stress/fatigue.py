@@ -169,14 +169,14 @@ def with_fatigue(solution: Solution, scene: AnyContact) -> Solution:
     """A converged solution with fields of fatigue of each body whose limits are known.
 
     `fatigue_ratio_body_N` is the largest ratio over depth below each node's path, `fatigue_risk_body_N` its
-    risk; zero beyond the paths.
+    risk; zero beyond the paths. A body at rest, which no load passes, has none.
     """
     found: dict[str, Array] = {}
     worst: dict[str, Any] = {}
     known = solution.figures.stress
     inputs = inputs_of_scene(scene, known is not None and known.heated is not None)
     for number, body in enumerate(scene.bodies, 1):
-        if body.fatigue is None:
+        if body.fatigue is None or not any(body_velocity(solution, number)):
             continue
         below = stress_below(solution, number, inputs)
         material = _passed(below, solution, number, body.fatigue)

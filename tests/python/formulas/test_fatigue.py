@@ -15,6 +15,7 @@ from pyworm.formulas.fatigue import (
     risk,
     torsion_limit,
 )
+from pyworm.kernel import subsurface_stress
 
 BENDING, TORSION = 400e6, 250e6
 SLOPE = dang_van_slope(BENDING, TORSION)
@@ -73,3 +74,12 @@ def test_miner_adds_lives():
     lives = [(np.log(2) / one) ** (1 / CYCLE_EXPONENT) for one in risks]  # half have failed
     duty = [(one, 0.5 * life) for one, life in zip(risks, lives, strict=True)]
     assert failure_probability(duty) == pytest.approx(0.5)
+
+
+def test_a_frictionless_line_contact():
+    """0.186 p0 of steel whose limits are as of von Mises; the bearing limit of 1500 MPa is some 280 MPa."""
+    x = np.linspace(-5, 5, 401)
+    pressure = np.sqrt(np.maximum(1 - x**2, 0))
+    stress = subsurface_stress(pressure, (0 * pressure,), (x[1] - x[0],), 0.3, [0.5, 0.55, 0.6])
+    found = dang_van(stress.transpose(0, 2, 1), dang_van_slope(np.sqrt(3), 1.0)).max()
+    assert found == pytest.approx(0.186, abs=0.001)

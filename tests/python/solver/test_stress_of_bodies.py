@@ -110,3 +110,5 @@ def test_fatigue_along_a_direction_of_motion():
     )
     with pytest.raises(ValueError, match="does not move"):
         still.fatigue(1, STRENGTH)
+    limited = replace(scene, bodies=tuple(replace(body, fatigue=STRENGTH) for body in scene.bodies))
+    assert with_fatigue(still, limited) is still
