@@ -236,6 +236,7 @@ def _ranges(of):
         and within_factor(of.OIL_RANGE["ester"][0] + 5, cold, 1.001)
         and of.OIL_RANGE["ester"][1] == hot
         and within_factor(hot - C, 100, 1.01)
+        and within_factor(of.SHORT_TIME, 100 - 90, 1.01)
         and of.SOLID_RANGE[0] < of.GREASE_RANGE[0] < synthetic_cold
         and synthetic_hot < of.GREASE_RANGE[1] < of.SOLID_RANGE[1]
         and within_factor(C - of.GREASE_RANGE[0], 30, 1.05)
@@ -266,6 +267,7 @@ TYPES = Chapter(
         "GREASE_SPEED, GREASE_SLIDING": Clause("Goang Chyan: m/s", READ),
         "COMPOUND_SPEED": Clause("DIN 51509: m/s", MEMORY),
         "LIGHT_LOAD": Clause("a third of what hard steel bears", OURS),
+        "SHORT_TIME": Clause("Flender: 90 and 100 degC", READ),
         "OIL_RANGE": Clause("Flender: short-term temperatures", READ),
         "GREASE_RANGE": Clause("lithium greases", MEMORY),
         "SOLID_RANGE": Clause("Anoplate: degF", READ),

@@ -72,6 +72,7 @@ def _choose(options: argparse.Namespace) -> int:
         print_json(
             {
                 "case": asked.name,
+                "lubricant": choice.lubricant,
                 "oil": choice.oil,
                 "grade": choice.grade,
                 "reached": choice.reached,

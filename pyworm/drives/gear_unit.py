@@ -136,6 +136,34 @@ class GearUnit:
         ambient = self.cooling.ambient_temperature if ambient is None else ambient
         return self._network(factors, fit, ambient, 1.0)
 
+    def starting_network(
+        self,
+        ambient: float,
+        load_share: float,
+        bearings: Callable[[float], float],
+        churning: Callable[[float], float],
+    ) -> ThermalNetwork:
+        """The network in surroundings of a temperature [K], with losses that fall as the oil warms.
+
+        `bearings` and `churning` give the losses without load [W] at the temperatures of the bearings and of
+        the oil [K]; losses under load are a share of the warm ones. ValueError without sizes of the housing.
+        """
+        self.require_capacity()
+        network = self.network(ambient=ambient)
+        seats = [_bearings(rotor) for rotor in self.rotors]
+        warm = self._sources()
+        sources: dict[str, Source] = {**warm}
+        sources |= {rotor.name: load_share * warm[rotor.name] for rotor in self.rotors}
+        losses = self.cooling.other.standard
+        loaded = 0.0 if losses is None else load_share * losses.bearings
+
+        def of_seat(node: str) -> Source:
+            return lambda known: (loaded + bearings(known[node])) / len(seats)
+
+        sources |= {node: of_seat(node) for node in seats}
+        sources[OIL] = lambda known: churning(known[OIL])
+        return replace(network, sources=sources)
+
     def history(self, hours: Sequence[float]) -> TemperatureHistory:
         """Temperatures from a start as cold as the surroundings; ValueError without sizes of the housing.
 

@@ -39,6 +39,9 @@ OIL_RANGE = {
 """Base stock -> temperatures of its oils in operation [K], the upper ones for a short time, 10 K above those
 for long (Flender BA 7300)."""
 
+SHORT_TIME = 10.0
+"""Kelvin below the upper ones that oils bear for long (Flender BA 7300)."""
+
 GREASE_RANGE = 243.15, 393.15
 """Temperatures of lithium greases [K] (from memory)."""
 
@@ -91,10 +94,12 @@ class TypeVerdict:
 
 def type_verdicts(under: TypeConditions) -> tuple[TypeVerdict, ...]:
     """Verdict on every type of lubricant, in the order of preference; the first that suits is the choice."""
+    cools = "distributes itself, cools and can be filtered"
+    lasting = OIL_RANGE[under.base][1] - SHORT_TIME
+    if under.hottest > lasting:
+        cools += f"; above {lasting - ZERO_CELSIUS:.0f} degC for a short time only"
     return (
-        TypeVerdict(
-            "oil", tuple(_against_oil(under)), "distributes itself, cools and can be filtered"
-        ),
+        TypeVerdict("oil", tuple(_against_oil(under)), cools),
         TypeVerdict(
             "grease",
             tuple(_against_grease(under)),

@@ -86,7 +86,10 @@ def _teeth(
     return Rating(
         key="gear teeth",
         title="Gear teeth: film, wear and scuffing",
-        source=f"Dowson and Higginson; {WEAR_SOURCE}; {scuffing.SOURCE}",
+        source=(
+            f"Dowson and Higginson; {WEAR_SOURCE}; {scuffing.SOURCE}; "
+            f"{gear_oil.withdrawn('AGMA 2001-B88')}"
+        ),
         columns=tuple(columns),
         figures=figures,
         safeties=safeties,

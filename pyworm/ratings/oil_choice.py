@@ -11,6 +11,7 @@ from textwrap import fill
 from pyworm.formulas import scuffing, wear_distress
 from pyworm.formulas.bearing_life import reference_viscosity
 from pyworm.formulas.gear_oil import ISO_GRADES, withdrawn
+from pyworm.formulas.lubricant_type import LubricantKind
 from pyworm.formulas.lubrication import BOUNDARY
 from pyworm.formulas.unit_factors import SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.io.present import present
@@ -28,6 +29,7 @@ from pyworm.ratings.oil_reasons import (
     POUR_MARGIN,
     Step,
     additive_step,
+    chosen_type,
     cold_step,
     life_step,
     practice_steps,
@@ -48,6 +50,8 @@ class OilChoice:
     """The recommended ISO viscosity grade."""
     oil: str
     """The oil's name."""
+    lubricant: LubricantKind | None
+    """Type of lubricant; None where none suits, or that is not looked at."""
     reached: bool
     """Whether it gives the wanted specific film."""
     viscosity_needed: float | None
@@ -88,6 +92,7 @@ def choose_oil(duty: OilDuty) -> OilChoice:
         duty=duty,
         grade=chosen.grade,
         oil=f"{duty.base} VG {chosen.grade}",
+        lubricant=chosen_type(duty),
         reached=chosen.specific_film >= duty.specific_film,
         viscosity_needed=needed,
         rows=rows,
@@ -200,8 +205,8 @@ _COLUMNS: tuple[tuple[str, str, Callable[[GradeRow], float | None], str], ...] =
     ("kappa", "", lambda row: row.kappa, "5.2f"),
     ("loss", "W", lambda row: row.loss, "6.0f"),
     ("energy", "/year", lambda row: row.energy_cost, "6.0f"),
-    ("oil", "h", lambda row: row.oil_life, "7.0f"),
-    ("start", "N m", lambda row: row.start_torque, "6.3g"),
+    ("oil", "h", lambda row: float(f"{row.oil_life:.2g}"), "7.0f"),
+    ("start", "N m", lambda row: row.start_torque, "6.1f"),
 )
 """Heading, unit, number and format of each column of the table of grades."""
 

@@ -4,7 +4,12 @@ from dataclasses import dataclass
 
 from pyworm.formulas import gear_oil, lubricant_type, oil_life
 from pyworm.formulas.gear_oil import TableAdvice
-from pyworm.formulas.lubricant_type import TypeConditions, type_verdicts
+from pyworm.formulas.lubricant_type import (
+    LubricantKind,
+    TypeConditions,
+    TypeVerdict,
+    type_verdicts,
+)
 from pyworm.formulas.unit_factors import RPM, SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.materials.library import named_oil
 from pyworm.ratings import no_load
@@ -34,10 +39,10 @@ class Step:
     """Lines of a table that belongs to it."""
 
 
-def type_step(duty: OilDuty, teeth: GearTeeth) -> Step:
-    """Type of lubricant, with what speaks against the others."""
+def _verdicts(duty: OilDuty, teeth: GearTeeth) -> tuple[TypeVerdict, ...]:
+    """Verdict on each type of lubricant."""
     start = duty.ambient_temperature if duty.coldest_start is None else duty.coldest_start
-    verdicts = type_verdicts(
+    return type_verdicts(
         TypeConditions(
             base=duty.base,
             velocity=teeth.velocity,
@@ -48,6 +53,18 @@ def type_step(duty: OilDuty, teeth: GearTeeth) -> Step:
             pressure=teeth.pressure,
         )
     )
+
+
+def chosen_type(duty: OilDuty) -> LubricantKind | None:
+    """The type of lubricant that is chosen; None where none suits, or the teeth are not known."""
+    if duty.teeth is None:
+        return None
+    return next((each.kind for each in _verdicts(duty, duty.teeth) if each.suitable), None)
+
+
+def type_step(duty: OilDuty, teeth: GearTeeth) -> Step:
+    """Type of lubricant, with what speaks against the others."""
+    verdicts = _verdicts(duty, teeth)
     suited = [verdict for verdict in verdicts if verdict.suitable]
     words = [
         f"No {verdict.kind}: {'; '.join(verdict.against)}."

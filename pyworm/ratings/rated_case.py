@@ -307,7 +307,11 @@ def _start(
     duty = request.worm_duty
     resistance = worm_no_load(duty, rating.bearings, request.mean_diameters)
     gear_set = RatedWormGear(rating, duty, request.directory)
-    return (rate_start(WormStart(gear_set, table, resistance)),)
+    unit = None
+    if getattr(request.tables, "cooling", None) is not None:
+        warmed = thermal_unit(request)
+        unit = warmed if warmed.cooling.housing is not None else None
+    return (rate_start(WormStart(gear_set, table, resistance, unit)),)
 
 
 def _gear_pair(request: RatingRequest, drive: Drive, result: Result | None) -> tuple[Rating, ...]:

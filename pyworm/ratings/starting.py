@@ -10,10 +10,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from math import pi
 
-import scipy
+import numpy as np
 
 from pyworm.case.ratings import StartingTable
-from pyworm.drives.gear_unit import HOUR, IRON_HEAT
+from pyworm.drives.gear_unit import AMBIENT, HOUR, IRON_HEAT, OIL, GearUnit
+from pyworm.drives.heat_network import HeatPath, ThermalNetwork, ThermalStep
 from pyworm.drives.rotor import STEEL_DENSITY
 from pyworm.formulas.unit_factors import SQUARE_MILLIMETRE, ZERO_CELSIUS
 from pyworm.formulas.unknown import known
@@ -37,8 +38,8 @@ PUMPABLE = 1e4
 
 SOURCE = f"friction and seals by the worm standard; cold oil: {no_load.SOURCE}"
 
-HOTTEST = 499.0
-"""Temperature up to which a sump is looked for [K]."""
+RISEN = 0.632
+"""Part of the rise of temperature by which times are given [-]: 1 - 1/e."""
 
 MAX_WARMING_TIME = 200 * HOUR
 """Time in which a unit warms [s]."""
@@ -54,6 +55,8 @@ class WormStart:
     """How it starts."""
     resistance: NoLoad
     """What its oil resists with, not yet fitted."""
+    unit: GearUnit | None = None
+    """Its thermal network, if the sizes of its housing are given."""
 
     @property
     def rated(self) -> WormRating:
@@ -110,7 +113,7 @@ class WormStart:
     @property
     def held(self) -> float:
         """Torque of the worm that holds the wheel's torque at rest [N m]; below zero the teeth lock."""
-        return self.load * self.rated.static_gearbox_efficiency_back
+        return self.load * self.rated.static_backward_efficiency - self.dry
 
     @property
     def creeping_margin(self) -> float:
@@ -130,45 +133,52 @@ class WormStart:
         teeth = self.table.load_share * self.rated.teeth_loss.power
         return teeth + self.speed * (self.dry + self.fitted.torque(self.oil, temperature))
 
-    @cached_property
-    def conductance(self) -> float:
-        """Heat from the unit for each kelvin of its oil [W/K], by the warm balance of its rating."""
+    @property
+    def network(self) -> ThermalNetwork | None:
+        """Thermal network of the start, with sizes of the housing or the mass of the unit; None without."""
+        cold = self.table.temperature
+        if self.unit is not None:
+            return self.unit.starting_network(
+                cold,
+                self.table.load_share,
+                lambda seats: self.speed * self.fitted.parts(self.oil, seats)["bearings"],
+                lambda sump: self.speed * self.fitted.parts(self.oil, sump)["churning"],
+            )
+        if self.table.mass is None:
+            return None
         excess = self.sump - self.gear_set.table.ambient_temperature
         if excess <= 0:
-            raise ValueError(
-                "the sump is no warmer than its surroundings, so that no warming follows"
-            )
-        return self.rated.loss / excess
-
-    @cached_property
-    def cold_sump(self) -> float:
-        """Temperature of the sump in balance, in surroundings as cold as the start [K]."""
-        cold = self.table.temperature
-
-        def surplus(sump: float) -> float:
-            return self.loss(sump) - self.conductance * (sump - cold)
-
-        return float(scipy.optimize.brentq(surplus, cold, HOTTEST))
-
-    def warmed(self, mass: float) -> tuple[float, float]:
-        """Temperature after an hour [K], and time in which 63 % of the rise are done [s], of a mass [kg]."""
-        cold, held = self.table.temperature, IRON_HEAT * mass
-        found = scipy.integrate.solve_ivp(
-            lambda time, state: [
-                (self.loss(state[0]) - self.conductance * (state[0] - cold)) / held
-            ],
-            (0.0, MAX_WARMING_TIME),
-            [cold],
-            dense_output=True,
-            rtol=1e-8,
+            raise ValueError("[starting]: the warm sump is no warmer than ambient_temperature")
+        path = HeatPath("housing", OIL, AMBIENT, self.rated.loss / excess)
+        return ThermalNetwork(
+            {OIL: IRON_HEAT * self.table.mass},
+            {AMBIENT: cold},
+            [path],
+            {OIL: lambda known: self.loss(known[OIL])},
         )
-        wanted = cold + 0.632 * (self.cold_sump - cold)
-        if found.y[0, -1] < wanted:
-            raise ValueError(f"starting.mass = {mass:g} kg: does not warm within 200 h")
-        time = scipy.optimize.brentq(
-            lambda passed: float(found.sol(passed)[0]) - wanted, 0.0, MAX_WARMING_TIME
-        )
-        return float(found.sol(HOUR)[0]), float(time)
+
+
+@dataclass(frozen=True)
+class Warming:
+    """Temperature of the oil after a start, in surroundings as cold."""
+
+    after_hour: float
+    """After an hour [K]."""
+    balanced: float
+    """In balance [K]."""
+    time: float | None
+    """Time in which `RISEN` of the rise is done [s]; None beyond `MAX_WARMING_TIME`."""
+
+
+def warming(network: ThermalNetwork, cold: float) -> Warming:
+    """How the oil of a network warms that starts at a temperature [K]; ValueError without a balance."""
+    balanced = network.steady().temperatures[OIL]
+    steps = [ThermalStep(HOUR), ThermalStep(MAX_WARMING_TIME - HOUR)]
+    history = network.history(steps, cold)
+    found = history.temperatures[OIL]
+    wanted = cold + RISEN * (balanced - cold)
+    time = float(np.interp(wanted, found, history.time)) if found[-1] > wanted else None
+    return Warming(float(np.interp(HOUR, history.time, found)), balanced, time)
 
 
 def rate_start(start: WormStart) -> Rating:
@@ -217,13 +227,16 @@ def _torques(start: WormStart) -> Iterator[Row]:
 
 def _warming(start: WormStart) -> Iterator[Row]:
     """Temperatures of the oil after the start, where the mass is given."""
-    if start.table.mass is None:
+    network, cold = start.network, start.table.temperature
+    if network is None:
         return
-    hour, time = start.warmed(start.table.mass)
-    balanced = start.cold_sump - ZERO_CELSIUS
-    yield "oil_after_hour_C", "Oil after an hour", hour - ZERO_CELSIUS, "°C"
+    found = warming(network, cold)
+    balanced = found.balanced - ZERO_CELSIUS
+    yield "oil_after_hour_C", "Oil after an hour", found.after_hour - ZERO_CELSIUS, "°C"
     yield "cold_sump_C", "Oil in balance, cold surroundings", balanced, "°C"
-    yield "warming_time_h", "Time for 63 % of the rise", time / HOUR, "h"
+    if found.time is not None:
+        label = f"Time for {100 * RISEN:.0f} % of the rise"
+        yield "warming_time_h", label, found.time / HOUR, "h"
 
 
 def _locks(start: WormStart) -> Iterator[Row]:

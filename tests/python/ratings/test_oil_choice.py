@@ -202,6 +202,10 @@ def test_each_grade_is_motivated():
 
 
 def test_type_and_life_are_steps():
+    assert choose_oil(ZI_WORM).lubricant == "oil"
+    assert choose_oil(replace(ZI_WORM, teeth=None)).lubricant is None
+    hot = step_of(choose_oil(ERRICHELLO), "Type of lubricant").text
+    assert "above 90 degC for a short time only" in hot
     open_gears = replace(ERRICHELLO, enclosure="open")
     assert step_of(choose_oil(open_gears), "Type of lubricant").text.startswith(
         "Open-gear compound"
@@ -209,6 +213,7 @@ def test_type_and_life_are_steps():
     leaking = replace(ZI_WORM, enclosure="leaking", teeth=replace(ZI_WORM.teeth, velocity=2.0))
     assert "here its base oil" in step_of(choose_oil(leaking), "Type of lubricant").text
     windy = replace(ERRICHELLO, enclosure="open", teeth=replace(ERRICHELLO.teeth, velocity=9.0))
+    assert choose_oil(windy).lubricant is None
     assert "No type suits" in step_of(choose_oil(windy), "Type of lubricant").text
     used = UsedOil(
         operation=4000 * 3600, viscosity_40=490e-6, new_viscosity_40=457e-6, acid_number=1.1

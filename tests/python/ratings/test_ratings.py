@@ -584,6 +584,20 @@ def test_wrong_ratings_are_refused_in_one_sentence(refuse, text, old, new, sente
     assert sentence in refuse(changed(text, (old, new)))
 
 
+def test_jets_of_thick_oil_are_larger(tmp_path, capsys):
+    """With the length of their holes, jets are sized for the viscosity of the oil as it enters."""
+    plain = rated(capsys, "errichello_speed_increaser")["gear oil supply"]["computed"]
+    (tmp_path / "thick.toml").write_text(
+        changed(INCREASER, ("jets = 4\n", "jets = 4\njet_length = 2\n"))
+    )
+    found = said(capsys, "rate", tmp_path / "thick.toml")["ratings"]
+    thick = next(rating for rating in found if rating["rating"] == "gear oil supply")["computed"]
+    assert "jet_discharge" not in plain
+    larger = (0.7 / thick["jet_discharge"]) ** 0.5
+    assert thick["jet_diameter_m"] == pytest.approx(plain["jet_diameter_m"] * larger)
+    assert 1.005 < larger < 1.1  # oil of 230 degF
+
+
 def test_rate_names_missing_data(refuse):
     sphere = (CASES / "point_m20_l10.toml").read_text()
     assert 'drives of kind "worm", "gear-pair", "roller-worm" and bearings are rated' in refuse(

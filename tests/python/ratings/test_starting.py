@@ -7,7 +7,10 @@ from folders import CASES
 from refusals import changed
 
 from pyworm.io.input_error import CaseError
-from pyworm.ratings.rated_case import load_rating_request, ratings
+from pyworm.ratings.no_load import worm_no_load
+from pyworm.ratings.rated_case import load_rating_request, ratings, thermal_unit
+from pyworm.ratings.starting import WormStart, warming
+from pyworm.ratings.worm_loads import RatedWormGear
 
 ZI = (CASES / "oil_zi.toml").read_text()
 
@@ -115,8 +118,35 @@ def test_a_start_needs_a_rating(tmp_path):
         load_rating_request(tmp_path / "case.toml")
 
 
-def test_a_huge_unit_does_not_warm(tmp_path):
+def test_what_does_not_warm_has_no_time(tmp_path):
+    """A huge unit in 200 h; a unit whose mass is not given; one that is no warmer than its surroundings."""
+    _, found, _ = started(tmp_path, ('mass = "450 kg"', 'mass = "900000 kg"'))
+    assert "cold_sump_C" in found and "warming_time_h" not in found
+    reason = 'starting.mass = "a cast-iron unit of this size"\n'
+    _, found, _ = started(tmp_path, ('mass = "450 kg"\n', ""), (reason, ""))
+    assert "cold_sump_C" not in found
     path = tmp_path / "case.toml"
-    path.write_text(changed(ZI, ('mass = "450 kg"', 'mass = "900000 kg"')))
-    keys = [rating.key for rating in ratings(load_rating_request(path))]
-    assert "starting" not in keys
+    ambient = 'fan = false\nambient_temperature = "61 degC"\n'
+    path.write_text(changed(ZI, ('life = "25000 h"\n', f'life = "25000 h"\n{ambient}')))
+    assert "starting" not in [rating.key for rating in ratings(load_rating_request(path))]
+
+
+def test_a_housing_warms_by_its_network(tmp_path):
+    """A small unit at -20 degC: bearings and oil warm by themselves, the balance of heat closes."""
+    text = (CASES / "conveyor.toml").read_text()
+    cold = '[starting]\ntemperature = "-20 degC"\n\n[worm_rating]'
+    (tmp_path / "case.toml").write_text(changed(text, ("[worm_rating]", cold)))
+    request = load_rating_request(tmp_path / "case.toml")
+    table = request.worm_rating
+    resistance = worm_no_load(request.worm_duty, table.bearings, request.mean_diameters)
+    gear_set = RatedWormGear(table, request.worm_duty, tmp_path)
+    unit = thermal_unit(request)
+    start = WormStart(gear_set, request.tables.starting, resistance, unit)
+    state = start.network.steady()
+    assert abs(state.imbalance) < 1e-6
+    assert state.temperatures["oil"] - 253.15 > unit.temperatures.sump - 293.15
+    bearings = [state.sources[f"{name} bearings"] for name in ("worm", "wheel")]
+    assert sum(bearings) > unit.cooling.other.standard.bearings
+    found = warming(start.network, 253.15)
+    assert 253.15 < found.after_hour < found.balanced
+    assert start.running(253.15) > 2 * start.running(start.sump)
