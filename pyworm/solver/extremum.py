@@ -25,6 +25,10 @@ extrapolated where it has no value."""
 MOST_VALLEYS = 8
 """Number of low nodes, beside the lowest, about which the surface is searched."""
 
+LEAST_OF_NODES = 0.9
+"""Smallest film over that of the lowest node, at least: on a grid that resolves its minimum the surface dips
+by some per cent."""
+
 DIP = 0.25
 """Largest depth of the surface below a low node, over the sum of the second differences along x and y:
 along one of them a parabola reaches 1/8, this surface 0.15."""
@@ -44,6 +48,23 @@ def minimum(field: Array, within: Array, usable: Array) -> tuple[float, tuple[fl
     near = tuple(_near(np.asarray(within.any(axis=1 - axis))) for axis in (0, 1))
     value, place = _surface_minimum(field[near], within[near], usable[near])
     return value, (place[0] + near[0].start, place[1] + near[1].start)
+
+
+def film_minimum(
+    film: Array, within: Array, usable: Array
+) -> tuple[float, tuple[float, ...], bool]:
+    """Smallest film, its place in nodes, and whether it is `LEAST_OF_NODES` of the lowest node's.
+
+    Arguments as of `minimum`. Beside the wall of an edge that the grid does not resolve the surface through
+    the nodes dips by up to a sixteenth of the wall's height, below any film that there is, and below zero.
+    """
+    value, place = minimum(film, within, usable)
+    nodal = np.where(within, film, np.inf)
+    lowest = np.unravel_index(np.argmin(nodal), nodal.shape)
+    least = LEAST_OF_NODES * float(nodal[lowest])
+    if least <= 0 or least == np.inf or value >= least:
+        return value, place, False
+    return least, tuple(float(node) for node in lowest), True
 
 
 def surface_at(field: Array, i: Array, j: Array) -> Array:

@@ -115,7 +115,9 @@ def stacked(weights: Weights, shape: tuple[int, ...]) -> Array:
 
 def _film_min(level: Level) -> Weights:
     film = level.film.thickness()
-    _, place = extremum.minimum(film, level.borne(), level.covered)
+    _, place, at_node = extremum.film_minimum(film, level.borne(), level.covered)
+    if at_node:
+        return {"film": extremum.LEAST_OF_NODES * weights_at(place, film.shape)}
     return {"film": weights_at(extremum.refined_place(film, place), film.shape)}
 
 

@@ -8,6 +8,7 @@ import scipy
 
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
+from pyworm.solver import extremum
 from pyworm.solver.error_estimate import Peak
 from pyworm.solver.extremum import minimum, surface_at
 
@@ -18,7 +19,7 @@ def film_minimum(
     grid: Grid | LineGrid, film: Array, pressurised: Array, covered: Array
 ) -> tuple[float, tuple[float, ...]]:
     """Smallest film and its place [m] along each direction, between nodes, about pressurised ones."""
-    value, node = minimum(film, pressurised, covered)
+    value, node, _ = extremum.film_minimum(film, pressurised, covered)
     return value, grid.place(node)
 
 
