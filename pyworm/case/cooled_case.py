@@ -1,6 +1,7 @@
 """Cases of gear sets whose losses warm them, but for worms, whose standard has more."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import ClassVar
 
 from pyworm.case.bodies import Bodies
@@ -11,8 +12,13 @@ from pyworm.case.table import plain
 from pyworm.drives.cooling import Cooling, DriveTemperatures, Surroundings
 from pyworm.drives.drive import Drive
 from pyworm.drives.gear_unit import GearUnit
+from pyworm.drives.oil_supply import Bath
 from pyworm.drives.other_losses import NonMeshLosses
+from pyworm.drives.rotor import Rotor
 from pyworm.io.present import present
+
+USUAL_DIP = 0.15
+"""Depth to which the larger gear body dips into oil over its diameter, where no bath gives it [-]."""
 
 
 def given_temperatures(oil: OilTable, bodies: Bodies) -> Iterator[str]:
@@ -48,13 +54,26 @@ class CooledCase(RatedCase):
     def unit_of(self, drive: Drive, tooth_loss: float | None = None) -> GearUnit:
         """The thermal network of the drive for a loss between its teeth [W], by default that assumed."""
         table, rotors = present(self.cooling, "cooling"), present(drive.rotors, "rotors")
-        cooling = Cooling(
-            other=NonMeshLosses(given=table.other_loss), **vars(plain(table, Surroundings))
-        )
+        other = NonMeshLosses(given=table.other_loss or 0.0)
+        cooling = Cooling(other=other, **vars(plain(table, Surroundings)))
         loss = table.tooth_loss if tooth_loss is None else tooth_loss
         if loss is None:
             loss = self.first_loss * rotors[0].torque * rotors[0].speed
-        return GearUnit(rotors, drive.oil, cooling, loss)
+        if table.other_loss is not None:
+            return GearUnit(rotors, drive.oil, cooling, loss)
+        unit = GearUnit(rotors, drive.oil, cooling, loss, dips=self._dips(drive, rotors))
+        balanced = unit.other_at(unit.temperatures.sump)
+        return replace(unit, cooling=replace(cooling, other=NonMeshLosses(standard=balanced)))
+
+    def _dips(self, drive: Drive, rotors: tuple[Rotor, Rotor]) -> tuple[float, float]:
+        """How deep both gear bodies dip into the oil [m]: that of a bath, else usual for the larger one."""
+        bath, depths = self.brought_by, [0.0, 0.0]
+        if isinstance(bath, Bath):
+            depths[drive.body_names.index(bath.body)] = bath.depth
+        elif bath is None:
+            larger = int(rotors[1].diameter >= rotors[0].diameter)
+            depths[larger] = USUAL_DIP * rotors[larger].diameter
+        return depths[0], depths[1]
 
     def temperatures_of(self, drive: Drive) -> DriveTemperatures | None:
         """Temperatures of oil and bodies by the losses of the drive; None without `[cooling]`."""

@@ -19,13 +19,14 @@ class CoolingTable(Table, Surroundings):
     """`[cooling]` of a gear pair or a roller worm: data of the thermal balance of oil and bodies.
 
     `conductance` is the heat that the housing gives to its surroundings for each kelvin of the oil above
-    them; `housing` has its sizes instead. `other_loss` is that of bearings, seals and churning. `tooth_loss`
+    them; `housing` has its sizes instead. `other_loss` is that of bearings, seals and churning; left out, it
+    follows from closed forms. `tooth_loss`
     is the loss between the teeth for which all this is struck; left out, it is found.
     """
 
     housing: HousingTable | None = None
     measured: MeasuredPointTable | None = None
-    other_loss: units.PowerOrZero
+    other_loss: units.PowerOrZero | None = None
     tooth_loss: units.Power | None = None
 
     def flaws(self) -> Iterator[str]:

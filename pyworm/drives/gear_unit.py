@@ -13,7 +13,7 @@ A unit of a given conductance has gear bodies and oil only. Correlations: `pywor
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import hypot, pi, sin
+from math import cos, hypot, pi, radians, sin
 
 import scipy
 
@@ -26,12 +26,17 @@ from pyworm.drives.heat_network import (
     ThermalNetwork,
     ThermalStep,
 )
-from pyworm.drives.rotor import STEEL_CONDUCTIVITY, Rotor
+from pyworm.drives.rotor import BEARING_OUTSIDE, STEEL_CONDUCTIVITY, Rotor
 from pyworm.formulas import heat_transfer as ht
+from pyworm.formulas import unit_losses as losses
+from pyworm.formulas.worm_losses import OtherLosses
 from pyworm.io.present import present
 from pyworm.materials.oil import Oil
 
 OIL, HOUSING, AMBIENT, FOUNDATION = "oil", "housing", "ambient", "foundation"
+
+OTHER = "other losses"
+"""Kind of the losses besides the teeth, among those of paths."""
 
 HOUR, DAY = 3600.0, 86400.0
 """An hour and a day [s]."""
@@ -41,6 +46,9 @@ IRON_DENSITY, IRON_HEAT = 7200.0, 500.0
 
 USUAL_EXPANSIVITY = 7e-4
 """Thermal expansivity of an oil that is given without one [1/K], of mineral oils."""
+
+PRESSURE_ANGLE = radians(20)
+"""Pressure angle by which the loads of bearings follow from a torque [rad], usual."""
 
 SPREADS = {
     "oil on gear body": ht.STIRRED_SPREAD,
@@ -80,6 +88,25 @@ class GearUnit:
     tooth_loss_at: Callable[[Mapping[str, float]], float] | None = None
     """Loss between the teeth [W] by the temperatures of all nodes [K]; None: the same at any."""
 
+    dips: tuple[float, float] | None = None
+    """How deep both gear bodies dip into the oil [m]: losses besides the teeth follow its temperature."""
+
+    def other_at(self, oil: float) -> OtherLosses:
+        """Losses besides the teeth by closed forms at a temperature of the oil [K]."""
+        fluid = self.fluid(oil)
+        churning = bearings = seals = 0.0
+        for rotor, dip in zip(self.rotors, present(self.dips, "dips"), strict=True):
+            size = (1 + BEARING_OUTSIDE) / 2 * rotor.shaft_diameter
+            load = 2 * rotor.torque / rotor.diameter / cos(PRESSURE_ANGLE)
+            idle = 2 * losses.bearing_idle_torque(fluid.viscosity, rotor.speed, size)
+            bearings += rotor.speed * (idle + losses.bearing_load_torque(load, size))
+            seals += losses.seal_loss(rotor.shaft_diameter, rotor.speed)
+            drag = losses.disc_torque(
+                float(self.oil.density.rho0), fluid.viscosity, rotor.diameter / 2, rotor.speed
+            )
+            churning += rotor.speed * drag * losses.dipping_share(dip, rotor.diameter)
+        return OtherLosses(float(churning), float(bearings), seals)
+
     @property
     def loss(self) -> float:
         """Loss of the whole unit [W]."""
@@ -106,14 +133,27 @@ class GearUnit:
 
     @cached_property
     def uncertainty(self) -> dict[str, float]:
-        """Node -> model uncertainty of its temperature by the spread of all conductances (95 %) [K]."""
+        """Node -> model uncertainty of its temperature (95 %) [K].
+
+        By the spread of all conductances, and of losses besides the teeth by closed forms: each larger and
+        smaller by its factor, of which the larger change counts.
+        """
         middle = self.steady.temperatures
-        kinds = {path.name for path in self.network().paths} & {*SPREADS}
+        spreads = {
+            path.name: SPREADS[path.name] for path in self.network().paths if path.name in SPREADS
+        }
+        if self.dips is not None:
+            spreads[OTHER] = losses.SPREAD
         moved = [
-            self.network({kind: 1 + SPREADS[kind]}).steady().temperatures for kind in sorted(kinds)
+            [
+                self.network({kind: factor}).steady().temperatures
+                for factor in (1 + spread, 1 / (1 + spread))
+            ]
+            for kind, spread in sorted(spreads.items())
         ]
         return {
-            node: hypot(*(other[node] - value for other in moved)) for node, value in middle.items()
+            node: hypot(*(max(abs(other[node] - value) for other in both) for both in moved))
+            for node, value in middle.items()
         }
 
     @cached_property
@@ -216,6 +256,8 @@ class GearUnit:
         }
         if self.tooth_loss_at is not None:
             sources |= {rotor.name: self._tooth_source(scale) for rotor in self.rotors}
+        if self.dips is not None:
+            sources |= self._other_sources(scale * factors.get(OTHER, 1.0))
         return ThermalNetwork(self._capacities(), fixed, paths, sources)
 
     def _tooth_source(self, scale: float) -> Source:
@@ -223,18 +265,32 @@ class GearUnit:
         tooth_loss = present(self.tooth_loss_at, "tooth_loss_at")
         return lambda known: scale / 2 * tooth_loss(known)
 
+    def _other_sources(self, scale: float) -> dict[str, Source]:
+        """Node -> loss besides the teeth in it, as the oil is warm."""
+        if self.cooling.housing is None:
+            return {OIL: lambda known: scale * self.other_at(known[OIL]).power}
+
+        def bearings(known: Mapping[str, float]) -> float:
+            return scale / 2 * self.other_at(known[OIL]).bearings
+
+        return {
+            **{_bearings(rotor): bearings for rotor in self.rotors},
+            _shaft(self.rotors[0]): lambda known: scale * self.other_at(known[OIL]).seals,
+            OIL: lambda known: scale * self.other_at(known[OIL]).churning,
+        }
+
     def _sources(self) -> dict[str, float]:
         """Node -> loss in it [W]."""
         found = {rotor.name: self.tooth_loss / 2 for rotor in self.rotors}
         other = self.cooling.other
         if self.cooling.housing is None or other.standard is None:
             return found | {OIL: other.power}
-        losses = other.standard
+        by_standard = other.standard
         return {
             **found,
-            **{_bearings(rotor): losses.bearings / 2 for rotor in self.rotors},
-            _shaft(self.rotors[0]): losses.seals,
-            OIL: losses.churning,
+            **{_bearings(rotor): by_standard.bearings / 2 for rotor in self.rotors},
+            _shaft(self.rotors[0]): by_standard.seals,
+            OIL: by_standard.churning,
         }
 
     def _capacities(self) -> dict[str, float]:

@@ -8,12 +8,12 @@ from pyworm.formulas.worm_losses import OtherLosses
 
 @dataclass(frozen=True)
 class NonMeshLosses:
-    """Losses of a worm drive besides its teeth: by the worm standard, or one number that is given."""
+    """Losses of a drive besides its teeth: by the worm standard or closed forms, or one number as given."""
 
     standard: OtherLosses | None = None
-    """Churning, bearings and seals by the standard."""
+    """Churning, bearings and seals by the standard or closed forms."""
     bearings: str = ""
-    """How the worm is held there."""
+    """How the worm is held by the standard; empty of closed forms."""
     given: float = 0.0
     """The number [W], where there is no standard's."""
 
@@ -28,6 +28,11 @@ class NonMeshLosses:
         if self.standard is None:
             return f"Bearings, seals and churning lose {self.given:.4g} W as given."
         losses = self.standard
+        if not self.bearings:
+            return (
+                f"Besides the teeth {losses.power:.4g} W are estimated within a factor of 2: dipping gears "
+                f"{losses.churning:.4g} W, bearings {losses.bearings:.4g} W, seals {losses.seals:.4g} W."
+            )
         return (
             f"Besides the teeth {losses.power:.4g} W are assumed by the worm standard's regressions: "
             f"churning {losses.churning:.4g} W, bearings of a worm that is {self.bearings} "
@@ -40,7 +45,7 @@ class NonMeshLosses:
             return {"other_W": self.given, "other_by": "given"}
         return {
             "other_W": self.power,
-            "other_by": "standard",
+            "other_by": "standard" if self.bearings else "closed forms",
             "churning_W": self.standard.churning,
             "bearings_W": self.standard.bearings,
             "seals_W": self.standard.seals,

@@ -38,6 +38,7 @@ from . import stress_invariants as stress_invariants
 from . import thermal_reduction as thermal_reduction
 from . import thermal_stress as thermal_stress
 from . import unit_factors as unit_factors
+from . import unit_losses as unit_losses
 from . import unknown as unknown
 from . import wave_deformation as wave_deformation
 from . import wear_distress as wear_distress

@@ -16,6 +16,7 @@ def draw_temperatures(name: str, history: TemperatureHistory, state: HeatState) 
         style = "--" if number % 2 else "-"
         left.plot(history.time / HOUR, values - ZERO_CELSIUS, style, label=node)
     left.set_xlabel("time / h")
+    left.set_xlim(0, history.time[-1] / HOUR)
     left.set_ylabel("temperature / °C")
     left.legend(frameon=False, fontsize="x-small")
     labels = [f"{path.first} to {path.second}, {path.name}" for path, _ in state.flows]

@@ -236,7 +236,6 @@ def test_the_loss_of_a_gear_pair_agrees_with_its_temperatures(
             COOLING.format("1 W") + 'conductance = "40 W/K"\n' + MEASURED,
             "measured has no effect with conductance",
         ),
-        (COOLING.replace('other_loss = "{}"\n', "") + SIZES, "cooling.other_loss is missing"),
         (HALF_LOAD + "foot = 1.5", "cooling.housing.foot"),
     ],
 )
@@ -301,3 +300,34 @@ def test_hours_that_are_none_are_refused_in_one_sentence(hours, capsys):
         main(["rate", str(CASES / "worm_drawing.toml"), "--hours", hours])
     assert refused.value.code == 2
     assert f"{hours}: must be a number of hours" in capsys.readouterr().err
+
+
+OPEN = COOLING.replace('other_loss = "{}"\n', "") + SIZES
+
+
+def test_losses_besides_the_teeth_follow_the_oil_where_they_are_not_given():
+    unit = unit_of(pair(OPEN))
+    other, state = unit.cooling.other.standard, unit.steady
+    assert unit.loss == pytest.approx(state.power, rel=1e-9)
+    assert abs(state.imbalance) < 1e-6
+    assert state.sources["pinion bearings"] == pytest.approx(other.bearings / 2)
+    assert state.sources["pinion shaft"] == pytest.approx(other.seals)
+    assert state.sources["oil"] == pytest.approx(other.churning)
+    assert unit.dips == (0.0, 0.15 * unit.rotors[1].diameter)
+    cold, hot = unit.other_at(290.0), unit.other_at(370.0)
+    assert cold.bearings > other.bearings > hot.bearings and cold.churning > hot.churning
+    # f_1 P d_m of the load, P = 2 T/(d cos 20 deg) on both bearings of a shaft, whatever the oil
+    loads = [rotor.speed * 4e-4 * 2 * rotor.torque / rotor.diameter / np.cos(np.radians(20))
+             * 1.4 * rotor.shaft_diameter for rotor in unit.rotors]  # fmt: skip
+    assert hot.bearings > sum(loads)
+    assert "within a factor of 2" in unit.cooling.other.words
+    assert unit.cooling.other.summary()["other_by"] == "closed forms"
+
+
+def test_a_bath_s_depth_and_jets_decide_how_deep_gears_dip():
+    bath = '\n[lubrication]\nmethod = "bath"\nbody = "gear"\ndepth = "80 mm"\n'
+    jets = '\n[lubrication]\nmethod = "jets"\nflow = "20 l/min"\n'
+    assert unit_of(pair(OPEN + bath)).dips == (0.0, pytest.approx(0.08))
+    splashed = unit_of(pair(OPEN + jets))
+    assert splashed.dips == (0.0, 0.0)
+    assert splashed.cooling.other.standard.churning == 0
