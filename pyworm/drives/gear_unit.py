@@ -29,6 +29,7 @@ from pyworm.drives.heat_network import (
 from pyworm.drives.rotor import BEARING_OUTSIDE, STEEL_CONDUCTIVITY, Rotor
 from pyworm.formulas import heat_transfer as ht
 from pyworm.formulas import unit_losses as losses
+from pyworm.formulas.no_load_torque import BATH_FACTORS, DippingBody, bearing_torque
 from pyworm.formulas.worm_losses import OtherLosses
 from pyworm.io.present import present
 from pyworm.materials.oil import Oil
@@ -98,13 +99,14 @@ class GearUnit:
         for rotor, dip in zip(self.rotors, present(self.dips, "dips"), strict=True):
             size = (1 + BEARING_OUTSIDE) / 2 * rotor.shaft_diameter
             load = 2 * rotor.torque / rotor.diameter / cos(PRESSURE_ANGLE)
-            idle = 2 * losses.bearing_idle_torque(fluid.viscosity, rotor.speed, size)
+            factor = BATH_FACTORS["tapered"]
+            idle = 2 * bearing_torque(factor, size, fluid.viscosity, rotor.speed)
             bearings += rotor.speed * (idle + losses.bearing_load_torque(load, size))
             seals += losses.seal_loss(rotor.shaft_diameter, rotor.speed)
-            drag = losses.disc_torque(
-                float(self.oil.density.rho0), fluid.viscosity, rotor.diameter / 2, rotor.speed
-            )
-            churning += rotor.speed * drag * losses.dipping_share(dip, rotor.diameter)
+            share = losses.dipping_share(dip, rotor.diameter)
+            body = DippingBody(rotor.diameter / 2, rotor.width, share)
+            density = float(self.oil.density.rho0)
+            churning += rotor.speed * body.torque(density, fluid.viscosity, rotor.speed)
         return OtherLosses(float(churning), float(bearings), seals)
 
     @property
