@@ -21,6 +21,7 @@ import lubricant_checks
 import oil_rule_checks
 import plastic_checks
 import tooth_damage_checks
+import unit_loss_checks
 import worm_curve_checks
 import worm_gear_checks
 import worm_loss_checks
@@ -36,6 +37,7 @@ CHAPTERS: tuple[Chapter, ...] = (
     *oil_rule_checks.CHAPTERS,
     *lubricant_checks.CHAPTERS,
     *plastic_checks.CHAPTERS,
+    *unit_loss_checks.CHAPTERS,
 )
 
 PAGE = Path(__file__).parents[2] / "docs/reference/constants.md"

@@ -7,6 +7,7 @@ from typing import Any
 
 from pyworm.batch.duty import BlockFigures, DutyModel, Load, duty_model, mean_of_teeth
 from pyworm.batch.in_python import CaseLike, as_case
+from pyworm.batch.operating_points import NotSolvedError
 from pyworm.drives.gear_unit import DAY, HOUR
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.io.input_error import CaseError
@@ -254,6 +255,7 @@ def duty(
 
     Raises:
         CaseError: Invalid input, or a case whose losses or temperatures are not found.
+        NotSolvedError: A contact did not converge.
     """
     checked_case = as_case(case)
     if not 0 <= solve_loads <= MOST_COUNTED:
@@ -314,7 +316,9 @@ def _confirmed(
         progress(f"solving {block.name}: {scene.name}")
         solution = solve(scene, plan(scene, ACCURACY, EFFECTS))
         if not solution.converged:
-            raise ValueError(f"{block.name}, {scene.name} did not converge: {solution.stop_reason}")
+            raise NotSolvedError(
+                f"{block.name}, {scene.name} did not converge: {solution.stop_reason}"
+            )
         solutions.append(solution)
     loss = present(state.drive.mesh_loss(contact_losses(solutions)), "loss")
     closed = state.friction.at(temperature)

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from pyworm.case.case import Case, load
 from pyworm.cli.arguments import add_json
-from pyworm.cli.shared import CONVERGED, warn_of_unusual
+from pyworm.cli.shared import CONVERGED, NOT_CONVERGED, end_with, warn_of_unusual
 from pyworm.io.atomic import atomic_directory, check_writable
 from pyworm.io.json import print_json
 from pyworm.io.quantity_text import percent
@@ -54,11 +54,15 @@ def _duty(options: argparse.Namespace) -> int:
 
 def _over_blocks(case: Case, directory: Path, options: argparse.Namespace) -> int:
     from pyworm.batch.duty_run import duty
+    from pyworm.batch.operating_points import NotSolvedError
     from pyworm.plots.duty import draw_duty
     from pyworm.plots.layout import write
     from pyworm.report.duty import blocks_csv, temperatures_csv
 
-    found = duty(case, table=options.table, solve_loads=options.solve, progress=print_message)
+    try:
+        found = duty(case, table=options.table, solve_loads=options.solve, progress=print_message)
+    except NotSolvedError as error:
+        return end_with(f"{case.name}: {error}", NOT_CONVERGED)
     with atomic_directory(directory) as aside:
         (aside / BLOCKS).write_text(blocks_csv(found), encoding="utf-8")
         (aside / TEMPERATURES).write_text(temperatures_csv(found), encoding="utf-8")

@@ -145,7 +145,7 @@ class GearUnit:
             path.name: SPREADS[path.name] for path in self.network().paths if path.name in SPREADS
         }
         if self.dips is not None:
-            spreads[OTHER] = losses.SPREAD
+            spreads[OTHER] = losses.LOSS_SPREAD
         moved = [
             [
                 self.network({kind: factor}).steady().temperatures

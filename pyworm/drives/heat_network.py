@@ -28,7 +28,7 @@ MAX_IMBALANCE = 1e-6
 FIRST_EXCESS = 30.0
 """Excess over the coldest fixed node at which conductances are taken first [K]."""
 
-PERIODIC = 1e-4
+PERIODIC = 1e-5
 """Largest difference of temperatures a period apart [K]."""
 
 TIME_TOLERANCE = 1e-7

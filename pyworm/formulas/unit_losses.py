@@ -13,7 +13,7 @@ LOAD_FACTOR = 4e-4
 SEAL = 7.69e-6
 """Loss of a shaft seal over diameter squared and speed [W/(mm2 1/min)] (ISO/TR 14179-2, from memory)."""
 
-SPREAD = 1.0
+LOSS_SPREAD = 1.0
 """Relative uncertainty of losses besides the teeth (95 %) [-]: a factor of two is assumed."""
 
 

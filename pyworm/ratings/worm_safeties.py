@@ -38,8 +38,11 @@ AS_IF_BRONZE = (
 _PITTING_POWER = 6
 """Hours of pitting fall with this power of the stress: Z_h = (25000 h/Lh)^(1/6)."""
 
-ENDURANCE_CYCLES, ROOT_POWER = 3e6, 0.16
-"""Cycles from which roots endure, and power of fewer cycles with which their strength falls (from memory)."""
+ENDURANCE_CYCLES = 3e6
+"""Cycles from which roots endure [-] (DIN 3996, from memory)."""
+
+ROOT_POWER = 0.16
+"""Power of fewer cycles with which the strength of roots falls [-] (DIN 3996, from memory)."""
 
 _MOST_LASTING = 1.6
 """Largest Z_h [-]."""

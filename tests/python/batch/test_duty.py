@@ -12,6 +12,7 @@ from refusals import changed
 import pyworm
 from pyworm.batch import duty_run
 from pyworm.batch.duty import duty_model
+from pyworm.batch.operating_points import NotSolvedError
 from pyworm.case.case import case_of
 from pyworm.case.duty import read_blocks
 from pyworm.cli.main import main
@@ -149,7 +150,7 @@ def test_solved_loads_correct_the_losses(monkeypatch, found):
     assert confirmed.deviation == pytest.approx(1 / 1.5 - 1, rel=0.02)
     assert after.blocks[0].oil_max > before.blocks[0].oil_max + 1
     Solved.converged = False
-    with pytest.raises(CaseError, match=r"half, phase 0\.06 did not converge"):
+    with pytest.raises(NotSolvedError, match=r"half, phase 0\.06 did not converge"):
         pyworm.duty(case, solve_loads=1)
 
 
