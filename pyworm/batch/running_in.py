@@ -24,6 +24,7 @@ from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.formulas.wear_law import RUN_IN, truncated_roughness
 from pyworm.io.input_error import CaseError
 from pyworm.io.present import present
+from pyworm.io.quantities import QUANTITIES
 from pyworm.ratings.duty_damage import tooth_wear
 from pyworm.ratings.mesh_estimate import MeshEstimate, MeshFriction
 
@@ -207,7 +208,7 @@ class _Flanks:
             now = self._recorded(name, mesh)
             share, wanted = now.asperity_load_fraction, stage.asperity_load_ratio
             if wanted is not None and share <= min(wanted, before):
-                return "asperity load ratio"
+                return QUANTITIES["asperity_load_fraction"].label
             before = share
             if stage.oil_temperature is not None and now.oil >= stage.oil_temperature:
                 return "oil temperature"

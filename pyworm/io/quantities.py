@@ -17,7 +17,7 @@ BODIES = "body 1", "body 2"
 SCALES = {
     "": 1.0, "%": 100.0, "µm": 1e6, "mm": 1e3, "m/s": 1.0, "N": 1.0, "kN": 1e-3, "N/m": 1.0, "kN/m": 1e-3,
     "N m": 1.0, "W": 1.0, "kW/m": 1e-3, "MPa": 1e-6, "GPa": 1e-9, "MW/m²": 1e-6, "MPa m": 1e-6,
-    "°C": 1.0, "°": 1.0, "µrad": 1e6, "1/s": 1.0, "s": 1.0, "h": 1.0,
+    "°C": 1.0, "°": 1.0, "µrad": 1e6, "1/s": 1.0, "1/m²": 1.0, "s": 1.0, "h": 1.0,
 }  # fmt: skip
 """Shown unit -> factor from SI; temperatures in °C also have an offset."""
 
@@ -335,9 +335,9 @@ FIELDS = (
         extreme="maximum", colours="magma"),
     Quantity("fatigue_ratio_body_2", "1", "fatigue stress over its limit ({1})", "",
         extreme="maximum", colours="magma"),
-    Quantity("fatigue_risk_body_1", "1/m2", "risk of pitting of a pass ({0})", "1/m2",
+    Quantity("fatigue_risk_body_1", "1/m2", "risk of pitting of a pass ({0})", "1/m²",
         extreme="maximum"),
-    Quantity("fatigue_risk_body_2", "1/m2", "risk of pitting of a pass ({1})", "1/m2",
+    Quantity("fatigue_risk_body_2", "1/m2", "risk of pitting of a pass ({1})", "1/m²",
         extreme="maximum"),
     Quantity("pitting_probability", "1", "probability of pitting of 1 mm² in 10⁷ passes", "%",
         extreme="maximum"),
