@@ -114,6 +114,8 @@ class DutyModel:
     """The unit at the case's own operating point."""
     loads: Mapping[Load, LoadState]
     """The unit at each load of a block that turns."""
+    tabulated: bool = False
+    """Whether teeth lose by a loss table, not by closed forms."""
 
     @property
     def steps(self) -> list[ThermalStep]:
@@ -254,7 +256,7 @@ def duty_model(case: Case, table: TabulatedLoss | None = None) -> DutyModel:
         loads = {load: _at_load(case, base, load, low, table) for load in cycle.loads}
     except ValueError as error:
         raise CaseError(f"{case.name}: {error}") from error
-    return DutyModel(case, cycle, base, loads)
+    return DutyModel(case, cycle, base, loads, table is not None)
 
 
 def coldest_ambient(cycle: DutyCycle, unit: GearUnit) -> float:

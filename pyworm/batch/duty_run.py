@@ -86,13 +86,25 @@ class CaseDuty(Shown):
     def shown(self) -> tuple[str, dict[str, str]]:
         """Heading and rows in words."""
         hottest = max(block.oil_max for block in self.blocks)
-        return f"Duty of {self.name}", {
+        return self.heading, {
             "blocks": f"{len(self.blocks)}",
             "duration": f"{self.model.cycle.duration / HOUR:.4g} h",
             "maximum oil temperature": f"{hottest - ZERO_CELSIUS:.4g} °C",
             "energy lost": f"{self.energy_lost / 3.6e6:.4g} kWh",
             **{name: f"Miner sum 1 after {hours:.4g} h" for name, hours in self.lives_h.items()},
         }
+
+    @property
+    def heading(self) -> str:
+        """What it is, and what films and losses of the teeth rest on."""
+        by = "films by closed forms, losses" if self.model.tabulated else "films and losses"
+        rest = "a loss table" if self.model.tabulated else "closed forms"
+        solved = (
+            f"; losses of {len(self.confirmed)} of {len(self.model.loads)} loads solved"
+            if self.confirmed
+            else ", no contact solved"
+        )
+        return f"Duty of {self.name}, {by} by {rest}{solved}"
 
     @property
     def periods_per_year(self) -> float | None:

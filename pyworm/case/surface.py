@@ -23,7 +23,7 @@ from pyworm.surfaces.part import cropped, masked
 from pyworm.surfaces.plausible import require_plausible, require_plausible_profile
 from pyworm.surfaces.preparing import MOST_MISSING, Outliers, SeparatedWaves, separate_waves
 from pyworm.surfaces.profile import Profile, roughness_profile
-from pyworm.surfaces.reading import read_area, read_profile
+from pyworm.surfaces.reading import IsProfileError, read_area, read_profile
 
 Aspect = Annotated[float, Field(strict=True, ge=1 / 9, le=9)]
 
@@ -170,7 +170,8 @@ class SurfaceTable(Table):
         try:
             found = waves(self, self._directory, self._state() if self._directory else ())
         except ValueError as error:
-            raise ValueError(f"surface.{key}: {error}") from None
+            kind = IsProfileError if isinstance(error, IsProfileError) else ValueError
+            raise kind(f"surface.{key}: {error}") from None
         if self.run_in is None:
             return found
         return replace(found, roughness=found.roughness.run_in(self.run_in))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from pyworm.cli.arguments import add_json
 from pyworm.cli.shared import CONVERGED, FAILED, drawn_pictures, option_value
-from pyworm.cli.surface_keys import OF_PROFILES, add_keys, given_keys, keys_of
+from pyworm.cli.surface_keys import add_keys, given_keys, keys_of
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.stage import stage
@@ -81,6 +81,7 @@ def _surface(options: argparse.Namespace) -> int:
     from pyworm.io.atomic import check_writable
     from pyworm.surfaces.cell import periodic_cell
     from pyworm.surfaces.cell_table import cell_table
+    from pyworm.surfaces.reading import IsProfileError
     from pyworm.surfaces.summary import curves, figures
 
     if options.out is not None:
@@ -89,9 +90,12 @@ def _surface(options: argparse.Namespace) -> int:
         from pyworm.cli.surface_film import film_between
 
         return film_between(options, given_keys(options))
-    if (profile := _profile(options)) is not None:
-        return _show_profile(options, profile)
-    shown = _with_bodies(_surfaces(options), options)
+    try:
+        shown = _with_bodies(_surfaces(options), options)
+    except IsProfileError as error:
+        if options.file.suffix == ".toml":
+            raise CaseError(f"{options.file}: {error}") from error
+        return _show_profile(options, _profile(options))
     found = [{"name": surface.name, **figures(surface.waves, surface.texture)} for surface in shown]
     pictures: list[str] = []
     complete = True
@@ -128,26 +132,18 @@ def _surfaces(options: argparse.Namespace) -> list[_Shown]:
     return _of_case(path)
 
 
-def _profile(options: argparse.Namespace) -> "Profile | None":
-    """The profile in a file of one; None of areas, generated surfaces and profiles with others."""
+def _profile(options: argparse.Namespace) -> "Profile":
+    """The profile in a file of one."""
     from pyworm.case.case import checked
     from pyworm.case.surface import SurfaceTable
-    from pyworm.surfaces.reading import read_heights
 
-    given, path = given_keys(options), options.file
-    if path.suffix == ".toml" or set(given) & set(OF_PROFILES):
-        return None
-    if set(given) & {"channel", "crop", "mask"}:
-        return None
     try:
-        table = checked(SurfaceTable, keys_of(path, given | {"aspect": 1.0}))
-        heights, _ = read_heights(path, table.spacing, table.height_unit)
-        if heights.ndim != 1:
-            return None
-        table.lie_in(path.parent)
+        keys = keys_of(options.file, given_keys(options) | {"aspect": 1.0})
+        table = checked(SurfaceTable, keys)
+        table.lie_in(options.file.parent)
         return table.profiles()["across"][0]
     except ValueError as error:
-        raise CaseError(f"{path}: {error}") from error
+        raise CaseError(f"{options.file}: {error}") from error
 
 
 def _show_profile(options: argparse.Namespace, profile: "Profile") -> int:
@@ -187,6 +183,7 @@ def _shown(name: str, keys: dict[str, Any], path: Path) -> _Shown:
     """The surface of a table's keys, its files beside `path`."""
     from pyworm.case.case import checked
     from pyworm.case.surface import SurfaceTable, texture_of
+    from pyworm.surfaces.reading import IsProfileError
 
     try:
         table = checked(SurfaceTable, keys)
@@ -194,6 +191,8 @@ def _shown(name: str, keys: dict[str, Any], path: Path) -> _Shown:
         with stage(f"reading and filtering {path.name}"):
             waves = table.waves()
             texture = texture_of(waves.roughness)
+    except IsProfileError:
+        raise
     except ValueError as error:
         raise CaseError(f"{path}: {error}") from error
     return _Shown(name, waves, texture, STEEL_ON_STEEL, None)

@@ -45,7 +45,7 @@ def blocks_table(found: CaseDuty) -> Table:
                 *turning,
             )
         )
-    return Table(head, tuple(rows), f"Duty of {found.name}", narrow=True)
+    return Table(head, tuple(rows), found.heading, narrow=True)
 
 
 def damage_table(found: CaseDuty) -> Table:

@@ -38,7 +38,8 @@ def stages_table(found: RunningIn) -> Table:
                     f"{max(last.wear) * 1e6:.3g}",
                 )
             )
-    return Table(head, tuple(rows), f"Running-in of {found.name}", texts=(1,), narrow=True)
+    heading = f"Running-in of {found.name}, contacts by closed forms"
+    return Table(head, tuple(rows), heading, texts=(1,), narrow=True)
 
 
 def words(found: RunningIn) -> Iterator[str]:

@@ -38,6 +38,10 @@ SNIFFED = 4096
 """Bytes from the beginning in which a file that is no text has a zero."""
 
 
+class IsProfileError(ValueError):
+    """A profile stands where an area is needed."""
+
+
 def read_heights(
     path: Path,
     spacing: float | None = None,
@@ -73,11 +77,11 @@ def read_area(
 ) -> tuple[Array, tuple[float, float]]:
     """Heights [m] of an area, shape (nx, ny), and their spacing [m]; arguments and errors as `read_heights`.
 
-    ValueError for a profile, too.
+    IsProfileError, a ValueError, for a profile.
     """
     heights, steps = read_heights(path, spacing, height_unit, channel)
     if heights.ndim == 1:
-        raise ValueError(
+        raise IsProfileError(
             "is a profile along a line; heights of an area are needed, or profiles as across or along"
         )
     return heights, (steps[0], steps[1])

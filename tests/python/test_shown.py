@@ -54,7 +54,7 @@ def built():
         "CaseRatings": (pyworm.rate("cases/spur_pair.toml"), "Ratings of spur_pair"),
         "CaseSetup": (pyworm.CaseSetup({}, hob_life=({},)), "required pattern none, proposed no"),
         "CaseWear": (pyworm.CaseWear("worm", wear, 1e-5, ""), "Wear of worm: hours 100"),
-        "CaseDuty": (made_duty(), "Duty of unit: blocks 1, duration 1 h"),
+        "CaseDuty": (made_duty(), "closed forms, no contact solved: blocks 1, duration 1 h"),
         "CheckedCase": (checked, "contacts 1, expected time"),
         "FormulaComparison": (formulas, "Film thickness of roller by formula"),
         "FormulaFilm": (formulas.rows[0], "µm"),
@@ -114,7 +114,8 @@ def made_duty():
     """An hour of a unit without damage."""
     block = BlockFigures("hour", 0.0, 3600.0, 10.0, 100.0, {}, 350.0, 7.2e6)
     history = SimpleNamespace(dissipated=[7.2e6])
-    model = SimpleNamespace(history=history, cycle=SimpleNamespace(duration=3600.0))
+    cycle = SimpleNamespace(duration=3600.0)
+    model = SimpleNamespace(history=history, cycle=cycle, loads={}, tabulated=False)
     return pyworm.CaseDuty("unit", model, (block,))
 
 

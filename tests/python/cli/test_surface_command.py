@@ -123,6 +123,14 @@ def test_a_profile_is_shown_and_drawn(profile, tmp_path, capsys):
     assert (out / "line_profile.png").stat().st_size > 10_000
 
 
+def test_a_profile_is_no_surface_of_a_table(profile, tmp_path, capsys):
+    table = tmp_path / "flank.toml"
+    table.write_text(f'file = "{profile.name}"')
+    assert "is a profile along a line" in refusal(["surface", str(table)], tmp_path, capsys)
+    said = refusal(["surface", str(profile), "--channel", "2"], tmp_path, capsys)
+    assert "has one channel; omit channel" in said
+
+
 def test_profiles_across_and_along_are_shown_as_a_surface(profile, capsys):
     command = ["surface", str(profile), "--along", str(profile), "--json"]
     assert main(command) == 0
