@@ -27,14 +27,18 @@ from pyworm.materials.solids import named_material
 _UpToOne = Annotated[float, Field(strict=True, ge=0, le=1)]
 
 
+ELEMENT = "roller"
+"""Name under `shaft` of the bearings of rollers on their pins, one in each."""
+
+
 class BearingTable(Table, RollingBearing):
     """`[bearings.NAME]`: a rolling bearing for ISO 281.
 
     Dynamic rating, load and speed give the basic life; the modified one needs the rest. Load and speed that
-    are not given are those of a `shaft` of the drive at one `side`; a `locating` bearing takes the thrust,
-    with factors by its `contact_angle` or as given. The oil is given by the viscosity at the bearing or by
-    name and temperature; dirt by the factor e_C, or by lubrication and cleanliness, of which the standard
-    makes e_C.
+    are not given are those of a `shaft` of the drive at one `side`, or of each "roller" on its pin; a
+    `locating` bearing takes the thrust, with factors by its `contact_angle` or as given. The oil is given by
+    the viscosity at the bearing or by name and temperature; dirt by the factor e_C, or by lubrication and
+    cleanliness, of which the standard makes e_C.
     """
 
     name: Text | None = None
@@ -63,7 +67,10 @@ class BearingTable(Table, RollingBearing):
         for key in ("load", "speed"):
             if getattr(self, key) is None and self.shaft is None:
                 yield f"{key} is missing; or give shaft and side, of which it follows"
-        yield from self.unless_together("shaft", "side")
+        if self.shaft != ELEMENT:
+            yield from self.unless_together("shaft", "side")
+        elif self.side is not None:
+            yield f"a bearing of each {ELEMENT} has no side"
         yield from self.unless_together("thrust_limit", "radial_factor", "thrust_factor")
         yield from self.unless_either("fatigue_load_limit", "static_rating", needed=False)
         if None not in (self.viscosity, self.oil):

@@ -2,9 +2,11 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 from math import inf
 from typing import Annotated, Literal
 
+import numpy as np
 from pydantic import Field
 
 from pyworm.case.bodies import Bodies, BodyTable
@@ -13,6 +15,7 @@ from pyworm.case.shafts import SupportsTable, supports_of
 from pyworm.case.table import Table, plain
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
 from pyworm.drives.roller_worm.drive import RollerWormDrive
+from pyworm.drives.roller_worm.meridian import FEWEST_POINTS, Meridian, read_formula
 from pyworm.drives.roller_worm.motion import FREE_OF_FRICTION, Pin, Spinning
 from pyworm.drives.roller_worm.profile import Crown, RollerProfile
 from pyworm.drives.torque_sharing import Sharing
@@ -34,6 +37,24 @@ class CrownTable(Table, Crown):
     """`[drive.rollers.crown]`: crown of the rollers, not of the tool that cuts the worm."""
 
 
+class MeridianTable(Table, Meridian):
+    """`[drive.rollers.meridian]`: rise of the radius along rollers of the shape "revolved"."""
+
+    def flaws(self) -> Iterator[str]:
+        """Not one of formula and points, or a formula or points that give no curve."""
+        if bool(self.formula) == bool(self.places or self.rises):
+            yield "give either formula or places and rises, one of the two"
+        if self.formula:
+            read_formula(self.formula)
+            return
+        if len(self.places) != len(self.rises):
+            yield f"{len(self.places)} places need as many rises, not {len(self.rises)}"
+        if len(self.places) < FEWEST_POINTS:
+            yield f"give {FEWEST_POINTS} points or more"
+        if any(after <= before for before, after in pairwise(self.places)):
+            yield "places must rise"
+
+
 class PinTable(Table, Pin):
     """`[drive.rollers.pin]`: pin on which a roller turns."""
 
@@ -44,6 +65,7 @@ class RollersTable(Table, RollerProfile):
     count: Count
     tilt: units.Tilt = 0.0
     height: units.Offset = 0.0
+    meridian: MeridianTable | None = None
     crown: CrownTable | None = None
     pin: PinTable | None = None
     stiffness: units.Stiffness | None = None
@@ -54,10 +76,31 @@ class RollersTable(Table, RollerProfile):
             yield "give a half_angle other than zero to a cone, and to a cone only"
         if self.shape == "ball" and not self.length < 2 * self.radius:
             yield "a ball's length must be less than twice its radius"
+        if (self.shape == "revolved") != (self.meridian is not None):
+            yield 'give a meridian to a roller of the shape "revolved", and to such a roller only'
+        if self.meridian is not None:
+            yield from self._curve(self.meridian)
+
+    def _curve(self, meridian: MeridianTable) -> Iterator[str]:
+        """A meridian that does not reach both ends, or has no radius somewhere."""
+        half = self.length / 2
+        if meridian.places and not (
+            meridian.places[0] <= -half * (1 - 1e-9) and meridian.places[-1] >= half * (1 - 1e-9)
+        ):
+            yield f"meridian.places must reach both ends of the roller, {half * 1e3:.4g} mm from its middle"
+        with np.errstate(all="ignore"):
+            rise, slope, bend = meridian(np.linspace(-half, half, 101), self.radius, self.length)
+        if not (np.isfinite(rise + slope + bend).all() and (self.radius + rise > 0).all()):
+            yield "meridian gives no smooth curve of positive radius over the roller's length"
 
 
 class RollerWormTable(Table, RollerWorm):
-    """`[drive.worm]`: the thread that the rollers envelop, in two sections parted at the throat."""
+    """`[drive.worm]`: the thread that the rollers envelop, divided at the throat or between two rows."""
+
+    def flaws(self) -> Iterator[str]:
+        """A throat angle of a worm that is not divided, or none of one that is."""
+        if (self.arrangement == "divided") != (self.throat_angle > 0):
+            yield "give a throat_angle above zero to a divided worm, and to such a worm only"
 
 
 class RollerDriveTable(Table):

@@ -22,6 +22,26 @@ class DryContact:
 
 
 @dataclass(frozen=True)
+class ElementBearing:
+    """Bearing of an element that turns on its wheel, such as a roller on its pin, over the mesh."""
+
+    name: str
+    """The element."""
+    radial: float
+    """Constant radial load of the same life [N], by the power 10/3 of roller bearings."""
+    radial_max: float
+    """Largest radial load [N]."""
+    axial_max: float
+    """Largest thrust [N], which a needle bearing leaves to a washer."""
+    speed: float
+    """Mean speed [rad/s], turns under load over the time of a turn of the wheel."""
+    speed_max: float
+    """Largest speed [rad/s]."""
+    losses: dict[str, float]
+    """Power that all elements lose by closed forms [W], by its place."""
+
+
+@dataclass(frozen=True)
 class MountingError:
     """One error of mounting."""
 

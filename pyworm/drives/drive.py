@@ -4,7 +4,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
-from pyworm.drives.answers import HobSetup, Misalignment, Shim, Space
+from pyworm.drives.answers import ElementBearing, HobSetup, Misalignment, Shim, Space
 from pyworm.drives.duty import Duty
 from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.loaded_root import LoadedRoot
@@ -223,6 +223,10 @@ class Drive(Shown, Lubricated, ABC):
     def shaft_speeds(self) -> Mapping[str, float]:
         """Speeds of its shafts [rad/s], by the name of the body that a shaft carries."""
         return {}
+
+    def element_bearing(self) -> ElementBearing | None:
+        """Bearing of elements that turn on its wheel; None of solid teeth."""
+        return None
 
     @property
     def rotors(self) -> tuple[Rotor, Rotor] | None:

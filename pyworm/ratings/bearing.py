@@ -61,6 +61,8 @@ class ShaftLoad:
     """Speed of the shaft [rad/s]."""
     friction: str
     """Origin of the friction in the forces, such as "simulation"."""
+    words: str = ""
+    """Where load and speed come from if not from the bearings of a shaft; empty if they do."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +90,7 @@ def carried_load(table: BearingTable, shaft: ShaftLoad | None) -> CarriedLoad:
         )
     radial, thrust = shaft.force.radial, shaft.force.thrust if table.locating else 0.0
     load = _equivalent(table, radial, thrust)
-    words = (
+    words = shaft.words or (
         f"Radial load {radial:.4g} N and thrust {thrust:.4g} N of the {table.shaft} shaft's bearing on the "
         f"{table.side} side, with the friction of the {shaft.friction}, make {load:.4g} N; what adjusted "
         "bearings push each other is not in it."

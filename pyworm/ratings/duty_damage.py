@@ -29,6 +29,7 @@ from pyworm.formulas.worm_rating import WormRating
 from pyworm.io.present import present
 from pyworm.materials.body import Body
 from pyworm.ratings.bearing import ShaftLoad, bearing_life, carried_load
+from pyworm.ratings.element_bearing import element_load
 from pyworm.ratings.mesh_estimate import MeshEstimate
 from pyworm.ratings.rated_case import Cooled, WormRated
 from pyworm.ratings.worm_safeties import pitting_damage, root_damage
@@ -149,6 +150,8 @@ class DutyDamage:
             bearing = force.bearings(drive.supports[table.shaft])[table.side]
             shaft = ShaftLoad(bearing, speed, "closed form")
             table = self._warm(table, drive, temperatures.get(f"{table.shaft} bearings"))
+        elif (element := drive.element_bearing()) is not None and table.shaft == element.name:
+            shaft = element_load(element)
         rated = bearing_life(table, self.case.directory, carried_load(table, shaft))
         modified = attempt(lambda: known(rated.modified_hours))
         return rated.basic_hours if isinstance(modified, Unknown) else modified

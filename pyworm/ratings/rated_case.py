@@ -23,6 +23,7 @@ from pyworm.case.ratings import (
     WormGearTable,
 )
 from pyworm.case.unusual import unusual
+from pyworm.drives.answers import ElementBearing
 from pyworm.drives.drive import Drive
 from pyworm.drives.duty import Duty, GearPairDuty, WormDuty
 from pyworm.drives.gear_unit import GearUnit
@@ -33,6 +34,7 @@ from pyworm.io.present import present
 from pyworm.io.toml import read_toml
 from pyworm.planning.prediction import predicted
 from pyworm.ratings.bearing import ShaftLoad, rate_bearing_table
+from pyworm.ratings.element_bearing import element_load, rate_element_bearing
 from pyworm.ratings.films import rate_films
 from pyworm.ratings.forces import Friction, rate_forces
 from pyworm.ratings.gear import rate_gear_pair
@@ -137,8 +139,19 @@ class RatingRequest:
         """Speed of a bearing [rad/s], as given or that of its shaft; ValueError of an unknown shaft."""
         if bearing.speed is not None:
             return bearing.speed
+        if (element := self.bearing_element(bearing)) is not None:
+            return element.speed
         speeds = {} if self.drive is None else self.drive.shaft_speeds
         return speeds[one_of("shaft", bearing.shaft or "", speeds)]
+
+    def bearing_element(self, bearing: BearingTable) -> ElementBearing | None:
+        """The element on whose pin a bearing is; None of a bearing of a shaft."""
+        if bearing.side is not None or bearing.shaft is None or self.drive is None:
+            return None
+        element = self.drive.element_bearing()
+        names = () if element is None else (element.name,)
+        one_of("shaft without a side", bearing.shaft, names)
+        return element
 
     @property
     def _worm_gear(self) -> WormGearTable | None:
@@ -282,6 +295,7 @@ def _attempts(
         if isinstance(tables, RatedCase) and tables.scuffing is not None:
             yield "Scuffing", _attempt(partial(_scuffing, drive, tables, result))
         yield "Roots", _attempt(partial(_roots, drive))
+        yield "Rollers", _attempt(partial(_element_bearing, drive))
     if getattr(tables, "cooling", None) is not None:
         yield "Temperatures", _attempt(lambda: (rate_temperatures(thermal_unit(request)),))
     for name, bearing in tables.bearings.items():
@@ -367,6 +381,11 @@ def _roots(drive: Drive) -> tuple[Rating, ...]:
     return () if found is None else (found,)
 
 
+def _element_bearing(drive: Drive) -> tuple[Rating, ...]:
+    found = drive.element_bearing()
+    return () if found is None else (rate_element_bearing(found),)
+
+
 def _bearing(
     request: RatingRequest, name: str, table: BearingTable, result: Result | None
 ) -> tuple[Rating, ...]:
@@ -381,6 +400,8 @@ def _bearing(
             )
         bearing = force.bearings(drive.supports[table.shaft])[table.side]
         shaft = ShaftLoad(bearing, speed, friction)
+    elif (element := request.bearing_element(table)) is not None:
+        shaft = element_load(element)
     return (rate_bearing_table(name, table, request.directory, shaft),)
 
 

@@ -23,9 +23,10 @@ def envelope(
     hand=-1,
     height=0.0,
     crown=None,
+    profile=None,
 ):
     """The flank that rollers envelop; throat diameter over centre distance, angles in rad."""
-    profile = RollerProfile(radius, 14e-3, shape, half_angle, crown)
+    profile = profile or RollerProfile(radius, 14e-3, shape, half_angle, crown)
     pitch_radius = CENTRE_DISTANCE * (1 - throat / 2)
     seat = CENTRE_DISTANCE, pitch_radius, tilt, height
     return RollerEnvelope(profile, float(ROLLERS), *seat, flank, hand)

@@ -29,6 +29,7 @@ def _check_sizes(gears: RollerGears) -> None:
             f"worm.throat_coefficient is {worm.throat_coefficient:g}; the throat must lie between the axes, "
             "from 0 to 2"
         )
+    _check_seat(gears)
     if not worm.throat_angle < worm.outer_angle <= np.radians(MAX_END_ANGLE):
         raise ValueError(
             f"worm.outer_angle is {degrees(worm.outer_angle):.4g} deg; it must lie from worm.throat_angle, "
@@ -40,18 +41,35 @@ def _check_sizes(gears: RollerGears) -> None:
                 f"worm.{name} is {getattr(worm, name) * 1e3:.4g} mm; it must not be above half the rollers' "
                 f"length, {profile.length * 5e2:.4g} mm"
             )
-    if np.cos(rollers.tilt) * worm.dedendum >= gears.throat_radius:
-        raise ValueError(
-            f"worm.dedendum is {worm.dedendum * 1e3:.4g} mm; it must stay below the throat's radius, "
-            f"{gears.throat_radius * 1e3:.4g} mm"
-        )
-    thick = 2 * float(np.max(profile(np.array([-worm.addendum, 0.0]))[0]))
-    inner = gears.centre_distance - gears.throat_radius - np.cos(rollers.tilt) * worm.addendum
-    apart = 2 * inner * np.sin(pi / rollers.count)
-    if not thick < apart:
+    places = np.linspace(-worm.addendum, worm.dedendum, CHECKED[1])
+    apart = 2 * (gears.pitch_radius + np.cos(rollers.tilt) * places) * np.sin(pi / rollers.count)
+    tight = int(np.argmin(apart - 2 * profile(places)[0]))
+    if not 2 * profile(places)[0][tight] < apart[tight]:
         raise ValueError(
             f"rollers.radius is {profile.radius * 1e3:.4g} mm; {rollers.count} rollers stand only "
-            f"{apart * 1e3:.4g} mm apart at the thread's tip, which leaves no thread between them"
+            f"{apart[tight] * 1e3:.4g} mm apart at {places[tight] * 1e3:.4g} mm from their middles, which "
+            "leaves no thread between them"
+        )
+
+
+def _check_seat(gears: RollerGears) -> None:
+    """Refuse rollers that miss the throat, or whose axes do not point to the worm (ValueError)."""
+    worm, rollers = gears.worm, gears.rollers
+    if abs(rollers.height) > gears.throat_radius * (1 + 1e-9):
+        raise ValueError(
+            f"rollers.height is {rollers.height * 1e3:.4g} mm; it must not be above the throat's radius, "
+            f"{gears.throat_radius * 1e3:.4g} mm, at which the rollers' middles pass the worm"
+        )
+    if worm.dedendum >= gears.towards:
+        raise ValueError(
+            f"worm.dedendum is {worm.dedendum * 1e3:.4g} mm; along the rollers' axes, of this tilt and "
+            f"height, the worm's axis is nearest at {gears.towards * 1e3:.4g} mm from their middles, before "
+            "which the thread must end"
+        )
+    if worm.arrangement == "double" and rollers.height == 0:
+        raise ValueError(
+            "rollers.height is 0; two rows of rollers need the height of the driving row over the worm's "
+            "axis, the other stands as far below"
         )
 
 

@@ -1,12 +1,15 @@
 """Dataset of a roller enveloping worm drive for pictures and tables."""
 
 from collections.abc import Callable
+from itertools import product
 from typing import Any
 
 import numpy as np
 
+from pyworm.drives.roller_worm.indices import lubrication_angle, self_rotation_angle
 from pyworm.drives.roller_worm.load_sharing import lever
 from pyworm.drives.roller_worm.mesh import RollerMesh
+from pyworm.drives.roller_worm.pins import pin_load
 from pyworm.formulas.film_atlas import reciprocal_alpha
 from pyworm.formulas.regimes import REGIMES
 from pyworm.io.on_demand import xarray as xr
@@ -72,6 +75,9 @@ _ALONG_A_LINE = {
     "worm_velocity": lambda s: s.motion.worm[0],
     "roller_velocity": lambda s: s.motion.roller[0],
     "sliding_along": lambda s: s.motion.sliding[1],
+    "lubrication_angle": lambda s: lubrication_angle(s.section.envelope, s.contact),
+    "self_rotation_angle": lambda s: self_rotation_angle(s.section.envelope, s.contact),
+    "induced_curvature": lambda s: s.contact.curvature,
     "relative_spin": lambda s: s.motion.spin[0] - s.motion.spin[1],
     "lever": lambda s: lever(s.contact),
     "viscosity_parameter": lambda s: s.films.g_v,
@@ -103,7 +109,14 @@ def _contact_lines(mesh: RollerMesh) -> dict[str, tuple]:
         (_ALONG_A_LINE, ("section", "phase", "station")),
         (_BY_REGIME, ("section", "phase", "regime", "station")),
     )
+    pins = [[pin_load(mesh, name, float(phase)) for phase in PHASES] for name in mesh.sections]
     return {
+        "pin_radial": (
+            ("section", "phase"),
+            np.array([[pin.radial for pin in row] for row in pins]),
+        ),
+        "pin_axial": (("section", "phase"), np.array([[pin.axial for pin in row] for row in pins])),
+    } | {
         name: (axes, np.array([[read(state) for state in row] for row in states], float))
         for table, axes in tables
         for name, read in table.items()
@@ -117,12 +130,15 @@ def _flanks(mesh: RollerMesh) -> dict[str, tuple]:
         angles = np.linspace(section.first, section.last, SWEEP)
         places = np.linspace(section.lowest, section.highest, ACROSS)[:, None]
         flanks.append(np.moveaxis(section.envelope.worm_point(places, angles + 0 * places), 0, -1))
-    envelope, profile = section.envelope, mesh.rollers.profile
+    profile = mesh.rollers.profile
     along = np.linspace(-profile.length / 2, profile.length / 2, ACROSS)
     round_ = np.linspace(0, 2 * np.pi, 25)
     radius = profile(along)[0] - profile.relief(along)
-    for angle in 2 * np.pi / mesh.rollers.count * np.arange(mesh.rollers.count):
-        going, side, axis, middle = (vector[:, None, None] for vector in envelope.axes(angle))
+    steps = range(mesh.rollers.count)
+    for row, angle in product(mesh.rows, [2 * np.pi / mesh.rollers.count * step for step in steps]):
+        going, side, axis, middle = (
+            vector[:, None, None] for vector in row.envelope.axes(np.array(angle))
+        )
         out = np.cos(round_) * going + np.sin(round_) * side
         surface = middle + along[:, None] * axis + radius[:, None] * out
         rollers.append(np.moveaxis(surface, 0, -1))

@@ -8,6 +8,9 @@ from pyworm.drives.roller_worm.profile import RollerProfile
 from pyworm.io import units
 from pyworm.io.plain_values import Count, PositiveNumber
 
+Arrangement = Literal["divided", "double"]
+"""How the two flanks of the thread get their rollers."""
+
 
 @dataclass(frozen=True)
 class RollerWorm:
@@ -17,16 +20,19 @@ class RollerWorm:
     """Number of threads."""
     throat_coefficient: PositiveNumber
     """k, throat diameter over centre distance; the rollers' middles pass the throat there [-]."""
-    throat_angle: units.Angle
-    """Wheel angle from the throat at which either section begins [rad]."""
     outer_angle: units.Angle
     """Wheel angle from the throat at which either section ends [rad]."""
     addendum: units.Length
     """Bearing length of the thread from the rollers' middle towards their inner end [m]."""
     dedendum: units.Length
     """Bearing length of the thread from the rollers' middle towards their outer end [m]."""
+    throat_angle: units.AngleOrZero = 0.0
+    """Wheel angle from the throat at which either section of a divided worm begins [rad]."""
     hand: Literal["right", "left"] = "right"
     """Hand of the thread."""
+    arrangement: Arrangement = "divided"
+    """Rollers of both flanks: "divided", a section of the worm for each, parted at the throat; "double", a
+    row of rollers for each along the whole worm, the rows mirrored about its axis."""
 
     @property
     def turn(self) -> int:
@@ -43,9 +49,11 @@ class Rollers:
     profile: RollerProfile
     """Shape of the rollers."""
     tilt: float
-    """Angle of the rollers' axes to the wheel's radius, towards its axis [rad]: 0 radial, pi/2 axial."""
+    """Angle of the rollers' axes to the wheel's radius, towards its axis [rad]: 0 radial on a rim, pi/2 axial
+    on a disc, pi radial on the inside of a ring."""
     height: float
-    """Height of the rollers' middles over the worm's axis, along the wheel's axis [m]."""
+    """Height of the rollers' middles over the worm's axis, along the wheel's axis [m]; of two rows that of
+    the driving one."""
     pin: Pin = FREE_OF_FRICTION
     """Pin of each roller."""
     stiffness: float = float("inf")

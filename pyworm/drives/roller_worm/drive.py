@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from math import sin
 
-from pyworm.drives.answers import Space
+from pyworm.drives.answers import ElementBearing, Space
 from pyworm.drives.drive import Drive
 from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.loaded_root import LoadedRoot
@@ -15,6 +15,7 @@ from pyworm.drives.roller_worm.dataset import roller_cycle_data
 from pyworm.drives.roller_worm.geometry_table import SHEET, described_rollers
 from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.mesh_loss import roller_mesh_loss
+from pyworm.drives.roller_worm.pins import pin_bearing
 from pyworm.drives.roller_worm.roots import roller_roots
 from pyworm.drives.roller_worm.shaft_forces import roller_forces
 from pyworm.drives.roller_worm.shapes import in_space
@@ -61,6 +62,10 @@ class RollerWormDrive(RollerMesh, Drive):
         """Loss of all rollers in mesh; None for too few phases of a section that carries load."""
         return roller_mesh_loss(self, contacts)
 
+    def element_bearing(self) -> ElementBearing:
+        """The rollers on their pins."""
+        return pin_bearing(self)
+
     def roots(self) -> tuple[LoadedRoot, ...]:
         """Roots of the thread and of the pins, where their radius is given."""
         return roller_roots(self)
@@ -97,11 +102,10 @@ class RollerWormDrive(RollerMesh, Drive):
     def rotors(self) -> tuple[Rotor, Rotor]:
         """The worm as a cylinder as thick as its throat, and the wheel as a disc as thick as its rollers."""
         spans = {name: bearings.bearing_span for name, bearings in self.supports.items()}
-        middles = self.centre_distance - self.throat_radius
         worm = Rotor(
             name="worm",
             diameter=2 * self.throat_radius,
-            width=2 * middles * sin(self.worm.outer_angle),
+            width=2 * self.pitch_radius * sin(self.worm.outer_angle),
             speed=self.speed,
             torque=self.torque,
             body=self.bodies[0],
@@ -109,7 +113,7 @@ class RollerWormDrive(RollerMesh, Drive):
         )
         wheel = Rotor(
             name="wheel",
-            diameter=2 * middles,
+            diameter=2 * self.pitch_radius,
             width=2 * self.rollers.profile.radius,
             speed=self.wheel_speed,
             torque=self.torque * self.ratio,

@@ -23,7 +23,8 @@ def described_rollers(mesh: RollerMesh) -> Described:
     its tip nor its root. There is no backlash: the sections are braced against each other.
     """
     worm, rollers, profile = mesh.worm, mesh.rollers, mesh.rollers.profile
-    wheel = mesh.centre_distance - mesh.throat_radius
+    wheel = mesh.pitch_radius
+    section = mesh.sections["left"]
     upright, pitch = cos(rollers.tilt), 2 * pi / rollers.count
     speeds = mesh.throat_radius * mesh.speed, wheel * mesh.wheel_speed
     return {
@@ -32,12 +33,13 @@ def described_rollers(mesh: RollerMesh) -> Described:
         "gear_ratio": mesh.ratio,
         "centre_distance_m": mesh.centre_distance,
         "throat_coefficient": worm.throat_coefficient,
+        "arrangement": worm.arrangement,
         "lead_angle_deg": degrees(atan2(speeds[1], speeds[0])),
         "throat_angle_deg": degrees(worm.throat_angle),
         "outer_angle_deg": degrees(worm.outer_angle),
         "worm_throat_diameter_m": 2 * mesh.throat_radius,
-        "worm_flank_from_diameter_m": 2 * (mesh.throat_radius - worm.dedendum * upright),
-        "worm_flank_to_diameter_m": 2 * (mesh.throat_radius + worm.addendum * upright),
+        "worm_flank_from_diameter_m": 2 * mesh.axis_distance(worm.dedendum),
+        "worm_flank_to_diameter_m": 2 * mesh.axis_distance(-worm.addendum),
         "wheel_reference_diameter_m": 2 * wheel,
         "wheel_tip_diameter_m": 2 * (wheel + profile.length / 2 * upright),
         "roller_count": rollers.count,
@@ -46,7 +48,7 @@ def described_rollers(mesh: RollerMesh) -> Described:
         "roller_length_m": profile.length,
         "roller_tilt_deg": degrees(rollers.tilt),
         "roller_height_m": rollers.height,
-        "contact_ratio": (worm.outer_angle - worm.throat_angle) / pitch,
+        "contact_ratio": (section.last - section.first) / pitch,
         "sliding_speed_m_per_s": hypot(*speeds),
         "face_coverage": (worm.addendum + worm.dedendum) / profile.length,
         "wheel_torque_N_m": mesh.wheel_torque("left") - mesh.wheel_torque("right"),

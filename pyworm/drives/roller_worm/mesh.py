@@ -209,11 +209,12 @@ class RollerMesh(RollerGears, Lubricated):
         """Worm and rollers as they carry oil; the rollers stand out from their wheel by the worm's depth."""
         worm, length = self.worm, self.rollers.profile.length
         depth = worm.addendum + worm.dedendum
-        middles = self.centre_distance - self.throat_radius
         return LubricatedTeeth(
             bodies={
                 "worm": LubricatedBody(self.throat_radius + worm.addendum, depth, self.speed),
-                "rollers": LubricatedBody(middles + worm.dedendum, depth, self.wheel_speed),
+                "rollers": LubricatedBody(
+                    self.pitch_radius + worm.dedendum, depth, self.wheel_speed
+                ),
             },
             face_width=length,
             rate=self.speed * worm.threads / (2 * pi),

@@ -11,6 +11,7 @@ import numpy as np
 
 from pyworm.drives.mesh_loss import ContactLoss, MeshLoss, largest_model
 from pyworm.drives.roller_worm.mesh import RollerMesh
+from pyworm.drives.roller_worm.pins import pin_bearing
 from pyworm.io.present import present
 
 FEWEST_PHASES = 3
@@ -36,10 +37,15 @@ def roller_mesh_loss(mesh: RollerMesh, contacts: Sequence[ContactLoss]) -> MeshL
         ]
         in_mesh = abs(section.last - section.first) * mesh.rollers.count / (2 * np.pi)
         loss += in_mesh * _mean(phases, of_a_roller)
+    losses = pin_bearing(mesh).losses
+    pins, along = losses["pins"], losses["sliding along the rollers"]
+    words = f"{pins:.4g} W on their pins are in it;" if pins else "their pins,"
+    lines = any(contact.station is not None for contact in contacts)
+    left_along = f"; sliding along the lines would add {along:.3g} W at most" if lines else ""
     braced = ", braced by the preload" if mesh.preload else ""
     return MeshLoss(
         power=mesh.torque * mesh.speed,
-        loss=loss,
+        loss=loss + pins,
         friction=float(
             np.average(
                 [contact.friction for contact in contacts],
@@ -47,8 +53,8 @@ def roller_mesh_loss(mesh: RollerMesh, contacts: Sequence[ContactLoss]) -> MeshL
             )
         ),
         error=max(contact.error for contact in contacts),
-        words=f"of all rollers in mesh with the thread{braced}; their pins, the bearings and what the oil "
-        "drags are not in it",
+        words=f"of all rollers in mesh with the thread{braced}; {words} the bearings and what the oil "
+        f"drags are not in it{left_along}",
         model=largest_model(contacts),
     )
 

@@ -29,9 +29,8 @@ def roller_roots(drive: RollerMesh) -> tuple[LoadedRoot, ...]:
         for phase in PHASES
     ]
     phase, force = (np.array(column) for column in zip(*lines, strict=True))
-    middles = drive.centre_distance - drive.throat_radius
     profile = drive.rollers.profile
-    pitch = 2 * pi * middles / drive.rollers.count
+    pitch = 2 * pi * drive.pitch_radius / drive.rollers.count
     same = np.ones(len(force))
     thread = LoadedRoot(
         "worm thread", 1, phase, force, drive.worm.dedendum * same, 0 * same,

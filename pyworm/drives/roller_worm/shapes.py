@@ -19,6 +19,9 @@ HEIGHTS = 4
 ANGLES = 30
 """Points in a turn of the worm, or of a roller about its own axis."""
 
+RINGS = 3
+"""Circles of a roller along its axis."""
+
 ALONG = 41
 """Points of a line of contact."""
 
@@ -36,8 +39,9 @@ def in_space(mesh: RollerMesh, places: Sequence[ContactIndex]) -> Space:
         float(section.wheel_angle(phase)) for section, phase in zip(sections, phases, strict=True)
     ]
     flanks = (_flank(mesh, section, np.array(angles)) for section in mesh.sections.values())
+    rows = (_rollers(mesh, section, np.array(angles)) for section in mesh.rows)
     return Space(
-        shapes=(*flanks, _rollers(mesh, np.array(angles))),
+        shapes=(*flanks, *rows),
         view=np.eye(3),
         size=1.5 * mesh.centre_distance,
         drawn=DRAWN_PARTS,
@@ -64,13 +68,13 @@ def _flank(mesh: RollerMesh, section: WormSection, angles: Array) -> Shape:
     )
 
 
-def _rollers(mesh: RollerMesh, angles: Array) -> Shape:
-    (section, *_), profile = mesh.sections.values(), mesh.rollers.profile
+def _rollers(mesh: RollerMesh, section: WormSection, angles: Array) -> Shape:
+    profile = mesh.rollers.profile
     going, side, axis, middle = section.envelope.axes(np.array(0.0))
-    ends = np.array([-0.5, 0.0, 0.5]) * profile.length
+    ends = np.linspace(-0.5, 0.5, RINGS) * profile.length
     radii = profile(ends)[0]
     # the flat ends are rings of no radius
-    rings = zip(ends[[0, 0, 1, 2, 2]], (0.0, *radii, 0.0), strict=True)
+    rings = zip((ends[0], *ends, ends[-1]), (0.0, *radii, 0.0), strict=True)
     surface = np.stack([_ring(middle + s * axis, radius, going, side) for s, radius in rings])
     about = round(pi / 2 / section.pitch)
     return Shape(

@@ -39,8 +39,9 @@ def draw_roller_cycle(result: Result) -> Figure:
     _draw_motion(axes[2], cycle)
     _draw_lambda(axes[3], cycle)
     add_grids(axes)
-    for panel in axes:
-        panel.axvspan(*throat(cycle), color="0.93", zorder=0)
+    first, last = throat(cycle)
+    for panel in axes if first < last else ():
+        panel.axvspan(first, last, color="0.93", zorder=0)
     axes[-1].set_xlabel("wheel angle of the roller / ° (motion from left to right)")
     return figure
 
@@ -181,6 +182,47 @@ def draw_roller_sensitivity(result: Result) -> Figure:
     return figure
 
 
+def draw_roller_indices(result: Result) -> Figure:
+    """Lubrication and self-rotation angle, induced curvature and loads of the pin over the wheel angle."""
+    cycle = result.cycle_data
+    words, room = (
+        result_heading(result, "indices of the mesh and loads of the pins"),
+        (1.0, *ROOM[1:]),
+    )
+    figure, axes = placed_panels((9, 8), words, room, rows=3, space=0.08, sharex=True)
+    thrust = axes[2].twinx()
+    for colour, cycle_part, angle in _sections(cycle):
+        for panel, name, factor in INDICES:
+            along = cycle_part[name] * factor
+            ends = along.min("station"), along.max("station")
+            axes[panel].fill_between(angle, *ends, color=colour, alpha=0.3, lw=0)
+            middle = along.isel(station=cycle_part.sizes["station"] // 2)
+            style = "--" if name == "self_rotation_angle" else "-"
+            axes[panel].plot(angle, middle, style, color=colour)
+        axes[2].plot(angle, cycle_part["pin_radial"], color=colour)
+        thrust.plot(angle, cycle_part["pin_axial"], "--", color=colour)
+        axes[2].plot([], [], color=colour, label=f"{cycle_part['section'].item()} section")
+    axes[0].set_ylim(top=91)
+    axes[0].set_ylabel("lubrication angle / °\n(self-rotation angle dashed)")
+    axes[1].set_ylabel("induced curvature\n/ (1/mm)")
+    axes[2].set_ylim(bottom=0)
+    axes[2].set_ylabel("radial load\nof the pin / N")
+    thrust.set_ylabel("thrust along the pin / N\n(dashed)")
+    thrust.set_ylim(bottom=min(0.0, thrust.get_ylim()[0]))
+    axes[2].legend(frameon=False, fontsize=8, loc="center left")
+    axes[2].set_xlabel("wheel angle of the roller / ° (motion from left to right)")
+    add_grids(axes)
+    return figure
+
+
+INDICES = (
+    (0, "lubrication_angle", 180 / np.pi),
+    (0, "self_rotation_angle", 180 / np.pi),
+    (1, "induced_curvature", 1e-3),
+)
+"""Panel, variable along the line of contact, factor from SI to the shown unit."""
+
+
 CYCLE_PICTURES = {
     "mesh_cycle_drive": CyclePicture(
         "Gear set: rollers, worm flanks and contact lines", draw_roller_drive
@@ -189,6 +231,9 @@ CYCLE_PICTURES = {
         "Regimes of lubrication over the mesh cycle", draw_roller_regimes
     ),
     "mesh_cycle": CyclePicture("Mesh cycle", draw_roller_cycle),
+    "mesh_cycle_indices": CyclePicture(
+        "Indices of the mesh and loads of the pins", draw_roller_indices
+    ),
     "mesh_cycle_sensitivity": CyclePicture("Sensitivity of the film", draw_roller_sensitivity),
 }
 """File name -> picture of the mesh cycle."""

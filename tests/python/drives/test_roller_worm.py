@@ -239,7 +239,20 @@ def test_normal_forces_with_cosine_and_sine():
 @pytest.mark.parametrize(
     ("old", "new", "sentence"),
     [
-        ('tilt = "0 deg"', 'tilt = "90 deg"', "drive.worm: the right section's flank is undercut"),
+        ('tilt = "0 deg"', 'tilt = "75 deg"', "drive.worm: the right section's flank is undercut"),
+        (
+            'tilt = "0 deg"',
+            'tilt = "90 deg"',
+            "drive.worm.dedendum is 6 mm; along the rollers' axes",
+        ),
+        (
+            'tilt = "0 deg"',
+            'height = "-33 mm"',
+            "drive.rollers.height is -33 mm; it must not be above",
+        ),
+        ('throat_angle = "5 deg"', "", "give a throat_angle above zero to a divided worm"),
+        ('throat_angle = "5 deg"', 'arrangement = "double"', "drive.rollers.height is 0; two rows"),
+        ('throat_angle = "5 deg"', 'arrangement = "triple"', "drive.worm.arrangement"),
         ('radius = "6.5 mm"', 'radius = "11 mm"', "leaves no thread between them"),
         ('outer_angle = "60 deg"', 'outer_angle = "4 deg"', "drive.worm.outer_angle is 4 deg"),
         ('outer_angle = "60 deg"', 'outer_angle = "5.3 deg"', "a larger angle is needed"),
