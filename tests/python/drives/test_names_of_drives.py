@@ -42,7 +42,8 @@ NAMES = {
         """,
     RollerWormDrive: """
         axis_distance centre_distance oil pitch_radius preload ratio rollers rolling rows scene_at shaft
-        shared sharing speed state throat_radius torque towards varied wheel_shaft wheel_speed wheel_torque worm
+        shared sharing speed state throat_radius torque towards varied wheel_shaft
+        wheel_speed wheel_torque worm
         """,
 }
 
