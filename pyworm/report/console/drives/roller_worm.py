@@ -17,6 +17,7 @@ _ROWS: tuple[tuple[str, Callable[["xr.Dataset"], Any], str], ...] = (
     ("Wheel angle / deg", lambda place: np.degrees(place["wheel_angle"]), ".1f"),
     ("Load per length / kN/m", lambda place: place["load_per_length"] / 1e3, ".1f"),
     ("Relative radius / mm", lambda place: place["contact_radius"] * 1e3, ".3f"),
+    ("Induced curvature / 1/mm", lambda place: place["induced_curvature"] / 1e3, ".4f"),
     ("Worm across the line / m/s", lambda place: place["worm_velocity"], ".3f"),
     ("Roller across the line / m/s", lambda place: place["roller_velocity"], ".3f"),
     ("Sliding along the line / m/s", lambda place: place["sliding_along"], ".3f"),
