@@ -126,7 +126,7 @@ contains
     end do
   end subroutine field_spectrum
 
-  !> Computes the field, times `unit`, of a spectrum (my, mx/2+1).
+  !> Computes the field, times `unit`, of a spectrum (my, mx/2+1); columns that are missing are zero.
   subroutine spectrum_field(t, spectrum, unit, field)
     type(field_transform), intent(inout) :: t
     complex(c_float_complex), intent(in) :: spectrum(:, :)
@@ -134,8 +134,9 @@ contains
     real(wp), intent(out) :: field(t%nx, t%ny)
     integer :: first, count
 
-    do first = 1, t%mx/2 + 1, block_columns
-      count = min(block_columns, t%mx/2 + 2 - first)
+    t%spectra(size(spectrum, 2) + 1:, :) = 0
+    do first = 1, size(spectrum, 2), block_columns
+      count = min(block_columns, size(spectrum, 2) + 1 - first)
       associate (columns => t%columns(:, :, 1))
         columns(:, :count) = spectrum(:, first:first + count - 1)
         columns(:, count + 1:) = 0

@@ -98,38 +98,29 @@ contains
     complex(c_float_complex), intent(in) :: spectra(:, :, :)
     complex(c_float_complex), intent(out) :: spectrum(:, :)
     real(wp), intent(out) :: stress(:, :)
-    complex(c_float_complex) :: even_y, odd_y, total(size(spectra, 1))
+    complex(c_float_complex) :: mirrored(size(spectra, 1)), total(size(spectra, 1))
     real(wp) :: unit
-    integer :: t, j, k, even(2, size(spectra, 3))
+    integer :: t, k, my, even(2)
 
     call kernel_spectrum(transform, kernel, unit, spectrum)
-    do t = 1, size(spectra, 3)
-      even(:, t) = parity(component, t)
-    end do
+    my = size(spectrum, 1)
     do k = 1, size(spectrum, 2)
-      do j = 1, size(spectrum, 1)
+      mirrored(1) = spectrum(1, k)
+      mirrored(2:) = spectrum(my:2:-1, k)
+      total = 0
+      do t = 1, size(spectra, 3)
+        even = parity(component, t)
         ! parts even and odd in y; of each the real one is even in x where it is even in y, odd where it is odd
-        associate (here => spectrum(j, k), mirrored => spectrum(modulo(1 - j, size(spectrum, 1)) + 1, k))
-          even_y = (here + mirrored)/2
-          odd_y = (here - mirrored)/2
-        end associate
-        total(j) = 0
-        do t = 1, size(spectra, 3)
-          total(j) = total(j) + spectra(j, k, t)*part(merge(even_y, odd_y, even(2, t) == 1), product(even(:, t)) == 1)
-        end do
+        if (product(even) == 1) then
+          total = total + spectra(:, k, t)*(real(spectrum(:, k), pp) + even(2)*real(mirrored, pp))/2
+        else
+          total = total + spectra(:, k, t)*cmplx(0, aimag(spectrum(:, k)) + even(2)*aimag(mirrored), pp)/2
+        end if
       end do
       spectrum(:, k) = total
     end do
     call spectrum_field(transform, spectrum, unit, stress)
   end subroutine convolve_component
-
-  !> The real or the imaginary part of a number, as a complex one.
-  pure complex(c_float_complex) function part(z, real_one)
-    complex(c_float_complex), intent(in) :: z
-    logical, intent(in) :: real_one
-
-    part = merge(cmplx(real(z), 0, pp), cmplx(0, aimag(z), pp), real_one)
-  end function part
 
   !> Parity by x and y, 1 or -1, of a component of the stress below a rectangle under a traction.
   pure function parity(component, traction)

@@ -14,7 +14,7 @@ from pyworm.kernel.film import HeatStorage
 from pyworm.kernel.interpolation import level_positions, prolong, prolong_levels
 from pyworm.kernel.line_film import LineFilm
 from pyworm.kernel.point_film import PointFilm
-from pyworm.kernel.subsurface_stress import subsurface_stress
+from pyworm.kernel.subsurface_stress import subsurface_stress, thermal_stress
 from pyworm.kernel.surface_heat import (
     FluxRecord,
     SurfacePast,
@@ -44,4 +44,5 @@ __all__ = [
     "prolong_levels",
     "residual_rise",
     "subsurface_stress",
+    "thermal_stress",
 ]

@@ -14,7 +14,7 @@ module bindings
   implicit none
   private
 
-  public :: dry_contact_solve, elastic_deflection, point_stress, line_stress
+  public :: dry_contact_solve, elastic_deflection, point_stress, line_stress, heat_stress
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_entrain, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
@@ -69,6 +69,19 @@ contains
 
     call half_plane_stress(tractions, dx, depths, stress, stat)
   end subroutine line_stress
+
+  !> Thermal stress [Pa] below some nodes, the `first` on, of a rise of the surface temperature [K]; see `thermal_stress`. `solid`
+  !> are E alpha/(1 - nu) [Pa/K], Poisson's ratio, the diffusivity [m2/s] and both components of the velocity [m/s].
+  subroutine heat_stress(rise, mx, my, spacing, solid, first, nx, ny, depths, count, stress, stat)
+    use pyworm_thermal_stress, only: thermal_solid, thermal_stress
+    integer(c_int), intent(in) :: mx, my, first(2), nx, ny, count
+    real(c_double), intent(in) :: rise(mx, my), spacing(2), solid(5), depths(count)
+    real(c_double), intent(out) :: stress(nx, ny, 6, count)
+    integer(c_int), intent(out) :: stat
+    !f2py threadsafe
+
+    call thermal_stress(rise, spacing, thermal_solid(solid(1), solid(2), solid(3), solid(4:5)), first, depths, stress, stat)
+  end subroutine heat_stress
 
   !> Solves the dry contact of a gap [m]; p [Pa] is the initial guess, then the solution.
   subroutine dry_contact_solve(gap, covered, nx, ny, dx, dy, reduced_modulus, load, tolerance, &

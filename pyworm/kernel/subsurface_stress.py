@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pyworm.formulas.arrays import Array
+from pyworm.formulas.thermal_stress import ThermalSolid
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 
@@ -46,3 +47,45 @@ def subsurface_stress(
     xx, zz, xz = np.moveaxis(plane, (1, 2), (0, 1))
     none = np.zeros(xx.shape)
     return np.stack([xx, poisson_ratio * (xx + zz), zz, none, xz, none])
+
+
+def thermal_stress(
+    rise: Array,
+    spacing: Sequence[float],
+    velocity: Sequence[float],
+    solid: ThermalSolid,
+    depths: npt.ArrayLike,
+    window: Sequence[tuple[int, int]] | None = None,
+) -> Array:
+    """Stress [Pa] of a rise of the surface temperature, along the first axes `COMPONENTS` and depths.
+
+    z points into the body. The rise repeats periodically: it needs room around it that is not heated.
+
+    Args:
+        rise: Surface temperature above that far below [K], shape (nx, ny), or (nx,) of a line contact in
+            plane strain; nx even.
+        spacing: Grid spacing along each direction [m].
+        velocity: Velocity of the body's material past the contact along each direction [m/s].
+        solid: The body.
+        depths: Depths [m].
+        window: First node along each direction, and number of nodes, where the stress is wanted; by default
+            all.
+
+    Raises:
+        KernelError: A spacing, a depth or a window that there is not, or no memory.
+    """
+    window = window or [(0, count) for count in rise.shape]
+    line = rise.ndim == 1
+    first, counts = zip(*window, *[(0, 1)] * line, strict=True)
+    found: tuple[Array, int] = core.bindings.heat_stress(
+        fortran_array(rise[:, None] if line else rise),
+        [*spacing, *spacing][:2],
+        [solid.restrained, solid.poisson_ratio, solid.diffusivity, *velocity, 0.0][:5],
+        np.add(first, 1),
+        *counts,
+        fortran_array(np.atleast_1d(depths)),
+    )
+    stress, status = found
+    check_status(status)
+    stress = np.moveaxis(stress, (2, 3), (0, 1))
+    return stress[..., 0] if line else stress

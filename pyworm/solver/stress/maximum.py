@@ -30,7 +30,7 @@ SURFACE_STRESS = (0.35, 2.0)
 """Equivalent stress at most at a surface, over pressure (circular: (1 - 2 nu)/2) and over shear traction
 (behind a sliding cylinder: sqrt(1 - nu + nu^2) 2 mu p)."""
 
-SEARCH_CELLS, FINAL_CELLS = 2, 6
+SEARCH_CELLS, FINAL_CELLS = 1, 6
 """Grid cells to a depth: in the search over depths, and at the maximum that is found."""
 
 MIN_HALF_CELLS = 4
@@ -76,6 +76,7 @@ class StressBelow:
         """Poisson's ratio of the body."""
         self.half_width = tractions.half_width
         """Half-width of the contact [m]."""
+        self._fields: dict[tuple[bool, int, float], Array] = {}
         self._step = max(tractions.spacing)
         cells = self.half_width / (MIN_HALF_CELLS * self._step)
         self.coarsest = int(log2(cells)) if cells > 1 else 0
@@ -89,26 +90,35 @@ class StressBelow:
 
     def stress(self, grid: Tractions, depths: Sequence[float] | Array) -> Array:
         """Stress below the nodes of a grid [Pa], (component, depth, nx[, ny])."""
+        stress = self._by_tractions(grid, depths)
+        return stress if self.heated is None else stress + self.heated.stress(grid, depths)
+
+    def _by_tractions(self, grid: Tractions, depths: Sequence[float] | Array) -> Array:
+        """Stress by the tractions alone."""
         stress = grid.stress(self.poisson_ratio, depths)
-        for part in (self.coated, self.heated):
-            if part is not None:
-                stress += part.stress(grid, depths)
-        return stress
+        return stress if self.coated is None else stress + self.coated.stress(grid, depths)
+
+    def _known(self, depths: Sequence[float], level: int, heat: bool) -> list[Array]:
+        """Stress by heat, or by the tractions, at each depth below the nodes of a grid, computed once."""
+        compute = self.heated.stress if heat and self.heated else self._by_tractions
+        missing = [depth for depth in depths if (heat, level, depth) not in self._fields]
+        if missing:
+            found = np.swapaxes(compute(self.grid(level), missing), 0, 1)
+            self._fields |= zip(((heat, level, depth) for depth in missing), found, strict=True)
+        return [self._fields[heat, level, depth] for depth in depths]
 
     def heat_share(self, measure: Measure, peak: Peak) -> float:
         """Share of a maximum that thermal stress makes, at its depth [-]."""
         if self.heated is None:
             return 0.0
-        cold = StressBelow(self.grid(0), self.poisson_ratio, self.coated)
-        level = self.level_for(peak.depth, SEARCH_CELLS)
-        return abs(1 - cold.highest(measure, peak.depth, level)[0] / peak.value)
+        level = self.level_for(peak.depth, FINAL_CELLS) + 1
+        hot, cold = (self.highest(measure, peak.depth, level, heat)[0] for heat in (True, False))
+        return abs(1 - cold / hot)
 
     @cached_property
     def layer_depths(self) -> tuple[float, ...]:
         """Depths where the stress over depth has an edge, which are searched besides [m]."""
-        if self.coated is not None:
-            return (0.0, *self.coated.faces)
-        return () if self.heated is None else (0.0,)
+        return () if self.coated is None else (0.0, *self.coated.faces)
 
     def level_for(self, depth: float, cells: int) -> int:
         """Number of the coarsest grid with so many cells to a depth."""
@@ -116,17 +126,20 @@ class StressBelow:
         return min(int(log2(ratio)), self.coarsest) if ratio > 1 else 0
 
     def highest(
-        self, measure: Measure, depth: float, level: int
+        self, measure: Measure, depth: float, level: int, heat: bool = True
     ) -> tuple[float, tuple[float, ...]]:
         """Largest value at a depth, between the nodes of a grid, and its position [m]."""
-        field = self._field(measure, depth, level)
+        field = self._field(measure, depth, level, heat)
         everywhere = np.ones(field.shape, bool)
         value, nodes = extremum.minimum(-field, everywhere, everywhere)
         return -value, self.grid(level).position(nodes)
 
-    def _field(self, measure: Measure, depth: float, level: int) -> Array:
+    def _field(self, measure: Measure, depth: float, level: int, heat: bool = True) -> Array:
         """A measure at the nodes of a grid, at a depth."""
-        return measure(self.stress(self.grid(level), [depth])[:, 0])
+        stress = self._known([depth], level, False)[0]
+        if heat and self.heated is not None:
+            stress = stress + self._known([depth], level, True)[0]
+        return measure(stress)
 
     @cached_property
     def critical_depth(self) -> float:
@@ -145,20 +158,22 @@ class StressBelow:
         while (best := max(_neighbours(place), key=lambda near: searched(DEPTHS[near]))) != place:
             place = best
         factors = [DEPTHS[place]]
-        if self._largest_at_surface() > searched(DEPTHS[place]):
+        if self.largest_near_surface > searched(DEPTHS[place]):
             factors += SURFACE_DEPTHS
         best_factor = max([*factors, *edges], key=searched)
         return edges.get(best_factor, self.half_width * best_factor)
 
-    def _largest_at_surface(self) -> float:
-        """Bound of the equivalent stress at the surface, by its tractions and by pressure spikes [Pa]."""
+    @cached_property
+    def largest_near_surface(self) -> float:
+        """Bound of the equivalent stress at the surface, by its tractions, pressure spikes and heat [Pa]."""
         finest, coarsest = self.grid(0), self.grid(self.coarsest)
         sample = (slice(None, None, 2**self.coarsest),) * finest.pressure.ndim
         counted = tuple(slice(count) for count in finest.pressure[sample].shape)
         spike = float(np.max(finest.pressure[sample] - coarsest.pressure[counted]))
         shear = np.sqrt(sum(component**2 for component in finest.shear))
         by_pressure, by_shear = SURFACE_STRESS
-        return float(by_pressure * finest.pressure.max() + by_shear * shear.max() + spike)
+        elastic = by_pressure * finest.pressure.max() + by_shear * shear.max() + spike
+        return float(elastic) + (0.0 if self.heated is None else self.heated.largest)
 
     def peak(self, measure: Measure, depth: float) -> Peak:
         """Maximum of a measure near a depth, which is refined by a parabola over its logarithm."""
@@ -167,23 +182,45 @@ class StressBelow:
         foreseen = 0.0
         refined = depth > 0 and depth not in self.layer_depths
         if refined:
-            factors = (1 / (1 + DEPTH_STEP), 1, 1 + DEPTH_STEP)
-            before, middle, behind = (on_coarse(depth * factor)[0] for factor in factors)
+            depths = [depth * factor for factor in (1 / (1 + DEPTH_STEP), 1, 1 + DEPTH_STEP)]
+            for heat in (False, True)[: 1 if self.heated is None else 2]:
+                self._known(depths, fine + 1, heat)  # together, which is cheaper
+            before, middle, behind = (on_coarse(near)[0] for near in depths)
             step, gain = _vertex(before, middle, behind)
             depth *= exp(step * log(1 + DEPTH_STEP))
             foreseen = middle + gain
-        value, position = self.highest(measure, depth, fine)
-        coarse, _ = on_coarse(depth)
-        correction = (value - coarse) / 3  # to second order
-        value += correction
-        resolved = depth >= FINAL_CELLS * self._step
+        value, grid_error, position = self._extrapolated(measure, depth, fine)
         return Peak(
             value,
             depth,
             position,
-            abs(correction) * (1 if resolved else 3) / value,
-            abs(coarse - foreseen) / value if refined else 0.0,
+            grid_error / value,
+            abs(on_coarse(depth)[0] - foreseen) / value if refined else 0.0,
         )
+
+    def _extrapolated(
+        self, measure: Measure, depth: float, fine: int
+    ) -> tuple[float, float, tuple[float, ...]]:
+        """Largest value at a depth on an infinitely fine grid, its uncertainty and its position [m].
+
+        For the part of heat, which is smooth, a coarser grid suffices below a depth.
+        """
+        resolved = depth >= FINAL_CELLS * self._step
+        apart = self.heated is not None and depth >= SEARCH_CELLS * self._step
+        value, position = self.highest(measure, depth, fine, heat=not apart)
+        correction = (value - self.highest(measure, depth, fine + 1, heat=not apart)[0]) / 3
+        error = abs(correction) * (1 if resolved else 3)
+        value += correction  # to second order
+        if apart:
+            (hot, position), *parts = (
+                self.highest(measure, depth, level, heat)
+                for level in (fine + 1, fine + 2)
+                for heat in (True, False)
+            )
+            cold, coarse_hot, coarse_cold = (part for part, _ in parts)
+            value += hot - cold
+            error += abs(hot - cold - coarse_hot + coarse_cold) / 3
+        return value, error, position
 
 
 def _neighbours(place: int) -> range:

@@ -252,7 +252,10 @@ def with_stress(solution: Solution, inputs: StressInputs) -> Solution:
         second = first  # the same tractions on the same half-space
     else:
         other = stress_below(solution, 2, inputs)
-        second = maximum_below(other, von_mises, solution, first.depth if alike else None)
+        bare = inputs.coatings == (None, None)
+        inside = bare and other.largest_near_surface < first.value.value
+        near = first.depth if alike or inside else None
+        second = maximum_below(other, von_mises, solution, near)
     stress = StressFigures(
         first.value,
         second.value,

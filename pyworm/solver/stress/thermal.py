@@ -1,19 +1,25 @@
 """Thermal stress below the surface of a solved contact, by the temperature of the surface."""
 
 from collections.abc import Sequence
+from math import ceil
 
 import numpy as np
+import scipy
 
 from pyworm.formulas.arrays import Array
-from pyworm.formulas.thermal_stress import ThermalSolid, thermal_stress
+from pyworm.formulas.thermal_stress import ThermalSolid
 from pyworm.io.present import present
+from pyworm.kernel import thermal_stress
 from pyworm.materials.body import Body
 from pyworm.scene.any_contact import AnyContact
 from pyworm.solver.solution import Solution
 from pyworm.solver.stress.tractions import Tractions
 
-ROOM = 0.5
+ROOM = 0.45
 """Room on both sides of the film's grid over its extent, on which the heat behind the contact fades out."""
+
+FAST_STRIDE = 32
+"""Largest distance in nodes of a coarser grid, whose transforms are made fast too."""
 
 
 def why_no_heat(solution: Solution, scene: AnyContact) -> str:
@@ -49,48 +55,42 @@ class HeatedBody:
     def __init__(
         self, rise: Array, grid: Tractions, velocity: tuple[float, ...], solid: ThermalSolid
     ):
-        width = [(round(ROOM * count),) * 2 for count in rise.shape]
+        width = [_room(count) for count in rise.shape]
+        self.largest = solid.restrained * float(np.abs(rise).max())
+        """Largest thermal stress of a surface that is heated everywhere alike and cannot expand [Pa]."""
         self._rise = _faded(np.pad(rise, width, mode="edge"), width)
         self._first = [
             start - sides[0] * step
             for start, sides, step in zip(grid.first, width, grid.spacing, strict=True)
         ]
         self._spacing, self._velocity, self._solid = grid.spacing, velocity, solid
-        self._known: dict[tuple[float, tuple[tuple[int, int], ...]], Array] = {}
 
     def stress(self, grid: Tractions, depths: Sequence[float] | Array) -> Array:
         """Thermal stress below the nodes of a grid whose nodes are among the film's [Pa].
 
         A coarser grid has the temperature at its own nodes.
         """
-        parts, nodes = [], []
-        for axis, first, step, fine in zip(
-            grid.axes(), self._first, grid.spacing, self._spacing, strict=True
+        chosen, window = [], []
+        for axis, first, step, fine, total in zip(
+            grid.axes(), self._first, grid.spacing, self._spacing, self._rise.shape, strict=True
         ):
             stride = round(step / fine)
             place = round((axis[0] - first) / fine)
-            parts.append((place % stride, stride))
-            nodes.append(place // stride + np.arange(len(axis)))
-        found = [self._below(float(depth), tuple(parts)) for depth in depths]
-        inside = [
-            np.clip(node, 0, count - 1)
-            for node, count in zip(nodes, found[0].shape[1:], strict=True)
-        ]
-        chosen = np.ix_(np.arange(6), *inside)
-        return np.stack([field[chosen] for field in found], axis=1)
+            count = (total - place % stride - 1) // (2 * stride) * 2  # even
+            chosen.append(slice(place % stride, place % stride + count * stride, stride))
+            window.append((place // stride, len(axis)))
+        return thermal_stress(
+            self._rise[tuple(chosen)], grid.spacing, self._velocity, self._solid, depths, window
+        )
 
-    def _below(self, depth: float, parts: tuple[tuple[int, int], ...]) -> Array:
-        """Components at a depth at some nodes of the grid with its room: the first, and every so many."""
-        key = depth, parts
-        if key not in self._known:
-            spacing = [
-                fine * stride for fine, (_, stride) in zip(self._spacing, parts, strict=True)
-            ]
-            chosen = tuple(slice(start, None, stride) for start, stride in parts)
-            self._known[key] = thermal_stress(
-                self._rise[chosen], spacing, self._velocity, self._solid, [depth]
-            )[:, 0].astype(np.float32)
-        return self._known[key]
+
+def _room(count: int) -> tuple[int, int]:
+    """Nodes before and behind some so that all, and every few of them, make fast transforms."""
+    total = FAST_STRIDE * scipy.fft.next_fast_len(
+        ceil((1 + 2 * ROOM) * count / FAST_STRIDE), real=True
+    )
+    before = (total - count) // 2
+    return before, total - count - before
 
 
 def _faded(field: Array, width: Sequence[tuple[int, int]]) -> Array:

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from scipy.special import k0e, k1e
 
-from pyworm.formulas.thermal_stress import ThermalSolid, thermal_stress
+from pyworm.formulas.thermal_stress import ThermalSolid
+from pyworm.kernel import thermal_stress
 
 STEEL = ThermalSolid(210e9, 0.3, 11.5e-6, 1.2e-5, 300.0)
 EXPANDED = STEEL.youngs_modulus * STEEL.expansion
