@@ -14,6 +14,7 @@ from pyworm.io.quantity_text import duration
 from pyworm.io.shown import Shown
 from pyworm.io.stage import stage
 from pyworm.planning.plan import Plan
+from pyworm.ratings.motion import rate_motion
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.summary import scene_summary
@@ -93,6 +94,12 @@ class CheckedCase(Shown):
         return tuple(forces for forces in found if forces is not None)
 
     @property
+    def motion(self) -> dict[str, Any]:
+        """Motion of parts that no shaft drives, as a rating has it; empty without such parts."""
+        found = None if self.case.drive is None else self.case.drive.motion_figures()
+        return {} if found is None else rate_motion(found).summary()
+
+    @property
     def assumptions(self) -> tuple[str, ...]:
         """Assumptions of loads and geometry of a gear set, a sentence each."""
         return () if self.case.drive is None else self.case.drive.all_assumptions
@@ -113,6 +120,7 @@ class CheckedCase(Shown):
             "drive": self.geometry,
             "forces": [forces.summary() for forces in self.forces],
             "assumptions": self.assumptions,
+            "motion": self.motion,
         }
         return {
             "case": self.case.name,

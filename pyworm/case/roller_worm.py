@@ -15,6 +15,7 @@ from pyworm.case.shafts import SupportsTable, supports_of
 from pyworm.case.table import Table, plain
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
 from pyworm.drives.roller_worm.drive import RollerWormDrive
+from pyworm.drives.roller_worm.gears import SectionName
 from pyworm.drives.roller_worm.meridian import FEWEST_POINTS, Meridian, read_formula
 from pyworm.drives.roller_worm.motion import FREE_OF_FRICTION, Pin, Spinning
 from pyworm.drives.roller_worm.profile import Crown, RollerProfile
@@ -22,8 +23,6 @@ from pyworm.drives.torque_sharing import Sharing
 from pyworm.io import units
 from pyworm.io.plain_values import Count, Phase
 from pyworm.io.present import present
-
-SectionName = Literal["right", "left"]
 
 
 class RollerBodies(Bodies):
@@ -69,6 +68,7 @@ class RollersTable(Table, RollerProfile):
     crown: CrownTable | None = None
     pin: PinTable | None = None
     stiffness: units.Stiffness | None = None
+    inertia: units.Inertia | None = None
 
     def flaws(self) -> Iterator[str]:
         """A shape without what it needs."""
@@ -132,6 +132,7 @@ class RollerOperationTable(Table):
     preload: units.TorqueOrZero
     sharing: Sharing = "elastic"
     rolling: Spinning = "free"
+    driving: SectionName = "left"
     sections: Annotated[tuple[SectionName, ...], Field(min_length=1)] = ("right", "left")
     phases: Annotated[tuple[Phase, ...], Field(min_length=1)]
     stations: Annotated[tuple[Phase, ...], Field(min_length=1)] | None = None
@@ -139,10 +140,11 @@ class RollerOperationTable(Table):
     def flaws(self) -> Iterator[str]:
         """Not one power, or a section without load."""
         yield from self.unless_one(*POWERS)
-        if self.preload == 0 and "right" in self.sections:
+        idle = "right" if self.driving == "left" else "left"
+        if self.preload == 0 and idle in self.sections:
             yield (
-                'sections has "right", the idling section, which carries no load where preload is 0; give '
-                'sections = ["left"], or a preload'
+                f'sections has "{idle}", the idling section, which carries no load where preload is 0; give '
+                f'sections = ["{self.driving}"], or a preload'
             )
 
     def torque(self, ratio: float) -> float:
@@ -165,7 +167,7 @@ class RollerWormCase(CooledCase):
     def flaws(self) -> Iterator[str]:
         """Free rollers without a flow law, or sharp ends that are solved."""
         yield from super().flaws()
-        if self.operation.rolling == "free" and self.oil.shear is None:
+        if self.operation.rolling in ("free", "dynamic") and self.oil.shear is None:
             yield (
                 "[oil.shear] is missing: free rollers are driven by the film's shear; give it, or "
                 'operation.rolling = "rolling" or "locked"'
@@ -189,6 +191,7 @@ class RollerWormCase(CooledCase):
                 height=rollers.height,
                 pin=FREE_OF_FRICTION if rollers.pin is None else plain(rollers.pin, Pin),
                 stiffness=rollers.stiffness or inf,
+                inertia=rollers.inertia,
             ),
             centre_distance=self.drive.centre_distance,
             speed=operation.worm_speed,
@@ -196,6 +199,7 @@ class RollerWormCase(CooledCase):
             preload=operation.preload,
             sharing=operation.sharing,
             rolling=operation.rolling,
+            driving=operation.driving,
             bodies=self.bodies.pair(oil),
             oil=oil,
             lubrication=self.brought_by,

@@ -7,8 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from pyworm.cli.arguments import add_anyway, add_json
-from pyworm.cli.shared import opened_result
+from pyworm.cli.shared import opened_result, option_value
+from pyworm.io import units
 from pyworm.io.atomic import atomic_directory, check_writable
+from pyworm.io.given import kind_of
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.terminal import print_message, print_result
@@ -17,6 +19,7 @@ from pyworm.result.result_case import case_for
 if TYPE_CHECKING:
     from pyworm.drives.heat_network import TemperatureHistory
     from pyworm.io.console import Console
+    from pyworm.ratings.operating_map import OperatingMap
     from pyworm.ratings.rate import CaseRatings
     from pyworm.ratings.rated_case import RatingRequest
     from pyworm.ratings.rating import Rating
@@ -40,6 +43,16 @@ def add(commands: argparse._SubParsersAction) -> None:
         metavar="H",
         help="temperatures over hours of running, of standing still, of running ..., with a picture",
     )
+    for name, what in (
+        ("speeds", "speeds of the first shaft"),
+        ("torques", "torques of the second"),
+    ):
+        rate.add_argument(
+            f"--{name}",
+            nargs="+",
+            metavar="VALUE",
+            help=f"{what} of a map of films, asperities and temperatures, with a picture",
+        )
     rate.add_argument(
         "--out", type=Path, default=Path(), metavar="DIR", help="of the picture (default: current)"
     )
@@ -67,16 +80,49 @@ def _rate(options: argparse.Namespace) -> int:
     for warning in (*([] if differ is None else [differ]), *request.warnings):
         print_message(f"warning: {warning}")
     history = None if options.hours is None else _history(found.request, options)
+    chart = _operating_map(found.request, options)
     if options.json:
-        print_json(
-            found.summary() | ({} if history is None else {"history": history_summary(history)})
-        )
+        more = {} if history is None else {"history": history_summary(history)}
+        points = {} if chart is None else {"operating_points": chart.summary()}
+        print_json(found.summary() | more | points)
         return 0
     _show(found, result)
+    if chart is not None:
+        from pyworm.report.operating_map import operating_map_table
+
+        Console().print(operating_map_table(chart))
+        print_result(f"Picture   {_named(options, 'operating_map')}")
     if history is not None:
         _print(Console(), rate_history(history))
-        print_result(f"Picture   {_picture(options)}")
+        print_result(f"Picture   {_named(options, 'temperatures')}")
     return 0
+
+
+def _operating_map(request: "RatingRequest", options: argparse.Namespace) -> "OperatingMap | None":
+    """The map over speeds and torques, after its picture is drawn; None where none are given."""
+    if options.speeds is None and options.torques is None:
+        return None
+    from pyworm.plots.layout import write
+    from pyworm.plots.operating_map import draw_operating_map
+    from pyworm.ratings.operating_map import operating_map
+
+    if request.drive is None:
+        raise CaseError(f"{options.case}: has no [drive] for a map over speeds and torques")
+    axes = [
+        [option_value(name, text, kind_of(kind)) for text in getattr(options, name) or ()]
+        for name, kind in (("speeds", units.Speed), ("torques", units.Torque))
+    ]
+    if not all(axes):
+        raise CaseError(f"{options.case}: a map needs --speeds and --torques")
+    try:
+        found = operating_map(request.drive, request.places, *axes)
+    except ValueError as error:
+        raise CaseError(f"{options.case}: {error}") from error
+    check_writable(options.out)
+    with atomic_directory(options.out) as aside:
+        picture = draw_operating_map(request.name, found)
+        write(picture, aside / _named(options, "operating_map").name)
+    return found
 
 
 def _history(request: "RatingRequest", options: argparse.Namespace) -> "TemperatureHistory":
@@ -93,12 +139,13 @@ def _history(request: "RatingRequest", options: argparse.Namespace) -> "Temperat
     check_writable(options.out)
     with atomic_directory(options.out) as aside:
         picture = draw_temperatures(request.name, history, unit.steady)
-        write(picture, aside / _picture(options).name)
+        write(picture, aside / _named(options, "temperatures").name)
     return history
 
 
-def _picture(options: argparse.Namespace) -> Path:
-    return Path(options.out) / f"{options.case.stem}_temperatures.png"
+def _named(options: argparse.Namespace, what: str) -> Path:
+    """File of a picture."""
+    return Path(options.out) / f"{options.case.stem}_{what}.png"
 
 
 def _hours(text: str) -> float:

@@ -68,6 +68,38 @@ class Misalignment:
 
 
 @dataclass(frozen=True)
+class FigureRow:
+    """A figure of several parts of a drive."""
+
+    key: str
+    """Its name for programs, ending in its unit."""
+    label: str
+    """Its name for people."""
+    values: tuple[float | None, ...]
+    """One for each part, in SI; None where a part has none."""
+    unit: str = ""
+    """Unit shown."""
+
+
+@dataclass(frozen=True)
+class FigureTable:
+    """Figures of a drive by closed forms."""
+
+    key: str
+    """Its name for programs."""
+    title: str
+    """Its name for people."""
+    source: str
+    """Method."""
+    parts: tuple[str, ...]
+    """Parts of the drive."""
+    rows: tuple[FigureRow, ...]
+    """The figures."""
+    words: tuple[str, ...] = ()
+    """What was assumed, in sentences."""
+
+
+@dataclass(frozen=True)
 class HobSetup:
     """The set-up of a hob, and the one that was looked for."""
 

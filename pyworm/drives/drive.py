@@ -4,7 +4,14 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar
 
-from pyworm.drives.answers import ElementBearing, HobSetup, Misalignment, Shim, Space
+from pyworm.drives.answers import (
+    ElementBearing,
+    FigureTable,
+    HobSetup,
+    Misalignment,
+    Shim,
+    Space,
+)
 from pyworm.drives.duty import Duty
 from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.loaded_root import LoadedRoot
@@ -194,6 +201,10 @@ class Drive(Shown, Lubricated, ABC):
     def allowed_errors(self) -> AllowedErrors:
         """Errors of the assembly that it allows, each alone; empty where they are not known."""
         return {}
+
+    def motion_figures(self) -> FigureTable | None:
+        """Motion of parts that no shaft drives, such as rollers on pins; None of a drive without them."""
+        return None
 
     def geometry(self) -> dict[str, float | str]:
         """Computed geometry of its gears, for the page to sign; keys as of `geometry_table`."""

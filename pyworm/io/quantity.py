@@ -33,6 +33,7 @@ _SLIPS = {
     "1/Pa": ("1/GPa", "1/Pa"),
     "Pa s": ("mPa s", "Pa s"),
     "kg": ("kg",),
+    "kg m^2": ("kg mm^2", "kg m^2"),
     "kg/m^3": ("g/cm^3", "kg/m^3"),
     "K": ("degC", "K"),
     "delta_degC": ("K",),

@@ -162,6 +162,10 @@ OilDensity = Annotated[float, Quantity(
 Mass = Annotated[float, Quantity(
     "a mass", "kg", "450 kg", possible=("1e-3 kg", "1e6 kg"), usual=("0.1 kg", "1e5 kg"))]
 
+Inertia = Annotated[float, Quantity(
+    "a moment of inertia", "kg m^2", "0.31 kg mm^2", possible=("1e-18 kg m^2", "1e6 kg m^2"),
+    usual=("1e-5 kg mm^2", "1 kg m^2"))]
+
 Conductivity = Annotated[float, Quantity(
     "a thermal conductivity", "W/(m K)", "47 W/(m K)", possible=("1 mW/(m K)", "3000 W/(m K)"),
     usual=("0.1 W/(m K)", "450 W/(m K)"))]

@@ -39,6 +39,7 @@ from pyworm.ratings.films import rate_films
 from pyworm.ratings.forces import Friction, rate_forces
 from pyworm.ratings.gear import rate_gear_pair
 from pyworm.ratings.mesh_loss import mesh_loss
+from pyworm.ratings.motion import rate_motion
 from pyworm.ratings.no_load import worm_no_load
 from pyworm.ratings.rating import SIMULATION, Rating
 from pyworm.ratings.roots import rate_roots
@@ -296,6 +297,7 @@ def _attempts(
             yield "Scuffing", _attempt(partial(_scuffing, drive, tables, result))
         yield "Roots", _attempt(partial(_roots, drive))
         yield "Rollers", _attempt(partial(_element_bearing, drive))
+        yield "Motion", _attempt(partial(_motion, drive))
     if getattr(tables, "cooling", None) is not None:
         yield "Temperatures", _attempt(lambda: (rate_temperatures(thermal_unit(request)),))
     for name, bearing in tables.bearings.items():
@@ -384,6 +386,11 @@ def _roots(drive: Drive) -> tuple[Rating, ...]:
 def _element_bearing(drive: Drive) -> tuple[Rating, ...]:
     found = drive.element_bearing()
     return () if found is None else (rate_element_bearing(found),)
+
+
+def _motion(drive: Drive) -> tuple[Rating, ...]:
+    found = drive.motion_figures()
+    return () if found is None else (rate_motion(found),)
 
 
 def _bearing(

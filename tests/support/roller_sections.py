@@ -4,7 +4,7 @@ from math import radians
 
 import numpy as np
 
-from pyworm.drives.roller_worm import dataset
+from pyworm.drives.roller_worm import dataset, roller_path
 from pyworm.drives.roller_worm.envelope import RollerEnvelope
 from pyworm.drives.roller_worm.profile import RollerProfile
 from pyworm.drives.roller_worm.section import WormSection
@@ -43,5 +43,6 @@ def section(name="left", outer=60.0, inner=5.0, **options):
 def coarse_cycle(monkeypatch) -> None:
     """Fewer phases and design values for the data of a cycle, in tests that do not ask for them."""
     monkeypatch.setattr(dataset, "PHASES", np.linspace(0.0, 1.0, 3))
+    monkeypatch.setattr(roller_path, "PLACES_PER_PITCH", 4)
     monkeypatch.setattr(dataset, "TILTS", np.zeros(1))
     monkeypatch.setattr(dataset, "VARIED", {name: np.ones(1) for name in dataset.VARIED})

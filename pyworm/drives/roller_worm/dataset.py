@@ -10,6 +10,7 @@ from pyworm.drives.roller_worm.indices import lubrication_angle, self_rotation_a
 from pyworm.drives.roller_worm.load_sharing import lever
 from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.pins import pin_load
+from pyworm.drives.roller_worm.rotation_data import rotation_data
 from pyworm.formulas.film_atlas import reciprocal_alpha
 from pyworm.formulas.regimes import REGIMES
 from pyworm.io.on_demand import xarray as xr
@@ -40,7 +41,13 @@ def roller_cycle_data(mesh: RollerMesh) -> "xr.Dataset":
     """The mesh cycle of both sections."""
     return describe(
         xr.Dataset(
-            {**_contact_lines(mesh), **_flanks(mesh), **_lines_in_mesh(mesh), **_sensitivity(mesh)},
+            {
+                **_contact_lines(mesh),
+                **_flanks(mesh),
+                **_lines_in_mesh(mesh),
+                **_sensitivity(mesh),
+                **rotation_data(mesh),
+            },
             coords={
                 "section": list(mesh.sections),
                 "phase": PHASES,
@@ -51,6 +58,7 @@ def roller_cycle_data(mesh: RollerMesh) -> "xr.Dataset":
             },
             attrs={
                 "drive": KIND,
+                "driving": mesh.driving,
                 "roller_pitch": float(2 * np.pi / mesh.rollers.count),
                 "rollers": mesh.rollers.count,
                 "alpha_ratio": reciprocal_alpha(mesh.oil.viscosity, mesh.oil.viscosity.alpha),

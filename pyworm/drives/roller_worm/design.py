@@ -58,3 +58,5 @@ class Rollers:
     """Pin of each roller."""
     stiffness: float = float("inf")
     """Stiffness of pin and thread together [N/m]; infinite where they are rigid."""
+    inertia: float | None = None
+    """Moment of inertia of a roller about its axis [kg m2]; None: that of a solid bored for its pin."""

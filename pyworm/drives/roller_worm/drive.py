@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from math import sin
 
-from pyworm.drives.answers import ElementBearing, Space
+from pyworm.drives.answers import ElementBearing, FigureTable, Space
 from pyworm.drives.drive import Drive
 from pyworm.drives.forces import MeshForces, Supports
 from pyworm.drives.loaded_root import LoadedRoot
@@ -17,6 +17,7 @@ from pyworm.drives.roller_worm.mesh import RollerMesh
 from pyworm.drives.roller_worm.mesh_loss import roller_mesh_loss
 from pyworm.drives.roller_worm.pins import pin_bearing
 from pyworm.drives.roller_worm.roots import roller_roots
+from pyworm.drives.roller_worm.rotation_figures import rotates_freely, rotation_figures
 from pyworm.drives.roller_worm.shaft_forces import roller_forces
 from pyworm.drives.roller_worm.shapes import in_space
 from pyworm.drives.rotor import Rotor
@@ -52,7 +53,10 @@ class RollerWormDrive(RollerMesh, Drive):
         """
         part = self.sections[section]
         scene_at = partial(self.scene_at, section, station=station)
-        return ToothLife(scene_at, self.wheel_speed / (part.last - part.first)).at(phase)
+        before, after = self.partly_touched(section) if self.rolling == "dynamic" else (0.0, 0.0)
+        return ToothLife(
+            scene_at, self.turning / (part.last - part.first), before=before, after=after
+        ).at(phase)
 
     def in_space(self, places: Sequence[ContactIndex]) -> Space:
         """Both flanks of the worm and the rollers about it."""
@@ -73,6 +77,10 @@ class RollerWormDrive(RollerMesh, Drive):
     def at_load(self, speed: float, torque: float) -> "RollerWormDrive":
         """The rollers at another speed of the worm [rad/s] and torque of the wheel without friction [N m]."""
         return replace(self, speed=speed, torque=torque * self.wheel_speed / self.speed)
+
+    def motion_figures(self) -> FigureTable | None:
+        """Rotation of the rollers about their axes; None where their friction is not known, or locks them."""
+        return rotation_figures(self) if rotates_freely(self) else None
 
     def geometry_table(self) -> dict[str, float | str]:
         """Worm and rollers with their mesh."""

@@ -13,7 +13,7 @@ The worm is an hourglass between rollers on a rim, and a barrel within rollers o
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import cos, hypot, sin, sqrt
-from typing import Self
+from typing import Literal, Self
 
 from pyworm.drives.roller_worm.design import Rollers, RollerWorm
 from pyworm.drives.roller_worm.envelope import Flank, RollerEnvelope
@@ -21,6 +21,9 @@ from pyworm.drives.roller_worm.section import WormSection
 
 RIGHT_ANGLE = 1e-9
 """Cosine of a tilt that counts as a right angle [-]; that of 90 deg is 6e-17."""
+
+SectionName = Literal["right", "left"]
+"""Sections of the worm, in the order in which rollers pass them where the left one drives."""
 
 
 @dataclass(frozen=True)

@@ -51,5 +51,5 @@ def described_rollers(mesh: RollerMesh) -> Described:
         "contact_ratio": (section.last - section.first) / pitch,
         "sliding_speed_m_per_s": hypot(*speeds),
         "face_coverage": (worm.addendum + worm.dedendum) / profile.length,
-        "wheel_torque_N_m": mesh.wheel_torque("left") - mesh.wheel_torque("right"),
+        "wheel_torque_N_m": mesh.ratio * mesh.torque,
     }

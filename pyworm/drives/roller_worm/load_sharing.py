@@ -32,6 +32,9 @@ SLICES = 25
 
 _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(SLICES)
 
+POINTS = (_POINTS + 1) / 2
+"""Fractions of the contact line at which slices are."""
+
 ROUNDS = 30
 """Largest number of Newton steps for a load, and of steps for the deflection of the pins."""
 

@@ -12,7 +12,7 @@ from pyworm.drives.oil_supply import Bath, Jets, Lubricated, LubricatedBody, Lub
 from pyworm.drives.roller_worm.envelope import Array, LineContact
 from pyworm.drives.roller_worm.film_formulas import ClosedFilms, closed_films
 from pyworm.drives.roller_worm.gap import ContactFrame, RollerGap, RollerMotion
-from pyworm.drives.roller_worm.gears import RollerGears
+from pyworm.drives.roller_worm.gears import RollerGears, SectionName
 from pyworm.drives.roller_worm.load_sharing import Compliance, SharedLoad, share, slices
 from pyworm.drives.roller_worm.motion import (
     FilmTraction,
@@ -21,12 +21,20 @@ from pyworm.drives.roller_worm.motion import (
     line_motion,
     roller_speed,
 )
+from pyworm.drives.roller_worm.roller_body import roller_body
+from pyworm.drives.roller_worm.roller_path import RollerPath, faces_passed, roller_path
+from pyworm.drives.roller_worm.roller_rotation import LoadedPath, RollerRotation, Spun, over_a_turn
 from pyworm.drives.roller_worm.section import WormSection
+from pyworm.drives.roller_worm.slice_shear import SliceShear
+from pyworm.drives.roller_worm.wheel_motion import WheelMotion
 from pyworm.drives.torque_sharing import Sharing
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Scene
+
+LEAST_TOUCH = 0.98
+"""Part of the way from a section's face to the last touch up to which a roller's contact line is solved."""
 
 
 @dataclass(frozen=True)
@@ -76,11 +84,19 @@ class RollerMesh(RollerGears, Lubricated):
     """Bearings of the worm's shaft; None where they are not given."""
     wheel_shaft: Supports | None = None
     """Bearings of the wheel's shaft, likewise."""
+    driving: SectionName = "left"
+    """The section that drives: the left one where rollers travel towards it from the right, or the other way
+    about."""
 
     @property
     def wheel_speed(self) -> float:
         """Speed of the wheel [rad/s]."""
         return self.speed / self.ratio
+
+    @property
+    def turning(self) -> float:
+        """Speed of the wheel about -Z [rad/s], positive where the left section drives."""
+        return self.wheel_speed if self.driving == "left" else -self.wheel_speed
 
     @property
     def _compliance(self) -> Compliance:
@@ -93,7 +109,7 @@ class RollerMesh(RollerGears, Lubricated):
         The idling section carries the preload; the driving one that and, without friction, the worm's torque
         times the ratio.
         """
-        return self.preload + (self.ratio * self.torque if section == "left" else 0.0)
+        return self.preload + (self.ratio * self.torque if section == self.driving else 0.0)
 
     @cached
     def shared(self, section: str, wheel_angle: float) -> SharedLoad:
@@ -114,9 +130,7 @@ class RollerMesh(RollerGears, Lubricated):
         roller = shared.roller(angle)
         contact = part.line(np.array(angle), np.array(stations))
         load = shared.load(contact, roller)
-        motion = line_motion(
-            part.envelope, contact, self.wheel_speed, self._turning(section, angle)
-        )
+        motion = line_motion(part.envelope, contact, self.turning, self._turning(section, angle))
         return LineState(
             section=part,
             shared=shared,
@@ -128,9 +142,73 @@ class RollerMesh(RollerGears, Lubricated):
             films=closed_films(contact.curvature, load, motion, self.bodies, self.oil),
         )
 
+    def passed(self, section: str) -> tuple[str, ...]:
+        """Sections that a roller of a section passes, in the order of its travel."""
+        if self.worm.arrangement == "double":
+            return (section,)
+        return (*self.sections,) if self.driving == "left" else (*self.sections,)[::-1]
+
+    def spun(self, section: str, wheel: WheelMotion | None = None, rough: bool = True) -> Spun:
+        """A roller of a section with what turns and brakes it, under a motion of the wheel.
+
+        By default that runs steadily from the first touch on. Asperities rub where the roughness is known and
+        `rough`.
+        """
+        names = self.passed(section)
+        swaps = wheel is not None and min(wheel.torque) < 0
+        paths = {
+            name: LoadedPath(
+                idle=self._path(name, self.preload) if self.preload > 0 else None,
+                driving=self._path(name, self.preload + self.ratio * self.torque)
+                if swaps or name == self.driving
+                else None,
+                sense=1.0 if name == self.driving else -1.0,
+            )
+            for name in names
+        }
+        pressed = {name: path for name, path in paths.items() if path.idle or path.driving}
+        if wheel is None:
+            first = next(iter(pressed.values())).touched
+            wheel = WheelMotion(first[0] if self.turning > 0 else first[1], self.turning)
+        body = roller_body(self.rollers, self.bodies[1], self.pitch_radius)
+        shear = SliceShear.between(FilmTraction(self.oil, self.bodies), rough)
+        return Spun(pressed, shear, body, wheel)
+
+    @cached
+    def _path(self, section: str, torque: float) -> RollerPath:
+        """A roller's path through a section under a torque about the wheel's axis [N m]."""
+        part = self.sections[section]
+
+        def loads(wheel_angle: float) -> SharedLoad:
+            return share(part, self._compliance, wheel_angle, torque, self.sharing)
+
+        return roller_path(part, loads, self.turning)
+
+    def rotation(self, section: str) -> RollerRotation:
+        """Rotation of a roller of a section over a turn of the wheel, by its equation of motion."""
+        return self._rotation(self.passed(section)[0])
+
+    @cached
+    def _rotation(self, section: str) -> RollerRotation:
+        return over_a_turn(self.spun(section))
+
+    @cached
+    def partly_touched(self, section: str) -> tuple[float, float]:
+        """Phases before the first and after the last one in which a roller touches with a part of its line.
+
+        In the sense in which the wheel turns, but for the last touch at an end of the line.
+        """
+        part = self.sections[section]
+        first, _, _, last = faces_passed(part).tolist()
+        ends = (part.first - first, last - part.last)[:: 1 if self.turning > 0 else -1]
+        before, after = (LEAST_TOUCH * end / (part.last - part.first) for end in ends)
+        return before, after
+
     @cached
     def _turning(self, section: str, wheel_angle: float) -> float:
         """Speed of a roller about its own axis [rad/s]."""
+        if self.rolling == "dynamic":
+            return self.rotation(section).at(wheel_angle)
         part, shared = self.sections[section], self.shared(section, wheel_angle)
         line, lengths = slices(part, np.array(wheel_angle))
         return roller_speed(
@@ -138,7 +216,7 @@ class RollerMesh(RollerGears, Lubricated):
             line,
             lengths,
             shared.load(line, shared.roller(wheel_angle)),
-            self.wheel_speed,
+            self.turning,
             self.rolling,
             FilmTraction(self.oil, self.bodies),
             self.rollers.pin,
@@ -180,10 +258,10 @@ class RollerMesh(RollerGears, Lubricated):
         state = self.state(section, phase, [station])
         contact, motion = _only(state.contact), state.motion
         frame = ContactFrame(part, contact, motion.x_axis[:, 0], motion.y_axis[:, 0])
-        wheel = np.array([0.0, 0.0, -self.wheel_speed])
+        wheel = np.array([0.0, 0.0, -self.turning])
         _, _, axis, _ = part.envelope.axes(contact.wheel_angle)
         turns = (
-            part.envelope.worm_turn * self.wheel_speed,
+            part.envelope.worm_turn * self.turning,
             wheel + float(motion.roller_speed[0]) * axis,
         )
         of_worm, of_roller = (

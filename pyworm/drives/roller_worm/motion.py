@@ -31,8 +31,9 @@ from pyworm.materials.body import Body, reduced_modulus
 from pyworm.materials.flow_laws import FlowLaw
 from pyworm.materials.oil import Oil
 
-Spinning = Literal["free", "locked", "rolling"]
-"""Rotation of the rollers: by the balance of moments, none, or without sliding in the mean."""
+Spinning = Literal["free", "dynamic", "locked", "rolling"]
+"""Rotation of the rollers: by the balance of moments, by their equation of motion (`roller_rotation`), none,
+or without sliding in the mean."""
 
 MOST_STEPS, ROUNDING = 60, 1e-14
 """Largest number of Newton steps or bisections of a stress, and the relative change at which they end."""

@@ -60,7 +60,7 @@ def pin_load(mesh: RollerMesh, section: str, phase: float) -> PinLoad:
     contact, lengths = slices(part, np.array(angle))
     shared = mesh.shared(section, angle)
     load = shared.load(contact, shared.roller(angle))
-    motion = line_motion(part.envelope, contact, mesh.wheel_speed, speed)
+    motion = line_motion(part.envelope, contact, mesh.turning, speed)
     shear = _shear(mesh, contact, load, motion)
     slide = motion.sliding[0] * motion.x_axis + motion.sliding[1] * motion.y_axis
     total = np.hypot(*motion.sliding)

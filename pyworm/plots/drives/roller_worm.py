@@ -13,6 +13,7 @@ from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
+from pyworm.plots.drives.roller_worm_rotation import draw_roller_rotation
 from pyworm.plots.error_bars import draw_figure
 from pyworm.plots.layout import (
     MICRO,
@@ -94,7 +95,11 @@ def _draw_film(axes: Axes, cycle: "xr.Dataset", solutions: tuple[Solution, ...])
     axes.set_ylim(bottom=0)
     axes.set_ylabel(QUANTITIES["film_min"].axis())
     axes.legend(frameon=False, ncols=2, fontsize=8, loc="upper center")
-    ends = ("right", "idling", 0.02, "left"), ("left", "driving", 0.98, "right")
+    driving = cycle.attrs.get("driving", "left")
+    ends = (
+        (section, "driving" if section == driving else "idling", place, ha)
+        for section, place, ha in (("right", 0.02, "left"), ("left", 0.98, "right"))
+    )
     for section, runs, place, ha in ends:
         look: Style = {"color": SECTION_COLOURS[section], "transform": axes.transAxes, "ha": ha}
         axes.text(place, 0.06, f"{section} section, {runs}", **look)
@@ -234,6 +239,7 @@ CYCLE_PICTURES = {
     "mesh_cycle_indices": CyclePicture(
         "Indices of the mesh and loads of the pins", draw_roller_indices
     ),
+    "mesh_cycle_rotation": CyclePicture("Rotation of a roller", draw_roller_rotation),
     "mesh_cycle_sensitivity": CyclePicture("Sensitivity of the film", draw_roller_sensitivity),
 }
 """File name -> picture of the mesh cycle."""

@@ -4,6 +4,8 @@ from collections.abc import Mapping
 
 from pyworm.drives.drive import AllowedErrors, Drive
 from pyworm.io.quantities import read_key
+from pyworm.ratings.motion import rate_motion
+from pyworm.report.ratings import rating_table
 from pyworm.report.table import Table
 
 
@@ -15,6 +17,7 @@ def drive_tables(drive: Drive) -> tuple[Table, ...]:
         *sheet_tables(sheet, drive.body_names),
         *_allowed_table(drive.allowed_errors()),
         *_forces_table(drive),
+        *_motion_table(drive),
     )
 
 
@@ -65,6 +68,12 @@ def _allowed_table(allowed: AllowedErrors) -> tuple[Table, ...]:
         rows.append((entry.replace("_", " ").capitalize(), *cells))
     head = "", "From (set by)", "To (set by)"
     return (Table(head, tuple(rows), "Allowed assembly errors"),) if rows else ()
+
+
+def _motion_table(drive: Drive) -> tuple[Table, ...]:
+    """Motion of parts that no shaft drives; empty of a drive without them."""
+    found = drive.motion_figures()
+    return () if found is None else (rating_table(rate_motion(found)),)
 
 
 def _forces_table(drive: Drive) -> tuple[Table, ...]:

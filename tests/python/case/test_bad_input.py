@@ -15,6 +15,7 @@ DRIVE = (CASES / "zi_sharif_2001.toml").read_text()
 CONTACT = (CASES / "point_m20_l10.toml").read_text()
 LINE = (CASES / "line_m20_l10.toml").read_text()
 TRACTION = (CASES / "traction_steel.toml").read_text()
+ROLLERS = (CASES / "roller_ref.toml").read_text()
 GAP = (CASES / "gap_example.toml").read_text()
 
 
@@ -326,6 +327,24 @@ SHEAR = 'law = "eyring-limited" # equation 6'
 )
 def test_wrong_values_of_shear(refuse, old, new, sentence):
     assert sentence in refuse(changed(DRIVE, (old, new)))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "sentence"),
+    [
+        ('tilt = "0 deg"', 'inertia = "3 kg mm"', 'drive.rollers.inertia = "3 kg mm"'),
+        (
+            'tilt = "0 deg"',
+            'inertia = "-1 kg mm^2"',
+            "must be a moment of inertia greater than zero",
+        ),
+        ('"free"', '"free"\ndriving = "both"', 'operation.driving = "both"'),
+        ('"free"', '"spinning"', 'operation.rolling = "spinning"'),
+        ('"110 N m"', '"0 N m"\ndriving = "right"', 'sections has "left", the idling section'),
+    ],
+)
+def test_wrong_values_of_rollers(refuse, old, new, sentence):
+    assert sentence in refuse(changed(ROLLERS, (old, new)))
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,8 @@ NAMES = {
     Drive: """
         all_assumptions allowed_errors at_load assumptions bodies body_names cycle_around_contact cycle_data
         cycle_seconds duty element_bearing geometry geometry_table hob_setup idle in_space loaded_cycle
-        lubricated_teeth lubrication mesh_at_torque mesh_forces mesh_loss misalignment normal_load
+        lubricated_teeth lubrication mesh_at_torque mesh_forces mesh_loss misalignment motion_figures
+        normal_load
         oil_supplied oil_supply pattern_margin phases_per_second possible_drivers rated_as roots rotors
         scene scene_data sections shaft_speeds sheet shown solids supports usual_values warnings
         wheel_shim
@@ -41,9 +42,10 @@ NAMES = {
         pinion_shaft power rating reduced_modulus scene_at shaft_forces sharing surfaces teeth tip_relief
         """,
     RollerWormDrive: """
-        axis_distance centre_distance oil pitch_radius preload ratio rollers rolling rows scene_at shaft
-        shared sharing speed state throat_radius torque towards varied wheel_shaft
-        wheel_speed wheel_torque worm
+        axis_distance centre_distance driving oil partly_touched passed pitch_radius preload ratio
+        rollers rolling
+        rotation rows scene_at shaft shared sharing speed spun state throat_radius torque towards turning
+        varied wheel_shaft wheel_speed wheel_torque worm
         """,
 }
 

@@ -13,6 +13,13 @@ from pyworm.report.table import Table
 
 FILM = QUANTITIES["film_min"]
 
+
+def _at_entry(place: "xr.Dataset", name: str) -> float:
+    """A figure of the spin-up where rollers enter; NaN elsewhere, or where rollers do not turn freely."""
+    entered = float(place["phase"]) == (0.0 if place.attrs.get("driving") != "right" else 1.0)
+    return float(place[name]) if entered and name in place else float("nan")
+
+
 _ROWS: tuple[tuple[str, Callable[["xr.Dataset"], Any], str], ...] = (
     ("Wheel angle / deg", lambda place: np.degrees(place["wheel_angle"]), ".1f"),
     ("Load per length / kN/m", lambda place: place["load_per_length"] / 1e3, ".1f"),
@@ -27,6 +34,9 @@ _ROWS: tuple[tuple[str, Callable[["xr.Dataset"], Any], str], ...] = (
     ("Self-rotation angle / deg", lambda place: np.degrees(place["self_rotation_angle"]), ".1f"),
     ("Pin, radial load / N", lambda place: place["pin_radial"], ".0f"),
     ("Pin, thrust / N", lambda place: place["pin_axial"], ".1f"),
+    ("  spin-up time / ms", lambda place: _at_entry(place, "spin_up_time") * 1e3, ".2f"),
+    ("  sliding until then / mm", lambda place: _at_entry(place, "spin_up_distance") * 1e3, ".1f"),
+    ("  loss until then / J", lambda place: _at_entry(place, "spin_up_loss"), ".2f"),
     (FILM.axis(FILM.title()), lambda place: FILM.number(place["formula_film_min"]), ".3f"),
     ("  by the source's formula", lambda place: FILM.number(place["printed_film_min"]), ".3f"),
     ("  left by heat, share", lambda place: place["heated_share"], ".2f"),
@@ -55,7 +65,8 @@ def ends_table(cycle: "xr.Dataset") -> Table:
             ("Lubrication", *("" if np.isnan(ratio) else regime(ratio) for ratio in specific))
         )
     rows.append(("Regime", *(_regime(cycle, place) for place in places)))
-    ends = (f"{section}\n{end}" for section in cycle["section"].values for end in ("entry", "exit"))
+    sides = ("entry", "exit") if cycle.attrs.get("driving") != "right" else ("exit", "entry")
+    ends = (f"{section}\n{end}" for section in cycle["section"].values for end in sides)
     head = ("In the middle of\nthe contact line", *ends)
     return Table(head, tuple(rows), "Entry and exit by closed forms")
 
