@@ -25,5 +25,5 @@ def operating_map_table(found: OperatingMap) -> Table:
                 (f"{speed * RPM:.4g}", f"{torque:.4g}", *numbers, found.places["film_min"][i][j])
             )
     heads = (quantity.column for quantity in quantities)
-    head = ("Speed\nrpm", "Torque\nN m", *heads, "Minimum film at")
+    head = ("Speed\nrpm", "Torque\nN m", *heads, "Location of h_min")
     return Table(head, tuple(rows), "Engagement over speed and load", NOTE)

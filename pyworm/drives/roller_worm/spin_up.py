@@ -14,8 +14,8 @@ GAUSS_POINTS = 5
 """Points at which energies are summed over each step of the integration (Gauss and Legendre)."""
 
 SPUN_UP = 0.01
-"""What a roller lacks to the balance of moments, over what it lacks to rolling at entry, at which it counts as
-spun up [-]."""
+"""What a roller lacks to the balance of moments, over what it lacks to rolling at entry, at which it counts
+as spun up [-]."""
 
 SAMPLES = 400
 """Times at which a passage is sampled, beside the steps of the integration."""
