@@ -55,7 +55,7 @@ def main():
 
 def judge():
     drive = pyworm.load(CASE).drive
-    rows = inputs(drive)
+    rows = [*inputs(drive), *overall(cells(drive))]
     for name, table in SOURCE.items():
         found = {value: cells(drive.varied(name, value)) for value in table}
         for number, (section, _, end) in enumerate(ENDS):
@@ -146,6 +146,26 @@ def inputs(drive):
          f"{float(state.films.heated_share[0]):.2f} of the film"),
         ("statements", f"full film above {FULL_FILM:g}, boundary below {BOUNDARY:g}", "mixed likely",
          *blank, "the bounds used here, too; the rows below have lambda"),
+    ]  # fmt: skip
+
+
+def overall(found):
+    """Statements on the films at the ends of both sections, beside the film solved with heat."""
+    first, last = ([steps[place] * 1e6 for steps, _, _ in found] for place in (0, -1))
+    blank = ("",) * (len(STEPS) + 3)
+
+    def times(films):
+        return f"{films[1] / films[0]:.1f} and {films[2] / films[3]:.1f} times"
+
+    return [
+        ("statements", "left rises from entry to exit, right falls", "2.5 and 2.3 times", *blank,
+         f"{times(first)} by its formula, {times(last)} solved"),
+        ("statements", "left thicker than right", "at its exit", *blank,
+         f"mirror images by its formula ({first[1]:.2f}, {first[2]:.2f} um); solved the idling right is "
+         f"thicker, {last[2]:.2f} to {last[1]:.2f} um"),
+        ("statements", "films from 0.4 to 1.6 um", "", *blank,
+         f"{min(first):.2f} to {max(first):.2f} by its formula, {min(last):.2f} to {max(last):.2f} um "
+         "solved"),
     ]  # fmt: skip
 
 

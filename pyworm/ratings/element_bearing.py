@@ -2,7 +2,6 @@
 
 from pyworm.drives.answers import ElementBearing
 from pyworm.drives.forces import BearingForce
-from pyworm.formulas.unit_factors import RPM
 from pyworm.ratings.bearing import ShaftLoad
 from pyworm.ratings.rating import RatedFigure, Rating
 
@@ -38,8 +37,8 @@ def rate_element_bearing(found: ElementBearing) -> Rating:
             RatedFigure("radial_N", "Radial load, mean of equal life", (found.radial,), "N"),
             RatedFigure("radial_max_N", "Radial load, maximum", (found.radial_max,), "N"),
             RatedFigure("axial_max_N", "Thrust, maximum", (found.axial_max,), "N"),
-            RatedFigure("speed_rpm", "Speed, mean under load", (found.speed * RPM,), "rpm"),
-            RatedFigure("speed_max_rpm", "Speed, maximum", (found.speed_max * RPM,), "rpm"),
+            RatedFigure("speed_rad_s", "Speed, mean under load", (found.speed,), "rpm"),
+            RatedFigure("speed_max_rad_s", "Speed, maximum", (found.speed_max,), "rpm"),
             RatedFigure("loss_W", "Loss of all rollers", (sum(found.losses.values()),), "W"),
             *losses,
         ),

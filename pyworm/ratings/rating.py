@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from pyworm.formulas.ranges import apart
+from pyworm.formulas.unit_factors import RPM
 from pyworm.io.quantities import QUANTITIES
 from pyworm.io.quantity_text import bars, short
 from pyworm.solver.neglected_effects import NeglectedEffects
@@ -16,7 +17,7 @@ NOT_RATED = "not rated"
 
 SCALES = {
     **{"kN m": 1e-3, "kW": 1e-3, "MPa": 1e-6, "GPa": 1e-9, "mm": 1e3, "µm": 1e6, "mm²/s": 1e6},
-    **{"l/min": 6e4, "%": 100.0, "Mrev": 1e-6, "ms": 1e3},
+    **{"l/min": 6e4, "%": 100.0, "Mrev": 1e-6, "ms": 1e3, "rpm": RPM},
 }
 """Unit shown -> its number over that in SI, or in revolutions."""
 

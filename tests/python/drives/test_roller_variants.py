@@ -248,4 +248,4 @@ def test_every_variant_runs_to_a_converged_result(name):
     result = pyworm.run(pyworm.load(CASES / "rollers" / f"{name}.toml"))
     assert all(solution.converged for solution in result.solutions)
     assert len(result.solutions) == 18
-    assert 0.9 < result.mesh_loss.efficiency < 1
+    assert 0.85 < result.mesh_loss.efficiency < 1
