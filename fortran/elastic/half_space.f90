@@ -23,6 +23,8 @@ module pyworm_half_space
     !> Points and spacing [m] of the grid.
     integer :: nx = 0, ny = 0
     real(wp) :: dx = 0, dy = 0
+    !> E' [Pa], with 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2.
+    real(wp) :: reduced_modulus = 0
     !> Deflection [m/Pa] of a node under unit pressure on its own rectangle.
     real(wp) :: centre = 0
     !> Padded points along x and y.
@@ -56,6 +58,7 @@ contains
     self%ny = ny
     self%dx = dx
     self%dy = dy
+    self%reduced_modulus = reduced_modulus
     self%mx = padded_size(2*(nx - 1))
     self%my = padded_size(2*(ny - 1))
 

@@ -1,6 +1,6 @@
 !> The film of a point contact: deflection of half-spaces, flow in two directions, a multigrid cycle before GMRES.
 module pyworm_point_film
-  use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, weigh_load
+  use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, weigh_load, change_balance
   use pyworm_half_space, only: elastic_half_space, new_half_space
   use pyworm_kinds, only: pp, wp
   use pyworm_partial_film, only: fill_gap, carry_change
@@ -8,11 +8,12 @@ module pyworm_point_film
   use pyworm_reynolds_adjoint, only: flow_imbalance_adjoint, sheared_imbalance_adjoint
   use pyworm_reynolds, only: film_grid, set_film_fields, set_mass_change, flow_imbalance, flow_imbalance_change
   use pyworm_sheared_reynolds, only: set_sheared_fields, still_ambient_faces, sheared_imbalance, sheared_imbalance_change
-  use pyworm_status, only: status_ok
+  use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
+  use pyworm_transported_film, only: film_transport, new_film_transport, set_film_transport, transported_pressure
   implicit none(type, external)
   private
 
-  public :: point_contact, new_point_contact, entrain
+  public :: point_contact, new_point_contact, entrain, transport, set_fluidity
 
   !> Krylov iterations after which GMRES is restarted.
   integer, parameter :: cycle_length = 16
@@ -28,6 +29,8 @@ module pyworm_point_film
     type(film_multigrid) :: cycles
     !> Cycle of the transposed model; made when it is first asked for.
     type(film_multigrid), allocatable :: adjoint_cycles
+    !> Solve before the cycle where time steps follow the oil; made by `transport`.
+    type(film_transport), allocatable :: transport
   contains
     procedure :: deflection
     procedure :: set_flow
@@ -147,6 +150,8 @@ contains
     integer, intent(out) :: stat
 
     call set_film_multigrid(self%cycles, self%model, self%free, stat)
+    if (allocated(self%transport)) call set_film_transport(self%transport, self%model%fields, self%free, &
+      self%grid%implicit_rate, self%grid%dx)
   end subroutine linearise
 
   !> Computes the change of the imbalance by a small change of pressure and film.
@@ -230,9 +235,62 @@ contains
     real(wp), contiguous, target, intent(in) :: r(:, :)
     real(wp), contiguous, target, intent(out) :: dp(:, :)
 
+    if (allocated(self%transport)) then
+      call relax_transported(self, r, dp)
+      return
+    end if
     call film_cycle(self%cycles, r, dp)
     if (self%model%is_rough()) call bear_ruptured(self, r, dp)
   end subroutine relax
+
+  !> Solves approximately for the pressure of a film whose time steps follow the oil: by deflection alone, then by a multigrid
+  !> cycle for what is left.
+  subroutine relax_transported(self, r, dp)
+    class(point_contact), intent(inout) :: self
+    real(wp), contiguous, intent(in) :: r(:, :)
+    real(wp), contiguous, intent(out) :: dp(:, :)
+
+    associate (t => self%transport)
+      call transported_pressure(t, r)
+      call self%deflection(t%p, self%dh)
+      call change_balance(self, t%p, self%dh, t%rest)
+      t%rest = r - t%rest
+      call film_cycle(self%cycles, t%rest, dp)
+      dp = dp + t%p
+    end associate
+  end subroutine relax_transported
+
+  !> Prepares a contact of smooth surfaces for time steps along the path of the oil: its entrainment becomes zero, and
+  !> `set_transient` gives the mass that arrives.
+  subroutine transport(film, stat)
+    class(film_contact), intent(inout) :: film
+    integer, intent(out) :: stat
+
+    stat = status_bad_argument
+    select type (film)
+    type is (point_contact)
+      if (film%model%is_rough() .or. film%model%is_partial() .or. film%model%is_sheared()) return
+      film%grid%u = 0
+      film%grid%v = 0
+      call set_entrainment(film%cycles, film%grid)
+      allocate (film%transport)
+      call new_film_transport(film%transport, film%grid%nx, film%grid%ny, film%spacing, film%space%reduced_modulus, stat)
+    end select
+  end subroutine transport
+
+  !> Sets the mobility over that of the oil at its inlet's temperature and at rest, at the nodes.
+  subroutine set_fluidity(film, fluidity, stat)
+    class(film_contact), intent(inout) :: film
+    real(wp), intent(in) :: fluidity(:, :)
+    integer, intent(out) :: stat
+
+    stat = status_bad_argument
+    if (any(shape(fluidity) /= shape(film%gap)) .or. film%model%is_sheared()) return
+    stat = status_not_finite
+    if (.not. all(fluidity > 0 .and. fluidity <= huge(1.0_wp))) return
+    stat = status_ok
+    film%model%fields%fluidity = fluidity
+  end subroutine set_fluidity
 
   !> Sums |um . grad g| and the transient term of the gap g over the inner nodes [m/s].
   pure real(wp) function wedge_flow(self)

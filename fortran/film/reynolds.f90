@@ -41,6 +41,8 @@ module pyworm_reynolds
     real(wp), allocatable :: p(:, :), h(:, :)
     !> What rough surfaces add.
     type(rough_film), allocatable :: rough
+    !> Mobility over that of the oil at its inlet's temperature at rest, where heat and thinning are given; else not allocated.
+    real(wp), allocatable :: fluidity(:, :)
     !> Relative density and its derivative by pressure.
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
@@ -87,6 +89,11 @@ contains
       call densities(oil, fields%p(:, j), fields%rho(:, j), fields%rho_p(:, j))
       call set_mobility(size(eta), fields%h(:, j), floor, fields%rho(:, j), fields%rho_p(:, j), eta, slope, &
         fields%mobility(:, j), fields%mobility_p(:, j), fields%mobility_h(:, j))
+      if (allocated(fields%fluidity)) then
+        fields%mobility(:, j) = fields%mobility(:, j)*fields%fluidity(:, j)
+        fields%mobility_p(:, j) = fields%mobility_p(:, j)*fields%fluidity(:, j)
+        fields%mobility_h(:, j) = fields%mobility_h(:, j)*fields%fluidity(:, j)
+      end if
     end do
   end subroutine set_film_fields
 

@@ -15,10 +15,11 @@ module bindings
   private
 
   public :: dry_contact_solve, elastic_deflection, point_stress, line_stress, heat_stress
+  public :: point_film_transport, point_film_fluidity
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_entrain, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
-    film_transient, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
+    film_transient, film_set_gap, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
     film_heat_fields, film_profile, film_adjoints, film_evaluate_at, film_heat_change, film_spread_change, film_set_oil
   public :: cell_press, cell_conduct
@@ -268,6 +269,41 @@ contains
     contact => contact_of(handle)
     call set_transient_term(contact%film, implicit_rate, explicit_rate, stat)
   end subroutine film_transient
+
+  !> Prepares a point contact for time steps along the path of the oil; see `point_film`.
+  subroutine point_film_transport(handle, stat)
+    use pyworm_point_film, only: transport
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(out) :: stat
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call transport(contact%film, stat)
+  end subroutine point_film_transport
+
+  !> Sets the mobility of a point contact over that of the oil at its inlet's temperature and at rest.
+  subroutine point_film_fluidity(handle, fluidity, nx, ny, stat)
+    use pyworm_point_film, only: set_fluidity
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: fluidity(nx, ny)
+    integer(c_int), intent(out) :: stat
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    call set_fluidity(contact%film, fluidity, stat)
+  end subroutine point_film_fluidity
+
+  !> Sets the undeformed gap of a contact; it must be evaluated before its next step.
+  subroutine film_set_gap(handle, gap, nx, ny)
+    integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: gap(nx, ny)
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    contact%film%gap = gap
+  end subroutine film_set_gap
 
   !> Keeps the rigid film of a contact as it is given, whatever load the film then carries.
   subroutine film_hold(handle)

@@ -76,6 +76,27 @@ class PointFilm(Film):
             self._handle, *(fortran_array(part) for part in entrainment)
         )
 
+    def transport(self) -> None:
+        """Prepare a film of smooth surfaces for time steps along the path of the oil.
+
+        Its entrainment becomes zero; the mass that arrives is the explicit part of `set_transient_term`.
+        KernelError if memory does not suffice, or of a film with a flow law, roughness or limited supply.
+        """
+        check_status(core.bindings.point_film_transport(self._handle))
+
+    def set_fluidity(self, fluidity: npt.ArrayLike) -> None:
+        """Set the mobility over that of the oil at its inlet's temperature and at rest, at the nodes [-].
+
+        The film must be restarted before its next step. KernelError if a value is not positive and finite.
+        """
+        check_status(
+            core.bindings.point_film_fluidity(self._handle, fortran_array(fluidity))
+        )
+
+    def set_gap(self, gap: npt.ArrayLike) -> None:
+        """Set the undeformed gap [m]; the film must be restarted before its next step."""
+        core.bindings.film_set_gap(self._handle, fortran_array(gap))
+
     def heat(
         self,
         oil: Oil,
