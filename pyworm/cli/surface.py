@@ -53,6 +53,14 @@ def add(commands: argparse._SubParsersAction) -> None:
         "--phase", type=float, help="phase of the mesh of that contact (default: the middle one)"
     )
     surface.add_argument(
+        "--resolved",
+        type=int,
+        nargs="?",
+        const=513,
+        metavar="NODES",
+        help="move the surfaces through that contact node by node, beside the averaged model",
+    )
+    surface.add_argument(
         "--modulus",
         help="reduced modulus E' for the contact, \"226 GPa\"; default: the case's, or steel",
     )
@@ -86,7 +94,7 @@ def _surface(options: argparse.Namespace) -> int:
 
     if options.out is not None:
         check_writable(options.out)
-    if options.other is not None or options.case is not None:
+    if options.other is not None or options.case is not None or options.resolved is not None:
         from pyworm.cli.surface_film import film_between
 
         return film_between(options, given_keys(options))
@@ -293,6 +301,7 @@ PROFILE_ROWS = (
     ("Section length", "section_m", 1e3, "mm"),
     ("Wq of longer waves", "long_waves_rq_m", MICRO, "µm"),
     ("Points filled", "filled_fraction", 100, "%"),
+    ("Outliers among them", "outliers", 1, ""),
 )
 """Row of the table of a profile (ISO 21920-2), its keys, factors and units."""
 

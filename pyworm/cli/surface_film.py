@@ -31,9 +31,15 @@ def film_between(options: argparse.Namespace, given: dict[str, Any]) -> int:
     from pyworm.batch.measured_pair import measured_pair, middle_contact, solve_contact
 
     if options.case is None:
-        raise CaseError("--with: give --case CASE.toml too, whose bodies have these surfaces")
+        raise CaseError(
+            "--with, --resolved: give --case CASE.toml too, whose bodies have these surfaces"
+        )
     files = [options.file] if options.other is None else [options.file, options.other]
     tables = [_keys(path, given) for path in files]
+    if options.resolved is not None:
+        from pyworm.cli.surface_patch import resolved_between
+
+        return resolved_between(options, tables, options.resolved)
     cases, scenes, solutions = {}, {}, {}
     for state, worn in STATES.items():
         cases[state] = measured_pair(options.case, tables, run_in=worn)

@@ -89,9 +89,7 @@ class PointFilm(Film):
 
         The film must be restarted before its next step. KernelError if a value is not positive and finite.
         """
-        check_status(
-            core.bindings.point_film_fluidity(self._handle, fortran_array(fluidity))
-        )
+        check_status(core.bindings.point_film_fluidity(self._handle, fortran_array(fluidity)))
 
     def set_gap(self, gap: npt.ArrayLike) -> None:
         """Set the undeformed gap [m]; the film must be restarted before its next step."""

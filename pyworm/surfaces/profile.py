@@ -41,6 +41,8 @@ class Profile:
     """Longest wave of the roughness [m]; None where form alone was removed."""
     waviness: float = 0.0
     """Root mean square height of the longer waves that were removed [m]."""
+    outliers: int = 0
+    """Number of outliers that were left out."""
 
     @property
     def length(self) -> float:
@@ -96,14 +98,14 @@ def roughness_profile(
     for name, index in (("nesting_index", nesting_index), ("shortest_wave", shortest_wave)):
         require_index(name, index, (spacing,), [len(heights) * spacing])
     _require_most(heights, fill)
-    level = _without_form(heights)
+    level, left_out = _without_form(heights), 0
     if outliers != "keep" and (far := outlying(level[:, None])[:, 0]).any():
         if outliers == "refuse":
             raise ValueError(
                 f"has {far.sum()} outliers, up to {np.nanmax(np.abs(level[far])) * 1e6:.3g} um from the "
                 'mean; give outliers = "fill" to leave them out, or "keep" if they are real'
             )
-        heights = np.where(far, np.nan, heights)
+        heights, left_out = np.where(far, np.nan, heights), int(far.sum())
         _require_most(heights, fill)
         level = _without_form(heights)
     measured = np.isfinite(level)
@@ -121,7 +123,13 @@ def roughness_profile(
     rough = level - waves
     section = nesting_index or len(level) * spacing / 5
     return Profile(
-        rough - rough.mean(), spacing, measured, section, nesting_index, float(waves.std())
+        rough - rough.mean(),
+        spacing,
+        measured,
+        section,
+        nesting_index,
+        float(waves.std()),
+        left_out,
     )
 
 

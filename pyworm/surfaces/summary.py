@@ -55,6 +55,7 @@ def profile_summary(profile: Profile, known: ProfileFigures) -> dict[str, Any]:
         "spacing_m": profile.spacing,
         "section_m": profile.section,
         "filled_fraction": profile.filled,
+        "outliers": profile.outliers,
         "long_waves_rq_m": profile.waviness,
         **_with_units(asdict(known)),
         **_by_samples([asdict(profile_figures(part)) for part in profile.parts]),

@@ -1,0 +1,236 @@
+"""Rough surfaces resolved node by node, beside published waves and beside the averaged model.
+
+Run from the repository's root, one of
+
+    python benchmarks/validation/rough_patch.py waves         (ten minutes)
+    python benchmarks/validation/rough_patch.py averaged      (an hour)
+    python benchmarks/validation/rough_patch.py steps         (ten minutes)
+    python benchmarks/validation/rough_patch.py time          (ten minutes)
+"""
+
+import sys
+from dataclasses import replace
+from math import pi, sqrt
+from pathlib import Path
+
+import numpy as np
+from line import ALPHA, ETA0, OILS, RADIUS, STEEL
+
+import pyworm
+import pyworm.scene.scales
+from pyworm.materials.topography import Topography
+from pyworm.scene.point import Paraboloid, RigidMotion, Scene
+from pyworm.solver.patch.rough_patch import RoughPatch, rough_patch
+from pyworm.surfaces.generated import gaussian
+
+sys.path.append(str(Path(__file__).parents[1] / "evidence"))
+from evidence_record import record
+
+WAVES = (
+    (100.0, 10.0, 2.0),
+    (100.0, 10.0, 1.0),
+    (100.0, 10.0, 0.5),
+    (100.0, 10.0, 0.25),
+    (1007.6, 12.05, 0.25),
+)
+"""Moes' M and L, wavelength over Hertz's radius."""
+
+SEEN = {(1007.6, 12.05, 0.25): 0.739}
+"""What Venner and Lubrecht computed themselves where their formula gives 0.704, cited from memory."""
+
+AMPLITUDE = 0.1
+"""Amplitude of the wave over the smooth central film."""
+
+GRIDS = ((257, 2), (513, 4))
+"""Nodes along each side, and nodes that the oil moves on in a step: both have the same time step."""
+
+HEIGHTS = 0.1e-6, 0.2e-6, 0.35e-6
+"""Root mean square heights of the rough surface [m]."""
+
+CORRELATION = 30e-6
+"""Its correlation length [m]."""
+
+
+def contact(m: float, lubricant: float) -> Scene:
+    """A rolling ball of given Moes parameters."""
+    modulus = STEEL.youngs_modulus / (1 - STEEL.poisson_ratio**2)
+    speed_group = (lubricant / (ALPHA * modulus)) ** 4 / 2
+    speed = speed_group * modulus * RADIUS / ETA0
+    return Scene(
+        name=f"({m:g}, {lubricant:g})",
+        gap=Paraboloid(RADIUS, RADIUS),
+        motions=(RigidMotion(speed, 0.0), RigidMotion(speed, 0.0)),
+        load=m * (2 * speed_group) ** 0.75 * modulus * RADIUS**2,
+        bodies=(STEEL, STEEL),
+        oil=OILS["compressible"],
+    )
+
+
+def wave(length: float, amplitude: float) -> Topography:
+    """Waves across the motion."""
+    count, waves = 32, 16
+    height = amplitude * np.cos(2 * pi * np.arange(count * waves) / count)
+    return Topography(
+        np.repeat(height[:, None], 4, axis=1), (length / count, length), periodic=True
+    )
+
+
+def amplitude_left(found: RoughPatch) -> float:
+    """Amplitude of the central film while the last wave passes [m]."""
+    films = [known.film_central for known in found.records if known.time >= found.taken_from]
+    return (max(films) - min(films)) / 2
+
+
+def waves() -> None:
+    """Amplitude that waves keep, beside Venner and Lubrecht's formula."""
+    table = []
+    for m, lubricant, ratio in WAVES:
+        scene = contact(m, lubricant)
+        size = pyworm.scene.scales.scales(scene)
+        radius = size.hertz.semi_axis_x
+        given = AMPLITUDE * size.film
+        left = []
+        for nodes, stride in GRIDS:
+            found = rough_patch(
+                scene,
+                (None, wave(ratio * radius, given)),
+                nodes=nodes,
+                stride=stride,
+                averaged=ratio,
+            )
+            left.append(amplitude_left(found) / given)
+        group = ratio * sqrt(m / lubricant)
+        formula = 1 / (1 + 0.15 * group + 0.015 * group**2)
+        seen = SEEN.get((m, lubricant, ratio), "")
+        table.append(
+            (
+                m,
+                lubricant,
+                ratio,
+                f"{group:.2f}",
+                f"{formula:.3f}",
+                seen,
+                *(f"{x:.3f}" for x in left),
+            )
+        )
+        print(*table[-1], flush=True)
+    head = "M", "L", "wavelength / a", "nabla", "formula", "Venner", "257 nodes", "513 nodes"
+    record("patch_waves", head, table)
+
+
+def rubbing(roughness: float) -> tuple[Scene, Topography]:
+    """A sliding contact and the rough surface of its second body."""
+    scene = pyworm.load("cases/traction_steel.toml").scene(slide_roll_ratio=0.2)
+    return scene, gaussian(roughness, CORRELATION, seed=1)
+
+
+def with_surface(scene: Scene, surface: Topography) -> Scene:
+    """The contact whose averaged model has the surface on its second body."""
+    first, second = scene.bodies
+    return replace(
+        scene,
+        bodies=(
+            replace(first, roughness=1e-9),
+            replace(second, roughness=surface.rms, topography=surface),
+        ),
+    )
+
+
+FIGURES = "film_mean", "touching_load", "friction"
+"""Figures of both models."""
+
+
+def averaged() -> None:
+    """The resolved patch beside the averaged model at three roughnesses, and its change by the grid."""
+    table = []
+    for roughness in HEIGHTS:
+        scene, surface = rubbing(roughness)
+        model = pyworm.solve(with_surface(scene, surface), accuracy=0.03)
+        figures = model.figures
+        film = model.fields["film"].transpose("x", "y")
+        size = pyworm.scene.scales.scales(scene).hertz
+        x, y = np.meshgrid(film["x"], film["y"], indexing="ij")
+        central = np.hypot(x / size.semi_axis_x, y / size.semi_axis_y) < 0.5
+        share = figures.asperity_load_fraction
+        known = {
+            "film_mean": float(film.values[central].mean()),
+            "touching_load": share.value if share else 0.0,
+            "friction": figures.friction_coefficient.value,
+        }
+        hot = figures.temperature_max_film.value
+        for nodes, stride in GRIDS:
+            found = rough_patch(scene, (None, surface), nodes=nodes, stride=stride, averaged=1.0)
+            smooth = found.smooth.film_mean
+            means = {name: found.mean(name) for name in FIGURES}
+            for name in FIGURES:
+                mean, spread = means[name]
+                row = (
+                    f"{roughness * 1e6:g}", f"{smooth / roughness:.2f}", nodes, name,
+                    f"{getattr(found.smooth, name):.4g}", f"{mean:.4g}", f"{spread:.2g}",
+                    f"{known[name]:.4g}",
+                )  # fmt: skip
+                table.append(row)
+                print(*row, flush=True)
+            row = (
+                f"{roughness * 1e6:g}", f"{smooth / roughness:.2f}", nodes, "temperature_max_film",
+                f"{found.smooth.temperatures[2]:.2f}", f"{found.mean_temperatures()[2]:.2f}", "",
+                f"{hot:.2f}",
+            )  # fmt: skip
+            table.append(row)
+            worst = max(known.residual for known in found.records)
+            print(*row, f"residual {worst:.1e}", f"{found.cpu_seconds:.0f} s", flush=True)
+    head = (
+        "Rq [um]",
+        "film / Rq",
+        "nodes",
+        "figure",
+        "smooth",
+        "patch",
+        "deviation in time",
+        "averaged",
+    )
+    record("patch_averaged", head, table)
+
+
+def steps() -> None:
+    """Figures by the time step and the tolerance."""
+    table = []
+    scene, surface = rubbing(HEIGHTS[1])
+    for stride, tolerance in ((4, 1e-3), (2, 1e-3), (1, 1e-3), (2, 1e-4)):
+        found = rough_patch(scene, (None, surface), nodes=257, stride=stride, tolerance=tolerance)
+        row = (
+            stride, tolerance, *(f"{found.mean(name)[0]:.4g}" for name in FIGURES),
+            f"{found.mean_temperatures()[2]:.2f}", f"{max(k.residual for k in found.records):.1e}",
+            f"{max(abs(k.load_error) for k in found.records):.1e}",
+            f"{max(k.added for k in found.records):.1e}",
+            f"{found.cpu_seconds:.0f}",
+        )  # fmt: skip
+        table.append(row)
+        print(*row, flush=True)
+    head = (
+        "stride", "tolerance", *FIGURES, "temperature_max_film [K]", "mass error", "load error", "mass added",
+        "processor time [s]",
+    )  # fmt: skip
+    record("patch_steps", head, table)
+
+
+def timed() -> None:
+    """Time of a patch of 1025 by 1025 nodes with heat."""
+    scene, surface = rubbing(HEIGHTS[1])
+    found = rough_patch(scene, (None, surface), nodes=1025, stride=8)
+    newton = sum(known.newton for known in found.records)
+    krylov = sum(known.krylov for known in found.records)
+    row = (
+        1025, 8, len(found.records), newton, krylov, f"{found.seconds:.0f}", f"{found.cpu_seconds:.0f}",
+        *(f"{found.mean(name)[0]:.4g}" for name in FIGURES), f"{found.mean_temperatures()[2]:.2f}",
+    )  # fmt: skip
+    print(*row)
+    head = (
+        "nodes", "stride", "steps", "newton", "gmres", "elapsed [s]", "processor [s]", *FIGURES,
+        "temperature_max_film [K]",
+    )  # fmt: skip
+    record("patch_time", head, [row])
+
+
+if __name__ == "__main__":
+    {"waves": waves, "averaged": averaged, "steps": steps, "time": timed}[sys.argv[1]]()

@@ -1,0 +1,1 @@
+"""Rough surfaces resolved node by node, moving through a point contact."""

@@ -1,0 +1,147 @@
+"""Rough surfaces resolved node by node on their way through a point contact, with the oil's heat.
+
+A bench for the averaged model of roughness: both give the mean film, the asperity load ratio, friction and
+temperatures of the same surfaces.
+"""
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from pyworm.materials.topography import Topography
+from pyworm.planning.grid import Grid
+from pyworm.scene.point import Scene, require_point
+from pyworm.solver.patch.heat import PatchHeat
+from pyworm.solver.patch.moving_heights import (
+    MIN_WAVE_NODES,
+    MovingHeights,
+    resampled,
+    shortest_wave,
+)
+from pyworm.solver.patch.patch_record import TOUCHING, PatchReader, RoughPatch
+from pyworm.solver.patch.sheared_oil import ShearedOil
+from pyworm.solver.patch.smooth_film import PatchFrame, smooth_film
+from pyworm.solver.patch.stepping import PatchStepping
+from pyworm.solver.solution import Solution
+from pyworm.solver.solve import solve
+
+FRONT, RAMP = -1.3, 0.1
+"""Place where the front of the roughness starts, and half its length, in half-lengths of the contact."""
+
+PASSED = 1.0
+"""Place that the front of the slower surface has passed when figures are first taken, in half-lengths."""
+
+SMOOTH_ACCURACY = 0.03
+"""Accuracy of the smooth film whose temperatures the patch takes."""
+
+SLIDES_ACROSS = 0.02
+"""Maximum sliding across the entrainment over the entrainment."""
+
+MIN_NODES = 65
+"""Minimum number of nodes along each side."""
+
+Heights = tuple[MovingHeights | None, MovingHeights | None]
+"""Moving heights of both surfaces; None of a smooth one."""
+
+
+def rough_patch(
+    scene: Scene,
+    surfaces: Sequence[Topography | None],
+    *,
+    nodes: int = 513,
+    stride: int = 4,
+    averaged: float = 1.0,
+    tolerance: float = 1e-3,
+    progress: Callable[[float], None] | None = None,
+) -> RoughPatch:
+    """Move rough surfaces through a point contact, resolved node by node.
+
+    The film of smooth surfaces is solved first, with heat where the oil has it; from it the rough one departs
+    as the surfaces enter. Means are taken while the oil moves on by `averaged` half-lengths of the contact
+    after the roughness has filled it. Both surfaces move as they do at the contact point.
+
+    Args:
+        scene: Contact; its own roughness does not count.
+        surfaces: Heights of both bodies' surfaces, outwards; None of a smooth one. Angles of their x axes are
+            from the surface's motion.
+        nodes: Nodes along each side of the patch, one more than a multiple of a power of two.
+        stride: Nodes that the oil moves on in a time step.
+        averaged: Path over which means are taken, in half-lengths of the contact.
+        tolerance: Residual and load error of a step.
+        progress: Called with the fraction that is done.
+
+    ValueError of a line contact, of one without entrainment or with sliding across it, and of waves that the
+    nodes do not resolve; RuntimeError if a film does not converge.
+    """
+    require_point(scene)
+    if nodes < MIN_NODES or nodes % 8 != 1:
+        raise ValueError(
+            f"nodes = {nodes}: must be one more than a multiple of 8, at least {MIN_NODES}"
+        )
+    frame = PatchFrame.of(scene)
+    grid = frame.grid(nodes)
+    heights = _heights(frame, grid, surfaces)
+    shortest = _resolved_wave(heights, grid)
+    solution = _smooth_solution(scene, frame)
+    oil = ShearedOil(scene.oil, frame.sliding)
+    smooth = smooth_film(frame, oil, solution, nodes)
+    a, _ = frame.half_lengths
+    taken_from = (PASSED - FRONT) * a / min(known.speed for known in heights if known is not None)
+    whole = taken_from + averaged * a / frame.entrainment
+    step = stride * grid.dx / frame.entrainment
+    heat = PatchHeat(frame, oil, smooth, grid, step, whole, solution is not None)
+    read = PatchReader(frame, grid, smooth)
+    first = read.smooth(heat)
+    stepping = PatchStepping(frame, oil, smooth, grid, heights, heat, stride, tolerance, TOUCHING)
+    records = []
+    begun, begun_cpu = time.perf_counter(), time.process_time()
+    count = int(np.ceil(whole / step))
+    for number in range(count):
+        state = stepping.advance()
+        records.append(read(state))
+        if progress is not None:
+            progress((number + 1) / count)
+    elapsed = time.perf_counter() - begun, time.process_time() - begun_cpu
+    fields = smooth.film.thickness(), smooth.film.pressure
+    return RoughPatch(
+        grid, first, tuple(records), state, *fields, taken_from, step, shortest / grid.dx, *elapsed
+    )
+
+
+def _heights(frame: PatchFrame, grid: Grid, surfaces: Sequence[Topography | None]) -> Heights:
+    """Heights of both surfaces that move along the entrainment; ValueError where they do not."""
+    if len(surfaces) != 2 or all(surface is None for surface in surfaces):
+        raise ValueError("surfaces: give two, at least one of them a Topography")
+    if abs(frame.across) > SLIDES_ACROSS:
+        raise ValueError("a resolved patch needs surfaces that slide along the entrainment alone")
+    a, _ = frame.half_lengths
+    found: list[MovingHeights | None] = []
+    for surface, speed in zip(surfaces, frame.speeds, strict=True):
+        if surface is not None and not speed > 0:
+            raise ValueError("a resolved patch needs rough surfaces that move with the entrainment")
+        known = None
+        if surface is not None:
+            known = MovingHeights(resampled(surface, grid), speed, FRONT * a, RAMP * a)
+        found.append(known)
+    return found[0], found[1]
+
+
+def _resolved_wave(heights: Heights, grid: Grid) -> float:
+    """The shortest wave of the heights that counts [m]; ValueError of one that the nodes do not resolve."""
+    shortest = min(shortest_wave(known.height, grid.dx) for known in heights if known is not None)
+    if shortest < MIN_WAVE_NODES * grid.dx:
+        raise ValueError(
+            f"waves of {shortest * 1e6:.3g} um and shorter hold 5 % of the variance of the heights, and have "
+            f"{shortest / grid.dx:.1f} nodes of {MIN_WAVE_NODES:g}: give more nodes, or a shortest_wave"
+        )
+    return shortest
+
+
+def _smooth_solution(scene: Scene, frame: PatchFrame) -> Solution | None:
+    """The film of smooth surfaces with heat; None where the oil has none, or surfaces do not slide."""
+    if scene.oil.heat is None or scene.oil.flow is None or not frame.sliding > 0:
+        return None
+    solution = solve(replace(scene, smooth=True), accuracy=SMOOTH_ACCURACY)
+    return solution if "temperature_middle" in solution.fields else None

@@ -1,0 +1,105 @@
+"""Viscosity and shear stress of an oil at many nodes at once, from tables of its laws."""
+
+from dataclasses import dataclass
+from math import log
+
+import numpy as np
+
+from pyworm.formulas.arrays import Array
+from pyworm.materials.oil import Oil
+
+MAX_PRESSURE, PRESSURES = 4e9, 161
+"""Largest pressure of the tables [Pa] and number of pressures: summits of steel yield before it."""
+
+COLDEST, HOTTEST, RISES = -20.0, 400.0, 85
+"""Range of the rise over the inlet's temperature [K], and number of rises."""
+
+STRESSES = (1e2, 1e14, 241)
+"""Least and largest Newtonian stress, viscosity times shear rate [Pa], and their number."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """A function of two arguments by bilinear interpolation, constant beyond its ends."""
+
+    values: Array
+    first: tuple[float, float]
+    step: tuple[float, float]
+
+    def __call__(self, a: Array, b: Array) -> Array:
+        """Values at arguments of the same shape."""
+        (n, m), flat = self.values.shape, self.values.ravel()
+        i, part_a = _places(a, self.first[0], self.step[0], n)
+        j, part_b = _places(b, self.first[1], self.step[1], m)
+        k = i * m + j
+        low = flat[k] * (1 - part_b) + flat[k + 1] * part_b
+        high = flat[k + m] * (1 - part_b) + flat[k + m + 1] * part_b
+        found: Array = low * (1 - part_a) + high * part_a
+        return found
+
+
+def _places(x: Array, first: float, step: float, count: int) -> tuple[Array, Array]:
+    place = np.clip((x - first) / step, 0.0, count - 1.0)
+    whole = np.minimum(place.astype(np.int32), count - 2)
+    return whole, place - whole
+
+
+class ShearedOil:
+    """An oil at nodes of given pressure [Pa], rise over the inlet's temperature [K] and film [m].
+
+    ValueError of an oil whose flow law's stress follows the temperature.
+    """
+
+    def __init__(self, oil: Oil, sliding: float):
+        self.oil, self.sliding = oil, abs(sliding)
+        pressures = np.linspace(0.0, MAX_PRESSURE, PRESSURES)
+        rises = np.linspace(COLDEST, HOTTEST, RISES) if oil.heat else np.array([0.0, 1.0])
+        step = pressures[1], float(rises[1] - rises[0])
+        log_eta = [
+            [log(oil.eta(p, rise if oil.heat else 0.0)) for rise in rises] for p in pressures
+        ]
+        self._log_eta = Table(np.array(log_eta), (0.0, float(rises[0])), step)
+        self._log_thinning: Table | None = None
+        if self.sliding > 0 and oil.flow is not None and oil.flow.thins:
+            if oil.flow.stress_temperature:
+                raise ValueError(
+                    "stress_temperature: a resolved patch takes no stress that follows temperature"
+                )
+            newtonian = np.geomspace(*STRESSES)
+            log_ratio = [
+                [log(oil.flow.stress_at(s, p) / s) for s in newtonian] for p in pressures[::4]
+            ]
+            first = 0.0, log(newtonian[0])
+            steps = float(pressures[4]), float(np.diff(np.log(newtonian[:2]))[0])
+            self._log_thinning = Table(np.array(log_ratio), first, steps)
+
+    def log_viscosity(self, pressure: Array, rise: Array | float) -> Array:
+        """Logarithm of the viscosity [Pa s] at rest."""
+        rises = np.broadcast_to(np.asarray(rise, dtype=float), pressure.shape)
+        return self._log_eta(pressure, rises)
+
+    def stress(self, pressure: Array, rise: Array | float, film: Array) -> Array:
+        """Shear stress [Pa]."""
+        newtonian = np.exp(self.log_viscosity(pressure, rise)) * (self.sliding / film)
+        if self._log_thinning is None:
+            return newtonian
+        place = np.log(np.maximum(newtonian, STRESSES[0]))
+        stress: Array = newtonian * np.exp(self._log_thinning(pressure, place))
+        return stress
+
+    def fluidity(self, pressure: Array, rise: Array | float, film: Array) -> Array:
+        """Mobility over that of the oil at its inlet's temperature at rest [-]."""
+        cold = self.log_viscosity(pressure, 0.0)
+        warm = self.log_viscosity(pressure, rise)
+        if self._log_thinning is None:
+            return np.exp(cold - warm)
+        newtonian = warm + np.log(self.sliding / film)
+        fluidity: Array = np.exp(cold - warm - self._log_thinning(pressure, newtonian))
+        return fluidity
+
+    def conductivity(self, pressure: Array) -> Array:
+        """Thermal conductivity [W/(m K)]; that of an oil with heat."""
+        heat = self.oil.thermal
+        growth = heat.conductivity_c1 * pressure / (1 + heat.conductivity_c2 * pressure)
+        conductivity: Array = heat.conductivity * (1 + growth)
+        return conductivity
