@@ -66,7 +66,6 @@ Solving
     dry_contact     the pressure of a scene without oil
     passes          one contact after another over one track, by what each leaves
     rough_patch     rough surfaces resolved node by node, moving through a contact
-    RoughPatch      what `rough_patch` gives
     film            films of many contacts by a formula, without a solve
     film_of         those of a scene
     FormulaFilms    what they give

@@ -78,7 +78,6 @@ from .scene.slide_roll import with_slide_roll_ratio as with_slide_roll_ratio
 from .solver.adjoint import NoAdjointError as NoAdjointError
 from .solver.estimate import Estimate as Estimate
 from .solver.passes import passes as passes
-from .solver.patch.patch_record import RoughPatch as RoughPatch
 from .solver.patch.rough_patch import rough_patch as rough_patch
 from .solver.point.dry import dry_contact as dry_contact
 from .solver.sensitivities import Sensitivities as Sensitivities

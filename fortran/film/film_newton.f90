@@ -89,6 +89,8 @@ module pyworm_film_newton
     !> Least residual and load error of the iteration, and steps since it was reached, up to `max_idle_steps`.
     real(wp) :: least = 0
     integer :: idle_steps = 0
+    !> Whether steps that do not lead on are counted in a film without heat too, as between rough surfaces that move.
+    logical :: counts_idle_steps = .false.
     !> True where pressure is free in the present step.
     logical, allocatable :: free(:, :)
     !> Net outflow per area [m/s].
@@ -414,6 +416,7 @@ contains
 
     call film_direction(self, forcing, p, h0, load_error, step%krylov, stat)
     if (stat == status_ok) call search_step(self, residual + abs(load_error), p, h0, residual, load_error, step%damping, stat)
+    if (self%counts_idle_steps) call note_progress(self, residual, load_error)
   end subroutine film_step
 
   !> Notes after a heated step whether it reached a new least residual. Once `max_idle_steps` are made it stays so until no step

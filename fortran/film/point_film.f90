@@ -273,6 +273,7 @@ contains
       film%grid%u = 0
       film%grid%v = 0
       call set_entrainment(film%cycles, film%grid)
+      film%counts_idle_steps = .true.
       allocate (film%transport)
       call new_film_transport(film%transport, film%grid%nx, film%grid%ny, film%spacing, film%space%reduced_modulus, stat)
     end select

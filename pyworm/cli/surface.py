@@ -58,7 +58,7 @@ def add(commands: argparse._SubParsersAction) -> None:
         nargs="?",
         const=513,
         metavar="NODES",
-        help="move the surfaces through that contact node by node, beside the averaged model",
+        help="move the surfaces through that contact node by node, compared with the averaged model",
     )
     surface.add_argument(
         "--modulus",

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED, drawn_pictures
+from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED, drawn_pictures, end_with
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.stage import stage
@@ -16,15 +16,15 @@ if TYPE_CHECKING:
     from pyworm.solver.solution import Solution
 
 ROWS = {
-    "film_mean_m": ("film_central", 1e6, "µm"),
-    "film_min_m": ("film_min", 1e6, "µm"),
-    "asperity_load_fraction": ("asperity_load_fraction", 100.0, "%"),
-    "friction_coefficient": ("friction_coefficient", 1.0, ""),
-    "temperature_max_body_1_K": ("temperature_max_body_1", 1.0, "K"),
-    "temperature_max_body_2_K": ("temperature_max_body_2", 1.0, "K"),
-    "pressure_max_Pa": ("pressure_max", 1e-9, "GPa"),
+    "film_mean_m": "film_central",
+    "film_min_m": "film_min",
+    "asperity_load_fraction": "asperity_load_fraction",
+    "friction_coefficient": "friction_coefficient",
+    "temperature_max_body_1_C": "temperature_max_body_1",
+    "temperature_max_body_2_C": "temperature_max_body_2",
+    "pressure_max_Pa": "pressure_max",
 }
-"""Figure of the patch -> quantity of the averaged model, factor and unit of the table."""
+"""Figure of the patch -> quantity of the averaged model."""
 
 
 def resolved_between(
@@ -39,13 +39,15 @@ def resolved_between(
     scene = middle_contact(case, options.phase)
     if not isinstance(scene, Scene):
         raise CaseError("--resolved: the contact of the case is a line; give a point contact")
-    with stage(f"solving {scene.name} with averaged surfaces"):
-        averaged = solve_contact(case, scene)
     with stage(f"moving the surfaces through {scene.name}"):
         try:
             patch = rough_patch(scene, [body.topography for body in scene.bodies], nodes=nodes)
         except ValueError as error:
             raise CaseError(f"--resolved: {error}") from error
+        except RuntimeError as error:
+            return end_with(f"--resolved: {error}", NOT_CONVERGED)
+    with stage(f"solving {scene.name} with averaged surfaces"):
+        averaged = solve_contact(case, scene)
     pictures: list[str] = []
     complete = True
     if options.out is not None:
@@ -70,23 +72,22 @@ def _print(names: Sequence[str], averaged: "Solution", patch: "RoughPatch") -> N
     from pyworm.report.table import Table
 
     found, rows = patch.summary(), []
-    for key, (name, factor, unit) in ROWS.items():
+    for key, name in ROWS.items():
         quantity = QUANTITIES[name]
-        label = quantity.label.format(*names)
-        mean, deviation = found[key], found["deviation"].get(key)
-        text = f"{mean * factor:.4g}" + (f" ± {deviation * factor:.2g}" if deviation else "")
-        row = (
-            label[:1].upper() + label[1:],
-            averaged.figure_text(quantity),
-            f"{text} {unit}".strip(),
+        value = found[key] + (quantity.offset if key.endswith("_C") else 0.0)
+        rows.append(
+            (
+                quantity.title((names[0], names[1])),
+                averaged.figure_text(quantity),
+                quantity.text(value),
+            )
         )
-        rows.append(row)
     nodes = " x ".join(map(str, patch.grid.shape))
     head = "Contact between measured surfaces", "averaged", f"resolved, {nodes} nodes"
     Console().print(Table(head, tuple(rows)))
     print_result(
-        f"{len(patch.records)} time steps in {patch.seconds:.0f} s; ± is the standard deviation in time, the "
-        "asperity load ratio is that at films below 1 nm"
+        f"{len(patch.records)} time steps; of the resolved surfaces the central film thickness is that in "
+        "the inner half, the asperity load ratio that below a nanometre"
     )
 
 

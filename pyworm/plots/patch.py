@@ -5,6 +5,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from pyworm.formulas.arrays import Array
+from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.layout import MEGA, MICRO, new_figure
 from pyworm.solver.patch.patch_record import RoughPatch
 
@@ -18,16 +19,17 @@ def draw_patch(name: str, patch: RoughPatch) -> Figure:
     figure = new_figure(13.6, 8.2, f"Rough surfaces moving through {name}  ·  {nodes} nodes")
     (film_map, pressure_map), (film, pressure) = figure.subplots(2, 2)
     most = MOST_FILM * patch.smooth.film_mean * MICRO
-    _draw_map(figure, film_map, patch, patch.last.film * MICRO, "film thickness / µm", most)
-    _draw_map(figure, pressure_map, patch, patch.last.pressure * MEGA, "pressure / MPa", None)
+    film_label, pressure_label = (QUANTITIES[name].axis() for name in ("film", "pressure"))
+    _draw_map(figure, film_map, patch, patch.last.film * MICRO, film_label, most)
+    _draw_map(figure, pressure_map, patch, patch.last.pressure * MEGA, pressure_label, None)
     x, middle = patch.grid.x * MICRO, patch.grid.ny // 2
     film.plot(x, patch.last.film[:, middle] * MICRO, lw=0.9, label="rough")
     film.plot(x, patch.smooth_film[:, middle] * MICRO, "--", lw=1, label="smooth")
     film.set_ylim(0, most)
-    film.set_ylabel("film thickness / µm")
+    film.set_ylabel(film_label)
     pressure.plot(x, patch.last.pressure[:, middle] * MEGA, lw=0.9, label="rough")
     pressure.plot(x, patch.smooth_pressure[:, middle] * MEGA, "--", lw=1, label="smooth")
-    pressure.set_ylabel("pressure / MPa")
+    pressure.set_ylabel(pressure_label)
     for axes in (film, pressure):
         axes.set_xlabel("x along the entrainment / µm")
         axes.set_xlim(x[0], x[-1])

@@ -98,14 +98,14 @@ def roughness_profile(
     for name, index in (("nesting_index", nesting_index), ("shortest_wave", shortest_wave)):
         require_index(name, index, (spacing,), [len(heights) * spacing])
     _require_most(heights, fill)
-    level, left_out = _without_form(heights), 0
+    level, outlier_count = _without_form(heights), 0
     if outliers != "keep" and (far := outlying(level[:, None])[:, 0]).any():
         if outliers == "refuse":
             raise ValueError(
                 f"has {far.sum()} outliers, up to {np.nanmax(np.abs(level[far])) * 1e6:.3g} um from the "
                 'mean; give outliers = "fill" to leave them out, or "keep" if they are real'
             )
-        heights, left_out = np.where(far, np.nan, heights), int(far.sum())
+        heights, outlier_count = np.where(far, np.nan, heights), int(far.sum())
         _require_most(heights, fill)
         level = _without_form(heights)
     measured = np.isfinite(level)
@@ -129,7 +129,7 @@ def roughness_profile(
         section,
         nesting_index,
         float(waves.std()),
-        left_out,
+        outlier_count,
     )
 
 

@@ -653,6 +653,7 @@ PLAIN = {
     "plan": "scene effects quantities",
     "read_gap": "path",
     "read_oil": "path",
+    "rough_patch": "scene surfaces nodes stride averaged tolerance progress",
     "solve": "scene plan progress rates effects quantities",
     "sweep": (
         "make out accuracy effects quantities fields processes scheduler progress title largest_grid "

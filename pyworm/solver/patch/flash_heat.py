@@ -51,6 +51,7 @@ class HeatedSurface:
     whole: float
     """Time of the whole computation [s]."""
     shape: tuple[int, int]
+    """Nodes along x and y."""
 
     def __post_init__(self) -> None:
         self._rates, self._weights = rates(self.step, self.whole)
@@ -75,10 +76,10 @@ class HeatedSurface:
 
     def absorb(self, flux: Array) -> None:
         """Add the flux of the present step [W/m2] to the history."""
-        own = _between(flux, self._moved).astype(np.float32)
+        carried = _between(flux, self._moved).astype(np.float32)
         taken = -np.expm1(-self._rates * self.step) / self._rates
         for number, share in enumerate(taken):
-            self._sums[number] += np.float32(share) * own
+            self._sums[number] += np.float32(share) * carried
 
 
 def _moved(sums: Any, nodes: int) -> Any:

@@ -89,14 +89,14 @@ def spline_weights(part: float) -> tuple[float, float, float, float]:
     )
 
 
-def shortest_wave(height: Array, dx: float) -> float:
-    """Wavelength along x [m] below which waves hold a twentieth of the variance; infinite if flat."""
-    spectrum = (np.abs(np.fft.rfft(height, axis=0)) ** 2).sum(axis=1)
+def shortest_wave(height: Array, spacing: float, axis: int) -> float:
+    """Wavelength along an axis [m] below which waves hold a twentieth of the variance; infinite if flat."""
+    spectrum = (np.abs(np.fft.rfft(height, axis=axis)) ** 2).sum(axis=1 - axis)
     spectrum[0] = 0.0
     if not spectrum.sum() > 0:
         return np.inf
     share = np.cumsum(spectrum) / spectrum.sum()
-    return float(len(height) * dx / np.searchsorted(share, SHORT_SHARE))
+    return float(height.shape[axis] * spacing / np.searchsorted(share, SHORT_SHARE))
 
 
 SHORT_SHARE = 0.95

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from pyworm.formulas.arrays import Array
+from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.planning.grid import Grid
 from pyworm.solver.patch.heat import PatchHeat
 from pyworm.solver.patch.smooth_film import PatchFrame, SmoothFilm
@@ -85,9 +86,9 @@ class RoughPatch:
     shortest_wave: float
     """Wavelength below which a twentieth of the variance of the heights lies, over the spacing [-]."""
     seconds: float
-    """Elapsed time of the time steps [s]."""
+    """Wall time of the time steps [s]."""
     cpu_seconds: float
-    """Processor time of the time steps [s]."""
+    """CPU time of the time steps [s]."""
 
     def mean(self, name: str) -> tuple[float, float]:
         """Mean over time of a figure of `PatchRecord`, and its standard deviation."""
@@ -100,9 +101,9 @@ class RoughPatch:
         first, second, film = self.mean_temperatures()
         return {
             **{key: mean for key, (mean, _) in means.items()},
-            "temperature_max_body_1_K": first,
-            "temperature_max_body_2_K": second,
-            "temperature_mean_max_film_K": film,
+            "temperature_max_body_1_C": first - ZERO_CELSIUS,
+            "temperature_max_body_2_C": second - ZERO_CELSIUS,
+            "temperature_mean_max_film_C": film - ZERO_CELSIUS,
             "deviation": {key: deviation for key, (_, deviation) in means.items()},
             "smooth_film_mean_m": self.smooth.film_mean,
             "smooth_friction_coefficient": self.smooth.friction,

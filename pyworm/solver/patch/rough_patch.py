@@ -7,6 +7,7 @@ temperatures of the same surfaces.
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from math import hypot
 
 import numpy as np
 
@@ -20,10 +21,10 @@ from pyworm.solver.patch.moving_heights import (
     resampled,
     shortest_wave,
 )
-from pyworm.solver.patch.patch_record import TOUCHING, PatchReader, RoughPatch
+from pyworm.solver.patch.patch_record import TOUCHING, PatchReader, PatchRecord, RoughPatch
 from pyworm.solver.patch.sheared_oil import ShearedOil
-from pyworm.solver.patch.smooth_film import PatchFrame, smooth_film
-from pyworm.solver.patch.stepping import PatchStepping
+from pyworm.solver.patch.smooth_film import PatchFrame, SmoothFilm, smooth_film
+from pyworm.solver.patch.stepping import PatchState, PatchStepping
 from pyworm.solver.solution import Solution
 from pyworm.solver.solve import solve
 
@@ -51,7 +52,7 @@ def rough_patch(
     surfaces: Sequence[Topography | None],
     *,
     nodes: int = 513,
-    stride: int = 4,
+    stride: int | None = None,
     averaged: float = 1.0,
     tolerance: float = 1e-3,
     progress: Callable[[float], None] | None = None,
@@ -67,7 +68,8 @@ def rough_patch(
         surfaces: Heights of both bodies' surfaces, outwards; None of a smooth one. Angles of their x axes are
             from the surface's motion.
         nodes: Nodes along each side of the patch, one more than a multiple of a power of two.
-        stride: Nodes that the oil moves on in a time step.
+        stride: Nodes that the oil moves on in a time step; by default so many that the roughness changes the
+            gap by `STEP_CHANGE` of the film.
         averaged: Path over which means are taken, in half-lengths of the contact.
         tolerance: Residual and load error of a step.
         progress: Called with the fraction that is done.
@@ -87,27 +89,37 @@ def rough_patch(
     solution = _smooth_solution(scene, frame)
     oil = ShearedOil(scene.oil, frame.sliding)
     smooth = smooth_film(frame, oil, solution, nodes)
+    if stride is None:
+        stride = _stride(heights, smooth, frame, grid)
+    step = stride * grid.dx / frame.entrainment
     a, _ = frame.half_lengths
     taken_from = (PASSED - FRONT) * a / min(known.speed for known in heights if known is not None)
     whole = taken_from + averaged * a / frame.entrainment
-    step = stride * grid.dx / frame.entrainment
     heat = PatchHeat(frame, oil, smooth, grid, step, whole, solution is not None)
     read = PatchReader(frame, grid, smooth)
     first = read.smooth(heat)
     stepping = PatchStepping(frame, oil, smooth, grid, heights, heat, stride, tolerance, TOUCHING)
+    begun = time.perf_counter(), time.process_time()
+    records, state = _moved_through(stepping, read, int(np.ceil(whole / step)), progress)
+    elapsed = time.perf_counter() - begun[0], time.process_time() - begun[1]
+    fields = smooth.film.thickness(), smooth.film.pressure
+    return RoughPatch(grid, first, records, state, *fields, taken_from, step, shortest, *elapsed)
+
+
+def _moved_through(
+    stepping: PatchStepping,
+    read: PatchReader,
+    count: int,
+    progress: Callable[[float], None] | None,
+) -> tuple[tuple[PatchRecord, ...], PatchState]:
+    """Figures after each of a number of time steps, and the last state."""
     records = []
-    begun, begun_cpu = time.perf_counter(), time.process_time()
-    count = int(np.ceil(whole / step))
     for number in range(count):
         state = stepping.advance()
         records.append(read(state))
         if progress is not None:
             progress((number + 1) / count)
-    elapsed = time.perf_counter() - begun, time.process_time() - begun_cpu
-    fields = smooth.film.thickness(), smooth.film.pressure
-    return RoughPatch(
-        grid, first, tuple(records), state, *fields, taken_from, step, shortest / grid.dx, *elapsed
-    )
+    return tuple(records), state
 
 
 def _heights(frame: PatchFrame, grid: Grid, surfaces: Sequence[Topography | None]) -> Heights:
@@ -129,19 +141,51 @@ def _heights(frame: PatchFrame, grid: Grid, surfaces: Sequence[Topography | None
 
 
 def _resolved_wave(heights: Heights, grid: Grid) -> float:
-    """The shortest wave of the heights that counts [m]; ValueError of one that the nodes do not resolve."""
-    shortest = min(shortest_wave(known.height, grid.dx) for known in heights if known is not None)
-    if shortest < MIN_WAVE_NODES * grid.dx:
+    """Nodes in the shortest wave of the heights that counts; ValueError of one that is not resolved."""
+    nodes, shortest = min(
+        (wave / spacing, wave)
+        for known in heights
+        if known is not None
+        for axis, spacing in enumerate(grid.spacing)
+        for wave in [shortest_wave(known.height, spacing, axis)]
+    )
+    if nodes < MIN_WAVE_NODES:
         raise ValueError(
             f"waves of {shortest * 1e6:.3g} um and shorter hold 5 % of the variance of the heights, and have "
-            f"{shortest / grid.dx:.1f} nodes of {MIN_WAVE_NODES:g}: give more nodes, or a shortest_wave"
+            f"{nodes:.1f} nodes of {MIN_WAVE_NODES:g}: give more nodes, or a shortest_wave"
         )
-    return shortest
+    return nodes
+
+
+def _stride(heights: Heights, smooth: SmoothFilm, frame: PatchFrame, grid: Grid) -> int:
+    """Nodes that the oil moves on in a time step."""
+    middle = tuple(int(np.argmin(np.abs(axis))) for axis in (grid.x, grid.y))
+    film = float(smooth.film.thickness()[middle])
+    change = hypot(
+        *(
+            float(np.diff(known.height, axis=0).std()) * known.speed / frame.entrainment
+            for known in heights
+            if known is not None
+        )
+    )
+    return int(np.clip(STEP_CHANGE * film / max(change, MIN_CHANGE * film), 1, MAX_STRIDE))
+
+
+STEP_CHANGE = 0.15
+"""Change of the gap by roughness in a time step over the film, root mean square: Newton's method is lost from
+twice that on."""
+
+MAX_STRIDE = 8
+"""Maximum number of nodes of a time step."""
+
+MIN_CHANGE = 1e-9
+"""Change of the gap over the film that counts as none."""
 
 
 def _smooth_solution(scene: Scene, frame: PatchFrame) -> Solution | None:
     """The film of smooth surfaces with heat; None where the oil has none, or surfaces do not slide."""
     if scene.oil.heat is None or scene.oil.flow is None or not frame.sliding > 0:
         return None
-    solution = solve(replace(scene, smooth=True), accuracy=SMOOTH_ACCURACY)
+    first, second = (replace(body, roughness=None, topography=None) for body in scene.bodies)
+    solution = solve(replace(scene, bodies=(first, second)), accuracy=SMOOTH_ACCURACY)
     return solution if "temperature_middle" in solution.fields else None

@@ -23,8 +23,11 @@ class Table:
     """A function of two arguments by bilinear interpolation, constant beyond its ends."""
 
     values: Array
+    """Values, the first argument along the first axis."""
     first: tuple[float, float]
+    """First value of each argument."""
     step: tuple[float, float]
+    """Steps of both."""
 
     def __call__(self, a: Array, b: Array) -> Array:
         """Values at arguments of the same shape."""

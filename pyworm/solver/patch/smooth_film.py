@@ -15,16 +15,16 @@ from pyworm.solver.level import MIN_MOBILITY_FILM, START_PRESSURE_RATIO
 from pyworm.solver.patch.sheared_oil import ShearedOil
 from pyworm.solver.solution import Solution
 
-WEST, EAST, SIDE = 2.2, 1.4, 1.6
+INLET, EXIT, HALF_WIDTH = 2.2, 1.4, 1.6
 """Ends of a patch before, behind and beside the contact point, in half-lengths of Hertz's contact."""
 
-COARSEST = 33
+MIN_NODES = 33
 """Least number of nodes along each side of the first grid."""
 
 TOLERANCE = 1e-7
 """Residual of the smooth film, well below that of rough ones."""
 
-MOST_STEPS = 40
+MAX_STEPS = 40
 """Largest number of Newton steps of a smooth film on a grid."""
 
 
@@ -33,7 +33,9 @@ class PatchFrame:
     """Axes of a patch: x along the entrainment, with both surfaces' speeds along it."""
 
     scene: Scene
+    """The contact."""
     size: Scales
+    """Its scales."""
     angle: float
     """Direction of the entrainment from the scene's x axis [rad]."""
     speeds: tuple[float, float]
@@ -74,8 +76,8 @@ class PatchFrame:
     def grid(self, nodes: int) -> Grid:
         """The patch with a number of nodes along each side."""
         a, b = self.half_lengths
-        dx, dy = (WEST + EAST) * a / (nodes - 1), 2 * SIDE * b / (nodes - 1)
-        return Grid(-WEST * a, -SIDE * b, dx, dy, nodes, nodes)
+        dx, dy = (INLET + EXIT) * a / (nodes - 1), 2 * HALF_WIDTH * b / (nodes - 1)
+        return Grid(-INLET * a, -HALF_WIDTH * b, dx, dy, nodes, nodes)
 
     def places(self, grid: Grid) -> tuple[Array, Array]:
         """Places of the nodes in the axes of the scene [m]."""
@@ -109,6 +111,7 @@ class SmoothFilm:
     """A steady film on a patch."""
 
     film: kernel.PointFilm
+    """The film."""
     rise: Array | float
     """Mean temperature across the film over the inlet's [K]."""
     walls: tuple[Array | float, Array | float]
@@ -127,7 +130,7 @@ def smooth_film(
     RuntimeError if it does not converge.
     """
     count = nodes
-    while count % 2 == 1 and count // 2 + 1 >= COARSEST:
+    while count % 2 == 1 and count // 2 + 1 >= MIN_NODES:
         count = count // 2 + 1
     guess: tuple[Array, float] | None = None
     while True:
@@ -164,7 +167,7 @@ def _on_grid(
     fluidity = np.ones(grid.shape, order="F")
     floor = MIN_MOBILITY_FILM * frame.size.film
     changes = solution is not None or oil.sliding > 0
-    for _ in range(MOST_STEPS):
+    for _ in range(MAX_STEPS):
         if changes:
             film_now = np.maximum(film.thickness(), floor)
             fluidity = oil.fluidity(film.pressure, rise, film_now)

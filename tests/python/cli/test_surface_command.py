@@ -224,6 +224,38 @@ def test_measured_surfaces_lead_to_a_film_before_and_after_running_in(
     assert (out / "between_surfaces.png").stat().st_size > 10_000
 
 
+SMOOTH_WAVES = """
+generated = { spectrum = "gaussian", roughness = "20 nm", correlation_length = "120 um", seed = 1 }
+"""
+
+
+def test_surfaces_move_through_the_contact_node_by_node(case, tmp_path, capsys, monkeypatch):
+    surface, out = tmp_path / "waves.toml", tmp_path / "out"
+    surface.write_text(SMOOTH_WAVES)
+    options = ["surface", str(surface), "--case", str(case), "--resolved", "65"]
+    assert main([*options, "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)["contacts"]["resolved"]
+    assert found["nodes"] == [65, 65]
+    assert found["film_mean_m"] == pytest.approx(found["smooth_film_mean_m"], rel=0.1)
+    assert found["mass_error"] <= 1e-3
+    assert main([*options, "--out", str(out)]) == 0
+    table = capsys.readouterr().out
+    for name in ("averaged", "resolved, 65 x 65 nodes", "Central film thickness", "time steps"):
+        assert name in table
+    assert (out / "resolved_surfaces.png").stat().st_size > 10_000
+    surface.write_text(SMOOTH_WAVES.replace("120", "12"))
+    assert main(options) == 2
+    assert "give more nodes" in capsys.readouterr().err
+    surface.write_text(SMOOTH_WAVES)
+
+    def lost(*_, **options):
+        raise RuntimeError("a step did not converge")
+
+    monkeypatch.setattr("pyworm.solver.patch.rough_patch.rough_patch", lost)
+    assert main(options) == 3
+    assert "did not converge" in capsys.readouterr().err
+
+
 def test_a_second_surface_needs_a_case(heights, tmp_path, capsys):
     path, _ = heights
     said = refusal(["surface", str(path), "--with", str(path)], tmp_path, capsys)

@@ -109,7 +109,7 @@ def test_tables_of_the_oil_are_its_laws(scene):
     assert oil.fluidity(pressure, rise, film)[0, 0] == pytest.approx(thinned, rel=0.03)
 
 
-def test_what_cannot_be_resolved_is_refused(scene, monkeypatch):
+def test_what_cannot_be_resolved_is_refused(scene):
     surface = gaussian(0.1e-6, 60e-6, seed=1)
     for surfaces, nodes, message in (
         ((None, None), 65, "at least one of them"),

@@ -72,6 +72,7 @@ def test_missing_points_and_outliers_are_filled_but_not_counted():
     with pytest.raises(ValueError, match="has 1 outliers"):
         roughness_profile(heights, STEP)
     profile = roughness_profile(heights, STEP, outliers="fill")
+    assert profile.outliers == 1
     assert profile.measured.sum() == len(SINE) - 11
     assert profile_figures(profile).rt < 1e-6
     with pytest.raises(ValueError, match=r"0 % of its points are missing, at most 0 % are filled"):
