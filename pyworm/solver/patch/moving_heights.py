@@ -92,12 +92,16 @@ def spline_weights(part: float) -> tuple[float, float, float, float]:
 def shortest_wave(height: Array, spacing: float, axis: int) -> float:
     """Wavelength along an axis [m] below which waves hold a twentieth of the variance; infinite if flat."""
     spectrum = (np.abs(np.fft.rfft(height, axis=axis)) ** 2).sum(axis=1 - axis)
+    whole = spectrum.sum()
     spectrum[0] = 0.0
-    if not spectrum.sum() > 0:
+    if not spectrum.sum() > MIN_VARIANCE * whole:
         return np.inf
     share = np.cumsum(spectrum) / spectrum.sum()
     return float(height.shape[axis] * spacing / np.searchsorted(share, SHORT_SHARE))
 
+
+MIN_VARIANCE = 1e-9
+"""Share of the variance along an axis below which a surface is straight there."""
 
 SHORT_SHARE = 0.95
 """Share of the variance of the heights that must be resolved."""
