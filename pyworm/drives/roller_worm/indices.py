@@ -8,8 +8,9 @@ With v the velocity of the worm relative to the wheel, as if the roller stood st
   roll, at 0 it can only slide along its axis;
 - induced normal curvature: that of the gap across the line (`LineContact.curvature`).
 
-The words are those of the school of X. Deng; its formulas for cylinders (a sine by q . v, see `envelope`) are
-the same angles, written here without coordinates.
+The words are those of the school of X. Deng, and so are the angles by what its abstracts say of them; its
+formulas in coordinates of a cylinder could not be read. Derived here; tested against differences of
+positions.
 """
 
 import numpy as np
