@@ -76,10 +76,8 @@ def _entry_rows(found: Sequence[SpinUp]) -> tuple[FigureRow, ...]:
         )
 
     return (
-        row("entry_speed_rpm", "Speed at entry", "rpm", [rpm(e.entry_speed) for e in found]),
-        row(
-            "rolling_speed_rpm", "Rolling speed there", "rpm", [rpm(e.rolling_speed) for e in found]
-        ),
+        row("entry_speed_rad_s", "Speed at entry", "rpm", [e.entry_speed for e in found]),
+        row("rolling_speed_rad_s", "Rolling speed there", "rpm", [e.rolling_speed for e in found]),
         row("spin_up_time_s", "Spin-up time", "ms", [e.seconds for e in found]),
         row(
             "spin_up_angle_deg", "Wheel angle of it", "°", [e.wheel_angle * 180 / pi for e in found]
@@ -98,11 +96,6 @@ def _entry_rows(found: Sequence[SpinUp]) -> tuple[FigureRow, ...]:
             [e.entrainment_min for e in found],
         ),
     )
-
-
-def rpm(speed: float) -> float:
-    """A speed [rad/s] in rpm."""
-    return speed * 30 / pi
 
 
 def _energy_rows(found: Sequence[SpinUp]) -> tuple[FigureRow, ...]:

@@ -17,6 +17,7 @@ from pyworm.drives.roller_worm.pins import pin_bearing, pin_load
 from pyworm.formulas.bearing_life import basic_life
 from pyworm.ratings.bearing import bearing_life, carried_load
 from pyworm.ratings.element_bearing import element_load, rate_element_bearing
+from pyworm.ratings.motion import rate_motion
 from pyworm.ratings.rated_case import rating_request
 
 SEATS = [
@@ -134,6 +135,25 @@ def test_pins_without_friction_lose_nothing_and_friction_is_in_the_efficiency(dr
     rating = rate_element_bearing(pin_bearing(drive))
     values = {figure.key: figure.values[0] for figure in rating.figures}
     assert values["loss_W"] == pytest.approx(sum(values[f"loss_{n}_W"] for n in range(3)))
+
+
+def in_rpm(row, part, drive):
+    """A speed in SI that rolling makes plausible, shown in rpm."""
+    speed = abs(row.values[part])
+    # rollers of 6.5 mm on a worm of 32 mm at the throat and some 80 mm at its ends
+    assert drive.speed * 32 / 6.5 < speed < drive.speed * 90 / 6.5
+    assert float(row.shown(part).split()[0]) == pytest.approx(row.values[part] * 30 / pi, rel=1e-3)
+
+
+def test_speeds_of_pins_are_kept_in_si_and_shown_in_rpm(drive):
+    rows = {row.key: row for row in rate_element_bearing(pin_bearing(drive)).figures}
+    in_rpm(rows["speed_max_rad_s"], 0, drive)
+
+
+@pytest.mark.long
+def test_speeds_of_the_rotation_are_kept_in_si_and_shown_in_rpm(drive):
+    rows = {row.key: row for row in rate_motion(drive.motion_figures()).figures}
+    in_rpm(rows["rolling_speed_rad_s"], 1, drive)
 
 
 def test_the_needle_bearing_is_rated_by_its_roller(case):
