@@ -6,6 +6,7 @@ python benchmarks/drives/roller_variants.py picture
 
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 import matplotlib as mpl
@@ -20,6 +21,8 @@ sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record
 
 ROOT = Path(__file__).parents[2]
+
+CONE = ROOT / "cases" / "rollers" / "cone.toml"
 
 TITLES = {
     "cone": "tapered rollers",
@@ -53,7 +56,11 @@ COLUMNS = (
 
 def main():
     if sys.argv[1:] != ["picture"]:
-        record("roller_variants", COLUMNS, [row(name) for name in TITLES])
+        rows = [row(f"{name}: {title}", load(name)) for name, title in TITLES.items()]
+        tables = tomllib.loads(CONE.read_text(encoding="utf-8"))
+        tables["drive"]["rollers"]["half_angle"] = "6 deg"
+        rows.insert(1, row("cone, thicker at the outer end", pyworm.load(tables)))
+        record("roller_variants", COLUMNS, rows)
     draw()
 
 
@@ -61,12 +68,12 @@ def load(name):
     return pyworm.load(ROOT / "cases" / "rollers" / f"{name}.toml")
 
 
-def row(name):
+def row(title, case):
     """What `pyworm run` of a variant gives, over all solved contacts of the driving flank."""
     start = time.perf_counter()
-    result = pyworm.run(load(name))
+    result = pyworm.run(case)
     seconds = time.perf_counter() - start
-    drive, solved = load(name).drive, result.solutions
+    drive, solved = case.drive, result.solutions
     driving = [solution for solution in solved if solution.section == "left"]
     states = [
         drive.state("left", phase, [0.02, 0.5, 0.98]) for phase in np.linspace(0.05, 0.95, 13)
@@ -75,7 +82,7 @@ def row(name):
     section, bearing = drive.sections["left"], drive.element_bearing()
     part = section.envelope
     return (
-        f"{name}: {TITLES[name]}",
+        title,
         f"{(section.last - section.first) / section.pitch:.2f}",
         span([1e3 / state.contact.curvature for state in states], ".2f"),
         span([state.motion.entrainment for state in states], ".1f"),

@@ -4,7 +4,8 @@ from math import pi
 
 import numpy as np
 import pytest
-from folders import CASES
+from evidence_data import read
+from folders import CASES, ROOT
 from roller_sections import CENTRE_DISTANCE, envelope
 from scipy.optimize import minimize_scalar
 
@@ -240,6 +241,46 @@ def test_a_case_of_an_internal_worm_is_solved():
     solution = pyworm.solve(scene, pyworm.plan(scene, 0.1, "isothermal"))
     assert solution.converged
     assert solution.figures.film_min.value == pytest.approx(0.93e-6, rel=0.1)
+
+
+def test_the_page_has_the_numbers_of_the_variants():
+    data = read("roller_variants")
+    rows = {row[0].split(":")[0]: dict(zip(data.columns, row, strict=True)) for row in data.rows}
+    page = (ROOT / "docs" / "theory" / "roller-worm.md").read_text(encoding="utf-8")
+
+    def number(case, column):
+        return float(rows[case][column].split(" to ")[-1])
+
+    slid, mesh = "sliding along the line / m/s", "loss of the films, simulated, and of pins / W"
+    along = "loss of sliding along the rollers, closed form / W"
+    face, double = (number(case, along) / 1e3 for case in ("face", "double"))
+    assert f"losses of {face:.1f} and {double:.2f} kW" in page
+    assert f"at {number('face', slid):.0f} m/s" in page
+    assert f"offset rows at {number('double', slid):.0f} m/s" in page
+    saved = 1 - number("cone", mesh) / number("cone, thicker at the outer end", mesh)
+    assert "lose a third less" in page and saved == pytest.approx(1 / 3, abs=0.05)
+    assert all(row["contacts converged"] == "18 of 18" for row in rows.values())
+
+
+def test_the_page_has_the_verdicts_on_the_source_s_films():
+    data = read("roller_verdicts")
+    rows = [dict(zip(data.columns, row, strict=True)) for row in data.rows]
+    films = [row for row in rows if row["cell"].split(", ")[-1][:2] in ("R ", "k ")]
+    trends = [
+        row for row in rows if row["cell"].endswith("trend") and row["table"] == "roller radius"
+    ]
+    given = sum("its formula gives it" in row["verdict"] for row in films)
+    page = (ROOT / "docs" / "evidence" / "validation.md").read_text(encoding="utf-8")
+    assert f"its formula gives {given} of {len(films)} films within 25 %" in page
+    assert "no trend in R" in page
+    assert len(trends) == 4 and all("against its formula" in row["verdict"] for row in trends)
+    turned = [
+        float(row["rollers turn / um"]) / float(row["minimum once / um"]) - 1 for row in films
+    ]
+    assert f"rolling (+{100 * np.mean(turned):.0f} %)" in page
+    hot = "solved, with heat and roughness / um"
+    heated = [float(row[hot]) / float(row["solved, isothermal / um"]) - 1 for row in films]
+    assert f"heat (to −{-100 * min(heated):.0f} %)" in page
 
 
 @pytest.mark.long
