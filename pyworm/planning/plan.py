@@ -9,6 +9,7 @@ import numpy as np
 from pyworm.formulas.regimes import Regime
 from pyworm.io import units
 from pyworm.io.given import Names, WithUnit, kind_of, number, unusual
+from pyworm.io.present import present
 from pyworm.io.quantity_text import percent
 from pyworm.io.shown import Shown
 from pyworm.materials.flow_laws import NEWTONIAN
@@ -230,7 +231,7 @@ def planned(
     told = simple.oil.flow is not None or simple.oil.heat is not None
     _require_any(quantities, asked, {FILM: True, FRICTION: told and law, TEMPERATURE: model.heated})
     rubs = told and law and prediction.sliding > 0
-    target = _target(quantities, model, rubs=rubs, beta=prediction.inlet_beta)
+    target = _target(scene, quantities, model, rubs=rubs, beta=prediction.inlet_beta)
     return Plan(
         accuracy,
         quantities,
@@ -276,7 +277,9 @@ def effects_for(scene: Scene | LineScene, plan: Plan, prediction: Prediction) ->
     return frozenset(judgement.name for judgement in judged if judgement.on)
 
 
-def _target(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) -> AccuracyTarget:
+def _target(
+    scene: Scene | LineScene, quantities: tuple[str, ...], model: Model, rubs: bool, beta: float
+) -> AccuracyTarget:
     """The figures of the quantities asked for that the model has."""
     figures = {
         FILM: FILMS,
@@ -284,7 +287,8 @@ def _target(quantities: tuple[str, ...], model: Model, rubs: bool, beta: float) 
         TEMPERATURE: HEAT_FIGURES * model.heated,
     }
     names = tuple(name for quantity in quantities for name in figures[quantity])
-    return AccuracyTarget(names, 1 / beta if beta > 0 else 0.0)
+    roughness = present(scene.composite_roughness, "roughness") if model.rough else 0.0
+    return AccuracyTarget(names, 1 / beta if beta > 0 else 0.0, roughness)
 
 
 def steady(plan: Plan, reason: str) -> Plan:

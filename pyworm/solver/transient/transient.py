@@ -20,7 +20,7 @@ from pyworm.planning import error_budget
 from pyworm.planning.expected_work import Kind, solves_of_life
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
-from pyworm.planning.target import FILMS, HEAT_FIGURES
+from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -329,7 +329,7 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         )
         readings.append(iteration.reading)
     turned = _turned_round(scene, rates.records, plan.work.kind)
-    errors = _errors(readings, plan.work.kind, turned)
+    errors = _errors(readings, plan, turned)
     figures = readings[-1].figures
     heat_error = plan.target.worst(errors, figures)
     film_error = plan.target.without(*HEAT_FIGURES).worst(errors, figures)
@@ -385,17 +385,17 @@ def _life(
     return curves(rates.records, since, kind, *shown)
 
 
-def _errors(readings: Sequence[Reading], kind: Kind, turned: bool) -> dict[str, float]:
+def _errors(readings: Sequence[Reading], plan: Plan, turned: bool) -> dict[str, float]:
     """Relative errors of the figures by the rates, from readings of the steady film and with each rate.
 
-    `turned` tells whether the entrainment has turned round.
+    `turned` tells whether the entrainment has turned round. No error is less than that of the films.
     """
-    _, *moving = readings
+    kind, (_, *moving) = plan.work.kind, readings
     least = _least(readings, kind, turned)
     if len(moving) == 1:
         return dict.fromkeys(moving[-1].figures, least)
     left = _left(moving, _share(kind, turned))
-    films = max(left[name] for name in FILMS)
+    films = plan.target.films().worst(left, moving[-1].figures)
     return {name: max(error, films, least) for name, error in left.items()}
 
 
