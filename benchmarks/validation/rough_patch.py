@@ -41,10 +41,11 @@ SEEN = {(1007.6, 12.05, 0.25): 0.739}
 AMPLITUDE = 0.1
 """Amplitude of the wave over the smooth central film."""
 
-GRIDS = ((129, 1), (257, 2))
-"""Nodes along each side, and nodes that the oil moves on in a step: both have the same time step."""
+LONG_GRIDS, SHORT_GRIDS = ((129, 1), (257, 2)), ((193, 1), (257, 1))
+"""Nodes along each side, and nodes that the oil moves on in a step, for waves from half a radius on and for
+shorter ones."""
 
-RUNS = ((0.1e-6, 257), (0.2e-6, 257), (0.3e-6, 257), (0.1e-6, 129))
+RUNS = ((0.05e-6, 257), (0.1e-6, 257), (0.2e-6, 257), (0.1e-6, 129))
 """Root mean square heights of the rough surface [m], and nodes."""
 
 CORRELATION = 30e-6
@@ -88,13 +89,13 @@ def amplitude_left(found: RoughPatch) -> float:
 def waves() -> None:
     """Amplitude that waves keep, beside Venner and Lubrecht's formula."""
     table = []
-    for m, lubricant, ratio in WAVES:
+    for m, lubricant, ratio in WAVES[int(sys.argv[2]) :] if len(sys.argv) > 2 else WAVES:
         scene = contact(m, lubricant)
         size = pyworm.scene.scales.scales(scene)
         radius = size.hertz.semi_axis_x
         given = AMPLITUDE * size.film
         left = []
-        for nodes, stride in GRIDS:
+        for nodes, stride in LONG_GRIDS if ratio >= 0.5 else SHORT_GRIDS:
             found = rough_patch(
                 scene,
                 (None, wave(ratio * radius, given)),
@@ -118,8 +119,8 @@ def waves() -> None:
             )
         )
         print(*table[-1], flush=True)
-    head = "M", "L", "wavelength / a", "nabla", "formula", "Venner", "129 nodes", "257 nodes"
-    record("patch_waves", head, table)
+    head = "M", "L", "wavelength / a", "nabla", "formula", "Venner", "coarser grid", "finer grid"
+    record("patch_waves", head, table, key=("M", "wavelength / a"))
 
 
 def rubbing(roughness: float) -> tuple[Scene, Topography]:

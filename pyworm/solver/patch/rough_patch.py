@@ -171,7 +171,7 @@ def _stride(heights: Heights, smooth: SmoothFilm, frame: PatchFrame, grid: Grid)
     return int(np.clip(STEP_CHANGE * film / max(change, MIN_CHANGE * film), 1, MAX_STRIDE))
 
 
-STEP_CHANGE = 0.15
+STEP_CHANGE = 0.08
 """Change of the gap by roughness in a time step over the film, root mean square: Newton's method is lost from
 twice that on."""
 

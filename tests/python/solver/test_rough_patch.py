@@ -45,7 +45,7 @@ def test_surfaces_without_height_keep_the_smooth_film_and_its_heat(scene):
 
 
 def test_waves_that_roll_keep_what_the_formula_leaves_of_their_amplitude():
-    # Venner and Lubrecht (2000), whose fit scatters by some 15 %; measured there 0.404 and 0.392 by the fit
+    # Venner and Lubrecht (2000): 0.392 by their fit, whose own numbers differ from it by some per cent
     case = pyworm.load("cases/point_m100_l10.toml")
     rolling = case.scene(**case.places()[0].given)
     size = pyworm.scene.scales.scales(rolling)
