@@ -5,7 +5,7 @@ Run from the repository's root, one of
     python benchmarks/validation/rough_patch.py waves         (five minutes)
     python benchmarks/validation/rough_patch.py averaged      (ten minutes)
     python benchmarks/validation/rough_patch.py steps         (five minutes)
-    python benchmarks/validation/rough_patch.py time          (ten minutes)
+    python benchmarks/validation/rough_patch.py time 513      (five minutes)
 """
 
 import sys
@@ -89,7 +89,7 @@ def amplitude_left(found: RoughPatch) -> float:
 def waves() -> None:
     """Amplitude that waves keep, beside Venner and Lubrecht's formula."""
     table = []
-    for m, lubricant, ratio in WAVES[int(sys.argv[2]) :] if len(sys.argv) > 2 else WAVES:
+    for m, lubricant, ratio in WAVES:
         scene = contact(m, lubricant)
         size = pyworm.scene.scales.scales(scene)
         radius = size.hertz.semi_axis_x
@@ -120,7 +120,7 @@ def waves() -> None:
         )
         print(*table[-1], flush=True)
     head = "M", "L", "wavelength / a", "nabla", "formula", "Venner", "coarser grid", "finer grid"
-    record("patch_waves", head, table, key=("M", "wavelength / a"))
+    record("patch_waves", head, table)
 
 
 def rubbing(roughness: float) -> tuple[Scene, Topography]:
@@ -226,14 +226,14 @@ def steps() -> None:
     record("patch_steps", head, table)
 
 
-def timed() -> None:
-    """Time of a patch of 1025 by 1025 nodes with heat."""
+def timed(nodes: int) -> None:
+    """Time of a patch with heat."""
     scene, surface = rubbing(HEIGHT)
-    found = rough_patch(scene, (None, surface), nodes=1025, averaged=0.5)
+    found = rough_patch(scene, (None, surface), nodes=nodes, averaged=0.5)
     newton = sum(known.newton for known in found.records)
     krylov = sum(known.krylov for known in found.records)
     row = (
-        1025, len(found.records), newton, krylov, f"{found.seconds:.0f}", f"{found.cpu_seconds:.0f}",
+        nodes, len(found.records), newton, krylov, f"{found.seconds:.0f}", f"{found.cpu_seconds:.0f}",
         *(f"{found.mean(name)[0]:.4g}" for name in FIGURES), f"{found.mean_temperatures()[2]:.2f}",
     )  # fmt: skip
     print(*row)
@@ -241,8 +241,11 @@ def timed() -> None:
         "nodes", "steps", "newton", "gmres", "elapsed [s]", "processor [s]", *FIGURES,
         "temperature_max_film [K]",
     )  # fmt: skip
-    record("patch_time", head, [row])
+    record("patch_time", head, [row], key=("nodes",))
 
 
 if __name__ == "__main__":
-    {"waves": waves, "averaged": averaged, "steps": steps, "time": timed}[sys.argv[1]]()
+    if sys.argv[1] == "time":
+        timed(int(sys.argv[2]))
+    else:
+        {"waves": waves, "averaged": averaged, "steps": steps}[sys.argv[1]]()

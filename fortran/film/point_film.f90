@@ -279,18 +279,21 @@ contains
     end select
   end subroutine transport
 
-  !> Sets the mobility over that of the oil at its inlet's temperature and at rest, at the nodes.
-  subroutine set_fluidity(film, fluidity, stat)
+  !> Sets the mobility over that of the oil at its inlet's temperature and at rest, at the nodes, and the slopes of its
+  !> logarithm by pressure [1/Pa] and film [1/m].
+  subroutine set_fluidity(film, fluidity, by_p, by_h, stat)
     class(film_contact), intent(inout) :: film
-    real(wp), intent(in) :: fluidity(:, :)
+    real(wp), intent(in) :: fluidity(:, :), by_p(:, :), by_h(:, :)
     integer, intent(out) :: stat
 
     stat = status_bad_argument
     if (any(shape(fluidity) /= shape(film%gap)) .or. film%model%is_sheared()) return
     stat = status_not_finite
-    if (.not. all(fluidity > 0 .and. fluidity <= huge(1.0_wp))) return
+    if (.not. all(fluidity > 0 .and. fluidity <= huge(1.0_wp) .and. abs(by_p) + abs(by_h) <= huge(1.0_wp))) return
     stat = status_ok
     film%model%fields%fluidity = fluidity
+    film%model%fields%fluidity_p = by_p
+    film%model%fields%fluidity_h = by_h
   end subroutine set_fluidity
 
   !> Sums |um . grad g| and the transient term of the gap g over the inner nodes [m/s].

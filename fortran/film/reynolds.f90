@@ -43,6 +43,8 @@ module pyworm_reynolds
     type(rough_film), allocatable :: rough
     !> Mobility over that of the oil at its inlet's temperature at rest, where heat and thinning are given; else not allocated.
     real(wp), allocatable :: fluidity(:, :)
+    !> Slopes of its logarithm by pressure [1/Pa] and film [1/m]; allocated with it.
+    real(wp), allocatable :: fluidity_p(:, :), fluidity_h(:, :)
     !> Relative density and its derivative by pressure.
     real(wp), allocatable :: rho(:, :), rho_p(:, :)
     !> Mobility rho h^3 / (12 eta) and its derivatives by pressure and film.
@@ -91,8 +93,10 @@ contains
         fields%mobility(:, j), fields%mobility_p(:, j), fields%mobility_h(:, j))
       if (allocated(fields%fluidity)) then
         fields%mobility(:, j) = fields%mobility(:, j)*fields%fluidity(:, j)
-        fields%mobility_p(:, j) = fields%mobility_p(:, j)*fields%fluidity(:, j)
-        fields%mobility_h(:, j) = fields%mobility_h(:, j)*fields%fluidity(:, j)
+        fields%mobility_p(:, j) = fields%mobility_p(:, j)*fields%fluidity(:, j) &
+          + fields%mobility(:, j)*fields%fluidity_p(:, j)
+        fields%mobility_h(:, j) = fields%mobility_h(:, j)*fields%fluidity(:, j) &
+          + fields%mobility(:, j)*fields%fluidity_h(:, j)
       end if
     end do
   end subroutine set_film_fields

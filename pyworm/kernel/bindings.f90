@@ -281,17 +281,18 @@ contains
     call transport(contact%film, stat)
   end subroutine point_film_transport
 
-  !> Sets the mobility of a point contact over that of the oil at its inlet's temperature and at rest.
-  subroutine point_film_fluidity(handle, fluidity, nx, ny, stat)
+  !> Sets the mobility of a point contact over that of the oil at its inlet's temperature and at rest, and the slopes of its
+  !> logarithm by pressure [1/Pa] and film [1/m].
+  subroutine point_film_fluidity(handle, fluidity, by_p, by_h, nx, ny, stat)
     use pyworm_point_film, only: set_fluidity
     integer(c_int64_t), intent(in) :: handle
     integer(c_int), intent(in) :: nx, ny
-    real(c_double), intent(in) :: fluidity(nx, ny)
+    real(c_double), intent(in) :: fluidity(nx, ny), by_p(nx, ny), by_h(nx, ny)
     integer(c_int), intent(out) :: stat
     type(thermal_contact), pointer :: contact
 
     contact => contact_of(handle)
-    call set_fluidity(contact%film, fluidity, stat)
+    call set_fluidity(contact%film, fluidity, by_p, by_h, stat)
   end subroutine point_film_fluidity
 
   !> Sets the undeformed gap of a contact; it must be evaluated before its next step.

@@ -84,12 +84,16 @@ class PointFilm(Film):
         """
         check_status(core.bindings.point_film_transport(self._handle))
 
-    def set_fluidity(self, fluidity: npt.ArrayLike) -> None:
+    def set_fluidity(
+        self, fluidity: npt.ArrayLike, by_pressure: npt.ArrayLike, by_film: npt.ArrayLike
+    ) -> None:
         """Set the mobility over that of the oil at its inlet's temperature and at rest, at the nodes [-].
 
-        The film must be restarted before its next step. KernelError if a value is not positive and finite.
+        `by_pressure` [1/Pa] and `by_film` [1/m] are the slopes of its logarithm. The film must be restarted
+        before its next step. KernelError if a value is not positive and finite.
         """
-        check_status(core.bindings.point_film_fluidity(self._handle, fortran_array(fluidity)))
+        fields = (fortran_array(field) for field in (fluidity, by_pressure, by_film))
+        check_status(core.bindings.point_film_fluidity(self._handle, *fields))
 
     def set_gap(self, gap: npt.ArrayLike) -> None:
         """Set the undeformed gap [m]; the film must be restarted before its next step."""

@@ -69,7 +69,7 @@ def rough_patch(
             from the surface's motion.
         nodes: Nodes along each side of the patch, one more than a multiple of a power of two.
         stride: Nodes that the oil moves on in a time step; by default so many that the roughness changes the
-            gap by `STEP_CHANGE` of the film.
+            gap by `STEP_CHANGE` of the film, and the shortest wave passes in `STEPS_A_WAVE` steps.
         averaged: Path over which means are taken, in half-lengths of the contact.
         tolerance: Residual and load error of a step.
         progress: Called with the fraction that is done.
@@ -90,7 +90,7 @@ def rough_patch(
     oil = ShearedOil(scene.oil, frame.sliding)
     smooth = smooth_film(frame, oil, solution, nodes)
     if stride is None:
-        stride = _stride(heights, smooth, frame, grid)
+        stride = min(_stride(heights, smooth, frame, grid), max(1, int(shortest / STEPS_A_WAVE)))
     step = stride * grid.dx / frame.entrainment
     a, _ = frame.half_lengths
     taken_from = (PASSED - FRONT) * a / min(known.speed for known in heights if known is not None)
@@ -171,9 +171,11 @@ def _stride(heights: Heights, smooth: SmoothFilm, frame: PatchFrame, grid: Grid)
     return int(np.clip(STEP_CHANGE * film / max(change, MIN_CHANGE * film), 1, MAX_STRIDE))
 
 
-STEP_CHANGE = 0.08
-"""Change of the gap by roughness in a time step over the film, root mean square: Newton's method is lost from
-twice that on."""
+STEP_CHANGE = 0.15
+"""Change of the gap by roughness in a time step over the film, root mean square."""
+
+STEPS_A_WAVE = 10
+"""Minimum number of time steps in which the shortest wave passes."""
 
 MAX_STRIDE = 8
 """Maximum number of nodes of a time step."""

@@ -18,6 +18,10 @@ STRESSES = (1e2, 1e14, 241)
 """Least and largest Newtonian stress, viscosity times shear rate [Pa], and their number."""
 
 
+PRESSURE_STEP, FILM_STEP = 1e6, 1e-3
+"""Steps of pressure [Pa] and film over the film by which slopes are found."""
+
+
 @dataclass(frozen=True)
 class Table:
     """A function of two arguments by bilinear interpolation, constant beyond its ends."""
@@ -99,6 +103,15 @@ class ShearedOil:
         newtonian = warm + np.log(self.sliding / film)
         fluidity: Array = np.exp(cold - warm - self._log_thinning(pressure, newtonian))
         return fluidity
+
+    def fluidity_slopes(
+        self, pressure: Array, rise: Array | float, film: Array, fluidity: Array
+    ) -> tuple[Array, Array]:
+        """Slopes of the logarithm of the fluidity by pressure [1/Pa] and film [1/m], by differences."""
+        here = np.log(fluidity)
+        by_pressure = np.log(self.fluidity(pressure + PRESSURE_STEP, rise, film)) - here
+        by_film = np.log(self.fluidity(pressure, rise, film * (1 + FILM_STEP))) - here
+        return by_pressure / PRESSURE_STEP, by_film / (FILM_STEP * film)
 
     def conductivity(self, pressure: Array) -> Array:
         """Thermal conductivity [W/(m K)]; that of an oil with heat."""

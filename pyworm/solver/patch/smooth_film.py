@@ -116,8 +116,6 @@ class SmoothFilm:
     """Mean temperature across the film over the inlet's [K]."""
     walls: tuple[Array | float, Array | float]
     """Temperature of both surfaces over the inlet's [K]."""
-    fluidity: Array
-    """Mobility over that of the oil at the inlet's temperature at rest [-]."""
     residual: float
     """Its summed residual over the summed wedge flow."""
 
@@ -164,23 +162,34 @@ def _on_grid(
         middle = tuple(int(np.argmin(np.abs(axis))) for axis in (grid.x, grid.y))
         guess = pressure, frame.size.film - float(film.thickness()[middle])
     film.start(*guess)
-    fluidity = np.ones(grid.shape, order="F")
     floor = MIN_MOBILITY_FILM * frame.size.film
     changes = solution is not None or oil.sliding > 0
     for _ in range(MAX_STEPS):
         if changes:
             film_now = np.maximum(film.thickness(), floor)
-            fluidity = oil.fluidity(film.pressure, rise, film_now)
-            film.set_fluidity(fluidity)
+            set_fluidity(film, oil, rise, film_now)
             film.restart()
         if film.balance.worst <= TOLERANCE:
             break
         film.step(0.1)
     return (
-        SmoothFilm(film, rise, walls, fluidity, film.balance.worst),
+        SmoothFilm(film, rise, walls, film.balance.worst),
         film.pressure,
         film.rigid_film,
     )
+
+
+def set_fluidity(
+    film: kernel.PointFilm,
+    oil: ShearedOil,
+    rise: Array | float,
+    thickness: Array,
+    pressure: Array | None = None,
+) -> None:
+    """Set the mobility of the warm, sheared oil at a film's pressure, or a given one, and its slopes."""
+    pressure = film.pressure if pressure is None else pressure
+    fluidity = oil.fluidity(pressure, rise, thickness)
+    film.set_fluidity(fluidity, *oil.fluidity_slopes(pressure, rise, thickness, fluidity))
 
 
 def _hertz(frame: PatchFrame, grid: Grid) -> Array:

@@ -23,7 +23,7 @@ from pyworm.planning.grid import Grid
 from pyworm.solver.patch.heat import PatchHeat, PatchShear
 from pyworm.solver.patch.moving_heights import MovingHeights
 from pyworm.solver.patch.sheared_oil import ShearedOil
-from pyworm.solver.patch.smooth_film import PatchFrame, SmoothFilm
+from pyworm.solver.patch.smooth_film import PatchFrame, SmoothFilm, set_fluidity
 
 FORCING = 0.05
 """Residual to which the linear system of a Newton step is solved, over its right-hand side."""
@@ -82,7 +82,7 @@ class PatchStepping:
         self._mass = film * density
         self._film = frame.film(grid)
         self._film.transport()
-        self._film.set_fluidity(smooth.fluidity)
+        set_fluidity(self._film, oil, smooth.rise, smooth.film.thickness(), smooth.film.pressure)
         self._film.set_transient_term(0.0, np.zeros(grid.shape))
         self._film.start(smooth.film.pressure, smooth.film.rigid_film)
         self._wedge = imbalance - self._film.fields()[2]
@@ -143,11 +143,6 @@ class PatchStepping:
         shear = self._heat.advance(
             self._pressure, open_film, boundary, self._frame.scene.oil.boundary_friction
         )
-        self._film.set_fluidity(
-            self._oil.fluidity(self._pressure, shear.rise, open_film)
-            if self._oil.sliding > 0 or self._heat.heated
-            else self._smooth.fluidity
-        )
         return PatchState(
             self.time,
             film,
@@ -170,6 +165,7 @@ class PatchStepping:
         self._film.start(self._pressure, self._rigid_film)
         krylov = 0
         for newton in range(MAX_NEWTON_STEPS + 1):
+            self._shear_again()
             residual = self._residual()
             if max(residual, abs(self._film.balance.load_error)) <= self._tolerance:
                 return newton, krylov, residual
@@ -185,6 +181,14 @@ class PatchStepping:
                 "stride, or more nodes"
             )
         return newton, krylov, residual
+
+    def _shear_again(self) -> None:
+        """Set the mobility of the sheared oil at the present pressure and film, and last temperatures."""
+        if self._oil.sliding > 0:
+            film = np.maximum(self._film.thickness(), self._touching)
+            rise = self._heat.present.rise
+            set_fluidity(self._film, self._oil, rise, film)
+            self._film.restart()
 
     def _residual(self) -> float:
         outflow, pressure = self._film.fields()[2], self._film.pressure
