@@ -1,4 +1,4 @@
-"""What errors of figures are relative to: the figure, the roughness of a film, a difference of temperatures."""
+"""What errors of figures are relative to: figure, roughness of a film, difference of temperatures."""
 
 import pytest
 
@@ -28,5 +28,8 @@ def test_errors_of_temperatures_are_relative_to_a_difference_where_the_rise_is_s
 
 
 def test_smooth_surfaces_have_errors_of_films_relative_to_these():
-    errors, figures = {"film_min": 0.2, "film_central": 0.1}, {"film_min": 1e-9, "film_central": 2e-9}
+    errors, figures = (
+        {"film_min": 0.2, "film_central": 0.1},
+        {"film_min": 1e-9, "film_central": 2e-9},
+    )
     assert AccuracyTarget(()).films().worst(errors, figures) == 0.2
