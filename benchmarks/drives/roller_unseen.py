@@ -1,6 +1,7 @@
 """Contacts of roller drives of drawn sizes, loads, speeds and oils, of every variant: whether they converge.
 
-python benchmarks/drives/roller_unseen.py        # three minutes
+python benchmarks/drives/roller_unseen.py          # three minutes
+python benchmarks/drives/roller_unseen.py dynamic  # rollers by their equation of motion, both directions
 """
 
 import sys
@@ -18,6 +19,8 @@ from evidence_record import record
 
 CONTACTS, SEED = 48, 2027
 
+DYNAMIC_CONTACTS, DYNAMIC_SEED = 40, 5501
+
 COLUMNS = (
     "variant", "sizes", "contact", "maximum pressure / MPa", "minimum film thickness / um",
     "uncertainty / %", "converged", "time / s",
@@ -25,12 +28,18 @@ COLUMNS = (
 
 
 def main():
-    rng = np.random.default_rng(SEED)
+    dynamic = "dynamic" in sys.argv
+    contacts, seed = (DYNAMIC_CONTACTS, DYNAMIC_SEED) if dynamic else (CONTACTS, SEED)
+    rng = np.random.default_rng(seed)
     names = sorted(path.stem for path in (ROOT / "cases" / "rollers").glob("*.toml"))
     rows, refused = [], 0
-    while len(rows) < CONTACTS:
+    while len(rows) < contacts:
         name = names[len(rows) % len(names)]
         tables, words = drawn(rng, name)
+        if dynamic:
+            driving = str(rng.choice(["left", "right"]))
+            tables["operation"] |= {"rolling": "dynamic", "driving": driving}
+            words += f", {driving} drives"
         section, phase, station = str(rng.choice(["left", "right"])), rng.uniform(), rng.uniform()
         try:
             scene = pyworm.load(tables).scene(
@@ -48,9 +57,9 @@ def main():
              "yes" if solution.converged else solution.stop_reason,
              f"{time.perf_counter() - start:.1f}")
         )  # fmt: skip
-    record("roller_unseen", COLUMNS, rows)
+    record("roller_unseen_dynamic" if dynamic else "roller_unseen", COLUMNS, rows)
     print(
-        f"{sum(row[-2] == 'yes' for row in rows)} of {CONTACTS} converged; {refused} drives refused"
+        f"{sum(row[-2] == 'yes' for row in rows)} of {contacts} converged; {refused} drives refused"
     )
 
 

@@ -68,6 +68,7 @@ def _rate(options: argparse.Namespace) -> int:
     from pyworm.ratings.temperatures import history_summary, rate_history
     from pyworm.result.result import readable
 
+    axes = _map_axes(options)
     request, result, differ = load_rating_request(options.case), None, None
     if options.result is not None and request.drive is None:
         raise CaseError(f"{options.case}: has no [drive] that a result could be of")
@@ -80,7 +81,7 @@ def _rate(options: argparse.Namespace) -> int:
     for warning in (*([] if differ is None else [differ]), *request.warnings):
         print_message(f"warning: {warning}")
     history = None if options.hours is None else _history(found.request, options)
-    chart = _operating_map(found.request, options)
+    chart = None if axes is None else _operating_map(found.request, axes, options)
     if options.json:
         more = {} if history is None else {"history": history_summary(history)}
         points = {} if chart is None else {"operating_points": chart.summary()}
@@ -98,22 +99,29 @@ def _rate(options: argparse.Namespace) -> int:
     return 0
 
 
-def _operating_map(request: "RatingRequest", options: argparse.Namespace) -> "OperatingMap | None":
-    """The map over speeds and torques, after its picture is drawn; None where none are given."""
+def _map_axes(options: argparse.Namespace) -> list[list[float]] | None:
+    """Speeds [rad/s] and torques [N m] of a map; None where none are given, CaseError for one of them."""
     if options.speeds is None and options.torques is None:
         return None
-    from pyworm.plots.layout import write
-    from pyworm.plots.operating_map import draw_operating_map
-    from pyworm.ratings.operating_map import operating_map
-
-    if request.drive is None:
-        raise CaseError(f"{options.case}: has no [drive] for a map over speeds and torques")
     axes = [
         [option_value(name, text, kind_of(kind)) for text in getattr(options, name) or ()]
         for name, kind in (("speeds", units.Speed), ("torques", units.Torque))
     ]
     if not all(axes):
         raise CaseError(f"{options.case}: a map needs --speeds and --torques")
+    return axes
+
+
+def _operating_map(
+    request: "RatingRequest", axes: list[list[float]], options: argparse.Namespace
+) -> "OperatingMap":
+    """The map over speeds and torques, after its picture is drawn."""
+    from pyworm.plots.layout import write
+    from pyworm.plots.operating_map import draw_operating_map
+    from pyworm.ratings.operating_map import operating_map
+
+    if request.drive is None:
+        raise CaseError(f"{options.case}: has no [drive] for a map over speeds and torques")
     try:
         found = operating_map(request.drive, request.places, *axes)
     except ValueError as error:

@@ -112,13 +112,13 @@ def spin_up(rotation: RollerRotation, section: str) -> SpinUp:
     first = dict(spun.slices(float(times[0])))[section]
     lacks = rotation.speed(begin) - first.rolling
 
-    def lags(number: int) -> bool:
-        seconds = float(times[number])
-        still = (rotation.speed(seconds) - balanced_speed(spun, seconds)) / lacks
-        return still > SPUN_UP
+    def excess(seconds: float) -> float:
+        return (rotation.speed(seconds) - balanced_speed(spun, seconds)) / lacks - SPUN_UP
 
-    last = bisect_left(range(len(times)), True, key=lambda number: not lags(number))
+    last = bisect_left(times.tolist(), True, key=lambda seconds: excess(seconds) <= 0)
     rolls, last = last < len(times), min(last, len(times) - 1)
+    if rolls and last > 0:
+        times[last] = scipy.optimize.brentq(excess, times[last - 1], times[last], xtol=1e-9)
     slid, entrained = [], []
     for seconds in times[: last + 1].tolist():
         slices, speed = dict(spun.slices(seconds))[section], rotation.speed(seconds)

@@ -17,7 +17,7 @@ from pyworm.drives.roller_worm.roller_rotation import Factor, RollerRotation, no
 KNOTS = 81
 """Times at which a station is given."""
 
-LEAST_SLIDING = 0.02
+LEAST_SLIDING = 0.2
 """Sliding over the entrainment below which friction by two methods is not compared [-]."""
 
 FACTORS = 0.05, 5.0
