@@ -14,6 +14,7 @@ from pyworm.drives.roller_worm.roller_body import GRAVITY, roller_body
 from pyworm.drives.roller_worm.roller_rotation import over_a_turn, over_times
 from pyworm.drives.roller_worm.spin_up import energies, spin_up
 from pyworm.drives.roller_worm.wheel_motion import WheelMotion
+from pyworm.ratings.motion import rate_motion
 
 
 @pytest.fixture(scope="module")
@@ -93,6 +94,16 @@ def test_the_roller_is_reversed_between_the_sections(turn):
     assert 1e-3 < left.seconds < 3e-3
     assert 0.03 < right.seconds < 0.07
     assert turn.speed(turn.end) == pytest.approx(turn.speed(0.0), rel=1e-4)
+
+
+def test_the_rating_shows_what_the_rotation_has(drive, turn):
+    rating = rate_motion(drive.motion_figures())
+    shown = {figure.key: figure.shown(1) for figure in rating.figures}
+    left = spin_up(turn, "left")
+    assert shown["entry_speed_rad_s"] == f"{left.entry_speed * 30 / pi:.4g} rpm"
+    assert shown["spin_up_time_s"] == f"{left.seconds * 1e3:.4g} ms"
+    assert shown["sliding_distance_m"] == f"{left.sliding_distance * 1e3:.4g} mm"
+    assert rating.summary()["left section, driving"]["spin_up_loss_J"] == left.energies.sliding
 
 
 def test_a_constant_moment_spins_a_roller_up_as_closed_form(spun):
