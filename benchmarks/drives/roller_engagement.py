@@ -185,7 +185,7 @@ def coupled_entry(drive: RollerWormDrive) -> tuple[list, list[dict]]:
     rotations = [drive.rotation("left")]
     begin, _ = rotations[0].passages("left")
     window = begin + 2e-5, begin + 2.2e-3
-    for number in range(2):
+    for number in range(3):
         began = process_time()
         history = station_history(rotations[-1], "left", 0.5, window)
         found = film(drive, history, "auto")
@@ -235,13 +235,13 @@ def picture(films: list, others: dict) -> Figure:
         axes.plot(data["time"] * 1e3, data["film_min"] * 1e6, label="minimum film thickness")
         axes.plot(data["time"] * 1e3, data["film_central"] * 1e6, label="central film thickness")
         axes.set_ylabel("film thickness / µm")
-        axes.set_ylim(bottom=0)
+        axes.set_ylim(0, 1.15 * float(np.nanmax(data["film_central"])) * 1e6)
         axes.set_title(name, fontsize=10)
         twin = axes.twinx()
         twin.plot(history.times * 1e3, history.load / 1e3, "k:", lw=1)
         twin.plot(history.times * 1e3, 10 * history.entrainment, "k--", lw=0.8)
         twin.set_ylabel("load / (kN/m) (dotted),\n10 × entrainment / (m/s) (dashed)", fontsize=8)
-        axes.legend(frameon=False, fontsize=8)
+    panels[1, 2].legend(*axes.get_legend_handles_labels(), frameon=False, fontsize=8)
     for axes in panels.flat:
         axes.set_xlabel("time / ms")
     add_grids([*panels.flat])

@@ -36,11 +36,12 @@ LOOKS = 400
 RELEASE = 1e-3
 """Part of the time between two looks by which a roller is let go after the moment exceeds the pin's."""
 
-Factor = Callable[[str, float], Array | float]
-"""Section and wheel angle [rad] -> factor of the closed-form shear stress of each slice."""
+Factor = Callable[[str, float, float], Array | float]
+"""Section, wheel angle [rad], rotation of the roller [rad/s] -> factor of the closed-form shear stress of
+each slice."""
 
 
-def no_factor(section: str, wheel_angle: float) -> float:
+def no_factor(section: str, wheel_angle: float, speed: float) -> float:
     """Shear as the closed forms have it."""
     return 1.0
 
@@ -117,7 +118,7 @@ class Spun:
         """Shear in all sections at a time [s] and a speed of the roller about its axis [rad/s]."""
         angle, found = self.wheel.wheel_angle(seconds), Shear()
         for name, slices in self.slices(seconds):
-            found = found + self.shear.at(slices, speed, self.factor(name, angle))
+            found = found + self.shear.at(slices, speed, self.factor(name, angle, speed))
         return found
 
     def braking(self, force: float, seconds: float) -> float:

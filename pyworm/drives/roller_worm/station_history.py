@@ -67,18 +67,19 @@ class StationHistory:
         return np.where(slides, friction, np.nan)
 
     def factor(self, section: str, seconds: Array, friction: Array) -> Factor:
-        """Friction of a film at times [s] over that of the closed form, along the wheel's angle."""
+        """Friction of a film at times [s] over that of the closed form, by the speed of the roller."""
         closed = np.interp(seconds, self.times, self.friction)
         known = np.isfinite(friction) & (closed > 0)
         if not known.any():
             return no_factor
         ratio = np.clip(friction[known] / closed[known], *FACTORS)
         angles = np.interp(seconds[known], self.times, self.wheel_angles)
-        order = np.argsort(angles)
+        speeds = np.interp(seconds[known], self.times, self.speeds)
+        low, high, order = angles.min(), angles.max(), np.argsort(speeds)
 
-        def factor(name: str, angle: float) -> float:
-            inside = name == section and angles[order[0]] <= angle <= angles[order[-1]]
-            return float(np.interp(angle, angles[order], ratio[order])) if inside else 1.0
+        def factor(name: str, angle: float, speed: float) -> float:
+            inside = name == section and low <= angle <= high
+            return float(np.interp(speed, speeds[order], ratio[order])) if inside else 1.0
 
         return factor
 
@@ -88,7 +89,7 @@ def station_history(
 ) -> StationHistory:
     """A station of a contact line between two times of a rotation [s]; ValueError without load."""
     spun = rotation.spun
-    times = np.linspace(*window, KNOTS)
+    times, sense = np.linspace(*window, KNOTS), 0.0
     columns: list[tuple[float, ...]] = []
     for seconds in times.tolist():
         found = dict(spun.slices(seconds)).get(section)
@@ -96,7 +97,8 @@ def station_history(
             raise ValueError(f"the {section} section carries no load at {seconds:.4g} s")
         speed = rotation.speed(seconds)
         slices = _at(found, station)
-        sense = float(np.sign(slices.rel_across[0])) or 1.0
+        sense = sense or float(np.sign(slices.rel_across[0])) or 1.0  # that of the first time
+        mean = slices.sum_across + speed * slices.radius * slices.round_across
         across, _ = slices.sliding(speed)
         along_left_out = replace(
             slices, rel_along=speed * slices.radius * slices.round_along, length=np.ones(1)
@@ -108,7 +110,7 @@ def station_history(
                 speed,
                 float(slices.load[0]),
                 1 / float(slices.curvature[0]),
-                float(slices.entrainment(speed)[0]),
+                sense * float(mean[0]) / 2,
                 sense * float(across[0]),
                 shear.sliding_power / slid if slid > 0 else 0.0,
             )

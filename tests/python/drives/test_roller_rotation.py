@@ -13,6 +13,7 @@ from pyworm.drives.roller_worm.profile import RollerProfile
 from pyworm.drives.roller_worm.roller_body import GRAVITY, roller_body
 from pyworm.drives.roller_worm.roller_rotation import over_a_turn, over_times
 from pyworm.drives.roller_worm.spin_up import energies, spin_up
+from pyworm.drives.roller_worm.station_history import station_history
 from pyworm.drives.roller_worm.wheel_motion import WheelMotion
 from pyworm.ratings.motion import rate_motion
 
@@ -181,6 +182,7 @@ def test_the_section_that_drives_changes_with_the_direction(drive):
     assert back.turning == -drive.turning
 
 
+@pytest.mark.long
 def test_a_reversing_wheel_turns_its_rollers_back(drive):
     """A roller in the driving section, whose torque passes to the other section as the wheel reverses."""
     begin = float(np.radians(30))
@@ -196,3 +198,35 @@ def test_a_reversing_wheel_turns_its_rollers_back(drive):
     assert found.speed(0.02) < 0 < found.speed(0.0)
     # the light load of the backlash turns it with a lag, by the closed form of limiting friction
     assert abs(found.speed(0.02)) < abs(last.rolling)
+
+
+@pytest.mark.long
+def test_a_station_has_what_its_transient_film_needs(drive, turn):
+    """As the scene of a roller that turns so; the closed form's own friction leaves the rotation as it is."""
+    begin, _ = turn.passages("left")
+    window = begin + 0.5e-3, begin + 1.5e-3
+    history = station_history(turn, "left", 0.5, window)
+    dynamic = replace(drive, rolling="dynamic")
+    part = dynamic.sections["left"]
+    scene = dynamic.scene("left", float(part.phase(history.wheel_angles[-1])), 0.5)
+    assert history.load[-1] == pytest.approx(scene.load, rel=0.03)
+    assert history.radius[-1] == pytest.approx(scene.radius, rel=1e-3)
+    assert history.entrainment[-1] == pytest.approx(scene.entrainment, rel=0.02)
+    assert history.sliding[0] > history.sliding[-1] > 0
+    lost = history.friction * history.load * history.sliding
+    friction = history.friction_of(history.times, lost, history.load)
+    known = np.isfinite(friction)
+    assert known.any() and friction[known] == pytest.approx(history.friction[known])
+    same = history.factor("left", history.times, friction)
+    half = history.factor("left", history.times, friction / 2)
+    angle, speed = history.wheel_angles[20], history.speeds[20]
+    assert (same("left", angle, speed), half("left", angle, speed)) == pytest.approx((1.0, 0.5))
+    assert half("right", angle, speed) == half("left", angle + 1, speed) == 1.0
+    whole = turn.spun.shear_at(window[0], turn.speed(window[0])).moment
+    halved = replace(turn.spun, factor=half).shear_at(window[0], turn.speed(window[0])).moment
+    assert halved == pytest.approx(whole / 2, rel=1e-6)
+
+
+def test_a_station_that_the_roller_does_not_touch_is_refused(turn):
+    with pytest.raises(ValueError, match="the left section carries no load"):
+        station_history(turn, "left", 0.5, (0.0, 1e-3))
