@@ -1,13 +1,13 @@
 """Whether uncertainties of the maximum von Mises stress hold: random contacts against much finer grids.
 
-Point contacts of `tests/hard/draws.py`, COUNT isothermal ones and COUNT with heat and thermal stress, solved
+Point contacts of `tests/hard/draws.py`, COUNT isothermal ones or COUNT with heat and thermal stress, solved
 to 10 %. The truth is Richardson's limit of the maximum at a half and a quarter of the solution's spacing in
 its window (whose errors `error_bars.py` judges), with a tenth of its residual, over a scan of depths of its
 own. It may be off by the limit's own uncertainty;
 a contact is judged where that is below half of the uncertainty. Contacts whose finest grid would exceed
 MOST_NODES are passed over. From the repository's root:
 
-    python benchmarks/accuracy/stress_bars.py [COUNT [SEED]]
+    python benchmarks/accuracy/stress_bars.py isothermal|thermal [COUNT [SEED]]
 """
 
 import sys
@@ -122,20 +122,19 @@ COLUMNS = (
 )  # fmt: skip
 
 
-def rows(count: int, seed: int) -> Iterator[Row]:
-    """Rows of the first contacts of each kind that can be judged by grids so fine."""
-    for kind in ("isothermal", "thermal"):
-        numbers: set[int] = set()
-        number = 0
-        while len(numbers) < count:
-            for row in judged(kind, number, seed):
-                print(*row, flush=True)
-                numbers |= {number} if row[-2] == "yes" else set()
-                yield row
-            number += 1
+def rows(kind: str, count: int, seed: int) -> Iterator[Row]:
+    """Rows of the first contacts of a kind that can be judged by grids so fine."""
+    numbers: set[int] = set()
+    number = 0
+    while len(numbers) < count:
+        for row in judged(kind, number, seed):
+            print(*row, flush=True)
+            numbers |= {number} if row[-2] == "yes" else set()
+            yield row
+        number += 1
 
 
 if __name__ == "__main__":
-    given = [int(word) for word in sys.argv[1:]]
-    count, seed = (*given, *(COUNT, SEED)[len(given) :])
-    record("stress_bars", COLUMNS, rows(count, seed))
+    kind, *given = sys.argv[1:]
+    count, seed = (*map(int, given), *(COUNT, SEED)[len(given) :])
+    record("stress_bars", COLUMNS, rows(kind, count, seed), key=("kind", "number", "body"))

@@ -113,6 +113,62 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     )
 
 
+THREAD_FIELDS = "fatigue_ratio_body_1", "fatigue_risk_body_1"
+"""Fields of fatigue of the worm's thread."""
+
+
+def thread_map(result: Result) -> "xr.Dataset | None":
+    """Fatigue of the worm's thread over a mesh cycle; None without enough phases that have it.
+
+    Over (thread_radius, thread_axial), NaN where no contact passed: fatigue_ratio_body_1 and
+    pitting_probability, with that of the whole thread as an attribute, as on the wheel.
+    """
+    solved = sorted(
+        (
+            solution
+            for solution in result.solutions
+            if solution.converged and {"thread_axial", *THREAD_FIELDS} <= set(solution.fields)
+        ),
+        key=phase_of,
+    )
+    if len(solved) < FEWEST_PHASES:
+        return None
+    grid = common_grid(solved)
+    layers = [_thread_layer(solution, *grid) for solution in solved]
+    axial, radius = _axes(layers)
+    loaded = LOADED_FRACTION * max(float(layer["pressure"].max()) for layer in layers)
+    gaps = [phase_of(solution) for solution in result.unsound]
+    pairs = _neighbours([phase_of(solution) for solution in solved], layers, gaps)
+    extremes = _extremes(pairs, [*THREAD_FIELDS, "of_section"], (radius, axial), loaded)
+    ratio, risk, of_section = (
+        np.where(np.isfinite(values), values, np.nan) for values in extremes.values()
+    )
+    found = {"fatigue_ratio_body_1": ratio, "pitting_probability": _pitting(risk * PITTED_AREA)}
+    whole_thread = float(_pitting(np.nansum(of_section) * CELL**2))
+    return describe(
+        xr.Dataset(
+            {name: (("thread_radius", "thread_axial"), values) for name, values in found.items()},
+            coords={"thread_radius": radius, "thread_axial": axial},
+            attrs={"pitting_probability_of_thread": whole_thread},
+        )
+    )
+
+
+def _thread_layer(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
+    """Fatigue of the worm and places of its thread on the common grid, (y, x)."""
+    there = solution.fields[["pressure", *THREAD_FIELDS]].interp(x=x, y=y, assume_sorted=True)
+    there = there.transpose("y", "x").fillna(0.0)
+    at_x, at_y = np.meshgrid(x, y)
+    places = flank_place(solution, at_x, at_y, ("thread_axial", "thread_radius"))
+    layer = {name: there[name].values for name in ("pressure", *THREAD_FIELDS)}
+    layer |= dict(zip(("face", "radius"), places, strict=True))
+    (axial_y, axial_x), (radius_y, radius_x) = (np.gradient(place, y, x) for place in places)
+    # the thread's area for each of that in the plane of both places, where it runs round the worm
+    stretch = 1 / np.maximum(np.abs(axial_x * radius_y - axial_y * radius_x), MIN_FLOAT)
+    layer["of_section"] = layer["fatigue_risk_body_1"] * stretch
+    return layer
+
+
 def _pitting(once: Array) -> Array:
     """Probability of pitting after `PASSES` by the risk of one pass; not a number where none passed."""
     found = failure_probability([(np.maximum(once, 0), PASSES)])

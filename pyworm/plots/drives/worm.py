@@ -13,6 +13,7 @@ from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.worm_flank import draw_flank
 from pyworm.plots.drives.worm_pattern import draw_pattern
+from pyworm.plots.drives.worm_thread import draw_thread
 from pyworm.plots.error_bars import draw_figure, draw_largest_temperatures, estimates_of
 from pyworm.plots.layout import (
     KILO,
@@ -169,5 +170,6 @@ CYCLE_PICTURES = {
     "mesh_cycle": CyclePicture("Mesh cycle", draw_cycle),
     "contact_pattern": CyclePicture("Contact pattern", draw_pattern, signed=True),
     "mesh_cycle_flank": CyclePicture("The wheel's flank after a mesh cycle", draw_flank, True),
+    "mesh_cycle_thread": CyclePicture("Fatigue of the worm's thread", draw_thread, True),
 }
 """File name -> picture of the mesh cycle."""

@@ -72,7 +72,7 @@ def draw_flank(result: Result) -> Figure | None:
             panel.contour(*places, field[name], levels=[FAILURE], colors="white", linewidths=1.2)
         if name == "pitting_probability":
             of_flank = quantity.number(field.attrs["pitting_probability_of_flank"])
-            panel.set_title(f"of the whole flank: {of_flank:.2g} %", fontsize="medium")
+            panel.set_title(f"of the whole flank: {of_flank:.3g} %", fontsize="medium")
         _draw_tooth(panel, cycle)
     for panel in axes[len(shown) :]:
         panel.remove()

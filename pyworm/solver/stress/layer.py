@@ -27,7 +27,7 @@ class CoatedBody:
     def stress(self, grid: Tractions, depths: Sequence[float] | Array) -> Array:
         """Stress with the layer less that of the bare body [Pa], (component, depth, nx[, ny])."""
         wide = grid.widened(ROOM)
-        acting = (wide.pressure, *wide.shear)
+        acting = wide.sharpened()
         inside = tuple(
             slice(round(ROOM * count), round(ROOM * count) + count) for count in grid.pressure.shape
         )

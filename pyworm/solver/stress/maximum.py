@@ -51,8 +51,8 @@ class Peak:
     position: tuple[float, ...]
     """Its position along the surface [m]."""
     grid_error: float
-    """Relative change from the grid by extrapolation; where the grid does not resolve the depth three times
-    that, the change from a grid of twice the spacing."""
+    """A third of the relative change from a grid of twice the spacing, all of it where the grid does not
+    resolve the depth."""
     depth_error: float
     """Relative change by the last refinement of the depth, beyond that foreseen."""
 
@@ -201,16 +201,16 @@ class StressBelow:
     def _extrapolated(
         self, measure: Measure, depth: float, fine: int
     ) -> tuple[float, float, tuple[float, ...]]:
-        """Largest value at a depth on an infinitely fine grid, its uncertainty and its position [m].
+        """Largest value at a depth, extrapolated to fourth order, its uncertainty and its position [m].
 
         For the part of heat, which is smooth, a coarser grid suffices below a depth.
         """
         resolved = depth >= FINAL_CELLS * self._step
         apart = self.heated is not None and depth >= SEARCH_CELLS * self._step
         value, position = self.highest(measure, depth, fine, heat=not apart)
-        correction = (value - self.highest(measure, depth, fine + 1, heat=not apart)[0]) / 3
-        error = abs(correction) * (1 if resolved else 3)
-        value += correction  # to second order
+        change = value - self.highest(measure, depth, fine + 1, heat=not apart)[0]
+        error = abs(change) / (3 if resolved else 1)  # as if of second order
+        value += change / 15
         if apart:
             (hot, position), *parts = (
                 self.highest(measure, depth, level, heat)

@@ -14,6 +14,10 @@ from pyworm.solver.solution import Solution
 EDGE_PRESSURE = 1e-3
 """Pressure over the largest beyond which a traction is neglected: its stress is of its own size."""
 
+CELL_MEAN, RESTRICTED = 1 / 24, 1 / 16
+"""Means over cells, and the weights 1, 2, 1 of a coarser grid, less what is smoothed, over its second
+difference on the cells: half the variance of their weights over the square of the spacing."""
+
 HERTZ_RATIOS = {1: 4.0, 2: 5.0}
 """Dimensions of a contact -> square of a half-width of Hertz's over the mean square distance of its load."""
 
@@ -30,6 +34,8 @@ class Tractions:
     """Position of the first node along each direction [m]."""
     spacing: tuple[float, ...]
     """Grid spacing along each direction [m]."""
+    smoothing: float = 0.0
+    """What the values exceed those at the nodes by, over the second difference: 1/24 of means over cells."""
 
     def coarser(self) -> "Tractions":
         """The tractions on a grid of twice the spacing, with the same forces."""
@@ -38,6 +44,7 @@ class Tractions:
             pressure=_restricted(self.pressure),
             shear=tuple(_restricted(component) for component in self.shear),
             spacing=tuple(2 * step for step in self.spacing),
+            smoothing=self.smoothing / 4 + RESTRICTED,
         )
 
     def widened(self, share: float) -> "Tractions":
@@ -56,8 +63,17 @@ class Tractions:
         )
 
     def stress(self, poisson_ratio: float, depths: Sequence[float] | Array) -> Array:
-        """Stress below the nodes [Pa], (component, depth, nx[, ny]); z points into the body."""
-        return subsurface_stress(self.pressure, self.shear, self.spacing, poisson_ratio, depths)
+        """Stress below the nodes [Pa], (component, depth, nx[, ny]); z points into the body.
+
+        Of fourth order: what values and constant tractions of cells smooth away is given back to them.
+        """
+        pressure, *shear = self.sharpened(CELL_MEAN)
+        return subsurface_stress(pressure, shear, self.spacing, poisson_ratio, depths)
+
+    def sharpened(self, constant: float = 0.0) -> list[Array]:
+        """Pressure and shear less what their values smooth, and tractions that are constant on cells."""
+        smoothing = self.smoothing + constant
+        return [_sharper(part, smoothing) for part in (self.pressure, *self.shear)]
 
     def axes(self) -> tuple[Array, ...]:
         """Positions of the nodes along each direction [m]."""
@@ -142,3 +158,12 @@ def _restricted(field: Array) -> Array:
         means = (line[:-2:2] + 2 * line[1:-1:2] + line[2::2]) / 4
         field = np.moveaxis(means, 0, axis)
     return field
+
+
+def _sharper(field: Array, smoothing: float) -> Array:
+    """A field less so many of its second differences along each direction; there is none beyond the grid."""
+    sharp = field.copy()
+    for axis in range(field.ndim):
+        width = [(1, 1) if other == axis else (0, 0) for other in range(field.ndim)]
+        sharp -= smoothing * np.diff(np.pad(field, width), 2, axis=axis)
+    return sharp

@@ -1,5 +1,6 @@
 """What a mesh cycle comes to: loss and efficiency, extremes and the flank, of made-up solutions."""
 
+import os
 from dataclasses import replace
 
 import numpy as np
@@ -27,10 +28,11 @@ from pyworm.batch.task import Task
 from pyworm.drives.mesh_loss import MeshLoss
 from pyworm.drives.worm import dataset
 from pyworm.plots.drives.worm import CYCLE_PICTURES
+from pyworm.plots.drives.worm_thread import draw_thread
 from pyworm.ratings.mesh_loss import with_missing
 from pyworm.ratings.standard_loss import NoStandard
 from pyworm.report.console.mesh_cycle import cycle_table, loss_sentence, loss_table
-from pyworm.result.flank_map import entry, flank_map
+from pyworm.result.flank_map import entry, flank_map, thread_map
 from pyworm.result.flank_wear import asperity_pass, flank_grid
 from pyworm.result.mesh_cycle import drive_cycle, flank_place
 from pyworm.result.result import case_in
@@ -528,3 +530,36 @@ def test_the_flank_has_the_probability_of_pitting():
     assert float(found.min()) == 0
     assert np.isnan(found.values).any()
     assert exact < field.attrs["pitting_probability_of_flank"] < 1
+
+
+@pytest.mark.usefixtures("coarse_map")
+def test_the_thread_has_the_probability_of_pitting():
+    """Risks of the worm's thread lie at its radii; without fatigue of the worm there is no map."""
+    whole = cycle_result(PHASES[::3])
+    assert thread_map(whole) is None
+    solutions = tuple(
+        replace(
+            one,
+            fields=one.fields.assign(
+                fatigue_risk_body_1=0 * one.fields["pressure"] + 1e-3,
+                fatigue_ratio_body_1=one.fields["gap"],
+                thread_axial=one.fields["tooth_face"],
+                thread_radius=one.fields["tooth_radius"] - 0.2,
+            ),
+        )
+        for one in whole.solutions
+    )
+    risky = replace(whole, solutions=solutions)
+    field = thread_map(risky)
+    exact = 1 - np.exp(-1e-9 * 1e7 ** (10 / 9))
+    assert float(field["pitting_probability"].max()) == pytest.approx(exact, rel=1e-6)
+    assert exact < field.attrs["pitting_probability_of_thread"] < 1
+    passed = field["thread_radius"].values[
+        np.isfinite(field["fatigue_ratio_body_1"].values).any(axis=1)
+    ]
+    radii = np.concatenate([one.fields["thread_radius"].values for one in solutions])
+    assert radii.min() - 1e-3 < passed.min() < passed.max() < radii.max() + 1e-3
+    figure = draw_thread(risky)
+    assert "of the whole thread" in figure.axes[1].get_title()
+    if target := os.environ.get("THREAD54"):
+        figure.savefig(target)
