@@ -172,6 +172,8 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
     "solver/transient/time_integration.py _begun NoFilmError":
         "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
+    "solver/transient/time_integration.py _resumed NoFilmError":
+        "solver/test_solver_fall_backs.py::test_where_no_other_beginning_is_found_films_before_the_lost_one_are_kept",
     "solver/transient/time_integration.py _reached NoFilmError":
         "solver/test_solver_fall_backs.py::test_a_step_that_is_lost_is_halved",
     "solver/transient/time_integration.py _through NoFilmError":
@@ -180,9 +182,9 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
     "solver/transient/time_integration.py _told ValueError":
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
-    "solver/transient/time_integration.py integrate_in_time NoFilmError":
+    "solver/transient/time_integration.py _from_first_touch NoFilmError":
         "solver/test_coming_together.py::test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one",
-    "solver/transient/time_integration.py integrate_in_time NoFilmError 2":
+    "solver/transient/time_integration.py _from_first_touch NoFilmError 2":
         "solver/test_solver_fall_backs.py::test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_kept",
     "solver/transient/transient.py finer NoFilmError":
         "solver/test_solver_fall_backs.py::test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are",

@@ -159,7 +159,7 @@ class TimeIntegration:
     newton_steps: int
     """Newton steps of all instants."""
     failure: str | None = None
-    """Reason why films end before the last time, if they do."""
+    """Reason why films of some times are missing, if they are."""
 
 
 def integrate_in_time(
@@ -182,6 +182,13 @@ def integrate_in_time(
     """
     _require_memory(time_grid, refinement)
     asked = steps_of(time_grid, refinement, begin, max(*wanted, until))
+    return _resumed(time_grid, asked, wanted, _from_first_touch(time_grid, asked, wanted))
+
+
+def _from_first_touch(
+    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float]
+) -> TimeIntegration:
+    """The films of some steps; begun at the first touch where the approach before it loses them."""
     later = [step for step in asked if step.seconds >= time_grid.life.touched]
     if len(later) == len(asked):
         return _through(time_grid, asked, wanted)
@@ -198,6 +205,44 @@ def integrate_in_time(
             raise
         return found
     return again if found is None or len(again.rates) > len(found.rates) else found
+
+
+def _resumed(
+    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], found: TimeIntegration
+) -> TimeIntegration:
+    """What was found, and where films were lost those of a steady beginning after that.
+
+    They are kept from `MEMORY_TRANSITS` after it, when they no longer depend on it.
+    """
+    lost = found.records[-1].seconds
+    left = [step for step in asked if step.seconds > lost][1:]
+    if found.failure is None or not left:
+        return found
+    settled = time_grid.place(left[0].seconds) + MEMORY_TRANSITS
+    later = [seconds for seconds in wanted if time_grid.place(seconds) >= settled]
+    if not later:
+        return found
+    try:
+        again = _through(time_grid, left, later)
+    except NoFilmError:
+        return found
+    if again.rates:
+        again = _resumed(time_grid, left, later, again)
+    settled = time_grid.place(again.records[0].seconds) + MEMORY_TRANSITS
+    rates, rigid_films = (
+        {seconds: kept for seconds, kept in of_times.items() if time_grid.place(seconds) >= settled}
+        for of_times in (again.rates, again.rigid_films)
+    )
+    records = tuple(
+        record for record in again.records if time_grid.place(record.seconds) >= settled
+    )
+    return replace(
+        found,
+        rates=found.rates | rates,
+        rigid_films=found.rigid_films | rigid_films,
+        records=found.records + records,
+        newton_steps=found.newton_steps + again.newton_steps,
+    )
 
 
 def _long_after(time_grid: TimeGrid, found: TimeIntegration) -> bool:

@@ -5,12 +5,14 @@ from math import log2
 from pathlib import Path
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from plan_scenes import STEEL, mineral, point
 
 import pyworm
 from pyworm.kernel.core import NO_DESCENT, NO_MEMORY, NOT_FINITE, KernelError
 from pyworm.planning.effects.geometry import as_line
+from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past
 from pyworm.solver.cost import calibration as calibration_module
@@ -20,7 +22,8 @@ from pyworm.solver.estimate import Estimate
 from pyworm.solver.newton import newton_step
 from pyworm.solver.transient import lifts, time_integration, transient
 from pyworm.solver.transient.time_grid import time_grid_of
-from pyworm.solver.transient.time_integration import NoFilmError
+from pyworm.solver.transient.time_integration import NoFilmError, TimeIntegration
+from pyworm.solver.transient.time_records import TimeRecord
 from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Rates
 
@@ -192,6 +195,48 @@ def test_films_before_one_that_is_lost_are_kept_with_the_reason(accelerated, mon
     assert 1 < len(found.records) < 9
 
 
+def test_films_after_one_that_is_lost_are_found_once_another_beginning_is_forgotten(monkeypatch):
+    """A line whose speed grows slowly; what a beginning leaves after two transits is 0.3 %."""
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
+    transit = predicted(as_line(ball())).transit
+    life = Life(8 * transit, lambda at: as_line(ball(1 + 0.05 * at / transit)))
+    scene = replace(as_line(ball()), past=Past(life, life.duration))
+    time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",)))
+    wanted = [time_grid.time_at(place) for place in (1.0, 3.5, 7.0)]
+    whole = time_integration.integrate_in_time(time_grid, 0, 0.0, wanted)
+    reached, lost = time_integration._reached, time_grid.time_at(3.0)
+
+    def lost_once(time_grid, step, *how):
+        if how[0] and how[0][0].seconds < lost <= step.seconds:
+            diverged()
+        return reached(time_grid, step, *how)
+
+    monkeypatch.setattr(time_integration, "_reached", lost_once)
+    found = time_integration.integrate_in_time(time_grid, 0, 0.0, wanted)
+    assert found.failure == "no film"
+    assert list(found.rates) == [
+        wanted[0],
+        wanted[2],
+    ]  # 3.5 is half a transit after the other beginning
+    seconds = np.array([time_record.seconds for time_record in found.records])
+    assert np.all(np.diff(seconds) > 0)
+    assert not np.any((seconds > lost) & (seconds < time_grid.time_at(4.9)))
+    for name in ("film_min", "film_central"):
+        last, usual = (solve.records[-1].figures[name] for solve in (found, whole))
+        assert last == pytest.approx(usual, rel=3e-3)
+
+
+def test_where_no_other_beginning_is_found_films_before_the_lost_one_are_kept(
+    accelerated, monkeypatch
+):
+    film = TimeIntegration({}, {}, (TimeRecord(0.0, None, 1.0, (1.0,), {}),), 1, failure="no film")
+    time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
+    steps = steps_of(time_grid, 0, 0.0, time_grid.end)
+    monkeypatch.setattr(time_integration, "_through", lambda *how: diverged())
+    wanted = [time_grid.end]
+    assert time_integration._resumed(time_grid, steps, wanted, film) is film
+
+
 def test_a_life_without_steady_films_is_given_up_after_a_few(accelerated, monkeypatch):
     """A contact whose steady film is not found costs most; one is not sought at each of a hundred steps."""
     time_grid, tried = time_grid_of(accelerated.past.life, planned(accelerated)), []
@@ -239,9 +284,8 @@ def test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_
     first = time_integration.TimeIntegration({}, {}, (SimpleNamespace(seconds=0.0),), 1, "lost")
 
     def through(time_grid, steps, wanted):
-        return first if steps[0].seconds < life.touched else diverged()
+        return first if steps[0].seconds == 0 else diverged()
 
     monkeypatch.setattr(time_integration, "_through", through)
-    assert (
-        time_integration.integrate_in_time(time_grid, 0, 0.0, [accelerated.past.seconds]) is first
-    )
+    found = time_integration.integrate_in_time(time_grid, 0, 0.0, [accelerated.past.seconds])
+    assert found is first
