@@ -229,18 +229,13 @@ def _resumed(
     if again.rates:
         again = _resumed(time_grid, left, later, again)
     settled = time_grid.place(again.records[0].seconds) + MEMORY_TRANSITS
-    rates, rigid_films = (
-        {seconds: kept for seconds, kept in of_times.items() if time_grid.place(seconds) >= settled}
-        for of_times in (again.rates, again.rigid_films)
-    )
-    records = tuple(
-        record for record in again.records if time_grid.place(record.seconds) >= settled
-    )
+    kept = [seconds for seconds in again.rates if time_grid.place(seconds) >= settled]
+    records = [record for record in again.records if time_grid.place(record.seconds) >= settled]
     return replace(
         found,
-        rates=found.rates | rates,
-        rigid_films=found.rigid_films | rigid_films,
-        records=found.records + records,
+        rates=found.rates | {seconds: again.rates[seconds] for seconds in kept},
+        rigid_films=found.rigid_films | {seconds: again.rigid_films[seconds] for seconds in kept},
+        records=(*found.records, *records),
         newton_steps=found.newton_steps + again.newton_steps,
     )
 
