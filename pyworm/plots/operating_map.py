@@ -28,5 +28,5 @@ def draw_operating_map(name: str, found: OperatingMap) -> Figure:
         axes.set_xticks(np.arange(speeds.size), [f"{speed:.4g}" for speed in speeds])
         axes.set_yticks(np.arange(torques.size), [f"{torque:.4g}" for torque in torques])
         axes.set_xlabel("speed of the first shaft / rpm")
-        axes.set_ylabel("torque of the second / (N m)")
+        axes.set_ylabel("torque of the second shaft / (N m)")
     return figure

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from pyworm.formulas.unit_factors import RPM
 from pyworm.io.on_demand import xarray as xr
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS
-from pyworm.plots.layout import MICRO, add_grids, new_figure, result_heading
+from pyworm.plots.layout import MICRO, add_grids, joined, new_figure
 from pyworm.result.result import Result
 
 ZOOM = 3.0
@@ -19,7 +19,7 @@ def draw_roller_rotation(result: Result) -> Figure | None:
     cycle = result.cycle_data
     if "rotation_speed" not in cycle:
         return None
-    figure = new_figure(10.5, 8.5, result_heading(result, "rotation of a roller"))
+    figure = new_figure(10.5, 8.5, joined(result.case_name, "rotation of a roller", "closed forms"))
     panels = figure.subplots(3, 2, sharex="col", gridspec_kw={"width_ratios": [2, 1]})
     angle = np.degrees(cycle["rotation_wheel_angle"].values)
     touches = np.isfinite(cycle["rotation_rolling"].values)
