@@ -15,8 +15,9 @@ from evidence_record import record
 SPEED, POWER = "operation.worm_speed", "operation.power"
 
 COLUMNS = (
-    "worm speed / rpm", "power / kW", "contacts", "with heat", "minimum film thickness / um",
-    "uncertainty / %", "specific film thickness", "maximum film temperature / degC", "maximum surface temperature / degC",
+    "worm speed / rpm", "power / kW", "contacts", "with heat",
+    "minimum film thickness / um", "uncertainty / %", "specific film thickness",
+    "maximum film temperature / degC", "maximum surface temperature / degC",
     "maximum asperity load ratio / %",
 )  # fmt: skip
 
