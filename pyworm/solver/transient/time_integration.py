@@ -214,12 +214,12 @@ def _resumed(
 
     They are kept from `MEMORY_TRANSITS` after it, when they no longer depend on it.
     """
-    lost = found.records[-1].seconds
-    left = [step for step in asked if step.seconds > lost][1:]
+    last = found.records[-1].seconds
+    left = [step for step in asked if step.seconds > last][1:]
     if found.failure is None or not left:
         return found
-    settled = time_grid.place(left[0].seconds) + MEMORY_TRANSITS
-    later = [seconds for seconds in wanted if time_grid.place(seconds) >= settled]
+    first_place = time_grid.place(left[0].seconds) + MEMORY_TRANSITS
+    later = [seconds for seconds in wanted if time_grid.place(seconds) >= first_place]
     if not later:
         return found
     try:
@@ -228,9 +228,9 @@ def _resumed(
         return found
     if again.rates:
         again = _resumed(time_grid, left, later, again)
-    settled = time_grid.place(again.records[0].seconds) + MEMORY_TRANSITS
-    kept = [seconds for seconds in again.rates if time_grid.place(seconds) >= settled]
-    records = [record for record in again.records if time_grid.place(record.seconds) >= settled]
+    first_place = time_grid.place(again.records[0].seconds) + MEMORY_TRANSITS
+    kept = [seconds for seconds in again.rates if time_grid.place(seconds) >= first_place]
+    records = [record for record in again.records if time_grid.place(record.seconds) >= first_place]
     return replace(
         found,
         rates=found.rates | {seconds: again.rates[seconds] for seconds in kept},
