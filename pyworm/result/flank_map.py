@@ -97,9 +97,9 @@ def flank_map(result: Result) -> "xr.Dataset | None":
     attributes = {}
     if "fatigue_risk_body_2" in extremes:
         risk = extremes.pop("fatigue_risk_body_2")
-        extremes["pitting_probability"] = _pitting(risk * PITTED_AREA)
+        extremes["pitting_probability"] = pitting_probability(risk * PITTED_AREA)
         whole_flank = np.sum(risk, where=np.isfinite(risk)) * CELL**2
-        attributes["pitting_probability_of_flank"] = float(_pitting(whole_flank))
+        attributes["pitting_probability_of_flank"] = float(pitting_probability(whole_flank))
     on_tooth = _on_tooth(result, face, radius)
     return describe(
         xr.Dataset(
@@ -143,8 +143,11 @@ def thread_map(result: Result) -> "xr.Dataset | None":
     ratio, risk, of_section = (
         np.where(np.isfinite(values), values, np.nan) for values in extremes.values()
     )
-    found = {"fatigue_ratio_body_1": ratio, "pitting_probability": _pitting(risk * PITTED_AREA)}
-    whole_thread = float(_pitting(np.nansum(of_section) * CELL**2))
+    found = {
+        "fatigue_ratio_body_1": ratio,
+        "pitting_probability": pitting_probability(risk * PITTED_AREA),
+    }
+    whole_thread = float(pitting_probability(np.nansum(of_section) * CELL**2))
     return describe(
         xr.Dataset(
             {name: (("thread_radius", "thread_axial"), values) for name, values in found.items()},
@@ -169,7 +172,7 @@ def _thread_layer(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
     return layer
 
 
-def _pitting(once: Array) -> Array:
+def pitting_probability(once: Array) -> Array:
     """Probability of pitting after `PASSES` by the risk of one pass; not a number where none passed."""
     found = failure_probability([(np.maximum(once, 0), PASSES)])
     rounded = np.where(found > LEAST_PROBABILITY, found, 0)

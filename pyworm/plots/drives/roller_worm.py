@@ -12,6 +12,7 @@ from pyworm.io.on_demand import xarray as xr
 from pyworm.io.quantities import QUANTITIES
 from pyworm.plots.drives.picture import CyclePicture
 from pyworm.plots.drives.roller_worm_drive import SECTION_COLOURS, draw_roller_drive
+from pyworm.plots.drives.roller_worm_fatigue import draw_roller_fatigue
 from pyworm.plots.drives.roller_worm_regimes import draw_roller_regimes
 from pyworm.plots.drives.roller_worm_rotation import draw_roller_rotation
 from pyworm.plots.error_bars import draw_figure
@@ -241,5 +242,6 @@ CYCLE_PICTURES = {
     ),
     "mesh_cycle_rotation": CyclePicture("Rotation of a roller", draw_roller_rotation),
     "mesh_cycle_sensitivity": CyclePicture("Sensitivity of the film", draw_roller_sensitivity),
+    "mesh_cycle_fatigue": CyclePicture("Fatigue of worm thread and rollers", draw_roller_fatigue),
 }
 """File name -> picture of the mesh cycle."""

@@ -28,10 +28,12 @@ from pyworm.formulas.roller_enveloping import (
 )
 from pyworm.io.input_error import CaseError
 from pyworm.plots.drives.roller_worm import CYCLE_PICTURES
+from pyworm.plots.drives.roller_worm_fatigue import draw_roller_fatigue
 from pyworm.ratings.rated_case import not_rated, rating_request, ratings
 from pyworm.report.console.drives.roller_worm import ends_table
 from pyworm.report.console.mesh_cycle import loss_sentence
 from pyworm.result.result import Result
+from pyworm.result.roller_risk import roller_risk
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import line_scales
@@ -152,7 +154,8 @@ def test_the_command_prints_section_and_phase_of_every_scene(tmp_path, capsys, m
     ]
     films = [one["film_min_m"] for one in told["scenes"]]
     assert films[0] > films[1] and films[3] > films[2]  # falls, then rises
-    assert {Path(name).stem for name in told["pictures"]} >= set(CYCLE_PICTURES)
+    drawn = {Path(name).stem for name in told["pictures"]}
+    assert set(CYCLE_PICTURES) - drawn == {"mesh_cycle_fatigue"}  # without fatigue limits
 
 
 def test_the_source_s_trends_where_its_formulas_have_them(cycle):
@@ -353,10 +356,52 @@ def test_a_drive_without_sections_takes_none():
         pyworm.load(CASES / "zi_sharif_2001.toml").scene(section="left")
 
 
+def test_the_map_of_fatigue_of_thread_and_rollers(case, cycle):
+    """Each contact at its section, phase and place; a body without limits and contacts unsolved stay out."""
+
+    line = case.scene(section="left", phase=0.5, station=0.5)
+    one = pyworm.solve(line, accuracy=0.2, effects="isothermal")
+
+    def solved(section, phase, station, ratio, risk):
+        zero = 0 * one.fields["pressure"]
+        fields = one.fields.assign(
+            fatigue_ratio_body_2=zero + ratio, fatigue_risk_body_2=zero + risk
+        )
+        return replace(one, section=section, phase=phase, station=station, fields=fields)
+
+    contacts = [solved("left", phase, 0.5, 0.3 + phase, 1e-3) for phase in (0.0, 0.5, 1.0)]
+    contacts.append(solved("right", 0.5, 0.1, 0.2, 0.0))
+    result = Result("roller_ref", case.resolved, tuple(contacts), cycle, {})
+    field = roller_risk(result)
+    ratio = field["fatigue_ratio_body_2"]
+    assert "fatigue_ratio_body_1" not in field
+    assert ratio.sel(section="left", station=0.5).values == pytest.approx([0.3, 0.8, 1.3])
+    assert float(ratio.sel(section="right", phase=0.5, station=0.1)) == pytest.approx(0.2)
+    assert int(np.isfinite(ratio).sum()) == 4
+    rollers = field["pitting_probability"].isel(body=1)
+    one_contact = rollers.sel(section="left", phase=0.5, station=0.5)
+    assert float(one_contact) == pytest.approx(1 - np.exp(-1e-9 * 1e7 ** (10 / 9)), rel=1e-6)
+    assert float(rollers.sel(section="right", phase=0.5, station=0.1)) == 0
+    middle = cycle["wheel_angle"].sel(section="left").interp(phase=0.5)
+    assert float(field["wheel_angle"].sel(section="left", phase=0.5)) == pytest.approx(
+        float(middle)
+    )
+    figure = draw_roller_fatigue(result)
+    titles = [axes.get_title() for axes in figure.axes[:2]]
+    assert titles == ["right section, maximum 0.2", "left section, maximum 1.3"]
+    one_place = replace(result, solutions=tuple(contacts[:3]))
+    right, left = draw_roller_fatigue(one_place).axes[:2]
+    assert right.get_title() == "right section, not solved"
+    assert left.get_ylim() == (0, 1)
+    assert any("pitting" in axes.get_ylabel() for axes in figure.axes)
+    assert roller_risk(replace(result, solutions=tuple(contacts[:2]))) is None
+
+
 def test_pictures_and_table_of_the_cycle(case, cycle):
     result = Result("roller_ref", case.resolved, (), cycle, {})
-    for picture in CYCLE_PICTURES.values():
-        assert picture.draw(result).axes
+    assert CYCLE_PICTURES["mesh_cycle_fatigue"].draw(result) is None
+    for name in CYCLE_PICTURES.keys() - {"mesh_cycle_fatigue"}:
+        assert CYCLE_PICTURES[name].draw(result).axes
     table = ends_table(cycle)
     assert table.head[1:] == ("right\nentry", "right\nexit", "left\nentry", "left\nexit")
     (row,) = (row for row in table.rows if row[0] == "Minimum film thickness / µm")
