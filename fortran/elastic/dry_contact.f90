@@ -4,6 +4,7 @@
 !> the boundary of the contact changes; conjugate gradients with bounds on each (`constrained_gradients`).
 module pyworm_dry_contact
   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+  use pyworm_coated_surface, only: elastic_layer
   use pyworm_constrained_gradients, only: dry_bodies, close_gap
   use pyworm_half_space, only: elastic_half_space, new_half_space
   use pyworm_kinds, only: wp
@@ -55,17 +56,18 @@ contains
     ! beyond a body its gap is arbitrary and may not be finite
     solid_gap = merge(gap, 0.0_wp, covered)
     modulus = reduced_modulus(space)
-    call start_from_coarser(solid_gap, covered, space%dx, space%dy, modulus, load, tolerance, p, stat)
+    call start_from_coarser(solid_gap, covered, [space%dx, space%dy], modulus, space%layers, load, tolerance, p, stat)
     if (stat /= status_ok) return
     call close_gap(space, dry_bodies(reshape(solid_gap, [size(gap)]), reshape(covered, [size(gap)]), modulus, load), &
       tolerance, most_iterations, p, approach, iterations, stat)
   end subroutine solve_dry_contact
 
   !> Initial guess that carries the load, from the contact on a grid of twice the spacing.
-  recursive subroutine start_from_coarser(gap, covered, dx, dy, modulus, load, tolerance, p, stat)
+  recursive subroutine start_from_coarser(gap, covered, spacing, modulus, layers, load, tolerance, p, stat)
     real(wp), contiguous, intent(in) :: gap(:, :)
     logical, contiguous, intent(in) :: covered(:, :)
-    real(wp), intent(in) :: dx, dy, modulus, load, tolerance
+    real(wp), intent(in) :: spacing(2), modulus, load, tolerance
+    type(elastic_layer), intent(in) :: layers(2)
     real(wp), contiguous, intent(inout) :: p(:, :)
     integer, intent(out) :: stat
     type(elastic_half_space) :: space
@@ -81,9 +83,10 @@ contains
       coarse_p = merge(p(::2, ::2), 0.0_wp, coarse_covered)
       ! a guess may fall between the nodes
       if (.not. total(coarse_p) > 0) coarse_p = merge(1.0_wp, 0.0_wp, coarse_covered)
-      call start_from_coarser(coarse_gap, coarse_covered, 2*dx, 2*dy, modulus, load, tolerance, coarse_p, stat)
+      call start_from_coarser(coarse_gap, coarse_covered, 2*spacing, modulus, layers, load, tolerance, coarse_p, stat)
       if (stat /= status_ok) return
-      call new_half_space(space, size(coarse_gap, 1), size(coarse_gap, 2), 2*dx, 2*dy, modulus, stat)
+      call new_half_space(space, size(coarse_gap, 1), size(coarse_gap, 2), 2*spacing(1), 2*spacing(2), modulus, &
+        stat, layers)
       if (stat /= status_ok) return
       call close_gap(space, dry_bodies(reshape(coarse_gap, [size(coarse_gap)]), reshape(coarse_covered, &
         [size(coarse_gap)]), modulus, load), max(tolerance, coarse_tolerance), most_coarse_iterations, coarse_p, approach, &
@@ -93,7 +96,7 @@ contains
       call refine_pressure(coarse_p, p)
       where (.not. covered) p = 0
     end if
-    p = p*load/(total(p)*dx*dy)
+    p = p*load/(total(p)*spacing(1)*spacing(2))
   end subroutine start_from_coarser
 
   !> E' [Pa] of a half-space, from its deflection at the centre of one rectangle.

@@ -7,6 +7,7 @@
 !> The convolution is done by FFT. Its kernel is even, so that zero padding to 2 (n - 1) points is exact.
 module pyworm_half_plane
   use, intrinsic :: iso_c_binding, only: c_associated, c_double_complex, c_f_pointer, c_size_t
+  use pyworm_coated_surface, only: are_coated, compliance_ratio, elastic_layer
   use pyworm_fourier_plan, only: fourier_memory, fourier_plan, plan_cosine, plan_field
   use pyworm_padded_transform, only: padded_size
   use pyworm_kinds, only: wp
@@ -32,6 +33,7 @@ module pyworm_half_plane
     type(fourier_plan) :: forward, backward
     type(fourier_memory) :: memory
   contains
+    procedure :: coat
     procedure :: deflection
   end type elastic_half_plane
 
@@ -98,6 +100,31 @@ contains
     image = self%influence/self%padded
     call plan%cosine(image, self%kernel)
   end subroutine transform_kernel
+
+  !> Coats bodies whose E' [Pa] without layers is `reduced_modulus`: multiplies the kernel's transform by the ratio of deflections
+  !> with layers to those without, and sets the influence coefficients by it. Zero wave number as of `half_space`.
+  subroutine coat(self, reduced_modulus, layers, stat)
+    class(elastic_half_plane), intent(inout) :: self
+    real(wp), intent(in) :: reduced_modulus
+    type(elastic_layer), intent(in) :: layers(2)
+    integer, intent(out) :: stat
+    type(fourier_plan) :: plan
+    real(wp) :: image(0:self%padded/2), k
+    integer :: i
+
+    stat = status_ok
+    if (.not. are_coated(layers)) return
+    do i = 0, self%padded/2
+      k = 2*pi*i/(self%padded*self%dx)
+      if (i == 0) k = 4/(reduced_modulus*self%kernel(0)*self%padded)
+      self%kernel(i) = self%kernel(i)*compliance_ratio(layers, reduced_modulus, k)
+    end do
+    call plan_cosine(shape(image), image, self%influence, plan)
+    stat = merge(status_ok, status_no_plan, plan%made())
+    if (stat /= status_ok) return
+    image = self%kernel
+    call plan%cosine(image, self%influence)
+  end subroutine coat
 
   !> Computes the sum w [m] of both bodies' deflections under pressure p [Pa].
   subroutine deflection(self, p, w)

@@ -8,6 +8,7 @@
 !> through forward transform, product and backward transform. Rows of padding are never transformed.
 module pyworm_half_space
   use, intrinsic :: iso_c_binding, only: c_associated, c_double_complex, c_f_pointer, c_size_t
+  use pyworm_coated_surface, only: are_coated, compliance_ratio, elastic_layer
   use pyworm_fourier_plan, only: fourier_memory, fourier_plan, plan_columns, plan_cosine, plan_field
   use omp_lib, only: omp_get_max_threads, omp_get_thread_num
   use pyworm_kinds, only: wp
@@ -25,8 +26,12 @@ module pyworm_half_space
     real(wp) :: dx = 0, dy = 0
     !> E' [Pa], with 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2.
     real(wp) :: reduced_modulus = 0
+    !> Layers on the bodies, whose E' is that without them.
+    type(elastic_layer) :: layers(2) = elastic_layer()
     !> Deflection [m/Pa] of a node under unit pressure on its own rectangle.
     real(wp) :: centre = 0
+    !> Factor of it by the layers [-].
+    real(wp) :: centre_ratio = 1
     !> Padded points along x and y.
     integer :: mx = 0, my = 0
     !> Transform of the influence coefficients over the padded size [m/Pa], (my/2+1, mx/2+1).
@@ -44,12 +49,13 @@ module pyworm_half_space
 
 contains
 
-  !> Half-space of a grid; `reduced_modulus` is E' [Pa] with 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2.
-  subroutine new_half_space(self, nx, ny, dx, dy, reduced_modulus, stat)
+  !> Half-space of a grid; `reduced_modulus` is E' [Pa] with 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2, without layers.
+  subroutine new_half_space(self, nx, ny, dx, dy, reduced_modulus, stat, layers)
     type(elastic_half_space), intent(inout) :: self
     integer, intent(in) :: nx, ny
     real(wp), intent(in) :: dx, dy, reduced_modulus
     integer, intent(out) :: stat
+    type(elastic_layer), intent(in), optional :: layers(2)
     integer :: err, threads
 
     stat = status_bad_argument
@@ -59,6 +65,7 @@ contains
     self%dx = dx
     self%dy = dy
     self%reduced_modulus = reduced_modulus
+    if (present(layers)) self%layers = layers
     self%mx = padded_size(2*(nx - 1))
     self%my = padded_size(2*(ny - 1))
 
@@ -105,7 +112,33 @@ contains
     self%centre = self%kernel(1, 1)
     self%kernel = self%kernel/(real(self%mx, wp)*self%my)
     call plan%cosine(self%kernel, self%kernel)
+    if (are_coated(self%layers)) call coat_kernel(self)
   end subroutine transform_kernel
+
+  !> Multiplies the kernel's transform by the ratio of deflections with layers to those without.
+  !>
+  !> Below a uniform pressure the padded grid deflects as below a wave of finite length: the wave number that gives this
+  !> deflection stands for zero.
+  subroutine coat_kernel(self)
+    type(elastic_half_space), intent(inout) :: self
+    real(wp) :: bare, coated, k
+    integer :: i, j, twins
+
+    bare = 0
+    coated = 0
+    do i = 0, self%mx/2
+      do j = 0, self%my/2
+        k = 2*pi*hypot(i/(self%mx*self%dx), j/(self%my*self%dy))
+        if (i + j == 0) k = 4/(self%reduced_modulus*self%kernel(1, 1)*self%mx*self%my)
+        ! waves of the other half of the spectrum along each direction are the same
+        twins = merge(1, 2, i == 0 .or. i == self%mx/2)*merge(1, 2, j == 0 .or. j == self%my/2)
+        bare = bare + twins*self%kernel(j + 1, i + 1)
+        self%kernel(j + 1, i + 1) = self%kernel(j + 1, i + 1)*compliance_ratio(self%layers, self%reduced_modulus, k)
+        coated = coated + twins*self%kernel(j + 1, i + 1)
+      end do
+    end do
+    self%centre_ratio = coated/bare
+  end subroutine coat_kernel
 
   !> Antiderivative of 1/r over x and y; no corner of an influence rectangle lies on an axis.
   elemental real(wp) function corner(x, y)

@@ -14,6 +14,7 @@
 !> A kind of contact adds its deflection K p, its flow and the approximate solve that precedes the exact Jacobian in
 !> GMRES. Fields have shape (nx, ny); a line contact's have ny = 1.
 module pyworm_film_newton
+  use pyworm_coated_surface, only: elastic_layer
   use pyworm_film_model, only: film_model
   use pyworm_flow_laws, only: flow_law
   use pyworm_interruption, only: interrupted
@@ -62,6 +63,8 @@ module pyworm_film_newton
     type(oil_law) :: oil
     !> Load [N], of a line contact for each length [N/m], and the film [m] below which mobility is constant.
     real(wp) :: load = 0, floor = 0
+    !> Layers on the bodies, whose E' is that without them.
+    type(elastic_layer) :: layers(2) = elastic_layer()
   end type contact_conditions
 
   !> What a Newton step took: iterations of GMRES, the damping factor, which is the fraction of the step taken (at 0 the state

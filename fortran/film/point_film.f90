@@ -59,7 +59,8 @@ contains
     ny = size(conditions%gap, 2)
     associate (dx => conditions%spacing(1), dy => conditions%spacing(2))
       stat = film_status(conditions, abs(u) + abs(v))
-      if (stat == status_ok) call new_half_space(self%space, nx, ny, dx, dy, conditions%reduced_modulus, stat)
+      if (stat == status_ok) call new_half_space(self%space, nx, ny, dx, dy, conditions%reduced_modulus, stat, &
+        conditions%layers)
       if (stat == status_ok) call new_film_contact(self, conditions, cycle_length, stat)
       if (stat /= status_ok) return
       self%grid = film_grid(nx, ny, dx, dy, face_mean_x(u), face_mean_y(v))
@@ -69,7 +70,7 @@ contains
     self%covered(:, [1, ny]) = .false.
     allocate (self%grid%explicit_rate(nx, ny), source=0.0_wp)
     call weigh_load(self)
-    call new_film_multigrid(self%grid, self%space%centre, self%cycles, stat)
+    call new_film_multigrid(self%grid, self%space%centre*self%space%centre_ratio, self%cycles, stat)
   end subroutine new_point_contact
 
   !> Sets the nodal entrainment of a point contact to (u, v) [m/s]. The reference of residuals remains the first wedge
@@ -190,7 +191,7 @@ contains
     stat = status_ok
     if (.not. allocated(self%adjoint_cycles)) then
       allocate (self%adjoint_cycles)
-      call new_film_multigrid(self%grid, self%space%centre, self%adjoint_cycles, stat)
+      call new_film_multigrid(self%grid, self%space%centre*self%space%centre_ratio, self%adjoint_cycles, stat)
       self%adjoint_cycles%adjoint = .true.
       self%adjoint_cycles%rising = .not. self%cycles%rising
     end if

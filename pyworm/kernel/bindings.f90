@@ -29,19 +29,20 @@ module bindings
 
 contains
 
-  !> Deflection w [m] of a half-space pair under pressure p [Pa].
-  subroutine elastic_deflection(p, nx, ny, dx, dy, reduced_modulus, w, stat)
+  !> Deflection w [m] of a half-space pair, with the numbers of its `layers_of`, under pressure p [Pa].
+  subroutine elastic_deflection(p, nx, ny, dx, dy, reduced_modulus, layers, w, stat)
+    use pyworm_coated_surface, only: layers_of
     use pyworm_half_space, only: elastic_half_space, new_half_space
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: p(nx, ny)
-    real(c_double), intent(in) :: dx, dy, reduced_modulus
+    real(c_double), intent(in) :: dx, dy, reduced_modulus, layers(5, 2)
     real(c_double), intent(out) :: w(nx, ny)
     integer(c_int), intent(out) :: stat
     type(elastic_half_space) :: space
     !f2py threadsafe
 
     w = 0
-    call new_half_space(space, nx, ny, dx, dy, reduced_modulus, stat)
+    call new_half_space(space, nx, ny, dx, dy, reduced_modulus, stat, layers_of(layers))
     if (stat == status_ok) call space%deflection(p, w)
   end subroutine elastic_deflection
 
@@ -85,14 +86,15 @@ contains
   end subroutine heat_stress
 
   !> Solves the dry contact of a gap [m]; p [Pa] is the initial guess, then the solution.
-  subroutine dry_contact_solve(gap, covered, nx, ny, dx, dy, reduced_modulus, load, tolerance, &
+  subroutine dry_contact_solve(gap, covered, nx, ny, dx, dy, reduced_modulus, layers, load, tolerance, &
       most_iterations, p, approach, iterations, stat)
+    use pyworm_coated_surface, only: layers_of
     use pyworm_dry_contact, only: solve_dry_contact
     use pyworm_half_space, only: elastic_half_space, new_half_space
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny)
     integer(c_int), intent(in) :: covered(nx, ny)
-    real(c_double), intent(in) :: dx, dy, reduced_modulus, load, tolerance
+    real(c_double), intent(in) :: dx, dy, reduced_modulus, layers(5, 2), load, tolerance
     integer(c_int), intent(in) :: most_iterations
     real(c_double), intent(inout) :: p(nx, ny)
     real(c_double), intent(out) :: approach
@@ -102,7 +104,7 @@ contains
 
     approach = 0
     iterations = 0
-    call new_half_space(space, nx, ny, dx, dy, reduced_modulus, stat)
+    call new_half_space(space, nx, ny, dx, dy, reduced_modulus, stat, layers_of(layers))
     if (stat == status_ok) call solve_dry_contact(space, gap, covered /= 0, load, tolerance, &
       most_iterations, p, approach, iterations, stat)
   end subroutine dry_contact_solve
@@ -144,15 +146,16 @@ contains
   end subroutine cell_conduct
 
   !> Makes a point contact; see `point_film` for the arguments and `viscosity_density` for the oil's.
-  subroutine point_film_new(gap, covered, u, v, nx, ny, dx, dy, reduced_modulus, law, eta0, exponent, &
+  subroutine point_film_new(gap, covered, u, v, nx, ny, dx, dy, reduced_modulus, layers, law, eta0, exponent, &
       pole_pressure, d1, d2, load, floor, handle, stat)
+    use pyworm_coated_surface, only: layers_of
     use pyworm_film_newton, only: contact_conditions
     use pyworm_point_film, only: point_contact, new_point_contact
     use pyworm_viscosity_density, only: oil_law
     integer(c_int), intent(in) :: nx, ny
     real(c_double), intent(in) :: gap(nx, ny), u(nx, ny), v(nx, ny)
     integer(c_int), intent(in) :: covered(nx, ny)
-    real(c_double), intent(in) :: dx, dy, reduced_modulus
+    real(c_double), intent(in) :: dx, dy, reduced_modulus, layers(5, 2)
     integer(c_int), intent(in) :: law
     real(c_double), intent(in) :: eta0, exponent, pole_pressure, d1, d2, load, floor
     integer(c_int64_t), intent(out) :: handle
@@ -167,7 +170,7 @@ contains
     allocate (film, stat=err)
     if (err /= 0) return
     call new_point_contact(film, contact_conditions(gap, covered /= 0, [dx, dy], reduced_modulus, &
-      oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor), u, v, stat)
+      oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, layers_of(layers)), u, v, stat)
     if (stat /= status_ok) return
     allocate (contact, stat=err)
     if (err /= 0) then
@@ -179,14 +182,15 @@ contains
   end subroutine point_film_new
 
   !> Makes a line contact; see `line_film` for the arguments and `viscosity_density` for the oil's.
-  subroutine line_film_new(gap, covered, u, n, dx, reduced_modulus, law, eta0, exponent, pole_pressure, &
+  subroutine line_film_new(gap, covered, u, n, dx, reduced_modulus, layers, law, eta0, exponent, pole_pressure, &
       d1, d2, load, floor, handle, stat)
+    use pyworm_coated_surface, only: layers_of
     use pyworm_line_film, only: line_contact, new_line_contact
     use pyworm_viscosity_density, only: oil_law
     integer(c_int), intent(in) :: n
     real(c_double), intent(in) :: gap(n), u(n)
     integer(c_int), intent(in) :: covered(n)
-    real(c_double), intent(in) :: dx, reduced_modulus
+    real(c_double), intent(in) :: dx, reduced_modulus, layers(5, 2)
     integer(c_int), intent(in) :: law
     real(c_double), intent(in) :: eta0, exponent, pole_pressure, d1, d2, load, floor
     integer(c_int64_t), intent(out) :: handle
@@ -202,6 +206,7 @@ contains
     if (err /= 0) return
     call new_line_contact(film, gap, covered /= 0, u, dx, reduced_modulus, &
       oil_law(law, eta0, exponent, pole_pressure, d1, d2), load, floor, stat)
+    if (stat == status_ok) call film%plane%coat(reduced_modulus, layers_of(layers), stat)
     if (stat /= status_ok) return
     allocate (contact, stat=err)
     if (err /= 0) then

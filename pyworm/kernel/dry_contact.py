@@ -1,21 +1,31 @@
 """Dry contact and elastic deflection of point contacts by the kernel."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
 from pyworm.formulas.arrays import Array
+from pyworm.formulas.layered_half_space import Layer
 from pyworm.kernel import core
 from pyworm.kernel.core import NOT_CONVERGED, check_status, fortran_array
+from pyworm.kernel.numbers import layer_numbers
 
 
 def elastic_deflection(
-    pressure: npt.ArrayLike, dx: float, dy: float, reduced_modulus: float
+    pressure: npt.ArrayLike,
+    dx: float,
+    dy: float,
+    reduced_modulus: float,
+    layers: Sequence[Layer | None] = (),
 ) -> Array:
-    """Sum of the deflections of both half-spaces [m] under nodal pressure [Pa], shape (nx, ny)."""
+    """Sum of the deflections of both half-spaces [m] under nodal pressure [Pa], shape (nx, ny).
+
+    Layers lie on half-spaces whose E' without them is the reduced modulus [Pa].
+    """
     found: tuple[Array, int] = core.bindings.elastic_deflection(
-        fortran_array(pressure), dx, dy, reduced_modulus
+        fortran_array(pressure), dx, dy, reduced_modulus, layer_numbers(layers)
     )
     deflection, status = found
     check_status(status)
@@ -45,15 +55,17 @@ def dry_contact(
     load: float,
     guess: npt.ArrayLike,
     tolerance: float,
+    layers: Sequence[Layer | None] = (),
 ) -> DryContact:
     """Solve the dry contact of a gap [m], shape (nx, ny), from coarser grids by conjugate gradients.
 
     Args:
         gap, covered: Undeformed gap [m] and where both bodies exist.
         dx, dy: Grid spacing [m].
-        reduced_modulus, load: E' [Pa] and normal load [N].
+        reduced_modulus, load: E' [Pa] without layers and normal load [N].
         guess: Initial pressure; only its sign matters.
         tolerance: Residual gap in the contact, over the approach.
+        layers: Coating on each body.
 
     Raises:
         KernelError: If the kernel refuses the contact.
@@ -65,6 +77,7 @@ def dry_contact(
         dx,
         dy,
         reduced_modulus,
+        layer_numbers(layers),
         load,
         tolerance,
         _MOST_DRY_ITERATIONS,

@@ -5,10 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 import numpy.typing as npt
 
+from pyworm.formulas.layered_half_space import Layer
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.film import Film
-from pyworm.kernel.numbers import bodies_numbers, heat_numbers, oil_numbers
+from pyworm.kernel.numbers import bodies_numbers, heat_numbers, layer_numbers, oil_numbers
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
@@ -16,9 +17,9 @@ from pyworm.materials.oil import Oil
 class LineFilm(Film):
     """A line contact on one grid in its present state, owned by the kernel.
 
-    By the gap [m] and where both surfaces exist, (n,), nodal entrainment [m/s], spacing [m], E' [Pa], load
-    for each length [N/m], oil at its inlet, and a film below which the mobility is constant, far below any of
-    interest [m].
+    By the gap [m] and where both surfaces exist, (n,), nodal entrainment [m/s], spacing [m], E' [Pa]
+    without coatings, load for each length [N/m], oil at its inlet, a film below which the mobility is
+    constant, far below any of interest [m], and the coatings' layers.
 
     The datum of deflection is at a distance of the grid's length from a line load
     (`fortran/elastic/half_plane.f90`); it is the same on every grid over one interval.
@@ -34,6 +35,7 @@ class LineFilm(Film):
         load: float,
         oil: Oil,
         floor: float,
+        layers: Sequence[Layer | None] = (),
     ):
         handles = core.bindings.line_film_new(
             fortran_array(gap),
@@ -41,6 +43,7 @@ class LineFilm(Film):
             fortran_array(entrainment),
             dx,
             reduced_modulus,
+            layer_numbers(layers),
             *oil_numbers(oil),
             load,
             floor,

@@ -6,6 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from pyworm.formulas.arrays import Array
+from pyworm.formulas.layered_half_space import Layer
 from pyworm.io.present import present
 from pyworm.kernel import core
 from pyworm.materials.body import Body
@@ -28,6 +29,15 @@ def oil_numbers(oil: Oil) -> tuple[float, ...]:
     if isinstance(law, TabulatedViscosity):
         return 3, law.eta0, law.alpha, 1.0, *compressed
     return law.KERNEL_NUMBER, law.eta0, *law.kernel_constants, *compressed
+
+
+def layer_numbers(layers: Sequence[Layer | None]) -> Array:
+    """Layers on both bodies for the kernel (`fortran/elastic/coated_surface.f90`); zeros of a bare body."""
+    numbers = np.zeros((5, 2), order="F")
+    for body, layer in enumerate(layers):
+        if layer is not None:
+            numbers[:, body] = layer.thickness, *layer.moduli, *layer.poisson_ratios
+    return numbers
 
 
 def flow_numbers(law: FlowLaw) -> tuple[float | Array, ...]:

@@ -6,10 +6,11 @@ import numpy as np
 import numpy.typing as npt
 
 from pyworm.formulas.arrays import Array
+from pyworm.formulas.layered_half_space import Layer
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
 from pyworm.kernel.film import Film, Shear
-from pyworm.kernel.numbers import bodies_numbers, heat_numbers, oil_numbers
+from pyworm.kernel.numbers import bodies_numbers, heat_numbers, layer_numbers, oil_numbers
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
 
@@ -18,8 +19,8 @@ class PointFilm(Film):
     """A point contact on one grid in its present state, owned by the kernel.
 
     By the gap [m] and where both surfaces exist, (nx, ny), nodal entrainment (u, v) [m/s], spacing [m], E'
-    [Pa], load [N], oil at its inlet, and a film below which the mobility is constant, far below any of
-    interest [m].
+    [Pa] without coatings, load [N], oil at its inlet, a film below which the mobility is constant, far below
+    any of interest [m], and the coatings' layers.
     """
 
     def __init__(
@@ -33,6 +34,7 @@ class PointFilm(Film):
         load: float,
         oil: Oil,
         floor: float,
+        layers: Sequence[Layer | None] = (),
     ):
         handles = core.bindings.point_film_new(
             fortran_array(gap),
@@ -42,6 +44,7 @@ class PointFilm(Film):
             dx,
             dy,
             reduced_modulus,
+            layer_numbers(layers),
             *oil_numbers(oil),
             load,
             floor,

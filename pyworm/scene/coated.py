@@ -1,4 +1,7 @@
-"""Reduced modulus of coated bodies: of bare ones with the same elastic energy under Hertz's pressure."""
+"""Equivalent reduced modulus of coated bodies: of bare ones with the same energy under Hertz's pressure.
+
+Scales, windows and film formulas take it; films and dry contacts are deflected with the layers themselves.
+"""
 
 from functools import lru_cache
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pyworm.formulas.arrays import Array, Flags
+from pyworm.formulas.layered_half_space import Layer
 from pyworm.formulas.ranges import positive
 from pyworm.io import units
 from pyworm.io.given import Given, in_si, kind_of, number, quantities, row, take
@@ -154,12 +155,18 @@ class Contact(Shown, ABC):
 
     @property
     def bending_modulus(self) -> float:
-        """Reduced modulus of the deflection under the film [Pa]; infinite for rigid bodies."""
-        return inf if self.rigid else self.reduced_modulus
+        """Reduced modulus of the deflection under films [Pa], without coatings; infinite if rigid."""
+        return inf if self.rigid else reduced_modulus(*self.bodies)
+
+    @property
+    def layers(self) -> tuple[Layer | None, Layer | None]:
+        """Coating on each body where it deflects; none of rigid bodies."""
+        first, second = self.bodies
+        return (None, None) if self.rigid else (first.layer, second.layer)
 
     @property
     def reduced_modulus(self) -> float:
-        """Reduced modulus E' of the two bodies [Pa]."""
+        """Reduced modulus E' of the two bodies [Pa]; of coated ones equivalent, for scales and formulas."""
         first, second = self.bodies
         if first.coating is None and second.coating is None:
             return reduced_modulus(first, second)

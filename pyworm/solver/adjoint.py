@@ -117,9 +117,8 @@ class Adjoint:
             found = found + _summed(
                 opening(scene, *self.level.grid.mesh())[0] - self.level.gap, self.adjoints.by_gap
             )
-        if scene.bending_modulus != here.bending_modulus:
-            stiffer = here.bending_modulus / scene.bending_modulus - 1
-            found = found + stiffer * self._by_compliance
+        if (scene.bending_modulus, scene.layers) != (here.bending_modulus, here.layers):
+            found = found + self._by_stiffness(scene)
         if laws_alike(scene, here, self.level.grid.mesh(), film.heated, film.rough):
             return found + self._by_own_load(scene)
         other = self.solver.of(scene).displaced(self.level, self.beside)
@@ -135,6 +134,15 @@ class Adjoint:
             return np.zeros(len(self.figures))
         other = self.solver.of(scene).displaced(self.level, self.beside)
         return -_summed(other.film.spread_change(self.level.film), self.adjoints.heat_rows)
+
+    def _by_stiffness(self, scene: AnyContact) -> Array:
+        """Change of each figure by the deflection of a contact's bodies, under the same pressure."""
+        here, film = self.level.scene, self.level.film
+        if scene.layers == here.layers == (None, None):
+            return (here.bending_modulus / scene.bending_modulus - 1) * self._by_compliance
+        other = self.solver.of(scene).unsolved(self.level)
+        other.film.start(film.pressure, film.rigid_film)
+        return _summed(other.film.convolve() - film.convolve(), self.adjoints.by_gap)
 
     @cached_property
     def _by_compliance(self) -> Array:

@@ -10,7 +10,7 @@ from pyworm.scene.any_contact import AnyContact
 from pyworm.scene.line import LineScene, Parabola
 from pyworm.scene.point import Paraboloid, RigidMotion, Scene
 
-ELASTIC = frozenset({"youngs_modulus", "poisson_ratio", "modulus_by_temperature"})
+ELASTIC = frozenset({"youngs_modulus", "poisson_ratio", "modulus_by_temperature", "coating"})
 """Attributes of a body that a film of smooth surfaces takes by its deflection alone."""
 
 CONDUCTING = ("conductivity", "density", "specific_heat")

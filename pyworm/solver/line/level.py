@@ -149,6 +149,7 @@ def _level(
         load,
         scene.oil,
         MIN_MOBILITY_FILM * size.film,
+        scene.layers,
     )
     if scene.separation is not None:
         film.hold()

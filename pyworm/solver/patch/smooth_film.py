@@ -103,6 +103,7 @@ class PatchFrame:
             self.scene.load,
             self.scene.oil,
             MIN_MOBILITY_FILM * self.size.film,
+            self.scene.layers,
         )
 
 

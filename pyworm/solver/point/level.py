@@ -12,6 +12,7 @@ import numpy as np
 
 from pyworm import kernel
 from pyworm.formulas.arrays import Array, Flags
+from pyworm.materials.body import reduced_modulus
 from pyworm.planning.grid import Grid
 from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.point import Scene
@@ -70,10 +71,11 @@ def dry_contact(
         covered,
         grid.dx,
         grid.dy,
-        scene.reduced_modulus,
+        reduced_modulus(*scene.bodies),
         scene.load if load is None else load,
         guess,
         DRY_TOLERANCE,
+        tuple(body.layer for body in scene.bodies),
     )
 
 
@@ -170,7 +172,7 @@ def next_level(
     outside[window] = 0.0
     if outside.any():
         far = far + kernel.elastic_deflection(
-            outside, level.grid.dx, level.grid.dy, scene.bending_modulus
+            outside, level.grid.dx, level.grid.dy, scene.bending_modulus, scene.layers
         )
         load = load - outside.sum() * level.grid.dx * level.grid.dy
     if isinstance(far, np.ndarray) and far.ndim:
@@ -242,6 +244,7 @@ def _level(
         load,
         scene.oil,
         MIN_MOBILITY_FILM * size.film,
+        scene.layers,
     )
     if scene.separation is not None:
         film.hold()

@@ -69,6 +69,23 @@ CONTACTS = {
 }
 
 
+def test_a_coating_changes_a_film_by_its_deflection():
+    scene = case_scene("line_m20_l10")
+    first, second = scene.bodies
+
+    def coated(size):
+        layer = pyworm.Coating(size * 5e-6, 2 * first.youngs_modulus, 0.2)
+        return replace(scene, bodies=(replace(first, coating=layer), second))
+
+    plan = pyworm.plan(coated(1.0), 0.1, "isothermal")
+    adjoint = adjoint_of(coated(1.0), replace(plan, wider_grids=()), tolerance=1e-6)
+    more, less = (figures_solved(adjoint, coated(size)) for size in (1.01, 0.99))
+    found = adjoint.change(coated(1.01), coated(0.99))
+    for name in ("film_min", "pressure_max"):
+        assert found[name] == pytest.approx(more[name] - less[name], rel=5e-3, abs=0)
+    assert found["pressure_max"] > 0
+
+
 def test_a_heated_tooth_has_sensitivities_to_its_oil():
     """Those of whole solves, but for the convection that turns from node to node."""
     scene = tooth_scene()
