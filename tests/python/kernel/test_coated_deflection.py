@@ -76,7 +76,7 @@ def test_the_shape_of_a_line_s_deflection_is_that_of_its_cosine_transform(modulu
         np.trapezoid(added * spectrum * np.cos(size * place / HALF_WIDTH) / size, size) / np.pi
         for place in X[at]
     ]
-    # the datum of a line's deflection is arbitrary: that of the padded grid is off by 4 % of what the layer adds
+    # a line's datum is arbitrary; that of the padded grid is off by 4 % of what the layer adds
     relative, shape = (np.subtract(added_there, added_there[0]) for added_there in (found, exact))
     assert relative == pytest.approx(shape, rel=0, abs=0.02 * np.abs(exact).max())
 
