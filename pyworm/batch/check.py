@@ -120,7 +120,7 @@ class CheckedCase(Shown):
             "drive": self.geometry,
             "forces": [forces.summary() for forces in self.forces],
             "assumptions": self.assumptions,
-            "motion": self.motion,
+            **({"motion": self.motion} if self.motion else {}),
         }
         return {
             "case": self.case.name,
