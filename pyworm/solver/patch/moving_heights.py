@@ -49,7 +49,7 @@ MAX_SKEW = 1e-9
 
 @dataclass(frozen=True)
 class MovingHeights:
-    """Heights of one surface that enter a patch behind a front and move with a speed."""
+    """Heights of one surface that move with a speed: they enter a patch behind a front, or grow in place."""
 
     height: Array
     """Heights at points as far apart as the nodes [m], which repeat along x, shape (points, ny)."""
@@ -59,6 +59,8 @@ class MovingHeights:
     """Place along x of the middle of the front at time zero [m]."""
     ramp: float
     """Length over which heights grow behind the front [m]."""
+    growth: float = 0.0
+    """Time in which heights grow everywhere at once [s]; zero if they enter behind the front."""
 
     @cached_property
     def _coefficients(self) -> Array:
@@ -74,9 +76,16 @@ class MovingHeights:
             weight * self._coefficients[(nodes + tap) % count]
             for tap, weight in zip(TAPS, spline_weights(start - whole), strict=True)
         )
-        behind = 0.5 * (1 - np.tanh((x - self.speed * time - self.front) / self.ramp))
-        shown: Array = heights * behind[:, None]
+        shown: Array = heights * self._grown(x, time)
         return shown
+
+    def _grown(self, x: Array, time: float) -> Array | float:
+        """Part of the heights that is there, at places along x and a time."""
+        if self.growth > 0:
+            part = min(max(time / self.growth, 0.0), 1.0)
+            return part**2 * (3 - 2 * part)
+        behind: Array = 0.5 * (1 - np.tanh((x - self.speed * time - self.front) / self.ramp))
+        return behind[:, None]
 
 
 def spline_weights(part: float) -> tuple[float, float, float, float]:

@@ -34,6 +34,12 @@ FRONT, RAMP = -1.3, 0.1
 PASSED = 1.0
 """Place that the front of the slower surface has passed when figures are first taken, in half-lengths."""
 
+SLOW, GROWTH = 0.5, 1.0
+"""Speed over the entrainment below which heights grow in place, and path of the oil meanwhile [half-lengths].
+
+A front of such a surface would take long to pass, or never do.
+"""
+
 SMOOTH_ACCURACY = 0.03
 """Accuracy of the smooth film whose temperatures the patch takes."""
 
@@ -60,8 +66,9 @@ def rough_patch(
     """Move rough surfaces through a point contact, resolved node by node.
 
     The film of smooth surfaces is solved first, with heat where the oil has it; from it the rough one departs
-    as the surfaces enter. Means are taken while the oil moves on by `averaged` half-lengths of the contact
-    after the roughness has filled it. Both surfaces move as they do at the contact point.
+    as the surfaces enter; heights of a surface that is slow, still or moves against the entrainment grow in
+    place. Means are taken while the oil moves on by `averaged` half-lengths of the contact after roughness
+    has filled it and earlier oil has left. Both surfaces move as they do at the contact point.
 
     Args:
         scene: Contact; its own roughness does not count.
@@ -90,10 +97,10 @@ def rough_patch(
     oil = ShearedOil(scene.oil, frame.sliding)
     smooth = smooth_film(frame, oil, solution, nodes)
     if stride is None:
-        stride = min(_stride(heights, smooth, frame, grid), max(1, int(shortest / STEPS_A_WAVE)))
+        stride = _stride(heights, smooth, frame, grid, shortest)
     step = stride * grid.dx / frame.entrainment
     a, _ = frame.half_lengths
-    taken_from = (PASSED - FRONT) * a / min(known.speed for known in heights if known is not None)
+    taken_from = max(_filled(known, frame) for known in heights if known is not None)
     whole = taken_from + averaged * a / frame.entrainment
     heat = PatchHeat(frame, oil, smooth, grid, step, whole, solution is not None)
     read = PatchReader(frame, grid, smooth)
@@ -131,13 +138,19 @@ def _heights(frame: PatchFrame, grid: Grid, surfaces: Sequence[Topography | None
     a, _ = frame.half_lengths
     found: list[MovingHeights | None] = []
     for surface, speed in zip(surfaces, frame.speeds, strict=True):
-        if surface is not None and not speed > 0:
-            raise ValueError("a resolved patch needs rough surfaces that move with the entrainment")
         known = None
         if surface is not None:
-            known = MovingHeights(resampled(surface, grid), speed, FRONT * a, RAMP * a)
+            slow = speed < SLOW * frame.entrainment
+            growth = GROWTH * a / frame.entrainment if slow else 0.0
+            known = MovingHeights(resampled(surface, grid), speed, FRONT * a, RAMP * a, growth)
         found.append(known)
     return found[0], found[1]
+
+
+def _filled(known: MovingHeights, frame: PatchFrame) -> float:
+    """Time when a surface's heights fill the contact and oil from before them has left it [s]."""
+    slower = frame.entrainment if known.growth > 0 else min(known.speed, frame.entrainment)
+    return known.growth + (PASSED - FRONT) * frame.half_lengths[0] / slower
 
 
 def _resolved_wave(heights: Heights, grid: Grid) -> float:
@@ -157,18 +170,27 @@ def _resolved_wave(heights: Heights, grid: Grid) -> float:
     return nodes
 
 
-def _stride(heights: Heights, smooth: SmoothFilm, frame: PatchFrame, grid: Grid) -> int:
-    """Nodes that the oil moves on in a time step."""
+def _stride(
+    heights: Heights, smooth: SmoothFilm, frame: PatchFrame, grid: Grid, shortest: float
+) -> int:
+    """Nodes that the oil moves on in a time step; `shortest` is the number in the shortest wave."""
+    rough = [known for known in heights if known is not None]
+    # past the contact point, and past the oil
+    paces = [
+        max(abs(known.speed), abs(known.speed - frame.entrainment)) / frame.entrainment
+        for known in rough
+    ]
     middle = tuple(int(np.argmin(np.abs(axis))) for axis in (grid.x, grid.y))
     film = float(smooth.film.thickness()[middle])
     change = hypot(
         *(
-            float(np.diff(known.height, axis=0).std()) * known.speed / frame.entrainment
-            for known in heights
-            if known is not None
+            float(np.diff(known.height, axis=0).std()) * pace
+            for known, pace in zip(rough, paces, strict=True)
         )
     )
-    return int(np.clip(STEP_CHANGE * film / max(change, MIN_CHANGE * film), 1, MAX_STRIDE))
+    wave = shortest / (STEPS_A_WAVE * max(1.0, *paces))
+    changed = STEP_CHANGE * film / max(change, MIN_CHANGE * film)
+    return int(np.clip(min(changed, wave), 1, MAX_STRIDE))
 
 
 STEP_CHANGE = 0.15

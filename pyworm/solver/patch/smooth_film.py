@@ -15,8 +15,11 @@ from pyworm.solver.level import MIN_MOBILITY_FILM, START_PRESSURE_RATIO
 from pyworm.solver.patch.sheared_oil import ShearedOil
 from pyworm.solver.solution import Solution
 
-INLET, EXIT, HALF_WIDTH = 2.2, 1.4, 1.6
-"""Ends of a patch before, behind and beside the contact point, in half-lengths of Hertz's contact."""
+INLET, EXIT, HALF_WIDTH = 3.1, 1.4, 2.0
+"""Ends of a patch before, behind and beside the contact point, in half-lengths of Hertz's contact.
+
+The film of `cases/traction_steel.toml` lacks 1.3 %; with an inlet of 2.2 and a half-width of 1.6 4 %.
+"""
 
 MIN_NODES = 33
 """Least number of nodes along each side of the first grid."""

@@ -34,9 +34,9 @@ def test_surfaces_without_height_keep_the_smooth_film_and_its_heat(scene):
     assert found.mean("friction")[0] == pytest.approx(found.smooth.friction, rel=1e-6)
     assert found.mean_temperatures() == pytest.approx(found.smooth.temperatures, abs=1e-4)
     assert found.records[-1].newton == 0
-    # its own oil across the film is a mean one: 6 % beside the solver's friction, 8 % beside its film here
+    # a narrower window and a mean viscosity across the film: 3 % off the solver's film on this grid
     solution = pyworm.solve(scene, accuracy=0.03)
-    assert found.smooth.film_central == pytest.approx(solution.figures.film_central.value, rel=0.08)
+    assert found.smooth.film_central == pytest.approx(solution.figures.film_central.value, rel=0.05)
     assert found.smooth.friction == pytest.approx(
         solution.figures.friction_coefficient.value, rel=0.1
     )
@@ -62,6 +62,40 @@ def test_waves_that_roll_keep_what_the_formula_leaves_of_their_amplitude():
     assert found.summary()["asperity_load_fraction"] == 0
 
 
+@pytest.mark.parametrize("pace", [0.0, 0.6])
+def test_waves_that_slide_are_flattened_and_oil_carries_waves_of_another_length(pace):
+    case = pyworm.load("cases/point_m100_l10.toml")
+    rolling = case.scene(**case.places()[0].given)
+    speed, length = rolling.motions[0].u, 0.5
+    motions = pyworm.RigidMotion((2 - pace) * speed, 0.0), pyworm.RigidMotion(pace * speed, 0.0)
+    size = pyworm.scene.scales.scales(rolling)
+    radius, amplitude = size.hertz.semi_axis_x, 0.1 * size.film
+    found = rough_patch(
+        replace(rolling, motions=motions),
+        (None, waves(length * radius, amplitude)),
+        nodes=97,
+        averaged=0.1,
+    )
+    inside = np.abs(found.grid.x) < 0.7 * radius
+    x, number = found.grid.x[inside], 2 * pi / (length * radius)
+    film = (found.last.film - found.smooth_film)[inside, found.grid.ny // 2] / amplitude
+    numbers = [number, *([pace * number] if pace else [])]
+    place = x / radius
+    columns = [x**0, place, place**2, *(f(k * x) for k in numbers for f in (np.cos, np.sin))]
+    best = np.linalg.lstsq(np.array(columns).T, film, rcond=None)[0]
+    kept = [np.hypot(best[first], best[first + 1]) for first in range(3, len(best), 2)]
+    # closed form (Morales-Espejel and Brizmer 2011) for a viscosity that lets no pressure flow: the oil's
+    # compression alone, C/(1 + C), leaves some of the wave
+    p, h = found.smooth_pressure.max(), found.smooth.film_central
+    stiffness = rolling.bending_modulus * number / 4
+    density = rolling.oil.density
+    compressed = h * stiffness * (density(1.01 * p) / density(p) - 1) / (0.01 * p)
+    assert kept[0] == pytest.approx(compressed / (1 + compressed), abs=0.02)
+    if pace:
+        # and oil carries what the inlet lets through: linear theory of benchmarks/validation/linear_waves.py
+        assert kept[1] == pytest.approx(0.72, abs=0.05)
+
+
 def test_heights_move_by_parts_of_a_spacing_and_grow_behind_their_front():
     grid = Grid(0.0, 0.0, 1e-6, 1e-6, 65, 9)
     surface = gaussian(0.1e-6, 13e-6, seed=2)
@@ -73,6 +107,11 @@ def test_heights_move_by_parts_of_a_spacing_and_grow_behind_their_front():
     ahead = MovingHeights(known.height, 2.0, 32e-6, 1e-7).at(grid.x, 0.0, grid.dx)
     assert not ahead[40:].any()
     assert ahead[:24] == pytest.approx(before[:24], abs=1e-15)
+    growing = MovingHeights(known.height, -2.0, 0.0, 1e-7, growth=2e-6)
+    assert not growing.at(grid.x, 0.0, grid.dx).any()
+    assert growing.at(grid.x, 1e-6, grid.dx) == pytest.approx(
+        known.at(grid.x + 4e-6, 1e-6, grid.dx) / 2, abs=1e-18
+    )
     turned = resampled(surface.turned(0.3), grid)
     assert turned[0] == pytest.approx(turned[-1])
 
@@ -118,9 +157,6 @@ def test_what_cannot_be_resolved_is_refused(scene):
     ):
         with pytest.raises(ValueError, match=message):
             rough_patch(scene, surfaces, nodes=nodes)
-    still = replace(scene, motions=(pyworm.RigidMotion(1.0, 0.0), pyworm.RigidMotion(-0.5, 0.0)))
-    with pytest.raises(ValueError, match="move with the entrainment"):
-        rough_patch(still, (None, surface), nodes=65)
     aside = replace(scene, motions=(pyworm.RigidMotion(1.0, 0.2), pyworm.RigidMotion(1.0, -0.2)))
     with pytest.raises(ValueError, match="along the entrainment alone"):
         rough_patch(aside, (None, surface), nodes=65)
