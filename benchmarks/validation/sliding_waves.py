@@ -104,8 +104,8 @@ def main() -> None:
         table.append(row)
         print(*row, flush=True)
     head = (
-        "speed of the wave / entrainment", "slide-roll ratio", "with the surface: closed form",
-        "linear theory", "patch", "with the oil: linear theory", "patch", "processor time of the patch [s]",
+        "speed of the wave / entrainment", "slide-roll ratio", "kept: closed form", "kept: linear theory",
+        "kept: patch", "in the oil: linear theory", "in the oil: patch", "processor time of the patch [s]",
     )  # fmt: skip
     record("patch_sliding_waves", head, table)
 

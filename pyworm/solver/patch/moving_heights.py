@@ -76,7 +76,7 @@ class MovingHeights:
             weight * self._coefficients[(nodes + tap) % count]
             for tap, weight in zip(TAPS, spline_weights(start - whole), strict=True)
         )
-        shown: Array = heights * self._grown(x, time)
+        shown: Array = np.asarray(heights * self._grown(x, time))
         return shown
 
     def _grown(self, x: Array, time: float) -> Array | float:

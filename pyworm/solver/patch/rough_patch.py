@@ -34,7 +34,7 @@ FRONT, RAMP = -1.3, 0.1
 PASSED = 1.0
 """Place that the front of the slower surface has passed when figures are first taken, in half-lengths."""
 
-SLOW, GROWTH = 0.5, 1.0
+SLOW_PACE, GROWTH_PATH = 0.5, 1.0
 """Speed over the entrainment below which heights grow in place, and path of the oil meanwhile [half-lengths].
 
 A front of such a surface would take long to pass, or never do.
@@ -140,8 +140,8 @@ def _heights(frame: PatchFrame, grid: Grid, surfaces: Sequence[Topography | None
     for surface, speed in zip(surfaces, frame.speeds, strict=True):
         known = None
         if surface is not None:
-            slow = speed < SLOW * frame.entrainment
-            growth = GROWTH * a / frame.entrainment if slow else 0.0
+            slow = speed < SLOW_PACE * frame.entrainment
+            growth = GROWTH_PATH * a / frame.entrainment if slow else 0.0
             known = MovingHeights(resampled(surface, grid), speed, FRONT * a, RAMP * a, growth)
         found.append(known)
     return found[0], found[1]
