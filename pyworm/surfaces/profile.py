@@ -56,13 +56,13 @@ class Profile:
 
     @property
     def parts(self) -> "tuple[Profile, ...]":
-        """`PART_COUNT` profiles, each a part of its length."""
+        """`PART_COUNT` profiles, each a part of its length, without form of its own as the whole is."""
         count = len(self.height) // PART_COUNT
         places = [slice(number * count, (number + 1) * count) for number in range(PART_COUNT)]
         return tuple(
             replace(
                 self,
-                height=self.height[place] - self.height[place].mean(),
+                height=_without_form(self.height[place]),
                 measured=self.measured[place],
             )
             for place in places

@@ -44,7 +44,7 @@ def figures(waves: SeparatedWaves, texture: Texture) -> dict[str, Any]:
         "outliers": waves.outliers,
         "long_waves_rq_m": waves.long_waves.rms,
         **_with_units(asdict(texture)),
-        **_by_samples([asdict(texture_of(sample)) for sample in surface.samples]),
+        **_by_samples([asdict(texture_of(sample)) for sample in surface.samples], asdict(texture)),
     }
 
 
@@ -58,13 +58,15 @@ def profile_summary(profile: Profile, known: ProfileFigures) -> dict[str, Any]:
         "outliers": profile.outliers,
         "long_waves_rq_m": profile.waviness,
         **_with_units(asdict(known)),
-        **_by_samples([asdict(profile_figures(part)) for part in profile.parts]),
+        **_by_samples([asdict(profile_figures(part)) for part in profile.parts], asdict(known)),
     }
 
 
-def _by_samples(samples: list[dict[str, float]]) -> dict[str, dict[str, float]]:
+def _by_samples(
+    samples: list[dict[str, float]], whole: dict[str, float]
+) -> dict[str, dict[str, float]]:
     """Uncertainty of each figure, by samples of the surface; nothing without."""
-    return {"uncertainty": _with_units(figures_scatter(samples))} if samples else {}
+    return {"uncertainty": _with_units(figures_scatter(samples, whole))} if samples else {}
 
 
 def _with_units(known: dict[str, Any]) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from pyworm.materials.rough_surfaces import MIN_GAP_RATIO, GapCurves, gap_rows, 
 from pyworm.materials.topography import Topography
 from pyworm.surfaces.cell import common_cell, periodic_cell
 from pyworm.surfaces.cell_table import CellTable, cell_table
-from pyworm.surfaces.scatter import uncertainty_of_mean
+from pyworm.surfaces.scatter import uncertainty_of_whole
 
 Array = np.ndarray
 
@@ -70,15 +70,16 @@ class TopographyPair:
     def sampled(self) -> tuple[Array, Array] | None:
         """Uncertainty by the measured place over the rows [-], as of `RoughSurfaces.sampled`.
 
-        It is that of the mean of the surfaces' samples, each as high as the whole, so that their texture
-        alone scatters; None of surfaces without samples.
+        It is by the surfaces' samples, each as high as the whole, so that their texture alone differs; None
+        of surfaces without samples.
         """
         counts = [len(surface.samples) for surface in self.surfaces if surface and surface.samples]
         if not counts:
             return None
         curves = [self._sample(number).curves().values for number in range(min(counts))]
+        whole = self.curves().values
         pressure, flow = (
-            uncertainty_of_mean([values[rows] for values in curves])
+            uncertainty_of_whole([values[rows] for values in curves], whole[rows])
             for rows in (0, slice(*PRESSURE_FLOW))
         )
         present = np.mean([values[slice(*PRESSURE_FLOW)] for values in curves], axis=0)
