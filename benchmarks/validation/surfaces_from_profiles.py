@@ -115,7 +115,7 @@ def worn(number: int) -> bool:
 
 
 def _counted(rows: list[tuple]) -> tuple:
-    """Number of surfaces, those within their uncertainty, median and mean of what they are off, mean uncertainty.
+    """Number of surfaces and of those within their uncertainty, and sizes: what they are off, uncertainty.
 
     They are over the figure itself, of heights of the core over Rq.
     """

@@ -40,7 +40,9 @@ def heights_on_one_datum(profiles: Sequence[Profile]) -> Array:
 
 def _from_forms(profiles: Sequence[Profile], forms: Sequence[Array]) -> Array:
     pairs = zip(profiles, forms, strict=True)
-    heights: Array = np.concatenate([(of.height - form)[of.measured] for of, form in pairs])
+    heights: Array = np.concatenate(
+        [(profile.height - form)[profile.measured] for profile, form in pairs]
+    )
     return heights - heights.mean()
 
 
