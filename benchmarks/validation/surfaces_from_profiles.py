@@ -2,8 +2,8 @@
 
 Each of forty random surfaces, Gaussian or self-affine, with a lay, half of them with worn summits, is read
 along three lines across the lay and two along it. Figures, asperity pressure and flow factors of the surface
-made of these profiles are compared with those of the whole: how many lie within their uncertainties. What the
-uncertainties are made of was chosen on surfaces 100 to 179; none of these here was seen before.
+made of these profiles are compared with those of the whole: how many lie within their uncertainties. The
+uncertainty was built on surfaces 100 to 179.
 
     python benchmarks/validation/surfaces_from_profiles.py
 """
@@ -21,11 +21,13 @@ from pyworm.surfaces.from_profiles import profiles_along, sampled_surface
 from pyworm.surfaces.parameters import texture
 from pyworm.surfaces.profile import Profile, roughness_profile
 from pyworm.surfaces.scatter import uncertainty_of_whole
+from pyworm.surfaces.topography_pair import MOST_SCATTER
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record
 
-SURFACES = 40
+SURFACES = range(200, 240)
+"""Seeds, none of which was seen when the parts of the uncertainty were chosen."""
 NODES, STEP = 512, 1.25e-6
 FIGURES = ("rq", "ra", "rk", "rpk", "rvk", "slope_y", "slope_x", "length_across", "length_along")
 CORE = "rk", "rpk", "rvk"
@@ -103,6 +105,8 @@ def compared(number: int) -> list[tuple]:
         if value == np.log(NONE):
             continue
         bar = float(uncertainty_of_whole([sample[name] for sample in samples], by[name]))
+        if name.startswith("ln"):
+            bar = min(bar, MOST_SCATTER)
         if name.startswith("phi"):
             bar = float(np.hypot(bar, flow_scatter(float(name.split()[-1])) * by[name]))
         rows.append((number, name, value, by[name], bar))
@@ -137,7 +141,7 @@ def _counted(rows: list[tuple]) -> tuple:
 
 def main() -> None:
     rows = []
-    for number in range(SURFACES):
+    for number in SURFACES:
         rows += compared(number)
         print(number, flush=True)
     names = list(dict.fromkeys(row[1] for row in rows))

@@ -16,7 +16,7 @@ import scipy
 
 from pyworm.formulas.arrays import Array
 from pyworm.materials.topography import Topography
-from pyworm.surfaces.plateau import heights_on_one_datum
+from pyworm.surfaces.plateau import heights_on_one_datum, plateau_share
 from pyworm.surfaces.profile import PART_COUNT, Profile
 from pyworm.surfaces.profile_parameters import correlation_length
 from pyworm.surfaces.spectrum import spectrum
@@ -80,23 +80,28 @@ def sampled_surface(
 
     The aspect is that given, or that of profiles along the lay.
     """
-    samples = []
+    samples, share = [], plateau_share(across)
     for number in range(PART_COUNT):
         part, lay_part = ([profile.parts[number] for profile in some] for some in (across, along))
         aspect = given if given is not None else lay_aspect(part, lay_part)
-        samples.append(surface_of_profiles(part, aspect, seed + 1 + number, NODES // 2))
+        samples.append(surface_of_profiles(part, aspect, seed + 1 + number, NODES // 2, share))
     aspect = given if given is not None else lay_aspect(across, along)
-    return replace(surface_of_profiles(across, aspect, seed), samples=tuple(samples))
+    return replace(surface_of_profiles(across, aspect, seed, plateau=share), samples=tuple(samples))
 
 
 def surface_of_profiles(
-    across: Sequence[Profile], aspect: float, seed: int, nodes: int = NODES
+    across: Sequence[Profile],
+    aspect: float,
+    seed: int,
+    nodes: int = NODES,
+    plateau: float | None = None,
 ) -> Topography:
     """A periodic surface [m], its lay along x, with spectrum and heights of profiles across the lay.
 
     `aspect` is the correlation length along the lay over that across; another `seed` gives another surface of
     the same statistics. Points are those of the profile with the widest spacing, or every second, third or
-    so, where `nodes` would not hold `LENGTHS` correlation lengths.
+    so, where `nodes` would not hold `LENGTHS` correlation lengths. `plateau` is the `plateau_share` of what
+    the profiles are parts of, by default their own.
     """
     step = max(profile.spacing for profile in across)
     width = correlation_length(across, PEKLENIK)
@@ -106,7 +111,7 @@ def surface_of_profiles(
     kx, ky = (2 * np.pi * np.fft.fftfreq(nodes, distance) for distance in spacing)
     stretched = np.hypot(aspect * kx[:, None], ky[None, :])
     amplitude = np.sqrt(density(stretched))
-    heights = heights_on_one_datum(across)
+    heights = heights_on_one_datum(across, plateau_share(across) if plateau is None else plateau)
     rank = np.quantile(heights, (np.arange(nodes * nodes) + 0.5) / (nodes * nodes))
     height = np.random.default_rng(seed).standard_normal((nodes, nodes))
     for _ in range(TURNS):

@@ -23,22 +23,25 @@ between them straight. Three Gaussian lines of 75 correlation lengths: -0.25 to 
 -0.77."""
 
 
-def heights_on_one_datum(profiles: Sequence[Profile]) -> Array:
-    """Measured heights [m] of all profiles in a row, of mean zero, from forms that fit together."""
-    forms = [_form(profile, 0) for profile in profiles]
-    heights = _from_forms(profiles, forms)
+def plateau_share(profiles: Sequence[Profile]) -> float:
+    """Share of the form of plateaus in that of some profiles, by the skewness of all their heights [-]."""
+    heights = _pooled(profiles, [_form(profile, 0) for profile in profiles])
     skewness = float(np.mean(heights**3) / np.mean(heights**2) ** 1.5)
-    share = float(np.interp(skewness, (PLATEAU, NO_PLATEAU), (1.0, 0.0)))
+    return float(np.interp(skewness, (PLATEAU, NO_PLATEAU), (1.0, 0.0)))
+
+
+def heights_on_one_datum(profiles: Sequence[Profile], share: float) -> Array:
+    """Measured heights [m] of all profiles in a row, of mean zero, from forms of a `plateau_share`."""
+    forms = [_form(profile, 0) for profile in profiles]
     if share > 0:
         forms = [
             (1 - share) * form + share * _form(profile, CUTS)
             for form, profile in zip(forms, profiles, strict=True)
         ]
-        heights = _from_forms(profiles, forms)
-    return heights
+    return _pooled(profiles, forms)
 
 
-def _from_forms(profiles: Sequence[Profile], forms: Sequence[Array]) -> Array:
+def _pooled(profiles: Sequence[Profile], forms: Sequence[Array]) -> Array:
     pairs = zip(profiles, forms, strict=True)
     heights: Array = np.concatenate(
         [(profile.height - form)[profile.measured] for profile, form in pairs]

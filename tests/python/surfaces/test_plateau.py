@@ -6,7 +6,7 @@ from surfaces_from_profiles import truth
 
 from pyworm.surfaces.from_profiles import surface_of_profiles
 from pyworm.surfaces.parameters import core, texture
-from pyworm.surfaces.plateau import heights_on_one_datum
+from pyworm.surfaces.plateau import heights_on_one_datum, plateau_share
 from pyworm.surfaces.profile import PART_COUNT, roughness_profile
 from pyworm.surfaces.profile_parameters import profile_figures
 from pyworm.surfaces.scatter import uncertainty_of_mean, uncertainty_of_whole
@@ -31,7 +31,8 @@ def profiles(plateau, missing=False):
 def test_worn_summits_of_profiles_lie_on_one_plateau(missing):
     heights, found = profiles(0.0, missing)
     known = heights[np.isfinite(heights)]
-    on_datum = heights_on_one_datum(found)
+    assert plateau_share(found) == 1
+    on_datum = heights_on_one_datum(found, 1.0)
     assert on_datum.shape == known.shape
     assert np.abs(on_datum - (known - known.mean())).max() < 0.1 * known.std()
     # half of the points lie on the plateau, and more than the 40 % of the core
@@ -43,7 +44,8 @@ def test_worn_summits_of_profiles_lie_on_one_plateau(missing):
 def test_without_worn_summits_the_form_stays_that_of_least_squares():
     _, found = profiles(np.inf)
     together = np.concatenate([profile.height for profile in found])
-    assert heights_on_one_datum(found) == pytest.approx(together, abs=1e-15)
+    assert plateau_share(found) == 0
+    assert heights_on_one_datum(found, 0.0) == pytest.approx(together, abs=1e-15)
 
 
 def test_a_surface_is_as_steep_as_profiles_whose_spectrum_scatters():
