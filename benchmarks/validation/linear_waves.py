@@ -77,7 +77,27 @@ def _by_distance(grid: Grid, modulus: float) -> np.ndarray:
     return np.asarray(summed / (np.pi * modulus))
 
 
-def film_wave(contact: SmoothContact, number: float, pace: float) -> np.ndarray:
+@dataclass(frozen=True)
+class Eyring:
+    """Shear of an Eyring oil by sliding along x."""
+
+    sliding: float
+    stress: float
+    tangent: bool
+    """Whether pressure along the sliding meets the viscosity of a small change of shear, not of all of it."""
+
+    def thinned(self, newtonian: np.ndarray, along: bool) -> tuple[np.ndarray, np.ndarray]:
+        """Mobility over that without shear, and its logarithm's slope by that of the Newtonian stress."""
+        x = newtonian / self.stress
+        root = np.sqrt(1 + x**2)
+        if along and self.tangent:
+            return root, (x / root) ** 2
+        return x / np.arcsinh(x), 1 - x / (root * np.arcsinh(x))
+
+
+def film_wave(
+    contact: SmoothContact, number: float, pace: float, shear: Eyring | None = None
+) -> np.ndarray:
     """Change of the film at y = 0 by a wave exp(i k x) of the surface, complex.
 
     `number` is the wave number k [rad/m], `pace` the surface's speed over the entrainment.
@@ -88,12 +108,16 @@ def film_wave(contact: SmoothContact, number: float, pace: float) -> np.ndarray:
     rho, rho_p = _with_slope(oil.density, p)
     eta, eta_p = _with_slope(oil.eta, p)
     m = rho * h**3 / (12 * eta)
-    by_film = _diffusion_by(contact, 3 * m / h) + _transport(contact, number * pace, rho)
-    by_pressure = (
-        _diffusion(grid, p.shape, m)
-        + _diffusion_by(contact, m * (rho_p / rho - eta_p / eta))
-        + _transport(contact, number * pace, rho_p * h)
-    )
+    by_film = _transport(contact, number * pace, rho)
+    by_pressure = _transport(contact, number * pace, rho_p * h)
+    for faces, along in zip(_differences(grid, p.shape), (True, False), strict=True):
+        factor, slope = np.ones_like(m), np.zeros_like(m)
+        if shear is not None:
+            factor, slope = shear.thinned(eta * shear.sliding / h, along)
+        mobility = m * factor
+        by_film += _flow_by(faces, p, mobility * (3 - slope) / h)
+        by_pressure += _flow(faces, mobility)
+        by_pressure += _flow_by(faces, p, mobility * (rho_p / rho + (slope - 1) * eta_p / eta))
     free = active.ravel()
     bent = deflections(grid, contact.modulus, active)
     lifted = by_film[free]
@@ -136,25 +160,17 @@ def _differences(grid: Grid, shape: tuple[int, int]) -> tuple:
     return (diff_x, mean_x, diff_x.T), (diff_y, mean_y, out_y)
 
 
-def _diffusion(grid: Grid, shape: tuple[int, int], m: np.ndarray):
-    """-div(m grad dp) at the nodes by dp."""
-    parts = (
-        out @ scipy.sparse.diags(mean @ m.ravel()) @ diff
-        for diff, mean, out in _differences(grid, shape)
-    )
-    return sum(parts).tocsr()
+def _flow(faces: tuple, m: np.ndarray):
+    """-div(m grad dp) along an axis at the nodes by dp."""
+    diff, mean, out = faces
+    return (out @ scipy.sparse.diags(mean @ m.ravel()) @ diff).tocsr()
 
 
-def _diffusion_by(contact: SmoothContact, slope: np.ndarray):
-    """-div(dm grad p0) by what m grows with."""
-    parts = (
-        out
-        @ scipy.sparse.diags(diff @ contact.pressure.ravel())
-        @ mean
-        @ scipy.sparse.diags(slope.ravel())
-        for diff, mean, out in _differences(contact.grid, contact.pressure.shape)
-    )
-    return sum(parts).tocsr()
+def _flow_by(faces: tuple, p: np.ndarray, slope: np.ndarray):
+    """-div(dm grad p0) along an axis by what m grows with."""
+    diff, mean, out = faces
+    gradient = scipy.sparse.diags(diff @ p.ravel())
+    return (out @ gradient @ mean @ scipy.sparse.diags(slope.ravel())).tocsr()
 
 
 def _transport(contact: SmoothContact, frequency: float, slope: np.ndarray):

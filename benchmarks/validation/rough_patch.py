@@ -41,11 +41,21 @@ LONG_GRIDS, SHORT_GRIDS = ((129, 1), (257, 2)), ((193, 1), (257, 1))
 """Nodes along each side, and nodes that the oil moves on in a step, for waves from half a radius on and for
 shorter ones."""
 
-RUNS = ((0.05e-6, 257), (0.1e-6, 257), (0.2e-6, 257), (0.1e-6, 129))
-"""Root mean square heights of the rough surface [m], and nodes."""
-
 CORRELATION = 30e-6
-"""Its correlation length [m]."""
+"""Correlation length of the rough surface [m]."""
+
+RUNS = (
+    (0.05e-6, CORRELATION, 257),
+    (0.1e-6, CORRELATION, 257),
+    (0.1e-6, CORRELATION, 129),
+    (0.2e-6, CORRELATION, 129),
+    (0.25e-6, CORRELATION, 129),
+    (0.36e-6, CORRELATION, 129),
+    (0.36e-6, 2 * CORRELATION, 129),
+    (0.5e-6, 2 * CORRELATION, 129),
+    (0.7e-6, 2 * CORRELATION, 129),
+)
+"""Root mean square heights of the rough surface and its correlation length [m], and nodes."""
 
 
 HEIGHT = 0.1e-6
@@ -117,10 +127,10 @@ def waves() -> None:
     record("patch_waves", head, table)
 
 
-def rubbing(roughness: float) -> tuple[Scene, Topography]:
+def rubbing(roughness: float, correlation: float = CORRELATION) -> tuple[Scene, Topography]:
     """A sliding contact and the rough surface of its second body."""
     scene = pyworm.load("cases/traction_steel.toml").scene(slide_roll_ratio=0.2)
-    return scene, gaussian(roughness, CORRELATION, seed=1)
+    return scene, gaussian(roughness, correlation, seed=1)
 
 
 def with_surface(scene: Scene, surface: Topography) -> Scene:
@@ -156,37 +166,38 @@ def by_averages(scene: Scene, surface: Topography) -> dict[str, float]:
 
 
 def averaged() -> None:
-    """The resolved patch beside the averaged model at three roughnesses, and its change by the grid."""
+    """The resolved patch beside the averaged model by roughness and correlation length."""
     table = []
-    for roughness, nodes in RUNS:
-        scene, surface = rubbing(roughness)
-        known = by_averages(scene, surface)
+    for roughness, correlation, nodes in RUNS:
+        scene, surface = rubbing(roughness, correlation)
         found = rough_patch(scene, (None, surface), nodes=nodes)
-        ratio = f"{found.smooth.film_mean / roughness:.2f}"
+        parted = sum(known.parts > 1 for known in found.records)
+        print(
+            f"{len(found.records)} steps, {parted} of them in parts, {found.cpu_seconds:.0f} s, "
+            f"largest pressure {found.mean('pressure_max')[0] / 1e9:.1f} GPa, converged: {found.converged}",
+            flush=True,
+        )
+        known = by_averages(scene, surface)
         rows = {
             name: (getattr(found.smooth, name), *found.mean(name), known[name]) for name in FIGURES
         }
         rows["temperature"] = (
             found.smooth.temperatures[1], found.mean_temperatures()[1], 0.0, known["temperature"],
         )  # fmt: skip
+        ratio = f"{found.smooth.film_mean / roughness:.2f}"
         for name, values in rows.items():
             shown = (f"{value:.5g}" for value in values)
-            table.append((f"{roughness * 1e6:g}", ratio, nodes, UNITS[name], *shown))
+            given = f"{roughness * 1e6:g}", f"{correlation * 1e6:g}", ratio, nodes
+            table.append((*given, UNITS[name], *shown, f"{found.cpu_seconds:.0f}"))
             print(*table[-1], flush=True)
-        print(
-            f"{len(found.records)} steps, {found.cpu_seconds:.0f} s of processor time", flush=True
-        )
-    head = (
-        "Rq [um]",
-        "film / Rq",
-        "nodes",
-        "figure",
-        "smooth",
-        "patch",
-        "deviation in time",
-        "averaged",
-    )
-    record("patch_averaged", head, table)
+        record("patch_averaged", AVERAGED_HEAD, table)
+
+
+AVERAGED_HEAD = (
+    "Rq [um]", "correlation length [um]", "film / Rq", "nodes", "figure", "smooth", "patch",
+    "deviation in time", "averaged", "processor time of the patch [s]",
+)  # fmt: skip
+"""Columns of the comparison."""
 
 
 UNITS = {

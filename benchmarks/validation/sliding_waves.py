@@ -5,7 +5,7 @@ with u makes the pressure wave p = r (k E'/4) i Q/(1 - i Q - i C Q), with Q = 48
 C = h E' k/(4 B) and the oil's bulk modulus B (Morales-Espejel and Brizmer 2011); the film keeps r +
 4 p/(k E') of it. A second wave leaves the inlet with the oil, u/u_r as long. Linear theory
 (`linear_waves`) knows its amplitude. Both are fitted to films along y = 0. Run from the repository's
-root (two minutes):
+root (three minutes):
 
     python benchmarks/validation/sliding_waves.py
 """
@@ -17,11 +17,12 @@ from pathlib import Path
 
 import numpy as np
 from line import STEEL
-from linear_waves import SmoothContact, film_wave
+from linear_waves import Eyring, SmoothContact, film_wave
 from rough_patch import AMPLITUDE, contact, wave
 
 import pyworm
 import pyworm.scene.scales
+from pyworm.materials.flow_laws import FlowLaw
 from pyworm.scene.point import RigidMotion, Scene
 from pyworm.solver.patch.rough_patch import rough_patch
 
@@ -33,8 +34,14 @@ M, L = 100.0, 10.0
 WAVELENGTH = 0.5
 """Wavelength over Hertz's radius."""
 
-PACES = 0.0, 0.5, 0.75, 1.25, 1.5
-"""Speeds of the wavy surface over the entrainment."""
+RUNS = (
+    *(("newtonian", pace) for pace in (0.0, 0.5, 0.75, 1.25, 1.5)),
+    *(("eyring", pace) for pace in (0.75, 1.25)),
+)
+"""Flow law of the oil, and speed of the wavy surface over the entrainment."""
+
+EYRING_STRESS = 5e6
+"""Eyring's stress [Pa]."""
 
 NODES = 129
 """Nodes along each side of the patch."""
@@ -43,9 +50,11 @@ FITTED = 0.6
 """Half the length of the film to which waves are fitted, in Hertz's radii."""
 
 
-def sliding(pace: float) -> Scene:
-    """The contact with a body 2 that moves with a part of the entrainment."""
+def sliding(pace: float, law: str) -> Scene:
+    """The contact with a body 2 that moves with a part of the entrainment, and an oil of a flow law."""
     scene = contact(M, L)
+    if law == "eyring":
+        scene = replace(scene, oil=replace(scene.oil, flow=FlowLaw("eyring", stress=EYRING_STRESS)))
     speed = scene.motions[0].u
     motions = RigidMotion((2 - pace) * speed, 0.0), RigidMotion(pace * speed, 0.0)
     return replace(scene, motions=motions)
@@ -65,24 +74,26 @@ def parts(x: np.ndarray, film: np.ndarray, number: float, pace: float) -> tuple[
     return float(surface), float(oil)
 
 
-def closed_form(scene: Scene, smooth: SmoothContact, number: float, pace: float) -> float:
+def closed_form(smooth: SmoothContact, number: float, pace: float, shear: Eyring | None) -> float:
     """Part of a wave that the film keeps far inside the contact."""
     middle = int(np.argmin(np.abs(smooth.grid.x)))
     p, h = float(smooth.pressure[middle, 0]), float(smooth.film[middle, 0])
-    density = scene.oil.density
+    density, eta = smooth.oil.density, smooth.oil.eta(p)
+    if shear is not None:
+        eta /= float(shear.thinned(np.array(eta * shear.sliding / h), True)[0])
     bulk = density(p) * 2e6 / (density(p + 1e6) - density(p - 1e6))
     modulus = 2 * smooth.modulus  # E' of the authors
     compressed = h * modulus * number / (4 * bulk)
     slip = (pace - 1) * smooth.entrainment
-    flow = 48 * slip * scene.oil.eta(p) / (modulus * h**3 * number**2)
+    flow = 48 * slip * eta / (modulus * h**3 * number**2)
     return abs(1 + 1j * flow / (1 - 1j * flow - 1j * compressed * flow))
 
 
 def main() -> None:
     """Waves in the film by the patch, by linear theory and by the closed form."""
     table = []
-    for pace in PACES:
-        scene = sliding(pace)
+    for law, pace in RUNS:
+        scene = sliding(pace, law)
         size = pyworm.scene.scales.scales(scene)
         radius = size.hertz.semi_axis_x
         number, given = 2 * pi / (WAVELENGTH * radius), AMPLITUDE * size.film
@@ -94,18 +105,21 @@ def main() -> None:
         x = found.grid.x
         inside = np.abs(x) < FITTED * radius
         film = (found.last.film - found.smooth_film)[inside, found.grid.ny // 2] / given
-        linear = film_wave(smooth, number, pace)[inside]
+        slip = 2 * abs(1 - pace) * speed
+        shear = Eyring(slip, EYRING_STRESS, True) if law == "eyring" else None
+        linear = film_wave(smooth, number, pace, shear)[inside]
         kept = parts(x[inside], film, number, pace), parts(x[inside], linear, number, pace)
         row = (
-            pace, f"{2 * (1 - pace):+.1f}", f"{closed_form(scene, smooth, number, pace):.3f}",
+            law, pace, f"{2 * (1 - pace):+.1f}", f"{closed_form(smooth, number, pace, shear):.3f}",
             *(f"{kind[0]:.3f}" for kind in kept[::-1]), *(f"{kind[1]:.3f}" for kind in kept[::-1]),
             f"{found.cpu_seconds:.0f}",
         )  # fmt: skip
         table.append(row)
         print(*row, flush=True)
     head = (
-        "speed of the wave / entrainment", "slide-roll ratio", "kept: closed form", "kept: linear theory",
-        "kept: patch", "in the oil: linear theory", "in the oil: patch", "processor time of the patch [s]",
+        "oil", "speed of the wave / entrainment", "slide-roll ratio", "kept: closed form",
+        "kept: linear theory", "kept: patch", "in the oil: linear theory", "in the oil: patch",
+        "processor time of the patch [s]",
     )  # fmt: skip
     record("patch_sliding_waves", head, table)
 

@@ -9,7 +9,7 @@ from pyworm.cli.shared import CONVERGED, FAILED, NOT_CONVERGED, drawn_pictures, 
 from pyworm.io.input_error import CaseError
 from pyworm.io.json import print_json
 from pyworm.io.stage import stage
-from pyworm.io.terminal import print_result
+from pyworm.io.terminal import print_message, print_result
 
 if TYPE_CHECKING:
     from pyworm.solver.patch.patch_record import RoughPatch
@@ -61,7 +61,7 @@ def resolved_between(
         _print(case.body_names, averaged, patch)
         for name in pictures:
             print_result(f"{options.out / name}")
-    if not averaged.converged:
+    if not (averaged.converged and patch.converged):
         return NOT_CONVERGED
     return CONVERGED if complete else FAILED
 
@@ -85,6 +85,8 @@ def _print(names: Sequence[str], averaged: "Solution", patch: "RoughPatch") -> N
     nodes = " x ".join(map(str, patch.grid.shape))
     head = "Contact between measured surfaces", "averaged", f"resolved, {nodes} nodes"
     Console().print(Table(head, tuple(rows)))
+    if not patch.converged:
+        print_message("resolved surfaces: some time steps did not converge")
     print_result(
         f"{len(patch.records)} time steps; of the resolved surfaces the central film thickness is that in "
         "the inner half, the asperity load ratio that below a nanometre"

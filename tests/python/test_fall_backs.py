@@ -156,7 +156,7 @@ MADE_BY = {
         "solver/test_memory.py::test_a_finer_grid_beyond_memory_ends_the_grid_sequence",
     "solver/newton.py newton_step KernelError":
         "solver/test_solver_fall_backs.py::test_a_newton_step_that_does_not_descend_is_none_and_other_failures_are_raised",
-    "solver/patch/stepping.py PatchStepping._solve KernelError":
+    "solver/patch/newton.py PatchNewton._newton KernelError":
         "solver/test_rough_patch.py::test_a_step_without_descent_is_an_error",
     "solver/sensitivities.py sensitivities (NoAdjointError, KernelError)":
         "solver/test_adjoint.py::test_without_a_film_on_the_coarser_grid_no_uncertainty_is_known",

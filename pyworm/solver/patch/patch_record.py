@@ -42,7 +42,7 @@ class PatchRecord:
     film_central: float
     """Film at the node nearest to the contact point [m]."""
     film_min: float
-    """Minimum film in the contact [m]."""
+    """Minimum film in the contact [m], zero where the residual leaves an overlap."""
     touching_load: float
     """Share of the load where films are below 1 nm [-]."""
     friction: float
@@ -57,6 +57,8 @@ class PatchRecord:
     """Missing load over the load."""
     added: float
     """Mass added where none arrived, over that in the contact."""
+    parts: int
+    """Parts in which the change of the step was made."""
     newton: int
     """Newton steps."""
     krylov: int
@@ -85,6 +87,8 @@ class RoughPatch:
     """Time step [s]."""
     shortest_wave: float
     """Wavelength below which a twentieth of the variance of the heights lies, over the spacing [-]."""
+    converged: bool
+    """Whether all time steps converged."""
     seconds: float
     """Wall time of the time steps [s]."""
     cpu_seconds: float
@@ -110,6 +114,7 @@ class RoughPatch:
             "mass_error": max(known.residual for known in self.records),
             "load_error": max(abs(known.load_error) for known in self.records),
             "mass_added": max(known.added for known in self.records),
+            "converged": self.converged,
             "nodes": list(self.grid.shape),
             "time_steps": len(self.records),
             "time_step_s": self.step,
@@ -141,7 +146,7 @@ class PatchReader:
         film = self._smooth.film
         state = PatchState(
             0.0, film.thickness(), film.pressure, np.zeros(self._grid.shape), heat.present,
-            self._smooth.residual, film.balance.load_error, 0.0, 0, 0,
+            self._smooth.residual, film.balance.load_error, 0.0, 1, 0, 0,
         )  # fmt: skip
         return self(state)
 
@@ -159,7 +164,7 @@ class PatchReader:
             state.time,
             float(state.film[self._central].mean()),
             float(state.film[self._middle]),
-            float(state.film[self._inside].min()),
+            max(float(state.film[self._inside].min()), 0.0),
             float(pressure[touching].sum() * cell / load),
             float(state.shear.stress[counted].sum() * cell / load) if sliding else 0.0,
             (first, second, film),
@@ -167,6 +172,7 @@ class PatchReader:
             state.residual,
             state.load_error,
             state.added,
+            state.parts,
             state.newton,
             state.krylov,
         )

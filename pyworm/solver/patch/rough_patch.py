@@ -21,6 +21,7 @@ from pyworm.solver.patch.moving_heights import (
     resampled,
     shortest_wave,
 )
+from pyworm.solver.patch.newton import MAX_RESIDUAL_RATIO
 from pyworm.solver.patch.patch_record import TOUCHING, PatchReader, PatchRecord, RoughPatch
 from pyworm.solver.patch.sheared_oil import ShearedOil
 from pyworm.solver.patch.smooth_film import PatchFrame, SmoothFilm, smooth_film
@@ -93,8 +94,7 @@ def rough_patch(
     grid = frame.grid(nodes)
     heights = _heights(frame, grid, surfaces)
     shortest = _resolved_wave(heights, grid)
-    solution = _smooth_solution(scene, frame)
-    oil = ShearedOil(scene.oil, frame.sliding)
+    solution, oil = _smooth_solution(scene, frame), ShearedOil(scene.oil, frame.sliding)
     smooth = smooth_film(frame, oil, solution, nodes)
     if stride is None:
         stride = _stride(heights, smooth, frame, grid, shortest)
@@ -110,7 +110,9 @@ def rough_patch(
     records, state = _moved_through(stepping, read, int(np.ceil(whole / step)), progress)
     elapsed = time.perf_counter() - begun[0], time.process_time() - begun[1]
     fields = smooth.film.thickness(), smooth.film.pressure
-    return RoughPatch(grid, first, records, state, *fields, taken_from, step, shortest, *elapsed)
+    converged = all(known.residual <= MAX_RESIDUAL_RATIO * tolerance for known in records)
+    times = taken_from, step, shortest
+    return RoughPatch(grid, first, records, state, *fields, *times, converged, *elapsed)
 
 
 def _moved_through(

@@ -14,9 +14,14 @@ MAX_PRESSURE, PRESSURES = 4e9, 161
 COLDEST, HOTTEST, RISES = -20.0, 400.0, 85
 """Range of the rise over the inlet's temperature [K], and number of rises."""
 
-STRESSES = (1e2, 1e14, 241)
+STRESSES = (1e2, 1e20, 361)
 """Least and largest Newtonian stress, viscosity times shear rate [Pa], and their number."""
 
+MIN_SLOPE = 0.05
+"""Least slope of the logarithm of stress by that of shear rate, which vanishes at a limiting stress.
+
+An Eyring oil has less only where the Newtonian stress is 1e8 times its own.
+"""
 
 PRESSURE_STEP, FILM_STEP = 1e6, 1e-3
 """Steps of pressure [Pa] and film over the film by which slopes are found."""
@@ -67,6 +72,7 @@ class ShearedOil:
         ]
         self._log_eta = Table(np.array(log_eta), (0.0, float(rises[0])), step)
         self._log_thinning: Table | None = None
+        self._log_slope: Table | None = None
         if self.sliding > 0 and oil.flow is not None and oil.flow.thins:
             if oil.flow.stress_temperature:
                 raise ValueError(
@@ -79,6 +85,8 @@ class ShearedOil:
             first = 0.0, log(newtonian[0])
             steps = float(pressures[4]), float(np.diff(np.log(newtonian[:2]))[0])
             self._log_thinning = Table(np.array(log_ratio), first, steps)
+            slope = 1 + np.gradient(np.array(log_ratio), steps[1], axis=1)
+            self._log_slope = Table(np.log(np.maximum(slope, MIN_SLOPE)), first, steps)
 
     def log_viscosity(self, pressure: Array, rise: Array | float) -> Array:
         """Logarithm of the viscosity [Pa s] at rest."""
@@ -91,17 +99,29 @@ class ShearedOil:
         if self._log_thinning is None:
             return newtonian
         place = np.log(np.maximum(newtonian, STRESSES[0]))
-        stress: Array = newtonian * np.exp(self._log_thinning(pressure, place))
+        stress: Array = newtonian * np.exp(self._log_ratio(pressure, place))
         return stress
 
+    def _log_ratio(self, pressure: Array, newtonian: Array) -> Array:
+        """Logarithm of the stress over that of a Newtonian oil, of which the logarithm is given."""
+        assert self._log_thinning is not None
+        # beyond the table, where summits meet, the stress of its end
+        beyond = np.maximum(newtonian - log(STRESSES[1]), 0.0)
+        found: Array = self._log_thinning(pressure, newtonian) - beyond
+        return found
+
     def fluidity(self, pressure: Array, rise: Array | float, film: Array) -> Array:
-        """Mobility over that of the oil at its inlet's temperature at rest [-]."""
+        """Mobility along the sliding over that of the oil at its inlet's temperature at rest [-].
+
+        Pressure along the sliding meets the viscosity d(stress)/d(rate) (Hooke 2000), less than stress/rate.
+        """
         cold = self.log_viscosity(pressure, 0.0)
         warm = self.log_viscosity(pressure, rise)
-        if self._log_thinning is None:
+        if self._log_slope is None:
             return np.exp(cold - warm)
         newtonian = warm + np.log(self.sliding / film)
-        fluidity: Array = np.exp(cold - warm - self._log_thinning(pressure, newtonian))
+        thinned = self._log_ratio(pressure, newtonian) + self._log_slope(pressure, newtonian)
+        fluidity: Array = np.exp(cold - warm - thinned)
         return fluidity
 
     def fluidity_slopes(

@@ -18,18 +18,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from pyworm.formulas.arrays import Array
-from pyworm.kernel.core import KernelError
 from pyworm.planning.grid import Grid
 from pyworm.solver.patch.heat import PatchHeat, PatchShear
 from pyworm.solver.patch.moving_heights import MovingHeights
+from pyworm.solver.patch.newton import Balances, PatchNewton
 from pyworm.solver.patch.sheared_oil import ShearedOil
 from pyworm.solver.patch.smooth_film import PatchFrame, SmoothFilm, set_fluidity
-
-FORCING = 0.05
-"""Residual to which the linear system of a Newton step is solved, over its right-hand side."""
-
-MAX_NEWTON_STEPS = 30
-"""Largest number of Newton steps in a time step."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +46,8 @@ class PatchState:
     """Missing load over the load."""
     added: float
     """Mass added where none arrived, over that in the contact."""
+    parts: int
+    """Parts in which the change of the step was made."""
     newton: int
     """Newton steps."""
     krylov: int
@@ -75,7 +71,7 @@ class PatchStepping:
     ):
         self._frame, self._oil, self._smooth, self._grid = frame, oil, smooth, grid
         self._surfaces, self._heat, self._stride = surfaces, heat, stride
-        self._tolerance, self._touching = tolerance, touching
+        self._touching = touching
         self.step = stride * grid.dx / frame.entrainment
         self._gap, _ = frame.gap(grid)
         film, density, imbalance = smooth.film.fields()
@@ -86,10 +82,12 @@ class PatchStepping:
         self._film.set_transient_term(0.0, np.zeros(grid.shape))
         self._film.start(smooth.film.pressure, smooth.film.rigid_film)
         self._wedge = imbalance - self._film.fields()[2]
-        self._scale = float(np.abs(self._wedge).sum())
+        scale = float(np.abs(self._wedge).sum())
+        self._newton = PatchNewton(self._film, oil, tolerance, touching, scale)
         self._contact = smooth.film.pressure > 0
         self.time = 0.0
-        self._before = -self._heights(0.0), 0.0
+        self._rough = self._heights(0.0)
+        self._before = -self._rough, 0.0
         self._earlier: tuple[Array, float] | None = None
         self._pressure = smooth.film.pressure
         self._rigid_film = smooth.film.rigid_film
@@ -130,14 +128,17 @@ class PatchStepping:
         added = np.where(self._contact & (given < least), least - given, 0.0)
         given += added
         rough = self._heights(self.time)
-        self._film.set_gap(self._gap - rough)
-        self._film.set_transient_term(rate, -given)
-        newton, krylov, residual = self._solve()
+        found = self._newton.solve(
+            Balances(self._gap - rough, rate, given),
+            self._gap - self._rough,
+            (self._pressure, self._rigid_film),
+            self._heat.present.rise,
+        )
+        self._rough = rough
         film, density, _ = self._film.fields()
         self._earlier = self._before
         self._before = _without_noise(film * density - self._mass), self.time
-        self._pressure = self._film.pressure.copy(order="F")
-        self._rigid_film = self._film.rigid_film
+        self._pressure, self._rigid_film = found.pressure, found.rigid_film
         boundary = self._contact & (film < self._touching) & (self._pressure > 0)
         open_film = np.maximum(film, self._touching)
         shear = self._heat.advance(
@@ -149,51 +150,13 @@ class PatchStepping:
             self._pressure,
             rough,
             shear,
-            residual,
+            found.residual,
             self._film.balance.load_error,
             float(added.sum() / (rate * self._mass[self._contact].sum())),
-            newton,
-            krylov,
+            found.parts,
+            found.newton,
+            found.krylov,
         )
-
-    def _solve(self) -> tuple[int, int, float]:
-        """Newton steps and GMRES iterations from the pressure of the step before, and the residual.
-
-        A pressure moved on with the oil is nearer inside the contact, but far off at the pressure spike,
-        which stays: from it Newton's method was lost.
-        """
-        self._film.start(self._pressure, self._rigid_film)
-        krylov = 0
-        for newton in range(MAX_NEWTON_STEPS + 1):
-            self._shear_again()
-            residual = self._residual()
-            if max(residual, abs(self._film.balance.load_error)) <= self._tolerance:
-                return newton, krylov, residual
-            if newton == MAX_NEWTON_STEPS:
-                break
-            try:
-                krylov += self._film.step(FORCING).krylov
-            except KernelError:  # the residual decides whether the state is good enough
-                break
-        if not residual <= MAX_RESIDUAL_RATIO * self._tolerance:
-            raise RuntimeError(
-                f"a step of the patch did not converge, its residual is {residual:.1e}: give a smaller "
-                "stride, or more nodes"
-            )
-        return newton, krylov, residual
-
-    def _shear_again(self) -> None:
-        """Set the mobility of the sheared oil at the present pressure and film, and last temperatures."""
-        if self._oil.sliding > 0:
-            film = np.maximum(self._film.thickness(), self._touching)
-            rise = self._heat.present.rise
-            set_fluidity(self._film, self._oil, rise, film)
-            self._film.restart()
-
-    def _residual(self) -> float:
-        outflow, pressure = self._film.fields()[2], self._film.pressure
-        free = ((pressure > 0) | (outflow < 0))[1:-1, 1:-1]
-        return float(np.abs(outflow[1:-1, 1:-1])[free].sum() / self._scale)
 
 
 def _without_noise(change: Array) -> Array:
@@ -211,9 +174,6 @@ def _without_noise(change: Array) -> Array:
 
 NOISE_ORDER = 8
 """Order of the differences that count as noise: waves of eight nodes keep 0.9995 in a step."""
-
-MAX_RESIDUAL_RATIO = 30.0
-"""Residual over the tolerance above which a step did not converge."""
 
 LEAST_MASS = 0.1
 """Least mass that arrives at a node over the film at which surfaces count as touching: extrapolation in time

@@ -1,12 +1,14 @@
 """The command `surface`: table, JSON, pictures, and what it refuses."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from refusals import refusal
 
 from pyworm.cli.main import main
+from pyworm.solver.patch.rough_patch import rough_patch
 from pyworm.surfaces.generated import gaussian
 
 GENERATED = """
@@ -233,16 +235,27 @@ def test_surfaces_move_through_the_contact_node_by_node(case, tmp_path, capsys, 
     surface, out = tmp_path / "waves.toml", tmp_path / "out"
     surface.write_text(SMOOTH_WAVES)
     options = ["surface", str(surface), "--case", str(case), "--resolved", "65"]
+    patches, module = [], "pyworm.solver.patch.rough_patch.rough_patch"
+
+    def kept(*given, **options):
+        patches.append(rough_patch(*given, **options))
+        return patches[-1]
+
+    monkeypatch.setattr(module, kept)
     assert main([*options, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["contacts"]["resolved"]
     assert found["nodes"] == [65, 65]
+    assert found["converged"] is True
     assert found["film_mean_m"] == pytest.approx(found["smooth_film_mean_m"], rel=0.1)
     assert found["mass_error"] <= 1e-3
-    assert main([*options, "--out", str(out)]) == 0
-    table = capsys.readouterr().out
+    monkeypatch.setattr(module, lambda *_, **options: replace(patches[0], converged=False))
+    assert main([*options, "--out", str(out)]) == 3
+    table, message = capsys.readouterr()
+    assert "some time steps did not converge" in message
     for name in ("averaged", "resolved, 65 x 65 nodes", "Central film thickness", "time steps"):
         assert name in table
     assert (out / "resolved_surfaces.png").stat().st_size > 10_000
+    monkeypatch.setattr(module, rough_patch)
     surface.write_text(SMOOTH_WAVES.replace("120", "12"))
     assert main(options) == 2
     assert "give more nodes" in capsys.readouterr().err
@@ -251,7 +264,7 @@ def test_surfaces_move_through_the_contact_node_by_node(case, tmp_path, capsys, 
     def lost(*_, **options):
         raise RuntimeError("a step did not converge")
 
-    monkeypatch.setattr("pyworm.solver.patch.rough_patch.rough_patch", lost)
+    monkeypatch.setattr(module, lost)
     assert main(options) == 3
     assert "did not converge" in capsys.readouterr().err
 

@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from math import pi, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from pyworm.materials.topography import Topography
 from pyworm.planning.grid import Grid
 from pyworm.solver.patch.flash_heat import HeatedSurface, wall_fluxes
 from pyworm.solver.patch.moving_heights import MovingHeights, resampled
+from pyworm.solver.patch.newton import Balances, PatchNewton
 from pyworm.solver.patch.rough_patch import rough_patch
 from pyworm.solver.patch.sheared_oil import ShearedOil
 from pyworm.surfaces.generated import gaussian
@@ -138,14 +140,28 @@ def test_fluxes_into_both_walls_meet_their_temperatures():
     assert first == pytest.approx(heat / 2 + conductance * apart + given)
 
 
+def test_the_stress_of_oil_between_summits_stays_at_its_limit(scene):
+    oil = ShearedOil(scene.oil, 0.4)
+    pressure, film = np.array([[2e9, 4e9, 8e9]]), np.array([[1e-9, 1e-9, 1e-16]])
+    newtonian = [scene.oil.eta(2e9) * 0.4e9, scene.oil.eta(4e9) * 0.4e9, 1e20]
+    expected = [
+        scene.oil.flow.stress_at(s, p) for s, p in zip(newtonian, (2e9, 4e9, 4e9), strict=True)
+    ]
+    assert oil.stress(pressure, 0.0, film)[0] == pytest.approx(expected, rel=0.01)
+
+
 def test_tables_of_the_oil_are_its_laws(scene):
     oil = ShearedOil(scene.oil, 0.4)
     pressure, rise, film = (np.array([[value]]) for value in (0.83e9, 7.3, 2e-7))
     newtonian = scene.oil.eta(0.83e9, 7.3) * 0.4 / 2e-7
     stress = scene.oil.flow.stress_at(newtonian, 0.83e9)
     assert oil.stress(pressure, rise, film)[0, 0] == pytest.approx(stress, rel=0.02)
-    thinned = scene.oil.eta(0.83e9) / scene.oil.eta(0.83e9, 7.3) * newtonian / stress
-    assert oil.fluidity(pressure, rise, film)[0, 0] == pytest.approx(thinned, rel=0.03)
+    # along the sliding pressure meets the viscosity of a small change of shear
+    faster = scene.oil.flow.stress_at(1.01 * newtonian, 0.83e9)
+    thinned = (
+        0.01 * newtonian / (faster - stress) * scene.oil.eta(0.83e9) / scene.oil.eta(0.83e9, 7.3)
+    )
+    assert oil.fluidity(pressure, rise, film)[0, 0] == pytest.approx(thinned, rel=0.05)
 
 
 def test_what_cannot_be_resolved_is_refused(scene):
@@ -166,6 +182,55 @@ def test_what_cannot_be_resolved_is_refused(scene):
     law = replace(scene.oil.flow, stress_temperature=0.01)
     with pytest.raises(ValueError, match="stress_temperature"):
         ShearedOil(replace(scene.oil, flow=law), 1.0)
+
+
+def test_a_step_that_is_too_large_is_made_in_parts_and_ends_in_the_same_film(scene, monkeypatch):
+    rolling = pyworm.with_slide_roll_ratio(scene, 0.0)
+    surface = waves(1e-4, 0.15e-6)
+
+    def found():
+        return rough_patch(
+            rolling, (None, surface), nodes=65, stride=4, averaged=0.2, tolerance=1e-4
+        )
+
+    whole, step, count = found(), kernel.PointFilm.step, 0
+
+    def stuck_once(film, forcing):
+        nonlocal count
+        count += forcing == 0.05
+        if forcing == 0.05 and count in (30, 31):
+            raise KernelError(NO_DESCENT)
+        return step(film, forcing)
+
+    monkeypatch.setattr(kernel.PointFilm, "step", stuck_once)
+    parted = found()
+    assert {known.parts for known in whole.records} == {1}
+    assert max(known.parts for known in parted.records) > 1
+    assert parted.records[-1].parts == 1
+    assert parted.last.film == pytest.approx(whole.last.film, abs=1e-3 * whole.smooth.film_mean)
+
+
+def test_a_film_that_misses_its_balances_is_returned_as_such_or_an_error_if_it_is_of_no_use():
+    class Stuck(PatchNewton):
+        residual, aims = 0.05, 0
+
+        def _newton(self, partial, start, rise):
+            self.aims += 1
+            return self.residual, (1, 2)
+
+        def _balances_of(self, wanted, gap, start, rise):
+            return replace(wanted, gap=gap)
+
+    field = np.ones((3, 3))
+    film = SimpleNamespace(pressure=field, rigid_film=1e-6)
+    stuck = Stuck(film, None, 1e-3, 1e-9, 1.0)
+    found = stuck.solve(Balances(field, 1.0, field), 0 * field, (field, 0.0), 0.0)
+    assert found.residual == 0.05
+    assert found.newton == stuck.aims > 10
+    assert found.parts > 1
+    Stuck.residual = 0.2
+    with pytest.raises(RuntimeError, match="did not converge"):
+        stuck.solve(Balances(field, 1.0, field), 0 * field, (field, 0.0), 0.0)
 
 
 def test_a_step_without_descent_is_an_error(scene, monkeypatch):
