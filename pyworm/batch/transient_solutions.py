@@ -16,6 +16,7 @@ from contextlib import suppress
 from dataclasses import dataclass, fields, replace
 from math import inf
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -36,7 +37,7 @@ MIN_SHARED_TASKS = 2
 """Number of tasks of one life from which they share its transient solve."""
 
 
-RATES = "rate", "rise", "warming", "pressing"
+RATES = "rate", "rise", "warming", "pressing", "limited"
 """Fields of a rate of change; those that are None are not kept."""
 
 
@@ -144,7 +145,8 @@ def _left(data: dict[str, np.ndarray]) -> str | tuple[RateOfChange, tuple[TimeRe
     """What a transient solve has left for a task: rate, moments and since when, or why there is none."""
     if "flaw" in data:
         return str(data["flaw"])
-    rates = {name: data[name] for name in RATES if name in data}
+    rates: dict[str, Any] = {name: data[name] for name in RATES if name in data}
+    rates["limited"] = bool(data["limited"])
     return (
         RateOfChange(_grid(data["grid"].tolist()), **rates),
         from_arrays(data),

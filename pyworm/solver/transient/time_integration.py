@@ -27,6 +27,7 @@ from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
 from pyworm.solver.newton import iterate, newton_step
+from pyworm.solver.transient.backward_term import BackwardTerm
 from pyworm.solver.transient.differences import backward_weights
 from pyworm.solver.transient.heat_memory import (
     HeatedTimeLevel,
@@ -41,7 +42,7 @@ from pyworm.solver.transient.moving_grid import (
     slopes,
 )
 from pyworm.solver.transient.time_grid import TimeGrid
-from pyworm.solver.transient.time_level import TimeLevel, extrapolated, time_level_of
+from pyworm.solver.transient.time_level import TimeLevel, content_of, extrapolated, time_level_of
 from pyworm.solver.transient.time_records import TimeRecord, time_record
 from pyworm.solver.transient.time_steps import Step, steps_of
 
@@ -110,6 +111,8 @@ class RateOfChange:
     """Rate of change of the oil's temperature, level along the last axis [K/s]; None likewise."""
     pressing: Array | None = None
     """Rate of change of the oil's pressure [Pa/s]; None likewise."""
+    limited: bool = False
+    """Whether it is limited anywhere in the contact (`backward_term`)."""
 
     def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, a `solver.level.TransientTerm`."""
@@ -126,24 +129,6 @@ class RateOfChange:
         warming = each_at_places(self.grid, self.warming, grid)
         pressing = present(self.pressing, "rate of change of the pressure")
         return kernel.HeatStorage(warming, at_places(self.grid, pressing, grid))
-
-
-@dataclass(frozen=True)
-class _Backwards:
-    """d(rho h)/dt on the moving grid's own nodes, a `solver.level.TransientTerm`."""
-
-    implicit: float
-    explicit: Array
-    rise: Array | None
-
-    def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
-        return self.implicit, self.explicit
-
-    def remembered(self, grid: Grid | LineGrid) -> Array | None:
-        return self.rise
-
-    def stored(self, grid: Grid | LineGrid) -> None:
-        return None
 
 
 @dataclass(frozen=True)
@@ -291,10 +276,8 @@ def _through(
                     then, known, _, taken = _reached(time_grid, turn, *past, held)
                     known = [time_level_of(then, time), *known]
                 taken_of_all += taken
-                rates[time], rigid_films[time] = (
-                    _rate_of(time_grid, then, known),
-                    then.film.rigid_film,
-                )
+                rates[time] = replace(_rate_of(time_grid, then, known), limited=_limited(then))
+                rigid_films[time] = then.film.rigid_film
         except NoFilmError as error:
             failure = str(error)
             break
@@ -404,34 +387,79 @@ def steady_level(time_grid: TimeGrid, step: Step) -> tuple[Level, int]:
     return _sound(level, seconds), taken
 
 
+Reached = tuple[Level, list[TimeLevel], list[HeatedTimeLevel], int]
+"""A film, films and heat before it, and the Newton steps to it."""
+
+
 def _reached(
     time_grid: TimeGrid,
     step: Step,
     before: list[TimeLevel],
     heat: list[HeatedTimeLevel],
     held: bool,
-    halvings: int = 0,
-) -> tuple[Level, list[TimeLevel], list[HeatedTimeLevel], int]:
-    """The film at a time, films and heat before it, and the Newton steps to it.
+) -> Reached:
+    """The film at a time.
 
-    Where no film is found the time step is halved, and halved again, each half from the last film alone: a
-    load that jumps, or an edge that enters the contact, leaves films from which neither a first guess nor a
-    difference of higher order follows.
+    Where its rate of change is limited under pressure the time step is halved once: the end of the contact
+    moves over the grid faster than the step resolves.
 
     NoFilmError if no film was found after `MOST_HALVINGS`.
+    """
+    whole = _found(time_grid, step, before, heat, held)
+    level, known, _, taken = whole
+    if not _limited(level) or known is not before:
+        return whole
+    try:
+        level, before, heat, further = _in_halves(time_grid, step, before, heat, held, 1)
+    except NoFilmError:
+        return whole
+    return level, before, heat, taken + further
+
+
+def _found(
+    time_grid: TimeGrid,
+    step: Step,
+    before: list[TimeLevel],
+    heat: list[HeatedTimeLevel],
+    held: bool,
+    halvings: int = 0,
+) -> Reached:
+    """The film at a time, from the last film alone by halves, and halves of these, where none is found.
+
+    A load that jumps, or an edge that enters the contact, leaves films from which neither a first guess nor a
+    difference of higher order follows.
     """
     try:
         level, taken = _onward(time_grid, step, before, heat, held)
     except NoFilmError:
         if halvings == MOST_HALVINGS:
             raise
-    else:
-        return level, before, heat, taken
-    middle = Step((before[0].seconds + step.seconds) / 2, step.refinement)
-    level, before, heat, first = _reached(time_grid, middle, before[:1], heat, held, halvings + 1)
+        return _in_halves(time_grid, step, before[:1], heat, held, halvings + 1)
+    return level, before, heat, taken
+
+
+def _in_halves(
+    time_grid: TimeGrid,
+    step: Step,
+    before: list[TimeLevel],
+    heat: list[HeatedTimeLevel],
+    held: bool,
+    halvings: int,
+) -> Reached:
+    """The film at a time by the one in the middle of the step.
+
+    Films before it are on the grid of the contact already: the middle is no earlier than where it begins.
+    """
+    seconds, approach = (before[0].seconds + step.seconds) / 2, time_grid.approach
+    if approach is not None and not time_grid.come_together(step.seconds):
+        seconds = max(seconds, approach.until)
+    if not seconds < step.seconds:
+        raise NoFilmError(_failed(step.seconds))
+    middle = Step(seconds, step.refinement)
+    level, before, heat, first = _found(time_grid, middle, before, heat, held, halvings)
     before = [time_level_of(level, middle.seconds), *before[: EARLIER_FILMS - 1]]
     heat = [*_heated(level, middle.seconds), *heat]
-    level, before, heat, second = _reached(time_grid, step, before, heat, held, halvings + 1)
+    level, before, heat, second = _found(time_grid, step, before, heat, held, halvings)
     return level, before, heat, first + second
 
 
@@ -452,29 +480,49 @@ def _onward(
         contact = replace(contact, separation=None)
     grid = time_grid.grid(seconds, step.refinement)
     used = _differenced(time_grid, seconds, before)
-    implicit, *earlier = backward_weights([seconds, *(time_level.seconds for time_level in used)])
-    explicit = sum(
-        weight * time_level.content for weight, time_level in zip(earlier, used, strict=True)
-    )
     rise = None
     if heat:
         rise = residual_rise(heat, contact, grid, time_grid.grid(seconds, 0), seconds, mesh.turning)
-    term = _Backwards(implicit + mesh.divergence, explicit, rise)
+    term = BackwardTerm(seconds, used, mesh.divergence, rise)
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), time_grid.plan, term)
     tolerances = _tolerances(time_grid, step)
     with _told(seconds):
         level = _begun_from(time_grid, solver, grid, contact, before, seconds)
-        # one step at least: a film that is only extrapolated would follow no equation until it is far from it
-        newton_step(level)
-        taken = 1 + len(iterate(level, *tolerances, most=TRIAL_STEPS - 1))
+        taken = _followed(level, term, tolerances)
         if level.film.balance.residual <= UNUSABLE_START_RESIDUAL:
             taken += len(iterate(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
         if contact.separation is None and not level.film.balance.within(
             MAX_TRANSIENT_RESIDUAL, MAX_TEMPERATURE_RESIDUAL
         ):
             level = _beside(contact, time_grid, grid, solver)
+            taken += _followed(level, term, tolerances)
             taken += len(iterate(level, *tolerances))
     return _sound(level, seconds), taken
+
+
+def _followed(level: Level, term: BackwardTerm, tolerances: tuple[float, float]) -> int:
+    """First Newton steps of a film, in which its rate of change is limited; their number."""
+    # one step at least: a film that is only extrapolated would follow no equation until it is far from it
+    _limit(level, term)
+    newton_step(level)
+    taken = 1
+    for most in (1, TRIAL_STEPS - 2):
+        _limit(level, term)
+        taken += len(iterate(level, *tolerances, most=most))
+    return taken
+
+
+def _limit(level: Level, term: BackwardTerm) -> None:
+    """Limit the rate of change of a point's film in its present state; lines take five times the steps."""
+    if isinstance(level.grid, Grid) and term.limit(content_of(level)):
+        level.film.set_transient_term(*term.on(level.grid))
+        level.film.restart()
+
+
+def _limited(level: Level) -> bool:
+    """Whether the rate of change of a film is limited anywhere under pressure."""
+    term = level.transient_term
+    return isinstance(term, BackwardTerm) and bool(np.any(term.limited[level.film.pressure > 0]))
 
 
 def _begun_from(

@@ -41,10 +41,15 @@ class TimeLevel:
 
 def time_level_of(level: Level, seconds: float) -> TimeLevel:
     """What later films need of the one at a time."""
-    film, density, _ = level.film.fields()
     term = level.transient_term
     rise = None if term is None else term.remembered(level.grid)
-    return TimeLevel(seconds, level.film.fraction() * density * film, level.state(), rise)
+    return TimeLevel(seconds, content_of(level), level.state(), rise)
+
+
+def content_of(level: Level) -> Array:
+    """Oil at the nodes of a level [m]: film thickness times relative density, as far as the gap is filled."""
+    film, density, _ = level.film.fields()
+    return level.film.fraction() * density * film
 
 
 def extrapolated(before: Sequence[TimeLevel], seconds: float) -> InitialGuess:

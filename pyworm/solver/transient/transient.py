@@ -59,13 +59,14 @@ ERROR_SHARE: dict[Kind, float] = {"point": 0.5, "line": 1.0}
 """Error of the figures by the last rate of change, over the largest of what they and the films change with it
 from the one before. At second order a third of that is left; where a kink of the load or an edge passes, the
 order is lower, and where the load of a gear pair jumps, or the entrainment has turned round
-(`REVERSAL_ERROR_SHARE`), it is one or less: what is left of the film of that time is a dip as narrow as the
+(`SLOW_ERROR_SHARE`), it is one or less: what is left of the film of that time is a dip as narrow as the
 grid."""
 
-REVERSAL_ERROR_SHARE: dict[Kind, float] = {"point": 1.5, "line": 1.0}
+SLOW_ERROR_SHARE: dict[Kind, float] = {"point": 1.5, "line": 1.0}
 """Error of the figures over their last change, as `ERROR_SHARE`, where the entrainment has turned round
-(`_turned_round`): of 14 random balls after two solves two
-minimum or central films of 28 differ by 1.2 and 1.5 times the last change from those of three."""
+(`_turned_round`), or the end of a contact moves over the grid and rates are limited (`backward_term`): of 14
+random balls after two solves two minimum or central films of 28 differ by 1.2 and 1.5 times the last change
+from those of three."""
 
 MAX_CHANGE_RATIO = 0.5
 """Largest ratio of successive changes at which the films settle; else the error is the sum of both."""
@@ -112,7 +113,7 @@ transits ago and Newton's iteration leave up to 0.04 %."""
 
 MAX_STEADY_DIFFERENCE = 0.5
 """Difference from steady films, over those in motion, from which on a first solve errs by a share of it,
-without bound; so it does after a reversal (`_turned_round`)."""
+without bound; so it does where films settle slowly (`_settles_slowly`)."""
 
 MIN_ERRORS: dict[Kind, tuple[Least, ...]] = {
     "point": (Least(0.6, 0.06), Least(0.15, 0.015), Least(0.08, 0.0075)),
@@ -328,8 +329,8 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
             level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy
         )
         readings.append(iteration.reading)
-    turned = _turned_round(scene, rates.records, plan.work.kind)
-    errors = _errors(readings, plan, turned)
+    slow = _settles_slowly(scene, rates, plan.work.kind)
+    errors = _errors(readings, plan, slow)
     figures = readings[-1].figures
     heat_error = plan.target.worst(errors, figures)
     film_error = plan.target.without(*HEAT_FIGURES).worst(errors, figures)
@@ -340,8 +341,14 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
             f"the transient solve through the engagement leaves an error of {percent(heat_error)}"
         )
     coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
-    life = _life(scene, plan, rates, readings, turned)
+    life = _life(scene, plan, rates, readings, slow)
     return Transient(rates.found[-1], level, errors, flaw, coarse, life, film_error, heat_error)
+
+
+def _settles_slowly(scene: Scene | LineScene, rates: Rates, kind: Kind) -> bool:
+    """Whether films settle with the first order of the time step at best."""
+    limited = any(rate.limited for rate in rates.found)
+    return limited or _turned_round(scene, rates.records, kind)
 
 
 def _turned_round(
@@ -364,7 +371,7 @@ def _life(
     plan: Plan,
     rates: Rates,
     readings: Sequence[Reading],
-    turned: bool,
+    slow: bool,
 ) -> PlainDataset:
     """The film up to now since the scene before, one instant at least.
 
@@ -377,7 +384,7 @@ def _life(
     if plan.model.heated and heat is not None:
         coldest = heat.inlet_temperature + scene.coldest
     shared = readings[: len(rates.records) + 1]
-    share, least = _share(kind, turned), _least(shared, kind, turned)
+    share, least = _share(kind, slow), _least(shared, kind, slow)
     present = readings[-1].figures
     present_seconds = present_in_life(scene).seconds
     reach = MEMORY_TRANSITS * 2 * predicted(scene).half_width
@@ -385,30 +392,30 @@ def _life(
     return curves(rates.records, since, kind, *shown)
 
 
-def _errors(readings: Sequence[Reading], plan: Plan, turned: bool) -> dict[str, float]:
+def _errors(readings: Sequence[Reading], plan: Plan, slow: bool) -> dict[str, float]:
     """Relative errors of the figures by the rates, from readings of the steady film and with each rate.
 
-    `turned` tells whether the entrainment has turned round. No error is less than that of the films.
+    `slow` tells whether they settle slowly. No error is less than that of the films.
     """
     kind, (_, *moving) = plan.work.kind, readings
-    least = _least(readings, kind, turned)
+    least = _least(readings, kind, slow)
     if len(moving) == 1:
         return dict.fromkeys(moving[-1].figures, least)
-    left = _left(moving, _share(kind, turned))
+    left = _left(moving, _share(kind, slow))
     films = plan.target.films().worst(left, moving[-1].figures)
     return {name: max(error, films, least) for name, error in left.items()}
 
 
-def _share(kind: Kind, turned: bool) -> float:
-    """Error by the last rate over the last change (`ERROR_SHARE`, `REVERSAL_ERROR_SHARE`)."""
-    return (REVERSAL_ERROR_SHARE if turned else ERROR_SHARE)[kind]
+def _share(kind: Kind, slow: bool) -> float:
+    """Error by the last rate over the last change (`ERROR_SHARE`, `SLOW_ERROR_SHARE`)."""
+    return (SLOW_ERROR_SHARE if slow else ERROR_SHARE)[kind]
 
 
-def _least(readings: Sequence[Reading], kind: Kind, turned: bool) -> float:
+def _least(readings: Sequence[Reading], kind: Kind, slow: bool) -> float:
     """Least relative error of the figures, from the same readings."""
     steady, *moving = readings
     difference = largest_of_films(change(steady, moving[-1]))
-    far = len(moving) == 1 and (turned or difference > MAX_STEADY_DIFFERENCE)
+    far = len(moving) == 1 and (slow or difference > MAX_STEADY_DIFFERENCE)
     number = min(len(moving), len(MIN_ERRORS[kind]))
     return MIN_ERRORS[kind][number - 1].of(difference, far)
 

@@ -1,0 +1,72 @@
+"""Backward differences beside the end of a contact that moves over the nodes."""
+
+import numpy as np
+import pytest
+
+from pyworm.solver.transient.backward_term import LEAST_TURN, MAX_TURN, BackwardTerm
+from pyworm.solver.transient.time_level import TimeLevel
+
+STEP = 1e-4
+TIMES = -STEP * np.arange(4)
+
+
+def term_and_content(content, films=3):
+    """The term now by some films before, and the oil now, of a content over time."""
+    before = [TimeLevel(time, content(time), None) for time in TIMES[1 : films + 1]]
+    return BackwardTerm(0.0, before, 0.0, None), content(0.0)
+
+
+def rate(term, content):
+    return term.implicit * content + term.explicit
+
+
+def test_smooth_changes_are_not_limited_and_of_second_order():
+    places = np.linspace(0.2, 1.0, 9)
+
+    def content(time):
+        return 1e-6 * places * (1 + 0.3 * np.sin(200 * time + 1))
+
+    term, now = term_and_content(content)
+    unlimited = rate(term, now)
+    assert not term.limit(now)
+    assert np.array_equal(rate(term, now), unlimited)
+    exact = 1e-6 * places * 0.3 * 200 * np.cos(1)
+    assert unlimited == pytest.approx(exact, rel=2e-3)
+
+
+def test_where_the_end_of_a_contact_has_passed_a_node_no_oil_is_fed_that_is_not_there():
+    """The gap falls until a film stays; nodes differ by when."""
+    passed = STEP * np.linspace(-0.9, 0.5, 8)
+
+    def content(time):
+        return 0.5e-6 + 2e-6 / STEP * np.maximum(passed - time, 0) ** 2 / STEP
+
+    term, now = term_and_content(content)
+    chord = (now - content(-STEP)) / STEP
+    exact = -4e-6 / STEP * np.maximum(passed, 0) / STEP
+    unlimited = rate(term, now)
+    assert np.all(unlimited[passed < -0.5 * STEP] > 0)  # the film would grow
+    assert term.limit(now)
+    limited = rate(term, now)
+    assert np.all(np.abs(limited - chord) <= MAX_TURN * np.abs(chord) + LEAST_TURN * now / STEP)
+    assert np.all(limited[passed < 0] <= LEAST_TURN * now[passed < 0] / STEP)
+    assert np.abs(limited - exact).sum() < 0.8 * np.abs(unlimited - exact).sum()
+
+
+def test_a_limit_follows_the_oil_and_is_lifted_where_it_no_longer_turns():
+    def content(time):
+        return np.array([1e-6 + 5e-3 * time, 1e-6])
+
+    term, now = term_and_content(content)
+    unlimited = rate(term, now)
+    assert term.limit(np.array([3e-6, 1e-6]))
+    assert term.limit(now)
+    assert rate(term, now) == pytest.approx(unlimited, abs=1e-12)
+
+
+def test_the_chord_to_one_film_before_is_never_limited():
+    term, now = term_and_content(lambda time: np.array([1e-6 - time]), films=1)
+    assert not term.limit(now)
+    assert rate(term, now) == pytest.approx([-1.0])
+    assert term.stored(None) is None
+    assert term.remembered(None) is None
