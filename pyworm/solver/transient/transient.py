@@ -347,8 +347,9 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
 
 def _settles_slowly(scene: Scene | LineScene, rates: Rates, kind: Kind) -> bool:
     """Whether films settle with the first order of the time step at best."""
-    limited = any(rate.limited for rate in rates.found)
-    return limited or _turned_round(scene, rates.records, kind)
+    if any(rate.limited for rate in rates.found):
+        return True
+    return _turned_round(scene, rates.records, kind)
 
 
 def _turned_round(

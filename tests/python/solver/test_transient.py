@@ -412,10 +412,16 @@ def test_as_the_load_of_a_tooth_pair_falls_by_an_e_fold_a_time_step_s_share_of_a
 
 
 @pytest.mark.parametrize(
-    ("ago", "share"), [(1.0, 1.5), (3.0, transient_module.ERROR_SHARE["point"])]
+    ("ago", "limited", "share"),
+    [(1.0, False, 1.5), (3.0, False, transient_module.ERROR_SHARE["point"]), (3.0, True, 1.5)],
 )
-def test_after_a_reversal_the_error_is_one_and_a_half_of_the_last_change(ago, share):
-    """Some lengths of a ball's contact ago, oil carries a dip as narrow as the grid; it leaves after two."""
+def test_where_films_settle_slowly_the_error_is_one_and_a_half_of_the_last_change(
+    ago, limited, share
+):
+    """Some lengths of a ball's contact ago, oil carries a dip as narrow as the grid; it leaves after two.
+
+    So it is where the rate of change is limited.
+    """
     transit = predicted(ball()).transit
     scene = lived(lambda back: ball())
     plan = pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",))
@@ -434,7 +440,8 @@ def test_after_a_reversal_the_error_is_one_and_a_half_of_the_last_change(ago, sh
         for back in backs
     )
     rates = tuple(
-        RateOfChange(grid, np.full(grid.shape, part * film / transit)) for part in (0.02, 0.04)
+        RateOfChange(grid, np.full(grid.shape, part * film / transit), limited=limited)
+        for part in (0.02, 0.04)
     )
     one, two = (
         transient_module.transient(scene, plan, Rates(rates[:count], (records,) * count))
