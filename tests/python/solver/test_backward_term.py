@@ -102,7 +102,7 @@ def solved(monkeypatch):
 
 def test_a_step_with_a_limited_rate_is_halved_once(solved):
     before = [SimpleNamespace(seconds=1.0), SimpleNamespace(seconds=0.0)]
-    level, known, _, taken = time_integration._reached(
+    _, known, _, taken = time_integration._reached(
         time_grid_until(0.5), Step(2.0, 0), before, [], False
     )
     assert solved == [2.0, 1.5, 2.0] and taken == 3
@@ -124,7 +124,7 @@ def test_where_its_halves_are_lost_a_step_with_a_limited_rate_is_kept(solved, mo
         raise NoFilmError("lost")
 
     monkeypatch.setattr(time_integration, "_in_halves", lost)
-    level, known, _, taken = time_integration._reached(
+    _, known, _, taken = time_integration._reached(
         time_grid_until(0.5), Step(2.0, 0), before, [], False
     )
     assert known is before and taken == 1
