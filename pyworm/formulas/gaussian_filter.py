@@ -27,12 +27,19 @@ def smoothed(
         places = np.arange(-reach, reach + 1) / (ALPHA * index)
         weights = np.exp(-pi * places**2)
         weights /= weights.sum()
-        mode = "wrap" if periodic else "constant"
-        within = np.ones(1)
-        if not periodic:
-            line = scipy.ndimage.convolve1d(np.ones(heights.shape[axis]), weights, mode=mode)
-            within = np.expand_dims(
-                line, [direction for direction in range(heights.ndim) if direction != axis]
-            )
-        heights = scipy.ndimage.convolve1d(heights, weights, axis=axis, mode=mode) / within
+        if periodic:
+            heights = scipy.ndimage.convolve1d(heights, weights, axis=axis, mode="wrap")
+            continue
+        line = _within(np.ones(heights.shape[axis]), weights, 0)
+        others = [direction for direction in range(heights.ndim) if direction != axis]
+        heights = _within(heights, weights, axis) / np.expand_dims(line, others)
     return heights
+
+
+def _within(values: Array, weights: Array, axis: int) -> Array:
+    """Sums of values by weights about each point along an axis, of those within alone."""
+    shape = [len(weights) if direction == axis else 1 for direction in range(values.ndim)]
+    whole = scipy.signal.oaconvolve(values, weights.reshape(shape), axes=axis)
+    reach = len(weights) // 2
+    summed: Array = whole.take(range(reach, reach + values.shape[axis]), axis=axis)
+    return summed

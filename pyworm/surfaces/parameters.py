@@ -173,14 +173,30 @@ def _autocorrelation(surface: Topography) -> Array:
     padded = shape
     if not surface.periodic:
         padded = tuple(scipy.fft.next_fast_len(2 * n, real=True) for n in shape)
-    pairs = [np.abs(np.fft.rfft2(field, s=padded)) ** 2 for field in (height, known.astype(float))]
-    raw, count = (np.fft.irfft2(field, s=padded) for field in pairs)
-    raw = raw / np.maximum(count, 1.0)
-    middle = np.fft.fftshift(raw / raw[0, 0])
+    raw = _correlated(height, padded)
+    if known.all():  # pairs at a distance; all of them where it is periodic
+        along, across = (
+            np.maximum(n - np.minimum(np.arange(m), m - np.arange(m)) * (m > n), 1)
+            for n, m in zip(shape, padded, strict=True)
+        )
+        raw /= along[:, np.newaxis]
+        raw /= across
+    else:
+        raw /= np.maximum(_correlated(known.astype(float), padded), 1.0)
+    raw /= raw[0, 0]
+    middle = np.fft.fftshift(raw)
     if surface.periodic:
         return middle
     start = [m // 2 - n // 2 for m, n in zip(middle.shape, shape, strict=True)]
     return middle[start[0] : start[0] + shape[0], start[1] : start[1] + shape[1]]
+
+
+def _correlated(field: Array, padded: tuple[int, ...]) -> Array:
+    """Sums of products of all pairs of values at a distance, padded by zeros."""
+    spectrum = scipy.fft.rfft2(field, s=padded)
+    power = spectrum.real**2 + spectrum.imag**2
+    summed: Array = scipy.fft.irfft2(power, s=padded, overwrite_x=True)
+    return summed
 
 
 def _lay(angles: Array, lengths: Array) -> float:

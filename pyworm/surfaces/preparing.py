@@ -173,12 +173,18 @@ def _long(
 
 def _form(heights: Array) -> Array:
     """Polynomial of second order nearest to the heights that are there."""
-    x, y = (np.linspace(-1, 1, n) for n in heights.shape)
-    terms = [np.outer(x**i, y**j) for i in range(3) for j in range(3 - i)]
+    along, across = (np.vander(np.linspace(-1, 1, n), 5, increasing=True) for n in heights.shape)
     there = np.isfinite(heights)
-    matrix = np.array([[(a * b)[there].sum() for a in terms] for b in terms])
-    right = np.array([(a * np.where(there, heights, 0.0)).sum() for a in terms])
-    return np.tensordot(np.linalg.solve(matrix, right), terms, 1)
+    moments = along.T @ there.astype(float) @ across
+    right = along[:, :3].T @ np.where(there, heights, 0.0) @ across[:, :3]
+    terms = [(i, j) for i in range(3) for j in range(3 - i)]
+    matrix = np.array([[moments[i + k, j + m] for k, m in terms] for i, j in terms])
+    solved = np.linalg.solve(matrix, [right[term] for term in terms])
+    coefficients = np.zeros((3, 3))
+    for term, coefficient in zip(terms, solved, strict=True):
+        coefficients[term] = coefficient
+    polynomial: Array = along[:, :3] @ coefficients @ across[:, :3].T
+    return polynomial
 
 
 def outlying(level: Array) -> Array:
