@@ -175,10 +175,10 @@ def _form(heights: Array) -> Array:
     """Polynomial of second order nearest to the heights that are there."""
     along, across = (np.vander(np.linspace(-1, 1, n), 5, increasing=True) for n in heights.shape)
     there = np.isfinite(heights)
-    moments = along.T @ there.astype(float) @ across
+    sums = along.T @ there.astype(float) @ across
     right = along[:, :3].T @ np.where(there, heights, 0.0) @ across[:, :3]
     terms = [(i, j) for i in range(3) for j in range(3 - i)]
-    matrix = np.array([[moments[i + k, j + m] for k, m in terms] for i, j in terms])
+    matrix = np.array([[sums[i + k, j + m] for k, m in terms] for i, j in terms])
     solved = np.linalg.solve(matrix, [right[term] for term in terms])
     coefficients = np.zeros((3, 3))
     for term, coefficient in zip(terms, solved, strict=True):
