@@ -16,8 +16,9 @@ from pyworm.planning.plan import Plan
 from pyworm.planning.target import FILMS
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
+from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.time_grid import time_grid_of
-from pyworm.solver.transient.time_integration import NoFilmError, integrate_in_time
+from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.time_records import until
 from pyworm.solver.transient.transient import WARM_UP, Rates, part_at, transient
 

@@ -23,7 +23,7 @@ from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.transient.time_integration import NoFilmError
+from pyworm.solver.transient.next_film import NoFilmError
 
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record

@@ -29,7 +29,8 @@ from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.lifts import Lift, moving_lifts, steady_lift
-from pyworm.solver.transient.time_integration import NoFilmError, RateOfChange, integrate_in_time
+from pyworm.solver.transient.next_film import NoFilmError
+from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
 from pyworm.solver.transient.time_records import TimeRecord, as_arrays, from_arrays, until
 from pyworm.solver.transient.transient import Rates, part_at, present_in_life, recent
 

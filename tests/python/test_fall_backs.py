@@ -174,15 +174,15 @@ MADE_BY = {
         "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
     "solver/transient/time_integration.py _resumed NoFilmError":
         "solver/test_solver_fall_backs.py::test_where_no_other_beginning_is_found_films_before_the_lost_one_are_kept",
-    "solver/transient/time_integration.py _found NoFilmError":
+    "solver/transient/next_film.py _found NoFilmError":
         "solver/test_solver_fall_backs.py::test_a_step_that_is_lost_is_halved",
-    "solver/transient/time_integration.py _reached NoFilmError":
+    "solver/transient/next_film.py reached NoFilmError":
         "solver/test_backward_term.py::test_where_its_halves_are_lost_a_step_with_a_limited_rate_is_kept",
     "solver/transient/time_integration.py _through NoFilmError":
         "solver/test_solver_fall_backs.py::test_films_before_one_that_is_lost_are_kept_with_the_reason",
-    "solver/transient/time_integration.py _told KernelError":
+    "solver/transient/next_film.py _told KernelError":
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
-    "solver/transient/time_integration.py _told ValueError":
+    "solver/transient/next_film.py _told ValueError":
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",
     "solver/transient/time_integration.py _from_first_touch NoFilmError":
         "solver/test_coming_together.py::test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one",

@@ -12,14 +12,9 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 from pyworm.solver.point.level import dry_contact
+from pyworm.solver.transient.next_film import NoFilmError, contact_at, steady_level
 from pyworm.solver.transient.time_grid import TimeGrid
-from pyworm.solver.transient.time_integration import (
-    NoFilmError,
-    TimeIntegration,
-    contact_at,
-    integrate_in_time,
-    steady_level,
-)
+from pyworm.solver.transient.time_integration import TimeIntegration, integrate_in_time
 from pyworm.solver.transient.time_steps import Step
 
 

@@ -29,13 +29,9 @@ from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.newton import converge
 from pyworm.solver.stop_reason import MAX_USED_ERROR
+from pyworm.solver.transient.next_film import MEMORY_TRANSITS, NoFilmError
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
-from pyworm.solver.transient.time_integration import (
-    MEMORY_TRANSITS,
-    NoFilmError,
-    RateOfChange,
-    integrate_in_time,
-)
+from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
 from pyworm.solver.transient.time_records import TimeRecord, curves, until
 from pyworm.solver.transient.time_steps import places_of
 

@@ -10,7 +10,7 @@ from pyworm.batch.task import Task
 from pyworm.batch.transient_solutions import RATES, drop_rates, rates_for, solve_lives
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.result.life import lives
-from pyworm.solver.transient.time_integration import NoFilmError
+from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.transient import rates_at_present
 
 HOW = 0.5, ("isothermal", "squeeze"), ("film",)

@@ -5,9 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from pyworm.solver.transient import time_integration
+from pyworm.solver.transient import next_film
 from pyworm.solver.transient.backward_term import LEAST_TURN, MAX_TURN, BackwardTerm
-from pyworm.solver.transient.time_integration import NoFilmError
+from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.time_level import TimeLevel
 from pyworm.solver.transient.time_steps import Step
 
@@ -93,38 +93,34 @@ def solved(monkeypatch):
         times.append(step.seconds)
         return SimpleNamespace(seconds=step.seconds), 1
 
-    monkeypatch.setattr(time_integration, "_onward", onward)
-    monkeypatch.setattr(time_integration, "_heated", lambda level, seconds: [])
-    monkeypatch.setattr(time_integration, "time_level_of", lambda level, seconds: level)
-    monkeypatch.setattr(time_integration, "_limited", lambda level: True)
+    monkeypatch.setattr(next_film, "_onward", onward)
+    monkeypatch.setattr(next_film, "heated_levels", lambda level, seconds: [])
+    monkeypatch.setattr(next_film, "time_level_of", lambda level, seconds: level)
+    monkeypatch.setattr(next_film, "is_limited", lambda level: True)
     return times
 
 
 def test_a_step_with_a_limited_rate_is_halved_once(solved):
     before = [SimpleNamespace(seconds=1.0), SimpleNamespace(seconds=0.0)]
-    _, known, _, taken = time_integration._reached(
-        time_grid_until(0.5), Step(2.0, 0), before, [], False
-    )
+    _, known, _, taken = next_film.reached(time_grid_until(0.5), Step(2.0, 0), before, [], False)
     assert solved == [2.0, 1.5, 2.0] and taken == 3
     assert [film.seconds for film in known] == [1.5, 1.0, 0.0]
 
 
 def test_halves_of_a_step_begin_on_the_grid_of_the_contact(solved):
     before = [SimpleNamespace(seconds=1.0), SimpleNamespace(seconds=0.0)]
-    time_integration._reached(time_grid_until(1.75), Step(2.0, 0), before, [], False)
+    next_film.reached(time_grid_until(1.75), Step(2.0, 0), before, [], False)
     assert solved == [2.0, 1.75, 2.0]
 
 
 def test_where_its_halves_are_lost_a_step_with_a_limited_rate_is_kept(solved, monkeypatch):
     before = [SimpleNamespace(seconds=1.0), SimpleNamespace(seconds=0.0)]
-    whole = time_integration._reached(time_grid_until(2.0), Step(2.0, 0), before, [], False)
+    whole = next_film.reached(time_grid_until(2.0), Step(2.0, 0), before, [], False)
     assert solved == [2.0] and whole[1] is before
 
     def lost(*how):
         raise NoFilmError("lost")
 
-    monkeypatch.setattr(time_integration, "_in_halves", lost)
-    _, known, _, taken = time_integration._reached(
-        time_grid_until(0.5), Step(2.0, 0), before, [], False
-    )
+    monkeypatch.setattr(next_film, "_in_halves", lost)
+    _, known, _, taken = next_film.reached(time_grid_until(0.5), Step(2.0, 0), before, [], False)
     assert known is before and taken == 1

@@ -8,8 +8,8 @@ import pytest
 
 import pyworm
 from pyworm.drives.tooth_life import ToothLife
+from pyworm.solver.transient import next_film, time_integration
 from pyworm.solver.transient import time_grid as course_module
-from pyworm.solver.transient import time_integration
 from pyworm.solver.transient.backward_term import BackwardTerm
 from pyworm.solver.transient.time_grid import time_grid_of
 
@@ -65,7 +65,7 @@ def test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with
     drive, monkeypatch
 ):
     def diverged(time_grid, step):
-        raise time_integration.NoFilmError("no film between them")
+        raise next_film.NoFilmError("no film between them")
 
     monkeypatch.setattr(time_integration, "_at_rest", diverged)
     records = integrated(drive, drive.life, 0.04)
@@ -89,34 +89,37 @@ def test_oil_is_pressed_out_of_all_of_the_gap_between_flanks_that_come_together(
 def test_films_that_form_on_an_edge_hardly_depend_on_the_time_step(monkeypatch):
     """A difference of higher order presses out of a film the gap that was there a time step before.
 
-    So it does where its rate of change is not limited.
+    The order by itself, rates not limited; where they are, the first solve's central film is 5 % too thick.
     """
     drive = pyworm.load("tests/data/worm_unit_a100.toml").drive
-    first_order, films, central = time_integration._differenced, [], []
+    first_order, films, central = next_film._differenced, [], []
 
     def higher_order(time_grid, seconds, before):
         return before
 
     limited, unlimited = BackwardTerm.limit, lambda term, content: False
     for steps, order, limit in (
-        (9, first_order, limited),
+        (9, first_order, unlimited),
         (9, higher_order, unlimited),
-        (36, first_order, limited),
+        (36, first_order, unlimited),
+        (9, first_order, limited),
     ):
         monkeypatch.setitem(course_module.STEPS_A_TRANSIT, "point", steps)
-        monkeypatch.setattr(time_integration, "_differenced", order)
+        monkeypatch.setattr(next_film, "_differenced", order)
         monkeypatch.setattr(BackwardTerm, "limit", limit)
         records = integrated(drive, drive.life, 0.1)
         phases = [one.phase for one in records]
         least = [one.figures["film_min"] for one in records]
         films.append(np.interp([0.02, 0.06, 0.1], phases, least))
         central.append(np.interp(0.1, phases, [one.figures["film_central"] for one in records]))
-    by_first_order, by_higher_order, by_short_steps = films
+    by_first_order, by_higher_order, by_short_steps, by_limited_rates = films
     # gaps between mean planes, which asperities let fall below zero; least ones lie on a sharp edge
-    assert by_first_order == pytest.approx(by_short_steps, abs=0.2e-6)
+    assert by_first_order == pytest.approx(by_short_steps, abs=0.3e-6)
     assert np.all(by_higher_order < by_short_steps - 0.5e-6)
-    assert central[0] == pytest.approx(central[2], rel=0.05)
+    assert central[0] == pytest.approx(central[2], rel=0.02)
     assert central[1] < 0.8 * central[2]
+    assert by_limited_rates == pytest.approx(by_short_steps, abs=0.2e-6)
+    assert central[3] == pytest.approx(central[2], rel=0.06)
 
 
 @pytest.mark.parametrize("refinement", [0, 2])

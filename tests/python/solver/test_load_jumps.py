@@ -6,9 +6,10 @@ import pytest
 from folders import DATA
 
 import pyworm
-from pyworm.solver.transient import time_integration
+from pyworm.solver.transient import next_film
+from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.time_grid import time_grid_of
-from pyworm.solver.transient.time_integration import NoFilmError, integrate_in_time
+from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.transient import part_at
 
 HELICAL = DATA / "helical_a500.toml"
@@ -25,24 +26,24 @@ def part():
 
 
 def first_guesses_of_extrapolated_films(time_grid, solver, grid, contact, before, seconds):
-    return solver.on_grid(grid, time_integration.extrapolated(before, seconds))
+    return solver.on_grid(grid, next_film.extrapolated(before, seconds))
 
 
 @pytest.mark.parametrize(
     ("begun_from", "steady_films"),
-    [(time_integration._begun_from, 1), (first_guesses_of_extrapolated_films, 2)],
+    [(next_film._begun_from, 1), (first_guesses_of_extrapolated_films, 2)],
 )
 def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from, steady_films):
     """It begins with the last film, or else the steady one: the extrapolated one makes no sense."""
     time_grid, begin, wanted = part
-    beside, asked = time_integration._beside, []
+    beside, asked = next_film._beside, []
 
     def counted(*given):
         asked.append(given)
         return beside(*given)
 
-    monkeypatch.setattr(time_integration, "_beside", counted)
-    monkeypatch.setattr(time_integration, "_begun_from", begun_from)
+    monkeypatch.setattr(next_film, "_beside", counted)
+    monkeypatch.setattr(next_film, "_begun_from", begun_from)
     found = integrate_in_time(time_grid, 0, begin, [wanted])
     assert found.failure is None
     assert wanted in found.rates
@@ -54,21 +55,19 @@ def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from, steady_f
 
 def test_a_step_whose_film_is_not_found_is_halved(part, monkeypatch):
     time_grid, begin, wanted = part
-    onward, diverged, later = time_integration._onward, [], []
+    onward, diverged, later = next_film._onward, [], []
 
     def lost_once(time_grid, step, before, *state):
         if not diverged and step.seconds > time_grid.time_at(begin + 0.1):
             diverged.append((before[0].seconds, step.seconds))
             with monkeypatch.context() as exacting:
-                exacting.setattr(
-                    time_integration, "MAX_TRANSIENT_RESIDUAL", 0.0
-                )  # no film is met so well
+                exacting.setattr(next_film, "MAX_TRANSIENT_RESIDUAL", 0.0)  # no film is met so well
                 return onward(time_grid, step, before, *state)
         if diverged:
             later.append(step.seconds)
         return onward(time_grid, step, before, *state)
 
-    monkeypatch.setattr(time_integration, "_onward", lost_once)
+    monkeypatch.setattr(next_film, "_onward", lost_once)
     found = integrate_in_time(time_grid, 0, begin, [wanted])
     assert found.failure is None
     ((before, after),) = diverged
@@ -77,7 +76,7 @@ def test_a_step_whose_film_is_not_found_is_halved(part, monkeypatch):
 
 def test_a_step_is_halved_so_often_only(part, monkeypatch):
     time_grid, begin, wanted = part
-    onward, tried = time_integration._onward, []
+    onward, tried = next_film._onward, []
 
     def lost_soon(time_grid, step, *state):
         if tried or step.seconds > time_grid.time_at(begin + 0.1):
@@ -85,11 +84,11 @@ def test_a_step_is_halved_so_often_only(part, monkeypatch):
             raise NoFilmError("lost")
         return onward(time_grid, step, *state)
 
-    monkeypatch.setattr(time_integration, "_onward", lost_soon)
+    monkeypatch.setattr(next_film, "_onward", lost_soon)
     found = integrate_in_time(time_grid, 0, begin, [wanted])
     assert found.failure == "lost" and not found.rates
     # once more where the solve begins again after the film that is lost
-    each = time_integration.MOST_HALVINGS + 1
+    each = next_film.MOST_HALVINGS + 1
     assert len(tried) == 2 * each
     for steps in (tried[:each], tried[each:]):
         assert steps == sorted(steps, reverse=True)

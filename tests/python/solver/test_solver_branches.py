@@ -18,7 +18,7 @@ from pyworm.solver.error_estimate import Peak, Reading
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.grid_sequence import _lack_of_memory
 from pyworm.solver.stop_reason import _not_met
-from pyworm.solver.transient import time_integration
+from pyworm.solver.transient import next_film, time_integration
 from pyworm.solver.transient.differences import weights
 
 
@@ -108,7 +108,7 @@ def test_a_transient_solve_beyond_memory_is_lost(monkeypatch):
     time_grid = SimpleNamespace(
         grid=lambda seconds, refinement: None, begin=0.0, plan=SimpleNamespace(model=None)
     )
-    with pytest.raises(time_integration.NoFilmError, match="needs 9 GB"):
+    with pytest.raises(next_film.NoFilmError, match="needs 9 GB"):
         time_integration._require_memory(time_grid, 1)
 
 

@@ -20,9 +20,10 @@ from pyworm.solver.cost.calibration import calibration
 from pyworm.solver.cost.expected_motion import motion, time_grid_if_any
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.newton import newton_step
-from pyworm.solver.transient import lifts, time_integration, transient
+from pyworm.solver.transient import lifts, next_film, time_integration, transient
+from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.time_grid import time_grid_of
-from pyworm.solver.transient.time_integration import NoFilmError, TimeIntegration
+from pyworm.solver.transient.time_integration import TimeIntegration
 from pyworm.solver.transient.time_records import TimeRecord
 from pyworm.solver.transient.time_steps import steps_of
 from pyworm.solver.transient.transient import Rates
@@ -90,7 +91,7 @@ def test_no_lift_is_known_of_films_that_are_not_found(accelerated, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("module", "name"), [(transient, "integrate_in_time"), (time_integration, "_onward")]
+    ("module", "name"), [(transient, "integrate_in_time"), (next_film, "_onward")]
 )
 def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are(
     accelerated, monkeypatch, module, name
@@ -104,7 +105,7 @@ def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are
 def test_a_transient_solve_that_loses_its_film_on_the_way_leaves_the_reason(
     accelerated, monkeypatch
 ):
-    monkeypatch.setattr(time_integration, "_onward", diverged)
+    monkeypatch.setattr(next_film, "_onward", diverged)
     rates = transient.rates_at_present(accelerated, planned(accelerated))
     assert rates == Rates((), flaw="no film")
 
@@ -174,22 +175,22 @@ def test_a_processor_without_a_file_of_its_name_has_that_of_the_platform(monkeyp
 def test_a_film_that_the_kernel_gives_up_is_lost_at_its_time(error):
     with (
         pytest.raises(NoFilmError, match=r"0\.125 s after the first touch"),
-        time_integration._told(0.125),
+        next_film._told(0.125),
     ):
         raise error
-    with pytest.raises(KernelError), time_integration._told(0.125):
+    with pytest.raises(KernelError), next_film._told(0.125):
         raise KernelError(7)  # an interrupt is no film that is lost
 
 
 def test_films_before_one_that_is_lost_are_kept_with_the_reason(accelerated, monkeypatch):
     time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
-    reached, tried = time_integration._onward, []
+    reached, tried = next_film._onward, []
 
     def onward(*how):
         tried.append(how[1].seconds)
         return reached(*how) if len(tried) < 5 else diverged()
 
-    monkeypatch.setattr(time_integration, "_onward", onward)
+    monkeypatch.setattr(next_film, "_onward", onward)
     found = time_integration.integrate_in_time(time_grid, 0, 0.0, [accelerated.past.seconds])
     assert found.failure == "no film" and found.rates == {}
     assert 1 < len(found.records) < 9
@@ -204,14 +205,14 @@ def test_films_after_one_that_is_lost_are_found_once_another_beginning_is_forgot
     time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",)))
     wanted = [time_grid.time_at(place) for place in (1.0, 3.5, 7.0)]
     whole = time_integration.integrate_in_time(time_grid, 0, 0.0, wanted)
-    reached, lost = time_integration._reached, time_grid.time_at(3.0)
+    reached, lost = time_integration.reached, time_grid.time_at(3.0)
 
     def lost_once(time_grid, step, *how):
         if how[0] and how[0][0].seconds < lost <= step.seconds:
             diverged()
         return reached(time_grid, step, *how)
 
-    monkeypatch.setattr(time_integration, "_reached", lost_once)
+    monkeypatch.setattr(time_integration, "reached", lost_once)
     found = time_integration.integrate_in_time(time_grid, 0, 0.0, wanted)
     assert found.failure == "no film"
     assert list(found.rates) == [
@@ -246,7 +247,7 @@ def test_a_life_without_steady_films_is_given_up_after_a_few(accelerated, monkey
         return diverged()
 
     monkeypatch.setattr(time_integration, "steady_level", none)
-    with pytest.raises(time_integration.NoFilmError):
+    with pytest.raises(next_film.NoFilmError):
         time_integration.integrate_in_time(time_grid, 2, 0.0, [accelerated.past.seconds])
     steps = steps_of(time_grid, 2, 0.0, accelerated.past.seconds)
     assert len(tried) <= 5 + log2(len(steps)) < len(steps) / 4
@@ -264,13 +265,13 @@ def test_a_solve_begins_within_half_of_what_comes_before(count, wanted, tried):
 
 def test_a_step_that_is_lost_is_halved(accelerated, monkeypatch):
     time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
-    reached, tried = time_integration._onward, []
+    reached, tried = next_film._onward, []
 
     def onward(*how):
         tried.append(how[1].seconds)
         return diverged() if len(tried) == 2 else reached(*how)
 
-    monkeypatch.setattr(time_integration, "_onward", onward)
+    monkeypatch.setattr(next_film, "_onward", onward)
     found = time_integration.integrate_in_time(time_grid, 0, 0.0, [accelerated.past.seconds])
     assert found.failure is None and accelerated.past.seconds in found.rates
     assert tried[2] == pytest.approx((tried[0] + tried[1]) / 2)

@@ -13,14 +13,9 @@ from pyworm.planning.plan import first_grids_of
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import converge, iterate
 from pyworm.solver.transient.moving_grid import means_about
+from pyworm.solver.transient.next_film import _beside, _moved, contact_at, steady_level
 from pyworm.solver.transient.time_grid import time_grid_of
-from pyworm.solver.transient.time_integration import (
-    _beside,
-    _moved,
-    contact_at,
-    integrate_in_time,
-    steady_level,
-)
+from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.time_steps import Step
 from pyworm.solver.transient.transient import part_at
 

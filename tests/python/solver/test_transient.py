@@ -20,7 +20,7 @@ from pyworm.scene.life import Life, Past, unturned
 from pyworm.scene.scales import line_scales
 from pyworm.solver.ending import Ending
 from pyworm.solver.kinds import SOLVERS
-from pyworm.solver.transient import time_integration, time_steps
+from pyworm.solver.transient import next_film, time_integration, time_steps
 from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.differences import backward_weights, weights
 from pyworm.solver.transient.time_grid import FOLDS, time_grid_of
@@ -204,7 +204,7 @@ def test_films_travel_with_the_oil(kind, accuracy, within):
 
 
 def test_a_past_whose_film_is_not_found_is_reported(monkeypatch):
-    monkeypatch.setattr(time_integration, "MAX_TRANSIENT_RESIDUAL", 0.0)
+    monkeypatch.setattr(next_film, "MAX_TRANSIENT_RESIDUAL", 0.0)
     transient = solved(lived(lambda back: as_line(ball())), ("isothermal", "squeeze"))
     assert not transient.converged and "found no converged film" in transient.stop_reason
     assert transient.ending is Ending.RATE_OF_CHANGE
@@ -249,7 +249,7 @@ def test_where_no_transient_solution_is_found_a_steady_one_stands_for_it(kind, m
     accelerated = lived(lambda back: kind(ball(1 - 200 * back)))
     auto = pyworm.plan(accelerated, 0.05, quantities=("film",))
     assert "squeeze" in auto.on
-    monkeypatch.setattr(time_integration, "MAX_TRANSIENT_RESIDUAL", 0.0)
+    monkeypatch.setattr(next_film, "MAX_TRANSIENT_RESIDUAL", 0.0)
     substitute = pyworm.solve(accelerated, auto)
     squeeze = next(effect for effect in substitute.effects if effect.name == "squeeze")
     assert not squeeze.on and "not found: the transient solve found no" in squeeze.reason
