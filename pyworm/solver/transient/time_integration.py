@@ -20,15 +20,8 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
 from pyworm.solver.transient.differences import backward_weights
-from pyworm.solver.transient.heat_memory import (
-    HeatedTimeLevel,
-)
-from pyworm.solver.transient.moving_grid import (
-    at_places,
-    each_at_places,
-    means_about,
-    slopes,
-)
+from pyworm.solver.transient.heat_memory import HeatedTimeLevel
+from pyworm.solver.transient.moving_grid import at_places, each_at_places, means_about, slopes
 from pyworm.solver.transient.next_film import (
     EARLIER_FILMS,
     MEMORY_TRANSITS,
