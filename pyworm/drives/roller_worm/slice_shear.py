@@ -85,7 +85,8 @@ class SliceShear:
     def film(self, slices: Slices, speed: float) -> Array:
         """Central film [m] of slices while the roller turns at a speed [rad/s]."""
         entrainment = np.maximum(np.abs(slices.entrainment(speed)), LEAST_ENTRAINMENT)
-        film = self.traction.film(slices.load, slices.curvature, entrainment)
+        load = np.maximum(slices.load, LEAST_LOAD)
+        film = self.traction.film(load, slices.curvature, entrainment)
         return np.maximum(film, LEAST_FILM)
 
     def asperity_share(self, film: Array, pressure: Array) -> Array:

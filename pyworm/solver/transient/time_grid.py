@@ -134,6 +134,10 @@ class TimeGrid:
         """Transits from the first time under load to another, not before it."""
         return max(self.transits(seconds), 0.0)
 
+    def transit(self, seconds: float) -> float:
+        """Transit time of the oil at a time [s]."""
+        return 1 / float(self._transits(seconds, 1))
+
     def time_at(self, transits: float) -> float:
         """Time [s] at which so many transits have passed."""
         if transits >= self.transits(self.end):

@@ -30,6 +30,7 @@ from pyworm.solver.transient.next_film import (
     heated_levels,
     is_limited,
     lost_at,
+    prompt,
     reached,
     since_touch,
     steady_level,
@@ -45,6 +46,10 @@ REST_PRESSURE = 1.0
 EACH_TRIED = 4
 """Number of steps from each of which a solve is tried to begin with a steady film; beyond, each is twice as
 far: a contact without steady films costs a few solves of them, not one a step."""
+
+MOST_RESUMED = 2
+"""Most steady beginnings after a lost film: where these films are lost, too, so are those that follow, and lost
+films cost most."""
 
 
 @dataclass(frozen=True)
@@ -144,15 +149,19 @@ def _from_first_touch(
 
 
 def _resumed(
-    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], found: TimeIntegration
+    time_grid: TimeGrid,
+    asked: Sequence[Step],
+    wanted: Sequence[float],
+    found: TimeIntegration,
+    begun: int = 1,
 ) -> TimeIntegration:
     """What was found, and where films were lost those of a steady beginning after that.
 
-    They are kept from `MEMORY_TRANSITS` after it, when they no longer depend on it.
+    They are kept from `MEMORY_TRANSITS` after it, when they no longer depend on it. So many were begun.
     """
     last = found.records[-1].seconds
     left = [step for step in asked if step.seconds > last][1:]
-    if found.failure is None or not left:
+    if found.failure is None or not left or begun > MOST_RESUMED:
         return found
     first_place = time_grid.place(left[0].seconds) + MEMORY_TRANSITS
     later = [seconds for seconds in wanted if time_grid.place(seconds) >= first_place]
@@ -163,7 +172,7 @@ def _resumed(
     except NoFilmError:
         return found
     if again.rates:
-        again = _resumed(time_grid, left, later, again)
+        again = _resumed(time_grid, left, later, again, begun + 1)
     first_place = time_grid.place(again.records[0].seconds) + MEMORY_TRANSITS
     kept = [seconds for seconds in again.rates if time_grid.place(seconds) >= first_place]
     records = [record for record in again.records if time_grid.place(record.seconds) >= first_place]
@@ -208,7 +217,7 @@ def _through(
                     taken_of_all += taken
             level = present(level, "the first film")
             now = time_level_of(level, step.seconds)
-            heat = [*heated_levels(level, step.seconds), *heat]
+            heat = [*heated_levels(time_grid, level, step.seconds), *heat]
             before = [now, *before[: EARLIER_FILMS - 1]]
             if on.refinement < refinement:
                 continue
@@ -346,7 +355,7 @@ def _rate_of(time_grid: TimeGrid, level: Level, time_levels: Sequence[TimeLevel]
         parts = zip(coefficients, warm, strict=True)
         return sum(weight * getattr(time_level.state, name) for weight, time_level in parts)
 
-    storing = _prompt(level, time_levels[0].seconds - time_levels[1].seconds)
+    storing = prompt(level, time_levels[0].seconds - time_levels[1].seconds)
     levels = (
         at_place(*fields)
         for fields in zip(
@@ -356,15 +365,3 @@ def _rate_of(time_grid: TimeGrid, level: Level, time_levels: Sequence[TimeLevel]
     warming = np.stack([storing * field for field in levels], axis=-1)
     pressing = storing * at_place(changing("oil"), oil)
     return RateOfChange(grid, rate, now.rise, warming, pressing)
-
-
-def _prompt(level: Level, step: float) -> Array:
-    """How promptly the oil at the nodes follows its heat, 1 where it does in far less than a time step [s].
-
-    Between walls it is late by rho c h^2 / (10 k), the second term of a slow change. Where that is not short
-    against the step, far from the contact, what Newton's iteration left in two temperatures counts for more
-    than their difference: a roller's film, whose load hardly changes, lost half its thickness by it.
-    """
-    heat, film = level.scene.oil.thermal, level.film.thickness()
-    late = level.scene.oil.density.rho0 * heat.specific_heat * film**2 / (10 * heat.conductivity)
-    return 1 / (1 + (late / step) ** 2)

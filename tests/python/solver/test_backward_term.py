@@ -94,7 +94,7 @@ def solved(monkeypatch):
         return SimpleNamespace(seconds=step.seconds), 1
 
     monkeypatch.setattr(next_film, "_onward", onward)
-    monkeypatch.setattr(next_film, "heated_levels", lambda level, seconds: [])
+    monkeypatch.setattr(next_film, "heated_levels", lambda time_grid, level, seconds: [])
     monkeypatch.setattr(next_film, "time_level_of", lambda level, seconds: level)
     monkeypatch.setattr(next_film, "is_limited", lambda level: True)
     return times

@@ -18,8 +18,9 @@ from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import converge
+from pyworm.solver.transient.next_film import prompt
 from pyworm.solver.transient.time_grid import time_grid_of
-from pyworm.solver.transient.time_integration import RateOfChange, _prompt, integrate_in_time
+from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
 
 INLET, EXPANSIVITY = 333.15, 7e-4
 HEAT = OilHeat(INLET, 0.0, 0.14, 2000.0, EXPANSIVITY)
@@ -102,9 +103,9 @@ def test_wide_gaps_store_nothing():
     film = level.film.thickness()
     late = OIL.density.rho0 * HEAT.specific_heat * film**2 / (10 * HEAT.conductivity)
     step = float(np.sqrt(late.min() * late.max()))
-    prompt = _prompt(level, step)
-    assert prompt[film.argmin()] > 0.95 and prompt[film.argmax()] < 0.05
-    assert np.all(prompt * late < step) and np.all(np.diff(prompt[np.argsort(film)]) <= 1e-12)
+    share = prompt(level, step)
+    assert share[film.argmin()] > 0.95 and share[film.argmax()] < 0.05
+    assert np.all(share * late < step) and np.all(np.diff(share[np.argsort(film)]) <= 1e-12)
 
 
 def test_a_film_that_hardly_changes_is_the_steady_one_with_the_heat_that_oil_stores(monkeypatch):
