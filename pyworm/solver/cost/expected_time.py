@@ -46,6 +46,8 @@ class Expectation:
     """Processor time of those of a whole part of its life, which serve other contacts as well [s]."""
     part: Part | None = None
     """That part; None of a contact that shares it with none."""
+    sampling: float = 0.0
+    """Processor time of the gap at a point [s]."""
 
 
 def expectation(
@@ -64,7 +66,7 @@ def expectation(
     film += FIELDS * plan.work.finest * motions + OUTCOME[plan.work.kind] * unit
     moving = motion(scene, plan, time_grid)
     if moving is None:
-        return Expectation(film, film / unit)
+        return Expectation(film, film / unit, sampling=gap)
     making = _making(scene)
 
     def taken(steps: Sequence[TimeSteps]) -> float:
@@ -74,7 +76,9 @@ def expectation(
 
     film += moving.chance * taken(moving.further)
     past = taken(moving.up_to_present)
-    return Expectation(film + past, (film + past) / unit, past, taken(moving.shared), moving.part)
+    return Expectation(
+        film + past, (film + past) / unit, past, taken(moving.shared), moving.part, gap
+    )
 
 
 def expectations(

@@ -333,7 +333,9 @@ def heated_levels(time_grid: TimeGrid, level: Level, seconds: float) -> list[Hea
     """
     if not level.film.heated:
         return []
-    flux = prompt(level, time_grid.transit(seconds))[..., np.newaxis] * level.film.heat_fields().flux
+    flux = (
+        prompt(level, time_grid.transit(seconds))[..., np.newaxis] * level.film.heat_fields().flux
+    )
     return [HeatedTimeLevel(seconds, level.grid, flux, velocities_at_origin(level.scene))]
 
 

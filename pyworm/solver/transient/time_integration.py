@@ -48,8 +48,8 @@ EACH_TRIED = 4
 far: a contact without steady films costs a few solves of them, not one a step."""
 
 MOST_RESUMED = 2
-"""Most steady beginnings after a lost film: where these films are lost, too, so are those that follow, and lost
-films cost most."""
+"""Most steady beginnings after a lost film: where these films are lost, too, so are those that follow, and
+lost films cost most."""
 
 
 @dataclass(frozen=True)

@@ -4,8 +4,9 @@ import pytest
 from zi_drives import coarse_springs
 
 import pyworm
-from pyworm.batch.expected_run import expected_run
+from pyworm.batch.expected_run import MOVING_PASSES, _cycle, expected_run
 from pyworm.batch.task import Task
+from pyworm.solver.cost.expected_time import Expectation
 
 PHASES = [0.26, 0.5, 0.74]
 
@@ -37,8 +38,16 @@ def test_lifts_are_searched_for_where_they_are_left_open():
     """By films of lower accuracy, or by one more transient solve of the life."""
     how = {"path": "cases/zi_drive.toml", "effects": ("isothermal", "squeeze"), "phase": PHASES}
     fine, coarse = (of_run(accuracy=accuracy, **how) for accuracy in (0.05, 0.2))
-    assert 0 < fine.search < fine.once
+    assert (MOVING_PASSES - 1) * fine.once < fine.search < 2 * fine.once
     assert 0 < coarse.search < coarse.once < fine.once
+
+
+def test_flanks_that_take_long_lengthen_the_data_of_a_mesh_cycle():
+    case = pyworm.load("cases/zi_drive.toml")
+    some = [Expectation(1.0, 1.0, sampling=sampling) for sampling in (1e-6, 3e-6)]
+    drive = case.drive
+    assert _cycle(case, some) == pytest.approx(drive.cycle_seconds + drive.cycle_points * 2e-6)
+    assert _cycle(case, some[:1]) == 0.0
 
 
 def test_temperatures_are_searched_for_too():

@@ -16,9 +16,9 @@ NAMES = {
     # what every set of gears answers, also one of another package
     Drive: """
         all_assumptions allowed_errors at_load assumptions bodies body_names cycle_around_contact cycle_data
-        cycle_seconds duty element_bearing geometry geometry_table hob_setup idle in_space loaded_cycle
-        lubricated_teeth lubrication mesh_at_torque mesh_forces mesh_loss misalignment motion_figures
-        normal_load
+        cycle_points cycle_seconds duty element_bearing geometry geometry_table hob_setup idle in_space
+        loaded_cycle lubricated_teeth lubrication mesh_at_torque mesh_forces mesh_loss misalignment
+        motion_figures normal_load
         oil_supplied oil_supply pattern_margin phases_per_second possible_drivers rated_as roots rotors
         scene scene_data sections shaft_speeds sheet shown solids supports usual_values warnings
         wheel_shim
