@@ -47,10 +47,6 @@ EACH_TRIED = 4
 """Number of steps from each of which a solve is tried to begin with a steady film; beyond, each is twice as
 far: a contact without steady films costs a few solves of them, not one a step."""
 
-MOST_RESUMED = 2
-"""Most steady beginnings after a lost film: where these films are lost, too, so are those that follow, and
-lost films cost most."""
-
 
 @dataclass(frozen=True)
 class RateOfChange:
@@ -149,19 +145,15 @@ def _from_first_touch(
 
 
 def _resumed(
-    time_grid: TimeGrid,
-    asked: Sequence[Step],
-    wanted: Sequence[float],
-    found: TimeIntegration,
-    begun: int = 1,
+    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], found: TimeIntegration
 ) -> TimeIntegration:
     """What was found, and where films were lost those of a steady beginning after that.
 
-    They are kept from `MEMORY_TRANSITS` after it, when they no longer depend on it. So many were begun.
+    They are kept from `MEMORY_TRANSITS` after it, when they no longer depend on it.
     """
     last = found.records[-1].seconds
     left = [step for step in asked if step.seconds > last][1:]
-    if found.failure is None or not left or begun > MOST_RESUMED:
+    if found.failure is None or not left:
         return found
     first_place = time_grid.place(left[0].seconds) + MEMORY_TRANSITS
     later = [seconds for seconds in wanted if time_grid.place(seconds) >= first_place]
@@ -172,7 +164,7 @@ def _resumed(
     except NoFilmError:
         return found
     if again.rates:
-        again = _resumed(time_grid, left, later, again, begun + 1)
+        again = _resumed(time_grid, left, later, again)
     first_place = time_grid.place(again.records[0].seconds) + MEMORY_TRANSITS
     kept = [seconds for seconds in again.rates if time_grid.place(seconds) >= first_place]
     records = [record for record in again.records if time_grid.place(record.seconds) >= first_place]

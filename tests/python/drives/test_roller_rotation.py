@@ -11,6 +11,7 @@ import pyworm
 from pyworm.drives.roller_worm import roller_path
 from pyworm.drives.roller_worm.profile import RollerProfile
 from pyworm.drives.roller_worm.roller_body import GRAVITY, roller_body
+from pyworm.drives.roller_worm.roller_path import LEAST_LOAD
 from pyworm.drives.roller_worm.roller_rotation import over_a_turn, over_times
 from pyworm.drives.roller_worm.spin_up import energies, spin_up
 from pyworm.drives.roller_worm.station_history import station_history
@@ -68,6 +69,20 @@ def test_the_balance_of_rough_surfaces_has_their_asperities_too(drive, spun):
     slices = path.at(end)
     at_rest, there = (spun.shear.at(slices, speed).moment for speed in (0.0, found.speed(1.0)))
     assert abs(there) < 1e-4 * abs(at_rest)
+
+
+def test_a_slice_without_load_has_the_film_of_the_least_load(spun):
+    """At the first touch; it was infinite, with a warning of the interpreter."""
+    path = spun.paths["left"].driving
+    slices = path.at(path.wheel_angles[34])
+    speed = 0.5 * slices.rolling
+    one = slices.load == slices.load.max()
+    with np.errstate(all="raise"):
+        bare, least = (
+            spun.shear.film(replace(slices, load=np.where(one, load, slices.load)), speed)
+            for load in (0.0, LEAST_LOAD)
+        )
+    assert np.array_equal(bare, least) and np.all(np.isfinite(bare))
 
 
 def test_energies_of_a_spin_up_balance(turn):

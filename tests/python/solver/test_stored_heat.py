@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from math import exp
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import converge
-from pyworm.solver.transient.next_film import prompt
+from pyworm.solver.transient.next_film import heated_levels, prompt
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
 
@@ -106,6 +107,23 @@ def test_wide_gaps_store_nothing():
     share = prompt(level, step)
     assert share[film.argmin()] > 0.95 and share[film.argmax()] < 0.05
     assert np.all(share * late < step) and np.all(np.diff(share[np.argsort(film)]) <= 1e-12)
+
+
+def test_surfaces_remember_the_heat_of_films_and_not_of_wide_gaps():
+    """Between walls far apart flux and remembered rise drove each other to absolute zero in eight steps."""
+    scene = roller()
+    plan = pyworm.plan(scene, 0.05, "all")
+    level, _ = SOLVERS[LineScene](scene, plan).begin(plan.grids)
+    converge(level, 1e-6, plan.target, 1e-5)
+    film, flux = level.film.thickness(), level.film.heat_fields().flux
+    late = OIL.density.rho0 * HEAT.specific_heat * film**2 / (10 * HEAT.conductivity)
+    transit = float(np.sqrt(late.min() * late.max()))
+    (known,) = heated_levels(SimpleNamespace(transit=lambda seconds: transit), level, 0.25)
+    wide = late > 10 * transit
+    assert known.seconds == 0.25
+    assert known.flux[film.argmin()] == pytest.approx(flux[film.argmin()], rel=0.01)
+    assert np.all(np.abs(known.flux[wide]) <= 0.01 * np.abs(flux[wide]))
+    assert np.any(flux[wide] != 0)
 
 
 def test_a_film_that_hardly_changes_is_the_steady_one_with_the_heat_that_oil_stores(monkeypatch):
