@@ -68,6 +68,10 @@ MOST_STEPS, TRIAL_STEPS = 15, 4
 """Largest number of Newton steps of an instant whose film begins with the extrapolated ones, and the number
 after which its residual makes sense, or it begins with the steady film: steps in a lost film cost most."""
 
+WARMING_STEPS = 20
+"""Largest number of further ones of a film whose flow balances while its temperatures still move: those of a
+spot that loses its load move on for up to thirty sweeps, and other beginnings come to the same."""
+
 MOST_HALVINGS = 4
 """Largest number of halvings of a time step whose film is not found."""
 
@@ -196,6 +200,12 @@ def _onward(
         taken = _followed(level, term, tolerances)
         if level.film.balance.residual <= UNUSABLE_START_RESIDUAL:
             taken += len(iterate(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
+            balance = level.film.balance
+            if (
+                balance.within(MAX_TRANSIENT_RESIDUAL, np.inf)
+                and balance.warming > MAX_TEMPERATURE_RESIDUAL
+            ):
+                taken += len(iterate(level, *tolerances, most=WARMING_STEPS))
         if contact.separation is None and not level.film.balance.within(
             MAX_TRANSIENT_RESIDUAL, MAX_TEMPERATURE_RESIDUAL
         ):
