@@ -19,6 +19,7 @@ from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import converge
+from pyworm.solver.transient import next_film
 from pyworm.solver.transient.next_film import heated_levels, prompt
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
@@ -74,26 +75,34 @@ def axes(grid):
     return (grid.x, grid.y) if isinstance(grid, Grid) else (grid.x,)
 
 
-def test_oil_warms_at_the_rate_at_which_its_heat_grows():
-    """Sliding as exp(s t/2) heats oil of one viscosity as exp(s t), which is how it warms."""
-    growth, duration = 500.0, 2e-3
+GROWTH, DURATION = 500.0, 2e-3
+
+
+def warming_roller():
+    """A contact whose sliding grows as exp(s t/2), and its plan."""
 
     def contact_at(seconds):
-        slide = 0.5 * exp(growth * seconds / 2)
+        slide = 0.5 * exp(GROWTH * seconds / 2)
         velocities = 1 + slide, 1 - slide
         return line("roller", 0.02, 5e4, velocities, (STEEL, STEEL), OIL)
 
-    life = Life(duration, contact_at)
-    present = replace(contact_at(duration), past=Past(life, duration))
-    plan = pyworm.plan(present, 0.05, "all", ("temperature",))
-    rate = integrate_in_time(time_grid_of(life, plan), 0, 0.0, [duration]).rates[duration]
+    life = Life(DURATION, contact_at)
+    present = replace(contact_at(DURATION), past=Past(life, DURATION))
+    return present, pyworm.plan(present, 0.05, "all", ("temperature",))
+
+
+def test_oil_warms_at_the_rate_at_which_its_heat_grows():
+    """Sliding as exp(s t/2) heats oil of one viscosity as exp(s t), which is how it warms."""
+    present, plan = warming_roller()
+    time_grid = time_grid_of(present.past.life, plan)
+    rate = integrate_in_time(time_grid, 0, 0.0, [DURATION]).rates[DURATION]
     steady, _ = SOLVERS[type(present)](present, plan).begin(plan.grids)
     converge(steady, 1e-6, plan.target, 1e-5)
     (warming,), (rise,) = (
         field[grid.x == 0.0]
         for field, grid in ((rate.warming, rate.grid), (steady.film.rise(), steady.grid))
     )
-    assert above_walls(warming) == pytest.approx(growth * above_walls(rise), rel=0.02)
+    assert above_walls(warming) == pytest.approx(GROWTH * above_walls(rise), rel=0.02)
 
 
 def test_wide_gaps_store_nothing():
@@ -107,6 +116,31 @@ def test_wide_gaps_store_nothing():
     share = prompt(level, step)
     assert share[film.argmin()] > 0.95 and share[film.argmax()] < 0.05
     assert np.all(share * late < step) and np.all(np.diff(share[np.argsort(film)]) <= 1e-12)
+
+
+@pytest.mark.parametrize("more", [next_film.WARMING_STEPS, 0])
+def test_a_film_whose_temperatures_still_move_is_solved_on_before_it_is_begun_again(
+    more, monkeypatch
+):
+    """Each other beginning costs a nest of steady films."""
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 6)
+    for name in ("MOST_STEPS", "TRIAL_STEPS"):
+        monkeypatch.setattr(next_film, name, 2)
+    for name in ("TEMPERATURE_CHANGE", "MAX_TEMPERATURE_RESIDUAL"):
+        monkeypatch.setattr(next_film, name, 1e-5)
+    monkeypatch.setattr(next_film, "WARMING_STEPS", more)
+    beside, beginnings = next_film._beside, []
+
+    def counted(*how):
+        beginnings.append(how)
+        return beside(*how)
+
+    monkeypatch.setattr(next_film, "_beside", counted)
+    present, plan = warming_roller()
+    time_grid = time_grid_of(present.past.life, plan)
+    found = integrate_in_time(time_grid, 0, 0.0, [DURATION])
+    assert found.failure is None
+    assert len(beginnings) == 1 if more else len(beginnings) > 40
 
 
 def test_surfaces_remember_the_heat_of_films_and_not_of_wide_gaps():
