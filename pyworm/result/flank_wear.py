@@ -236,7 +236,7 @@ def _with_instants(
         part = (phase - phases[after - 1]) / (phases[after] - phases[after - 1])
         layer = {
             name: (1 - part) * layers[after - 1][name] + part * layers[after][name]
-            for name in layers[after]
+            for name in layers[after - 1].keys() & layers[after].keys()
         }
         fine, rough = (float(np.interp(phase, phases, values)) for values in (solved, coarse))
         if rough > 0:  # else nothing is known but the solved phases

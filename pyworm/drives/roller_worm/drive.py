@@ -34,6 +34,7 @@ class RollerWormDrive(RollerMesh, Drive):
     """A roller enveloping worm drive; ValueError, which begins with a key, if worm and rollers do not fit."""
 
     body_names = "worm", "roller"
+    cycle_seconds = 12.0  # rotation, fatigue and pictures: 9 to 16 s of three sets at 5 and 10 %
     sheet = SHEET
     possible_drivers = ("worm",)
 

@@ -115,6 +115,7 @@ def pass_in_motion(monkeypatch, sizes, own):
     )
     monkeypatch.setattr(flank_wear, "_worm_life", lambda result: life)
     layers = [layer(0.2e-3, rubbing=own[0]), layer(0.8e-3, rubbing=own[1])]
+    layers[1]["temperature_body_2"] = 350.0 * np.ones((3, 4))  # of phases with heat alone
     phases, found = flank_wear._with_instants(None, [0.2, 0.8], layers, x, y)
     assert found[0] is layers[0] and found[-1] is layers[1]
     return phases, found
