@@ -25,8 +25,8 @@ MIN_WORK_RATIO = 1.5
 are refined fourfold, and numbers expected are means."""
 
 SHARED = (
-    "no contact by itself; the rest are transient solves that several share and the search for what the case "
-    "leaves open"
+    "no contact by itself; the rest are transient solves that several share, the search for what the case "
+    "leaves open, and flanks"
 )
 """Where a run's time went of which no contact took far more than was expected of it."""
 

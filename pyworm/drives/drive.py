@@ -60,9 +60,9 @@ class Drive(Shown, Lubricated, ABC):
     rated_as: ClassVar[type[Duty] | None] = None
     """Type of its `duty`, by which standards rate it; None where no standard covers such a drive."""
     cycle_seconds: ClassVar[float] = 0.0
-    """Usual processor time of `cycle_data` and its pictures [s], but for flanks."""
+    """Usual processor time of `cycle_data` and its pictures [s], without the evaluation of flanks."""
     cycle_points: ClassVar[float] = 0.0
-    """Points of the gap in whose time flanks are evaluated for these, and for load, plans and time grids."""
+    """Points of the gap that take as long to evaluate as flanks for these, loads, plans and time grids."""
     sheet: ClassVar[tuple[str, ...]] = ()
     """Keys of its `geometry_table` that are printed, in order; the others are in JSON objects only."""
     possible_drivers: ClassVar[tuple[str, ...]] = ()

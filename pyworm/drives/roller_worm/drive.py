@@ -34,7 +34,9 @@ class RollerWormDrive(RollerMesh, Drive):
     """A roller enveloping worm drive; ValueError, which begins with a key, if worm and rollers do not fit."""
 
     body_names = "worm", "roller"
-    cycle_seconds = 12.0  # rotation, fatigue and pictures: 9 to 16 s of three sets at 5 and 10 %
+    cycle_seconds = (
+        9.0  # rotation 4 s, other data 3 s, and 2 s more of pictures than a gear pair has
+    )
     sheet = SHEET
     possible_drivers = ("worm",)
 

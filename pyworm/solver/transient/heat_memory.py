@@ -17,7 +17,7 @@ between instants of which each is about 1.4 times as long ago as the one before,
 passage through the grid longer. The bracket, zero at s = 0, is linear along the path over two cells of the
 grid (`fortran/heat/residual_rise.f90`): read at the instants only, where a fast surface has gone on by many
 cells, fluxes of that wavelength would add up as those of a body at rest. Of the time before the first film
-the present flux is taken.
+the present flux is taken. Fluxes are those of `next_film.heated_levels`, without those of wide gaps.
 """
 
 from collections.abc import Sequence

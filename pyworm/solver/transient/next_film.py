@@ -337,15 +337,14 @@ def _moved(level: Level, grid: Grid | LineGrid) -> InitialGuess:
 def heated_levels(time_grid: TimeGrid, level: Level, seconds: float) -> list[HeatedTimeLevel]:
     """Heat of a level's surfaces, where it is simulated.
 
-    Surfaces remember fluxes of oil that follows its heat within a transit. Between walls millimetres apart,
-    far from the contact, it does not: flux and remembered rise of a wall at 17 m/s there drove each other, by
-    a factor of 2.5 in each time step, to 200 K below the oil.
+    Surfaces remember the flux as far as the oil follows its heat within a transit. Between walls millimetres
+    apart, far from the contact, it does not: flux and remembered rise of a wall at 17 m/s there drove each
+    other, by a factor of 2.5 in each time step, to 260 K below the oil.
     """
     if not level.film.heated:
         return []
-    flux = (
-        prompt(level, time_grid.transit(seconds))[..., np.newaxis] * level.film.heat_fields().flux
-    )
+    share = prompt(level, time_grid.transit(seconds))[..., np.newaxis]
+    flux = share * level.film.heat_fields().flux
     return [HeatedTimeLevel(seconds, level.grid, flux, velocities_at_origin(level.scene))]
 
 

@@ -144,7 +144,7 @@ def test_a_film_whose_temperatures_still_move_is_solved_on_before_it_is_begun_ag
 
 
 def test_surfaces_remember_the_heat_of_films_and_not_of_wide_gaps():
-    """Between walls far apart flux and remembered rise drove each other to absolute zero in eight steps."""
+    """Between walls 3.4 mm apart they drove each other, by a factor of 2.5 in each time step."""
     scene = roller()
     plan = pyworm.plan(scene, 0.05, "all")
     level, _ = SOLVERS[LineScene](scene, plan).begin(plan.grids)
