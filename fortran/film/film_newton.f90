@@ -32,7 +32,7 @@ module pyworm_film_newton
 
   public :: contact_conditions, newton_step
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
-  public :: set_film, film_residual, film_residual_at, film_step, set_ruptured
+  public :: set_film, film_residual, film_residual_at, film_balance_again, film_step, set_ruptured
   public :: change_balance, set_system, film_direction, move_film, film_balance, acceptable, note_progress, search_step
   public :: first_row, last_row
 
@@ -338,14 +338,25 @@ contains
     if (self%model%is_sheared()) self%model%shear%work%flow_alone = .false.
   end subroutine film_residual_at
 
-  !> Evaluates the balance of a film that an iteration starts from; arguments as of `film_residual`.
-  subroutine begin_iteration(self, residual, load_error)
+  !> Evaluates the balance of the present film again after its transient term has changed; arguments as of `film_residual`.
+  !>
+  !> Unlike at the start of an iteration the oil's pressure between rough surfaces follows from their balance already, and the
+  !> rupture line may move in the next step.
+  subroutine film_balance_again(self, residual, load_error)
     class(film_contact), intent(inout) :: self
     real(wp), intent(out) :: residual, load_error
 
     call film_balance(self, residual, load_error)
     self%least = residual + abs(load_error)
     self%idle_steps = 0
+  end subroutine film_balance_again
+
+  !> Evaluates the balance of a film that an iteration starts from; arguments as of `film_residual`.
+  subroutine begin_iteration(self, residual, load_error)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(out) :: residual, load_error
+
+    call film_balance_again(self, residual, load_error)
     if (self%model%is_rough()) self%free = self%covered .and. .not. self%model%fields%rough%ruptured
   end subroutine begin_iteration
 

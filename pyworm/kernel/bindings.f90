@@ -18,7 +18,8 @@ module bindings
   public :: point_film_transport, point_film_fluidity
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_entrain, line_film_heat
-  public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
+  public :: film_free, film_place, film_evaluate, film_rebalance, film_step, film_state, &
+    film_thickness, film_convolve, film_tally, &
     film_transient, film_set_gap, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
     film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
     film_heat_fields, film_profile, film_adjoints, film_evaluate_at, film_heat_change, film_spread_change, film_set_oil
@@ -493,6 +494,20 @@ contains
     call film_residual(contact%film, p, h0, residual, load_error)
     call contact%film%work%whole%finish()
   end subroutine film_evaluate
+
+  !> Evaluates residual and load error of the present film again, after its transient term has changed.
+  subroutine film_rebalance(handle, residual, load_error)
+    use pyworm_film_newton, only: film_balance_again
+    integer(c_int64_t), intent(in) :: handle
+    real(c_double), intent(out) :: residual, load_error
+    type(thermal_contact), pointer :: contact
+    !f2py threadsafe
+
+    contact => contact_of(handle)
+    call contact%film%work%whole%start()
+    call film_balance_again(contact%film, residual, load_error)
+    call contact%film%work%whole%finish()
+  end subroutine film_rebalance
 
   !> Makes one Newton step from the state last evaluated, and where heat is simulated one sweep of it; p and h0 are replaced.
   !>

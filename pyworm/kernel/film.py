@@ -215,6 +215,12 @@ class Film(ABC):
         """Restart from the present pressure and rigid film after a change of the equations."""
         return self._evaluate(self.pressure, self.rigid_film)
 
+    def rebalance(self) -> Balance:
+        """Evaluate the present film again after a change of its transient term alone; the next step goes on."""
+        residual, load_error = core.bindings.film_rebalance(self._handle)
+        self.balance = Balance(residual, load_error, self._warming)
+        return self.balance
+
     def oil_pressure(self) -> Array:
         """Pressure that the oil bears [Pa]."""
         return self.pressure - self.asperities().pressure if self.rough else self.pressure

@@ -231,7 +231,7 @@ def _limit(level: Level, term: BackwardTerm) -> None:
     """Limit the rate of change of a point's film in its present state; lines take five times the steps."""
     if isinstance(level.grid, Grid) and term.limit(content_of(level)):
         level.film.set_transient_term(*term.on(level.grid))
-        level.film.restart()
+        level.film.rebalance()
 
 
 def is_limited(level: Level) -> bool:
