@@ -2,8 +2,8 @@
 !> free, ruptured and boundary rows.
 program test_rough_surfaces
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
-  use pyworm_film_newton, only: contact_conditions, newton_step, film_contact, film_residual, film_step, roughen_contact, &
-    set_ruptured, set_system, set_transient_term, shear_contact
+  use pyworm_film_newton, only: contact_conditions, newton_step, film_balance_again, film_contact, film_residual, film_step, &
+    roughen_contact, set_ruptured, set_system, set_transient_term, shear_contact
   use pyworm_flow_laws, only: flow_law, law_newton, law_eyring
   use pyworm_kinds, only: wp
   use pyworm_line_film, only: line_contact, new_line_contact
@@ -27,6 +27,7 @@ program test_rough_surfaces
   call drag_by_sliding()
   call point_jacobian()
   call line_jacobian()
+  call moving_rupture()
   call shared_load()
   call starved_transient()
   call done()
@@ -291,6 +292,29 @@ contains
     call contact%deflection(p, none)
     call compare(contact, p, roughness - minval(none + contact%gap), ruptured, "a line contact")
   end subroutine line_jacobian
+
+  !> An iteration starts with the rupture line that is given. When its transient term changes oil that flows into ruptured nodes
+  !> makes them free in the next step.
+  subroutine moving_rupture()
+    type(point_contact) :: contact
+    real(wp) :: p(nx, ny), deflected(nx, ny), explicit_rate(nx, ny), residual, load_error
+    logical :: ruptured(nx, ny)
+    integer :: stat
+
+    call make_point(flow_law(law_newton), curves(0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp), 1.0_wp, 0.0_wp, 0.0_wp, contact, p)
+    call contact%deflection(p, deflected)
+    ruptured = .false.
+    ruptured(18:, :) = .true.
+    explicit_rate = 0
+    explicit_rate(18:20, :) = -1
+    call set_ruptured(contact, ruptured)
+    call set_transient_term(contact, 0.0_wp, explicit_rate, stat)
+    call film_residual(contact, p, roughness - minval(deflected + contact%gap), residual, load_error)
+    call check(all(contact%free .eqv. (contact%covered .and. .not. ruptured)), "an iteration starts with the rupture line given")
+    call film_balance_again(contact, residual, load_error)
+    call check(all(contact%free(18:20, :) .eqv. contact%covered(18:20, :)), "oil that flows in frees ruptured nodes")
+    call check(.not. any(contact%free(21:, :) .and. contact%imbalance(21:, :) > 0), "others stay ruptured")
+  end subroutine moving_rupture
 
   !> Newton's method shares the load: oil and asperities bear it together, neither less than nothing.
   subroutine shared_load()
