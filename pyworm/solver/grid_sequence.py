@@ -41,6 +41,7 @@ from pyworm.solver.stop_reason import (
     MAX_UNCONVERGED_GRIDS,
     bound_by_conduction,
     film_is_sound,
+    rate_not_accurate,
     refusal,
     rests_on_edge,
     stop_reason,
@@ -276,9 +277,10 @@ class GridSequence:
         if outcome.flaw is not None:
             stop = outcome.flaw.stop()
         elif film_is_sound(level, self._iteration, plan):
+            read = self._iteration.reading.figures
             if stop.ending.accurate and self._transient is not None and self._transient.flaw:
-                stop = Ending.RATE_OF_CHANGE.stop(reason=self._transient.flaw)
-            stop = with_wider_bars(stop, figures, self._iteration.reading.figures, self._requested)
+                stop = rate_not_accurate(stop, self._transient.flaw, figures, read, self._requested)
+            stop = with_wider_bars(stop, figures, read, self._requested)
         converged = stop.ending.converged
         if not converged and rests_on_edge(outcome.fields):
             stop = replace(stop, reason=stop.reason + CURE)

@@ -58,6 +58,22 @@ def with_wider_bars(
     )
 
 
+def rate_not_accurate(
+    stop: Stop,
+    flaw: str,
+    estimates: Mapping[str, Estimate],
+    figures: Mapping[str, float],
+    plan: Plan,
+) -> Stop:
+    """How the solve of an accurate film ended whose transient solution takes more than its share of the error.
+
+    All sources together may be within the accuracy even so.
+    """
+    errors = {name: estimate.error for name, estimate in estimates.items()}
+    within = plan.target.worst(errors, figures) <= plan.accuracy
+    return stop if within else Ending.RATE_OF_CHANGE.stop(reason=flaw)
+
+
 def film_is_sound(level: Level, iteration: Iteration, plan: Plan) -> bool:
     """Whether the equations are met by a film that is positive everywhere."""
     return level.film.balance.worst <= plan.tolerance and iteration.reading.film_min > 0

@@ -92,7 +92,11 @@ def residual_rise(
     ages = np.array([seconds - time_level.seconds for time_level in known])
     rises = []
     for number, (body, velocity) in enumerate(
-        zip(contact.bodies, contact.velocities_at(*(axis[nodes] for axis in grid.mesh())), strict=True)
+        zip(
+            contact.bodies,
+            contact.velocities_at(*(axis[nodes] for axis in grid.mesh())),
+            strict=True,
+        )
     ):
         velocities = np.array([time_level.velocities[number] for time_level in known])
         past = kernel.SurfacePast(ages, velocities)
