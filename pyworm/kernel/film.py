@@ -216,7 +216,7 @@ class Film(ABC):
         return self._evaluate(self.pressure, self.rigid_film)
 
     def rebalance(self) -> Balance:
-        """Evaluate the present film again after a change of its transient term alone; the next step goes on."""
+        """Evaluate the present film after a change of its transient term alone; the next step goes on."""
         residual, load_error = core.bindings.film_rebalance(self._handle)
         self.balance = Balance(residual, load_error, self._warming)
         return self.balance

@@ -65,7 +65,7 @@ def rate_not_accurate(
     figures: Mapping[str, float],
     plan: Plan,
 ) -> Stop:
-    """How the solve of an accurate film ended whose transient solution takes more than its share of the error.
+    """How the solve of an accurate film ended whose transient solution has more than its share of the error.
 
     All sources together may be within the accuracy even so.
     """

@@ -229,6 +229,17 @@ def test_a_rate_less_accurate_than_asked_for_is_used_with_wider_bars(left, endin
         assert left < solution.figures.film_min.error < 1.3 * left
 
 
+def test_a_rate_beyond_its_share_leaves_an_accurate_film_if_all_errors_are_within(monkeypatch):
+    def errors(readings, kind, turned):
+        return dict.fromkeys(readings[-1].figures, 0.042)
+
+    monkeypatch.setattr(transient_module, "_errors", errors)
+    monkeypatch.setattr(transient_module, "MAX_SOLVES", 2)
+    solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), ("isothermal", "squeeze"))
+    assert error_budget.TIME * 0.05 < 0.042 < solution.figures.film_min.error < 0.05
+    assert solution.ending is Ending.ACCURATE and solution.accurate
+
+
 def test_temperatures_of_no_use_do_not_widen_the_bars_of_films():
     scene = ball()
     plan = pyworm.plan(scene, 0.05, "all")
