@@ -266,7 +266,11 @@ def layer_of(solution: Solution, x: Array, y: Array) -> dict[str, Array]:
     """A solution's fields and places of the flank on the common grid, (y, x)."""
     fields = solution.fields
     names = [name for name in ("pressure", "film", *_MAXIMUM_FIELDS[1:]) if name in fields]
-    there = fields[names].interp(x=x, y=y, assume_sorted=True).transpose("y", "x")
+    film = fields["film"]
+    # beyond the end of a flank its continuation comes close to the other one, or passes through it
+    least = film.where(fields["covered"] == 1).min()
+    given = fields[names].assign(film=film.where(film >= least, film.max()))
+    there = given.interp(x=x, y=y, assume_sorted=True).transpose("y", "x")
     layer = {name: there[name].values for name in names}
     layer["pressure"] = np.nan_to_num(layer["pressure"])
     for name in names[1:]:  # outside a solution's window nothing is loaded

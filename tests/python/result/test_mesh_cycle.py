@@ -300,6 +300,21 @@ def test_the_flank_is_mapped_where_contacts_move_over_the_edge_of_a_tooth():
 
 
 @pytest.mark.usefixtures("coarse_map")
+def test_a_flank_continued_through_the_other_one_is_no_film():
+    """Beyond a flank's end, at -1 um; phases before and after press on the same places."""
+    whole = cycle_result(PHASES[::3])
+    *others, last = whole.solutions
+    covered = last.fields["covered"].where(last.fields["x"] < 0.3 * last.fields["x"].max(), 0)
+    film = last.fields["film"].where(covered == 1, -1e-6)
+    last = replace(last, fields=last.fields.assign(film=film, covered=covered))
+    field = flank_map(replace(whole, solutions=(*others, last)))
+    thinnest = min(
+        float(one.fields["film"].where(one.fields["covered"] == 1).min()) for one in (*others, last)
+    )
+    assert float(field["film"].min()) == pytest.approx(thinnest, rel=0.02)
+
+
+@pytest.mark.usefixtures("coarse_map")
 def test_wear_is_found_where_contacts_move_over_the_edge_of_a_tooth():
     whole = cycle_result(PHASES[::3])
     rough = replace(
