@@ -74,7 +74,7 @@ def expectation(
         sampled = sum(step.count * (step.nodes * times + each) for step in steps)
         return pace.motion_seconds(plan.work.kind, plan.model, steps) + sampled
 
-    film += moving.chance * taken(moving.further)
+    film += sum(chance * taken(steps) for chance, steps in moving.further)
     past = taken(moving.up_to_present)
     return Expectation(
         film + past, (film + past) / unit, past, taken(moving.shared), moving.part, gap

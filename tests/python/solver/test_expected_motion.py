@@ -10,7 +10,7 @@ import pyworm
 from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.expected_work import STEPS_A_TRANSIT, solves_of_life
 from pyworm.planning.prediction import predicted
-from pyworm.solver.cost.expected_motion import motion, time_grid_if_any
+from pyworm.solver.cost.expected_motion import FURTHER, motion, time_grid_if_any
 from pyworm.solver.cost.expected_time import Expectation, together
 from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.time_integration import integrate_in_time
@@ -72,10 +72,19 @@ def test_the_first_half_of_the_way_to_the_first_touch_is_solved_on_the_grid_befo
 
 def test_a_further_solve_begins_on_the_grid_before():
     scene, plan, time_grid = moving(POINT, 0.05)
-    before, last = motion(scene, plan, time_grid).further
+    ((_, (before, last)),) = motion(scene, plan, time_grid).further
     assert before.nodes == motion(scene, plan, time_grid).up_to_present[-1].nodes < last.nodes
     passed = time_grid.transits(scene.past.seconds) - begin_of_one(time_grid, scene.past.seconds)
     assert last.count < passed * (STEPS_A_TRANSIT["point"] << 2)
+
+
+def test_two_further_solves_are_expected_of_a_coarse_request_and_none_beyond_the_third():
+    scene, plan, time_grid = moving(POINT, 0.2)
+    assert solves_of_life(plan.accuracy) == 1
+    further = motion(scene, plan, time_grid).further
+    assert tuple(chance for chance, _ in further) == FURTHER
+    second, third = (steps[-1].nodes for _, steps in further)
+    assert third == pytest.approx(4 * second, rel=0.1)
 
 
 @pytest.mark.parametrize(("most", "built"), [(1e12, True), (1.0, False)])
@@ -87,7 +96,8 @@ def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, built)
     assert bool(further) == built
     if built:
         fourth = time_grid.grid_of_contact(time_grid.begin, 3)
-        assert further[-1].nodes == pytest.approx(fourth.nodes, rel=0.1)
+        ((_, steps),) = further
+        assert steps[-1].nodes == pytest.approx(fourth.nodes, rel=0.1)
     assert transient_module.begin_of_further(time_grid, scene.past.seconds, 4) is None
 
 
