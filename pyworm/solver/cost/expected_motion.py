@@ -20,10 +20,10 @@ from pyworm.solver.transient.transient import (
 )
 
 FURTHER = 0.17, 0.13
-"""Chances that a contact has one, and two, more transient solves than its accuracy asks for, of those that are
-made whatever they cost (`MIN_SOLVES`): 4 and 3 of 24 phases of worm gear sets had at 10 % (`tests/hard`, drives
-0 and 3 of seed 98001, 1 of 98002, 0 and 1 of 99002). One in the first transit of a life that begins under load
-(`FIRST_TRANSITS`) has one."""
+"""Chances that a contact has one, and two, more transient solves than its accuracy asks for, of those that
+are made whatever they cost (`MIN_SOLVES`): 4 and 3 of 24 phases of worm gear sets at 10 % had (`tests/hard`,
+drives 0 and 3 of seed 98001, 1 of 98002, 0 and 1 of 99002). One in the first transit of a life that begins
+under load (`FIRST_TRANSITS`) has one."""
 
 
 @dataclass(frozen=True)
