@@ -87,12 +87,12 @@ def _further(
     """Chance and time steps of each more solve for a contact at a time [s], after the usual ones."""
     place = time_grid.transits(seconds)
     under_load = time_grid.approach is None and place < FIRST_TRANSITS
-    for made, chance in enumerate(FURTHER, solves):
-        begin = begin_of_further(time_grid, seconds, made)
-        if begin is None or solves < made >= MIN_SOLVES:
+    for number, chance in enumerate(FURTHER, solves):
+        begin = begin_of_further(time_grid, seconds, number)
+        if begin is None or solves < number >= MIN_SOLVES:
             return
-        steps = _time_steps(time_grid, range(made, made + 1), begin, place)
-        yield 1.0 if under_load and made == solves else chance, steps
+        steps = _time_steps(time_grid, range(number, number + 1), begin, place)
+        yield 1.0 if under_load and number == solves else chance, steps
 
 
 def time_grid_if_any(scene: Scene | LineScene, plan: Plan) -> TimeGrid | None:
