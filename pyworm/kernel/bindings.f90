@@ -18,11 +18,11 @@ module bindings
   public :: point_film_transport, point_film_fluidity
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_entrain, line_film_heat
-  public :: film_free, film_place, film_evaluate, film_rebalance, film_step, film_state, &
-    film_thickness, film_convolve, film_tally, &
-    film_transient, film_set_gap, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, film_tabulate, &
-    film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, film_shear_fields, &
-    film_heat_fields, film_profile, film_adjoints, film_evaluate_at, film_heat_change, film_spread_change, film_set_oil
+  public :: film_free, film_place, film_evaluate, film_rebalance, film_step, film_state, film_thickness, film_convolve, &
+    film_tally, film_transient, film_set_gap, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, &
+    film_tabulate, film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, &
+    film_shear_fields, film_heat_fields, film_profile, film_adjoints, film_evaluate_at, film_heat_change, film_spread_change, &
+    film_set_oil
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions, flow_tables
   public :: heated_times, extrapolated_flux, surface_residual_rise

@@ -299,7 +299,7 @@ class Film(ABC):
         """Set the nodal entrainment along each direction [m/s]; the film must be restarted before a step."""
 
     def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
-        """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before its next step.
+        """Set d(rho h)/dt of the Reynolds equation; the film must be restarted, or rebalanced, before a step.
 
         `implicit` is the coefficient of rho h at present [1/s], `explicit` the part by rho h at earlier times
         at the nodes [m/s]. KernelError if a value is not finite or the shape is not that of the grid.

@@ -37,10 +37,6 @@ TIME = 0.78
 """Error by the transient solve, beyond which its rate of change is not to be trusted; the
 rest is left to grid, window and algebra."""
 
-MOST_OF_TIME = 0.9
-"""Error by the transient solve up to which finer grids of the present film may make up for it; beyond,
-films are followed to the accuracy that it leaves."""
-
 CONDUCTION = 0.7
 """Error by the approximation of conduction in the bodies from which on it is what a temperature is left with:
 the rest would be no room for grid, window and algebra."""

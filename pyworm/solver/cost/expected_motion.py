@@ -89,7 +89,7 @@ def _further(
     under_load = time_grid.approach is None and place < FIRST_TRANSITS
     for number, chance in enumerate(FURTHER, solves):
         begin = begin_of_further(time_grid, seconds, number)
-        if begin is None or solves < number >= MIN_SOLVES:
+        if begin is None or (number > solves and number >= MIN_SOLVES):
             return
         steps = _time_steps(time_grid, range(number, number + 1), begin, place)
         yield 1.0 if under_load and number == solves else chance, steps

@@ -258,15 +258,11 @@ class Transient:
         return self.flaw is not None and not self.coarse and self.film_error <= USABLE_ERROR
 
     def attainable(self, plan: Plan) -> Plan:
-        """The plan with the accuracy that the rate leaves, of temperatures where these have it, too.
-
-        It is the accuracy requested where grids may make up for the rate.
-        """
+        """The plan with the accuracy that the rate leaves, of temperatures where these have it, too."""
         heated = self.heat_error <= USABLE_ERROR
         error = self.heat_error if heated else self.film_error
         target = plan.target if heated else plan.target.without(*HEAT_FIGURES)
-        left = error > error_budget.MOST_OF_TIME * plan.accuracy
-        accuracy = max(plan.accuracy, error / error_budget.TIME) if left else plan.accuracy
+        accuracy = max(plan.accuracy, error / error_budget.TIME)
         return replace(plan, accuracy=accuracy, target=target)
 
 

@@ -4,7 +4,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from rough_bodies import rough
+from test_transient import ball
 
+import pyworm
+from pyworm.solver.kinds import SOLVERS
+from pyworm.solver.newton import iterate, newton_step
 from pyworm.solver.transient import next_film
 from pyworm.solver.transient.backward_term import LEAST_TURN, MAX_TURN, BackwardTerm
 from pyworm.solver.transient.next_film import NoFilmError
@@ -124,3 +129,19 @@ def test_where_its_halves_are_lost_a_step_with_a_limited_rate_is_kept(solved, mo
     monkeypatch.setattr(next_film, "_in_halves", lost)
     _, known, _, taken = next_film.reached(time_grid_until(0.5), Step(2.0, 0), before, [], False)
     assert known is before and taken == 1
+
+
+def test_oil_that_flows_in_moves_the_rupture_line_in_the_step_after_a_limit():
+    """Between rough surfaces a start keeps the line where it is for a step; a changed rate must not."""
+    scene = rough(ball(), 0.3e-6)
+    plan = pyworm.plan(scene, 0.2, ("isothermal", "roughness"))
+    level, _ = SOLVERS[type(scene)](scene, plan).begin(plan.grids)
+    iterate(level, plan.tolerance)
+    dry = ~level.flowing() & level.covered
+    into = dry & np.roll(level.flowing(), 1, axis=0)
+    assert into.any()
+    explicit = np.where(into, -1e3 * level.film.thickness(), 0.0)
+    term = SimpleNamespace(limit=lambda content: True, on=lambda grid: (0.0, explicit))
+    next_film._limit(level, term)
+    newton_step(level)
+    assert level.flowing()[into].any()  # none, where the line stands still

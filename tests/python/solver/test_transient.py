@@ -249,8 +249,6 @@ def test_temperatures_of_no_use_do_not_widen_the_bars_of_films():
     attainable = known.attainable(plan)
     assert attainable.accuracy == pytest.approx(0.07 / error_budget.TIME)
     assert not set(HEAT_FIGURES) & set(attainable.target.figures)
-    # finer grids may make up for a little more than its share
-    assert replace(known, film_error=0.044).attainable(plan).accuracy == 0.05
     all_of_use = replace(known, heat_error=0.14).attainable(plan)
     assert all_of_use.accuracy == pytest.approx(0.14 / error_budget.TIME)
     assert set(HEAT_FIGURES) <= set(all_of_use.target.figures)
