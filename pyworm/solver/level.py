@@ -50,6 +50,10 @@ too."""
 class TransientTerm(Protocol):
     """d(rho h)/dt of the Reynolds equation, and heat that surfaces remember and oil stores."""
 
+    @property
+    def limited(self) -> Any:
+        """Whether the rate is limited (`transient.backward_term`), anywhere or at each node."""
+
     def on(self, grid: Any) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, as of `Film.set_transient_term`."""
 

@@ -5,7 +5,7 @@ of that time, in time steps that are halved where no film is found or the end of
 """
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 
 import numpy as np
@@ -30,7 +30,13 @@ from pyworm.solver.transient.heat_memory import (
 )
 from pyworm.solver.transient.moving_grid import at_places, each_at_places, seen_from
 from pyworm.solver.transient.time_grid import TimeGrid
-from pyworm.solver.transient.time_level import TimeLevel, content_of, extrapolated, time_level_of
+from pyworm.solver.transient.time_level import (
+    TimeLevel,
+    content_of,
+    extrapolated,
+    is_limited,
+    time_level_of,
+)
 from pyworm.solver.transient.time_steps import Step
 
 EARLIER_FILMS = 3
@@ -110,13 +116,16 @@ def reached(
     """The film at a time.
 
     Where its rate of change is limited under pressure the time step is halved once: the end of the contact
-    moves over the grid faster than the step resolves.
+    moves over the grid faster than the step resolves. Where that of the last film is, the halves come first.
 
     NoFilmError if no film was found after `MOST_HALVINGS`.
     """
+    if before[0].limited:
+        with suppress(NoFilmError):
+            return _in_halves(time_grid, step, before, heat, held, 1)
     whole = _found(time_grid, step, before, heat, held)
     level, known, _, taken = whole
-    if not is_limited(level) or known is not before:
+    if before[0].limited or not is_limited(level) or known is not before:
         return whole
     try:
         level, before, heat, further = _in_halves(time_grid, step, before, heat, held, 1)
@@ -136,14 +145,16 @@ def _found(
     """The film at a time, from the last film alone by halves, and halves of these, where none is found.
 
     A load that jumps, or an edge that enters the contact, leaves films from which neither a first guess nor a
-    difference of higher order follows.
+    difference of higher order follows. Only halves begin with a steady film, which costs as much as ten of
+    these films.
     """
     try:
-        level, taken = _onward(time_grid, step, before, heat, held)
+        level, taken = _onward(time_grid, step, before, heat, held, halvings > 0)
     except NoFilmError:
         if halvings == MOST_HALVINGS:
             raise
-        return _in_halves(time_grid, step, before[:1], heat, held, halvings + 1)
+        known = before if halvings == 0 else before[:1]
+        return _in_halves(time_grid, step, known, heat, held, halvings + 1)
     return level, before, heat, taken
 
 
@@ -178,10 +189,12 @@ def _onward(
     before: Sequence[TimeLevel],
     heat: Sequence[HeatedTimeLevel],
     held: bool,
+    again: bool,
 ) -> tuple[Level, int]:
     """The film at a time, from those before and their heat, the latest first, and its Newton steps.
 
     Where a separation is given but its surfaces are no longer held there the load is given in its place.
+    `again` has a film that is not found begin again with the steady one.
     """
     seconds = step.seconds
     contact, mesh = contact_at(time_grid, seconds), time_grid.mesh(seconds)
@@ -206,9 +219,7 @@ def _onward(
                 and balance.warming > MAX_TEMPERATURE_RESIDUAL
             ):
                 taken += len(iterate(level, *tolerances, most=WARMING_STEPS))
-        if contact.separation is None and not level.film.balance.within(
-            MAX_TRANSIENT_RESIDUAL, MAX_TEMPERATURE_RESIDUAL
-        ):
+        if again and contact.separation is None and not _is_found(level):
             level = _beside(contact, time_grid, grid, solver)
             taken += _followed(level, term, tolerances)
             taken += len(iterate(level, *tolerances))
@@ -232,12 +243,6 @@ def _limit(level: Level, term: BackwardTerm) -> None:
     if isinstance(level.grid, Grid) and term.limit(content_of(level)):
         level.film.set_transient_term(*term.on(level.grid))
         level.film.rebalance()
-
-
-def is_limited(level: Level) -> bool:
-    """Whether the rate of change of a film is limited anywhere under pressure."""
-    term = level.transient_term
-    return isinstance(term, BackwardTerm) and bool(np.any(term.limited[level.film.pressure > 0]))
 
 
 def _begun_from(
@@ -301,9 +306,13 @@ def _beside(
 
 def _sound(level: Level, seconds: float) -> Level:
     """The level, if its film is found, its temperatures up to a share of the largest rise."""
-    if not level.film.balance.within(MAX_TRANSIENT_RESIDUAL, MAX_TEMPERATURE_RESIDUAL):
+    if not _is_found(level):
         raise NoFilmError(lost_at(seconds))
     return level
+
+
+def _is_found(level: Level) -> bool:
+    return level.film.balance.within(MAX_TRANSIENT_RESIDUAL, MAX_TEMPERATURE_RESIDUAL)
 
 
 @contextmanager

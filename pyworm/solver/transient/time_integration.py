@@ -28,7 +28,6 @@ from pyworm.solver.transient.next_film import (
     NoFilmError,
     contact_at,
     heated_levels,
-    is_limited,
     lost_at,
     prompt,
     reached,
@@ -36,7 +35,7 @@ from pyworm.solver.transient.next_film import (
     steady_level,
 )
 from pyworm.solver.transient.time_grid import TimeGrid
-from pyworm.solver.transient.time_level import TimeLevel, time_level_of
+from pyworm.solver.transient.time_level import TimeLevel, is_limited, time_level_of
 from pyworm.solver.transient.time_records import TimeRecord, time_record
 from pyworm.solver.transient.time_steps import Step, steps_of
 

@@ -1,7 +1,7 @@
 """The film at one time of a transient solve, and what follows from some of them for another time."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -31,19 +31,27 @@ class TimeLevel:
     rise: Array | None = None
     """What both surfaces are warmer by than in steady conduction (`heat_memory`), body along the last axis
     [K]; None where that is not known."""
+    limited: bool = False
+    """Whether its rate of change is limited anywhere under pressure (`backward_term`)."""
 
     def finer(self, window: Any = np.s_[...]) -> "TimeLevel":
         """Interpolated to nodes of half the spacing within a window."""
         rise = None if self.rise is None else kernel.prolong_levels(self.rise[window])
         content = kernel.prolong(self.content[window])
-        return TimeLevel(self.seconds, content, self.state.finer(window), rise)
+        return replace(self, content=content, state=self.state.finer(window), rise=rise)
 
 
 def time_level_of(level: Level, seconds: float) -> TimeLevel:
     """What later films need of the one at a time."""
     term = level.transient_term
     rise = None if term is None else term.remembered(level.grid)
-    return TimeLevel(seconds, content_of(level), level.state(), rise)
+    return TimeLevel(seconds, content_of(level), level.state(), rise, is_limited(level))
+
+
+def is_limited(level: Level) -> bool:
+    """Whether the rate of change of a film is limited anywhere under pressure."""
+    term = level.transient_term
+    return term is not None and bool(np.any(term.limited & (level.film.pressure > 0)))
 
 
 def content_of(level: Level) -> Array:

@@ -89,14 +89,19 @@ def time_grid_until(until):
     )
 
 
+def film_at(seconds, limited=False):
+    """What stands for a film of a time."""
+    return SimpleNamespace(seconds=seconds, limited=limited)
+
+
 @pytest.fixture
 def solved(monkeypatch):
     """Times of the films that are solved, instead of films."""
     times = []
 
-    def onward(time_grid, step, before, heat, held):
+    def onward(time_grid, step, before, heat, held, again):
         times.append(step.seconds)
-        return SimpleNamespace(seconds=step.seconds), 1
+        return film_at(step.seconds), 1
 
     monkeypatch.setattr(next_film, "_onward", onward)
     monkeypatch.setattr(next_film, "heated_levels", lambda time_grid, level, seconds: [])
@@ -106,20 +111,37 @@ def solved(monkeypatch):
 
 
 def test_a_step_with_a_limited_rate_is_halved_once(solved):
-    before = [SimpleNamespace(seconds=1.0), SimpleNamespace(seconds=0.0)]
+    before = [film_at(1.0), film_at(0.0)]
     _, known, _, taken = next_film.reached(time_grid_until(0.5), Step(2.0, 0), before, [], False)
     assert solved == [2.0, 1.5, 2.0] and taken == 3
     assert [film.seconds for film in known] == [1.5, 1.0, 0.0]
 
 
+def test_after_a_film_with_a_limited_rate_the_halves_of_a_step_come_first(solved):
+    before = [film_at(1.0, limited=True), film_at(0.0)]
+    _, known, _, taken = next_film.reached(time_grid_until(0.5), Step(2.0, 0), before, [], False)
+    assert solved == [1.5, 2.0] and taken == 2
+    assert [film.seconds for film in known] == [1.5, 1.0, 0.0]
+
+
+def test_where_they_are_lost_the_whole_step_is_made_once(solved, monkeypatch):
+    def lost(*how):
+        raise NoFilmError("lost")
+
+    monkeypatch.setattr(next_film, "_in_halves", lost)
+    before = [film_at(1.0, limited=True), film_at(0.0)]
+    _, known, _, taken = next_film.reached(time_grid_until(0.5), Step(2.0, 0), before, [], False)
+    assert solved == [2.0] and known is before and taken == 1
+
+
 def test_halves_of_a_step_begin_on_the_grid_of_the_contact(solved):
-    before = [SimpleNamespace(seconds=1.0), SimpleNamespace(seconds=0.0)]
+    before = [film_at(1.0), film_at(0.0)]
     next_film.reached(time_grid_until(1.75), Step(2.0, 0), before, [], False)
     assert solved == [2.0, 1.75, 2.0]
 
 
 def test_where_its_halves_are_lost_a_step_with_a_limited_rate_is_kept(solved, monkeypatch):
-    before = [SimpleNamespace(seconds=1.0), SimpleNamespace(seconds=0.0)]
+    before = [film_at(1.0), film_at(0.0)]
     whole = next_film.reached(time_grid_until(2.0), Step(2.0, 0), before, [], False)
     assert solved == [2.0] and whole[1] is before
 

@@ -30,19 +30,11 @@ def first_guesses_of_extrapolated_films(time_grid, solver, grid, contact, before
 
 
 @pytest.mark.parametrize(
-    ("begun_from", "steady_films"),
-    [(next_film._begun_from, 1), (first_guesses_of_extrapolated_films, 2)],
+    "begun_from", [next_film._begun_from, first_guesses_of_extrapolated_films]
 )
-def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from, steady_films):
-    """It begins with the last film, or else the steady one: the extrapolated one makes no sense."""
+def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from):
+    """It begins with the last film, or that of half the step does: the extrapolated one makes no sense."""
     time_grid, begin, wanted = part
-    beside, asked = next_film._beside, []
-
-    def counted(*given):
-        asked.append(given)
-        return beside(*given)
-
-    monkeypatch.setattr(next_film, "_beside", counted)
     monkeypatch.setattr(next_film, "_begun_from", begun_from)
     found = integrate_in_time(time_grid, 0, begin, [wanted])
     assert found.failure is None
@@ -50,7 +42,36 @@ def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from, steady_f
     loads = [one.load for one in found.records]
     jump = max(after / before for before, after in pairwise(loads))
     assert jump > 1.3  # the load per length
-    assert len(asked) == steady_films  # the first film is steady
+
+
+def test_half_a_step_whose_film_is_not_found_begins_with_the_steady_one(part, monkeypatch):
+    """A steady film costs as much as many of a step; a whole one goes without."""
+    time_grid, begin, wanted = part
+    onward, beside, is_found = next_film._onward, next_film._beside, next_film._is_found
+    tried, lost, steady = [0.0], [], []
+
+    def onward_of(time_grid, step, *state):
+        tried.append(step.seconds)
+        return onward(time_grid, step, *state)
+
+    def found_later(level):
+        begun = lost or tried[-1] > time_grid.time_at(begin + 0.1)
+        if begun and len(lost) < 2:
+            lost.append(tried[-1])
+            return False
+        return is_found(level)
+
+    def counted(*given):
+        steady.append(tried[-1])
+        return beside(*given)
+
+    for name, given in (("_onward", onward_of), ("_is_found", found_later), ("_beside", counted)):
+        monkeypatch.setattr(next_film, name, given)
+    found = integrate_in_time(time_grid, 0, begin, [wanted])
+    assert found.failure is None and wanted in found.rates
+    whole, half = lost
+    assert half < whole
+    assert steady == [0.0, half]  # the first film of all is steady
 
 
 def test_a_step_whose_film_is_not_found_is_halved(part, monkeypatch):
