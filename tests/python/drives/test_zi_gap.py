@@ -234,6 +234,23 @@ def test_a_flank_is_continued_along_rays_without_a_jump(phase):
         assert np.abs(np.diff(height, axis=1))[both].max() < 1e-4
 
 
+@pytest.mark.parametrize("phase", (0.3, 0.7, 1.1))
+def test_many_points_beyond_the_end_of_a_flank_are_continued_as_a_few_are(phase):
+    """Many take its end between rays that they share, a few along a ray of their own."""
+    contact = sharif().cycle.contact(phase)
+    angle = np.linspace(0, 2 * np.pi, 180, endpoint=False)[:, None] + 1e-3
+    reach = np.linspace(0.005, 0.045, 40)
+    x, y = (reach * np.cos(angle)).ravel(), (reach * np.sin(angle)).ravel()
+    for flank in (contact.worm_height, contact.wheel_height):
+        height, _, exists = flank.solve(x, y)
+        assert np.sum(~exists) > 512  # else all have a ray of their own
+        beyond = np.flatnonzero(~exists)[::20]
+        for some in (beyond[:500], np.flatnonzero(exists)[::20][:500]):
+            few, _, on_flank = flank.solve(x[some], y[some])
+            np.testing.assert_array_equal(on_flank, exists[some])
+            np.testing.assert_allclose(height[some], few, rtol=0, atol=5e-6)
+
+
 @pytest.mark.parametrize("phase", (-0.2, 0.1, 0.4))
 def test_the_worm_ends_on_the_ray_near_its_base_helix(phase):
     """There the generator has a tenth of its length from the base helix to the contact point."""

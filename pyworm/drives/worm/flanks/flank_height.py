@@ -46,6 +46,17 @@ MOST_TRIES = 64
 MAX_PARAMETER_CHANGE = np.pi / 2
 """Largest change of a plane's parameter [rad] from the contact point's: beyond lie other windings."""
 
+OUTLINE_RAYS = 512
+"""Rays on which the flank's end is found, and points beyond it from which on they are; between two rays its
+inverse distance, linear along a straight end, is interpolated."""
+
+MAX_OUTLINE_STEP = 0.05
+"""Largest relative change of the distance of the flank's end from one ray to the next, and farthest that a
+point may lie within it, for that; elsewhere a ray of its own leads to the point."""
+
+JUST_BEYOND = 1 - 1e-9
+"""Fraction of the ray on the flank of a point beside its end."""
+
 BLOCK = 4096
 """Points solved at once: keeps the work arrays within the processor's cache."""
 
@@ -183,9 +194,10 @@ class FlankHeight:
     def _solve_each(self, x: Array, y: Array) -> Array:
         """Rows as of `_solve_block`, also where the flank is continued."""
         found = _in_blocks(self._solve_block, x, y)
-        failed = np.flatnonzero(found[-1] == 0)
-        if failed.size:
-            found[:, failed] = _in_blocks(self._continued, x[failed], y[failed])
+        for further, least in ((self._between_rays, OUTLINE_RAYS), (self._along_rays, 1)):
+            failed = np.flatnonzero(found[-1] == 0)
+            if failed.size >= least:
+                found[:, failed] = _in_blocks(further, x[failed], y[failed])
         return found
 
     def _solve_block(self, x: Array, y: Array) -> Array:
@@ -193,15 +205,52 @@ class FlankHeight:
         height, q, left = self._converged(list(self._guess @ _powers(x, y)), self._line(x, y))
         return np.array([height, height, *q, left > 0])
 
-    def _continued(self, x: Array, y: Array) -> Array:
-        """Rows: height on or beyond the flank, and on it, q there and fraction of the ray that lies on it."""
-        reach, q = self._end(x, y)
+    def _along_rays(self, x: Array, y: Array) -> Array:
+        """Rows as of `_continued`, by a ray to each point."""
+        return self._continued(x, y, *self._end(x, y))
+
+    def _between_rays(self, x: Array, y: Array) -> Array:
+        """Rows as of `_continued`, by rays of the outline beside it; 0 last where these do not tell."""
+        inverse, on_rays = self._outline
+        turn = np.arctan2(y, x) / (2 * np.pi) * OUTLINE_RAYS
+        first = np.floor(turn).astype(int)
+        part, first, second = turn - first, first % OUTLINE_RAYS, (first + 1) % OUTLINE_RAYS
+        change = inverse[second] - inverse[first]
+        reach = 1 / ((inverse[first] + part * change) * np.hypot(x, y))
+        smooth = np.abs(change) <= MAX_OUTLINE_STEP * np.minimum(inverse[first], inverse[second])
+        near = np.flatnonzero(smooth & (reach < 1 + MAX_OUTLINE_STEP))
+        reach, x_near, y_near = np.minimum(reach[near], 1.0), x[near], y[near]
+        first, second, part = first[near], second[near], part[near]
+        between = on_rays[:, first] + part * (on_rays[:, second] - on_rays[:, first])
+        _, q, left = self._converged(list(between), self._line(reach * x_near, reach * y_near))
+        reach = np.where(left > 0, reach, np.minimum(reach, JUST_BEYOND))
+        found = np.zeros((3 + len(q), x.size))
+        sound = ~np.isnan(left)
+        q = [values[sound] for values in q]
+        found[:, near[sound]] = self._continued(x_near[sound], y_near[sound], reach[sound], q)
+        return found
+
+    def _continued(self, x: Array, y: Array, reach: Array, q: list[Array]) -> Array:
+        """Rows: height on or beyond the flank, and on it, q there and fraction of the ray that lies on it.
+
+        `reach` is that fraction, and `q` belongs to its end.
+        """
         height, slope, _ = self.expansion(q, reach * x, reach * y)
         dx, dy = (1 - reach) * x, (1 - reach) * y
         rise = slope[0] * dx + slope[1] * dy
         bend = self.curvatures
         curl = bend[0, 0] * dx**2 + 2 * bend[0, 1] * dx * dy + bend[1, 1] * dy**2
         return np.array([height + rise + curl / 2, height, *q, reach])
+
+    @cached_property
+    def _outline(self) -> tuple[Array, Array]:
+        """Inverse of the distance to the flank's end on each ray [1/m], and q there; NaN where it is far."""
+        angle = 2 * np.pi / OUTLINE_RAYS * np.arange(OUTLINE_RAYS)
+        x, y = np.cos(angle), np.sin(angle)
+        rates = np.abs(self._guess[:, 1:3] @ (x, y)).max(axis=0)
+        length = MAX_PARAMETER_CHANGE / rates
+        reach, q = self._end(length * x, length * y)
+        return np.where(reach < 1, 1 / (reach * length), np.nan), np.array(q)
 
     def _end(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
         """Fraction of the ray to (x, y) that lies on the flank, and q there.
