@@ -29,9 +29,7 @@ def first_guesses_of_extrapolated_films(time_grid, solver, grid, contact, before
     return solver.on_grid(grid, next_film.extrapolated(before, seconds))
 
 
-@pytest.mark.parametrize(
-    "begun_from", [next_film._begun_from, first_guesses_of_extrapolated_films]
-)
+@pytest.mark.parametrize("begun_from", [next_film._begun_from, first_guesses_of_extrapolated_films])
 def test_a_step_across_a_jump_has_a_film(part, monkeypatch, begun_from):
     """It begins with the last film, or that of half the step does: the extrapolated one makes no sense."""
     time_grid, begin, wanted = part
