@@ -178,6 +178,8 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_a_step_that_is_lost_is_halved",
     "solver/transient/next_film.py reached NoFilmError":
         "solver/test_backward_term.py::test_where_its_halves_are_lost_a_step_with_a_limited_rate_is_kept",
+    "solver/transient/next_film.py reached suppress NoFilmError":
+        "solver/test_backward_term.py::test_where_they_are_lost_the_whole_step_is_made_once",
     "solver/transient/time_integration.py _through NoFilmError":
         "solver/test_solver_fall_backs.py::test_films_before_one_that_is_lost_are_kept_with_the_reason",
     "solver/transient/next_film.py _told KernelError":

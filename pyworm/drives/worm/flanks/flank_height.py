@@ -14,6 +14,7 @@ from pyworm.drives.worm.flanks.flank_surface import FlankSurface, along
 from pyworm.drives.worm.flanks.helicoid import Array, Components
 from pyworm.drives.worm.flanks.lagrange_interpolation import on_mesh
 from pyworm.drives.worm.flanks.point_cache import PointCache
+from pyworm.formulas.whole_numbers import whole
 
 EDGE = 0.1
 """Ratio of the determinant to that of the contact point at which a flank counts as ending.
@@ -213,7 +214,7 @@ class FlankHeight:
         """Rows as of `_continued`, by rays of the outline beside it; 0 last where these do not tell."""
         inverse, on_rays = self._outline
         turn = np.arctan2(y, x) / (2 * np.pi) * OUTLINE_RAYS
-        first = np.floor(turn).astype(int)
+        first = whole(np.floor(turn))
         part, first, second = turn - first, first % OUTLINE_RAYS, (first + 1) % OUTLINE_RAYS
         change = inverse[second] - inverse[first]
         reach = 1 / ((inverse[first] + part * change) * np.hypot(x, y))
