@@ -142,11 +142,11 @@ def _found(
     held: bool,
     halvings: int = 0,
 ) -> Reached:
-    """The film at a time, from the last film alone by halves, and halves of these, where none is found.
+    """The film at a time; where none is found by halves of the step, and halves of these.
 
     A load that jumps, or an edge that enters the contact, leaves films from which neither a first guess nor a
-    difference of higher order follows. Only halves begin with a steady film, which costs as much as ten of
-    these films.
+    difference of higher order follows: halves of halves follow from the last film alone. Only halves begin
+    with a steady film, which costs as much as ten of these films.
     """
     try:
         level, taken = _onward(time_grid, step, before, heat, held, halvings > 0)

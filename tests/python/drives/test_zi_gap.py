@@ -11,6 +11,7 @@ from zi_drives import WHEEL, WORM, changed, sharif
 import pyworm
 from pyworm.drives.worm.drawing.design import ParabolicRelief
 from pyworm.drives.worm.drawing.usual_values import completed
+from pyworm.drives.worm.flanks.flank_height import OUTLINE_RAYS
 from pyworm.drives.worm.flanks.point_cache import PointCache
 from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
@@ -243,7 +244,7 @@ def test_many_points_beyond_the_end_of_a_flank_are_continued_as_a_few_are(phase)
     x, y = (reach * np.cos(angle)).ravel(), (reach * np.sin(angle)).ravel()
     for flank in (contact.worm_height, contact.wheel_height):
         height, _, exists = flank.solve(x, y)
-        assert np.sum(~exists) > 512  # else all have a ray of their own
+        assert np.sum(~exists) > OUTLINE_RAYS  # else all have a ray of their own
         beyond = np.flatnonzero(~exists)[::20]
         for some in (beyond[:500], np.flatnonzero(exists)[::20][:500]):
             few, _, on_flank = flank.solve(x[some], y[some])

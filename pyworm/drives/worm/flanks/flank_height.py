@@ -211,7 +211,7 @@ class FlankHeight:
         return self._continued(x, y, *self._end(x, y))
 
     def _between_rays(self, x: Array, y: Array) -> Array:
-        """Rows as of `_continued`, by rays of the outline beside it; 0 last where these do not tell."""
+        """Rows as of `_continued`, by rays of the outline beside them; 0 last where these do not tell."""
         inverse, on_rays = self._outline
         turn = np.arctan2(y, x) / (2 * np.pi) * OUTLINE_RAYS
         first = whole(np.floor(turn))
