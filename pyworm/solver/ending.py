@@ -77,6 +77,10 @@ class Ending(StrEnum):
         "the largest grid allowed leaves no second grid, or domain, to compare with",
     )
     LARGEST_GRID = "largest grid", "the largest grid allowed leaves an error of {error}"
+    BEYOND_REFINEMENT = (
+        "beyond refinement",
+        "grid refinement does not reduce the error of {error}: {sources}",
+    )
     OUT_OF_REACH = (
         "out of reach",
         "the largest grid allowed would leave an error of at least {error}",

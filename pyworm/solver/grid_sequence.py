@@ -20,8 +20,9 @@ from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.ending import Ending, Stop
-from pyworm.solver.error_estimate import Reading, change, changes, largest_of_films
+from pyworm.solver.error_estimate import Reading, change, changes, hot_spike, largest_of_films
 from pyworm.solver.estimates import estimates
+from pyworm.solver.irreducible import TIME, beyond_refinement, time_would_do
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
 from pyworm.solver.levels_across import (
@@ -100,6 +101,7 @@ class GridSequence:
         self._unjudged = False
         self._steps: list[NewtonStep] = []
         self._unconverged = self._refinements = self._widenings = 0
+        self._time_would_do = False
 
     def begin(self, warm_start: Level | None) -> Level:
         """The converged film on the first grid of the figures, from one solved there with fewer effects."""
@@ -126,8 +128,11 @@ class GridSequence:
 
     @property
     def wants_finer_rates(self) -> bool:
-        """Whether one more transient solve may mend the error that the film's rate of change leaves."""
-        return self._transient is not None and self._transient.coarse
+        """Whether one more transient solve may mend the error that the film's rate of change leaves.
+
+        After the last grid also where that and errors which no grid reduces exceed the accuracy together.
+        """
+        return self._transient is not None and (self._transient.coarse or self._time_would_do)
 
     def figures(self) -> dict[str, float] | None:
         """The figures so far; None where there is no film yet."""
@@ -177,7 +182,7 @@ class GridSequence:
                 self._uncertainties = self._solver.uncertainties(self._level)
             if stop is None and plan.wider_grids and not self._window:
                 stop = self._compare_windows()
-        return stop or stop_reason(
+        stop = stop or stop_reason(
             self._level,
             self._iteration,
             self._estimates(),
@@ -185,6 +190,30 @@ class GridSequence:
             self._max_unconverged,
             plan,
         )
+        if stop is None or stop.ending is Ending.LARGEST_GRID:
+            return self._beyond_refinement() or stop
+        return stop
+
+    def _beyond_refinement(self) -> Stop | None:
+        """The end where finer grids do not bring the accuracy; None where they may.
+
+        Temperatures that may be left out of the accuracy in the end do not decide.
+        """
+        if not film_is_sound(self._level, self._iteration, self._plan):
+            return None
+        estimates, read = self._estimates(), self._iteration.reading
+        bound = bound_by_conduction(self._level, estimates, read.figures, self._plan)
+        spike = () if hot_spike(read) is None else ("temperature_max_film",)
+        target, accuracy = self._plan.target.without(*bound, *spike), self._plan.accuracy
+        sources = self._sources() | {
+            "conduction in the bodies": self._level.conduction_errors(),
+            "domain truncation": {name: estimate.domain for name, estimate in estimates.items()},
+        }
+        stop = beyond_refinement(estimates, sources, read.figures, target, accuracy)
+        self._time_would_do = stop is not None and time_would_do(
+            sources, read.figures, target, accuracy
+        )
+        return stop
 
     def _rate_not_known(self) -> Stop | None:
         """The end where the film's rate of change is of no use; None where it is."""
@@ -442,12 +471,21 @@ class GridSequence:
 
     def _approximations(self) -> dict[str, float]:
         """Relative error of each figure by the levels across the film and by the integration in time."""
-        past = {} if self._transient is None else self._transient.errors
+        errors = self._sources().values()
+        return {
+            name: sum(of_source.get(name, 0.0) for of_source in errors)
+            for name in self._iteration.reading.figures
+        }
+
+    def _sources(self) -> dict[str, dict[str, float]]:
+        """These errors by their source."""
         known = self._levels_errors or {}
         planned = inf if self._unjudged else self._plan.model.level_error
         return {
-            name: known.get(name, planned) + past.get(name, 0.0)
-            for name in self._iteration.reading.figures
+            "levels across the film": {
+                name: known.get(name, planned) for name in self._iteration.reading.figures
+            },
+            TIME: {} if self._transient is None else self._transient.errors,
         }
 
     def _tell(self, what: str, fraction: float) -> None:

@@ -63,15 +63,16 @@ def solve(
         plan, rates = _rates_of_change(scene, plan, rates, report)
         sequence = GridSequence(plan.simplified(scene), plan, rates, report, stopwatch)
         warm_start = sequence.begin(warm_start)
-        if rates is not None and sequence.wants_finer_rates:
-            report(f"{scene.name}: its history, on a finer grid", 0.0)
-            rates = finer(scene, plan, rates)
-            if not rates.finest:
-                continue
+        rates, again = _finer_rates(scene, plan, rates, sequence, report)
+        if again:
+            continue
         # the first grid tells what the closed forms missed, before finer ones cost their time
         updated = _updated(scene, plan, sequence.figures() if plan.may_grow else None)
         if updated.on <= plan.on:
             solution = sequence.finish()
+            rates, again = _finer_rates(scene, plan, rates, sequence, report)
+            if again:
+                continue
             if solution.ending is Ending.CIRCULATING and plan.asked is None:
                 report(f"{scene.name}: without heat, {solution.stop_reason}", 0.0)
                 plan, warm_start = isothermal(scene, plan, solution.stop_reason), None
@@ -169,6 +170,21 @@ def _rates_of_change(
     if rates.flaw is not None and plan.asked is None:
         return steady(plan, f"not found: {rates.flaw}"), None
     return plan, rates
+
+
+def _finer_rates(
+    scene: Scene | LineScene,
+    plan: Plan,
+    rates: Rates | None,
+    sequence: GridSequence,
+    report: Progress,
+) -> tuple[Rates | None, bool]:
+    """The rates of change, and whether they have one more transient solve, which a sequence wants."""
+    if rates is None or rates.finest or not sequence.wants_finer_rates:
+        return rates, False
+    report(f"{scene.name}: its history, on a finer grid", 0.0)
+    rates = finer(scene, plan, rates)
+    return rates, not rates.finest
 
 
 def _updated(scene: Scene | LineScene, plan: Plan, figures: Mapping[str, float] | None) -> Plan:
