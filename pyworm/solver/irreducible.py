@@ -1,7 +1,8 @@
-"""Errors that grid refinement does not reduce: domain, conduction, levels across the film, time integration."""
+"""Errors that grid refinement does not reduce: by domain, levels across the film, conduction and time."""
 
 from collections.abc import Mapping
 from dataclasses import replace
+from math import inf
 
 from pyworm.io.quantity_text import percent
 from pyworm.planning.target import AccuracyTarget
@@ -27,12 +28,13 @@ def beyond_refinement(
 ) -> Stop | None:
     """The end that tells what finer grids do not reduce; None where they may bring the accuracy.
 
-    `sources` are the relative errors of each figure by each of them. Where the grid itself leaves more than
-    the accuracy they are not known yet.
+    `sources` are the relative errors of each figure by each of them, infinite of one that is not known yet.
+    Where the grid itself leaves more than the accuracy the others are not known well.
     """
     grids = {name: estimate.grid for name, estimate in estimates.items()}
     left = _left(sources, figures)
-    if not target.worst(grids, figures) <= accuracy < target.worst(left, figures):
+    known = target.worst(left, figures) < inf
+    if not (known and target.worst(grids, figures) <= accuracy < target.worst(left, figures)):
         return None
     worst = max(
         target.figures, key=lambda name: replace(target, figures=(name,)).worst(left, figures)
