@@ -1,13 +1,16 @@
 """Sheared and heated line contacts: their limits, symmetries and balances."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from contact_edge import shares_of_contact
 from folders import CASES
+from gear_draws import drive
 
 import pyworm
+from pyworm.case.case import case_of
 from pyworm.formulas.unit_factors import ZERO_CELSIUS
 from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
@@ -274,3 +277,10 @@ def test_a_hot_roller_whose_walls_slip_settles_on_every_grid():
     assert solution.converged, solution.stop_reason
     points, steps = np.unique(solution.history.points_x, return_counts=True)
     assert max(steps[points > 200]) < 30
+
+
+def test_a_thick_film_whose_heat_settles_slowly_has_its_steps():
+    """A film of 4 um between spur gears, whose temperatures with more levels settle by 6 % a step."""
+    gears = case_of(drive(7, 99005).tables, "gears", Path())
+    solution = pyworm.solve(gears.scene(phase=0.9), accuracy=0.05)
+    assert solution.accurate, solution.stop_reason
