@@ -5,7 +5,8 @@ Newton's iteration leaves), the levels across the film, the integration in time 
 bodies. A solve ends where the sum is within the accuracy (`pyworm.solver.stop_reason`). The shares decide on
 the way there: how far each source is followed before the next grid, which costs most, is solved. Those of a
 steady film leave nearly half to the grid. A source that no finer grid mends, time or conduction, has a limit
-of its own beyond which no grid is solved for it.
+of its own beyond which no grid is solved for it; nor is one where all of these exceed the accuracy together
+(`pyworm.solver.irreducible`).
 """
 
 RESIDUAL = 0.1
