@@ -15,7 +15,7 @@ TIME = "transient solution"
 TOLD_SHARE = 0.1
 """Share of the error from which a source is told."""
 
-FALL = 2.0
+TIME_ERROR_FALL = 2.0
 """Fall of the error of the time integration that one more transient solution promises."""
 
 
@@ -59,7 +59,7 @@ def time_would_do(
     accuracy: float,
 ) -> bool:
     """Whether one more transient solution may bring the accuracy that finer grids do not."""
-    time = {name: error / FALL for name, error in sources[TIME].items()}
+    time = {name: error / TIME_ERROR_FALL for name, error in sources[TIME].items()}
     return target.worst(_left({**sources, TIME: time}, figures), figures) <= accuracy
 
 

@@ -22,8 +22,8 @@ MOST_SLOW_STEPS, SLOW_BALANCE_RATIO = 60, 6.0
 local slip slows the last steps."""
 
 MOST_SLOW_LINE_STEPS, SLOW_LINE_BALANCE_RATIO = 120, 20.0
-"""The same of lines, whose steps cost next to nothing: heat of a thick film between spur gears settles by 6 %
-a step."""
+"""Largest number on a grid of a line, whose steps cost next to nothing, within that ratio: heat of a thick
+film between spur gears settles by 6 % a step."""
 
 UNRECOVERABLE_RESIDUAL = 1e6
 """Residual from which Newton does not recover, as of a flow law far beyond its stress."""

@@ -53,7 +53,7 @@ def solve(
     Raises:
         ValueError: No contact, the plan of another one, a plan together with its arguments, or as of
             `pyworm.plan`.
-        KernelError: If values of the scene are not finite or memory does not suffice for the first grids
+        KernelError: Values of the scene are not finite, or memory does not suffice for the first grids
             (`memory.NoMemoryError`); a lack of memory for finer grids ends the sequence instead.
     """
     plan = _plan(scene, plan, {"accuracy": accuracy, "effects": effects, "quantities": quantities})
@@ -66,7 +66,7 @@ def solve(
         rates, again = _finer_rates(scene, plan, rates, sequence, report)
         if again:
             continue
-        # the first grid tells what the closed forms missed, before finer ones cost their time
+        # the first grid tells what closed forms missed, before finer ones cost their time
         updated = _updated(scene, plan, sequence.figures() if plan.may_grow else None)
         if updated.on <= plan.on:
             solution = sequence.finish()
@@ -83,8 +83,7 @@ def solve(
                 solution = solution.changed(effects=updated.effects, solved=(scene, plan))
                 return _no_worse(scene, plan, solution, rates, report)
         missed = updated.on - plan.on
-        if STARVATION.name in missed:
-            warm_start = None  # its window holds the meniscus, and nothing beyond
+        warm_start = None if STARVATION.name in missed else warm_start  # of another window
         report(f"{scene.name}: calls for {', '.join(sorted(missed))} too", 0.0)
         plan = updated
 
