@@ -36,6 +36,10 @@ from pyworm.solver.solution import Solution
 DIRECTIONS = {"x": "to the wheel", "y": "along the wheel's axis", "z": "along the worm's axis"}
 """Axis of the drive frame -> its direction."""
 
+LEAST_TRANSMISSION_ERROR = 0.01
+"""Range of the transmission error to either side of zero that is drawn at least [µrad]: flanks that
+transmit without error have that of rounding."""
+
 
 def draw_cycle(result: Result) -> Figure:
     """Transmission error, radii, contact point, load; what was solved: films, friction, temperatures."""
@@ -68,7 +72,10 @@ def draw_cycle(result: Result) -> Figure:
 
 
 def _draw_transmission_error(axes: Axes, cycle: "xr.Dataset") -> None:
-    axes.plot(cycle["phase"], cycle["transmission_error"] * MICRO, color="black")
+    error = cycle["transmission_error"] * MICRO
+    axes.plot(cycle["phase"], error, color="black")
+    if abs(error).max() < LEAST_TRANSMISSION_ERROR:
+        axes.set_ylim(-LEAST_TRANSMISSION_ERROR, LEAST_TRANSMISSION_ERROR)
     axes.set_ylabel("transmission\nerror / µrad")
 
 

@@ -458,6 +458,18 @@ def make_curve(ratios):
     )
 
 
+def test_rounding_is_no_transmission_error():
+    def drawn(error):
+        cycle = make_mesh_cycle()
+        cycle["transmission_error"] = cycle["transmission_error"] * 0 + error * (-1) ** np.arange(
+            cycle.sizes["phase"]
+        )
+        return draw_cycle(Result("cycle", {}, (), cycle, {})).axes[0].get_ylim()
+
+    assert drawn(1e-17) == (-0.01, 0.01)
+    assert drawn(1e-6)[1] > 1.0
+
+
 def test_a_traction_curve_has_the_sign_of_its_sliding_and_is_drawn_in_order():
     ratios = (0.5, -1.0, 0.1, -0.5)
     curve = make_curve(ratios)
