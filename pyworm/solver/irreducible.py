@@ -15,8 +15,8 @@ TIME = "transient solution"
 TOLD_SHARE = 0.1
 """Share of the error from which a source is told."""
 
-TIME_ERROR_FALL = 2.0
-"""Fall of the error of the time integration that one more transient solution promises."""
+TIME_ERROR_FALL = 4.0
+"""Fall of the error of the time integration that one more transient solution, of second order, promises."""
 
 
 def beyond_refinement(

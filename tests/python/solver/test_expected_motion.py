@@ -13,9 +13,10 @@ from pyworm.planning.prediction import predicted
 from pyworm.solver.cost.expected_motion import FURTHER, motion, time_grid_if_any
 from pyworm.solver.cost.expected_time import Expectation, together
 from pyworm.solver.transient import transient as transient_module
+from pyworm.solver.transient.time_grid import FORMING
 from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.time_steps import steps_of
-from pyworm.solver.transient.transient import Part, begin_of_one, part_at
+from pyworm.solver.transient.transient import WARM_UP, Part, begin_of_one, part_at
 
 LINE, POINT = ("cases/spur_pair.toml", 0.35), ("cases/zi_drive.toml", 0.26)
 
@@ -76,6 +77,17 @@ def test_a_further_solve_begins_on_the_grid_before():
     assert before.nodes == motion(scene, plan, time_grid).up_to_present[-1].nodes < last.nodes
     passed = time_grid.transits(scene.past.seconds) - begin_of_one(time_grid, scene.past.seconds)
     assert last.count < passed * (STEPS_A_TRANSIT["point"] << 2)
+
+
+def test_no_solve_begins_while_surfaces_come_together_but_with_their_life():
+    """With oil at rest between surfaces nearly in touch it would begin with too much of it."""
+    _, _, time_grid = moving(POINT, 0.05)
+    touched, warm_up = time_grid.place(time_grid.life.touched), WARM_UP["point"]
+    for later in (0.5, warm_up, warm_up + FORMING - 0.01):
+        assert begin_of_one(time_grid, time_grid.time_at(touched + later)) == 0.0
+    later = warm_up + FORMING + 0.01
+    begin = begin_of_one(time_grid, time_grid.time_at(touched + later))
+    assert begin == pytest.approx(touched + later - warm_up)
 
 
 def test_two_further_solves_are_expected_of_a_coarse_request_and_none_beyond_the_third():
