@@ -1,6 +1,7 @@
 """Gap, curvatures and velocities over the tangent plane."""
 
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from zi_drives import WHEEL, WORM, changed, sharif
 import pyworm
 from pyworm.drives.worm.drawing.design import ParabolicRelief
 from pyworm.drives.worm.drawing.usual_values import completed
-from pyworm.drives.worm.flanks.flank_height import OUTLINE_RAYS
+from pyworm.drives.worm.flanks.flank_height import OUTLINE_RAYS, FlankHeight
 from pyworm.drives.worm.flanks.point_cache import PointCache
 from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
@@ -250,6 +251,19 @@ def test_many_points_beyond_the_end_of_a_flank_are_continued_as_a_few_are(phase)
             few, _, on_flank = flank.solve(x[some], y[some])
             np.testing.assert_array_equal(on_flank, exists[some])
             np.testing.assert_allclose(height[some], few, rtol=0, atol=5e-6)
+
+
+def test_a_flank_that_ends_at_its_contact_point_is_continued_from_there_at_once(monkeypatch):
+    """No place on a ray is tried: its height is that of the curvatures."""
+    flank = replace(sharif().cycle.contact(0.3).worm_height)
+    monkeypatch.setattr(type(flank.surface), "margin", lambda surface, q: 0.0 * q[0])
+    monkeypatch.setattr(FlankHeight, "_farther", None)
+    x, y = window(0.01, 0.005, 7)
+    height, _, exists = flank.solve(x, y)
+    assert not exists.any()
+    (xx, xy), (_, yy) = flank.curvatures
+    expected = (xx * x**2 + 2 * xy * x * y + yy * y**2) / 2
+    np.testing.assert_allclose(height, expected, rtol=0, atol=1e-15)
 
 
 @pytest.mark.parametrize("phase", (-0.2, 0.1, 0.4))

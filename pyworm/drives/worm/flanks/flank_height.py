@@ -44,6 +44,9 @@ on the ray from there as a fraction of its length."""
 MOST_TRIES = 64
 """Largest number of places tried on a ray for the flank's end."""
 
+BACK = 0.9
+"""Largest next step from the flank over that to a place tried beyond its end, where the last one was not."""
+
 MAX_PARAMETER_CHANGE = np.pi / 2
 """Largest change of a plane's parameter [rad] from the contact point's: beyond lie other windings."""
 
@@ -123,6 +126,11 @@ class FlankHeight:
     @cached_property
     def _contact_determinant(self) -> float:
         return float(self.surface.newton(self._start, self.origin, self.axes)[2])
+
+    @cached_property
+    def _start_margin(self) -> float:
+        """Margin to the flank's end at the contact point; none where it lies on the end or beyond."""
+        return min(1 - EDGE**2, float(np.min(self.surface.margin(self._start))))
 
     @cached_property
     def _guess(self) -> Array:
@@ -257,37 +265,39 @@ class FlankHeight:
         """Fraction of the ray to (x, y) that lies on the flank, and q there.
 
         The margin to the flank's end falls nearly linearly, so that the secant method finds its zero, with
-        steps halved where no plane is found.
+        steps halved where no plane is found: that far q is not followed at once.
         """
-        none, half = np.zeros(x.shape), np.full(x.shape, 0.5)
-        whole = np.full(x.shape, 1 - EDGE**2)
+        none, half, twice = (np.full(x.shape, value) for value in (0.0, 0.5, 2.0))
+        whole = np.full(x.shape, self._start_margin)
         q = [np.full(x.shape, value) for value in self.start]
-        rays = np.array([none, half, whole, none, whole, none, whole, *q])
-        tried = np.arange(x.size)
+        rays = np.array([none, half, twice, whole, none, whole, none, whole, *q])
+        tried = np.flatnonzero(whole > ENDED)
         for _ in range(MOST_TRIES):
-            rays[:, tried] = self._farther(rays[:, tried], x[tried], y[tried])
-            reach, step, left = rays[:3, tried]
-            tried = tried[(left > ENDED) & (step > ENDED) & (reach < 1)]
             if not tried.size:
                 break
-        return rays[0], list(rays[7:])
+            rays[:, tried] = self._farther(rays[:, tried], x[tried], y[tried])
+            reach, step, _, left = rays[:4, tried]
+            tried = tried[(left > ENDED) & (step > ENDED) & (reach < 1)]
+        return rays[0], list(rays[8:])
 
     def _farther(self, rays: Array, x: Array, y: Array) -> Array:
         """Rays after one more try.
 
-        Rows: fraction of the ray on the flank, next step, residual there; the last place where a plane was
-        found, and its residual; likewise of the place before; q.
+        Rows: fraction of the ray on the flank, next step and its growth if it succeeds, residual there; the
+        last place where a plane was found, and its residual; likewise of the place before; q.
         """
-        reach, step, left, last, last_left, before, before_left, *q = rays
+        reach, step, growth, left, last, last_left, before, before_left, *q = rays
         goal = last - last_left * (last - before) / (last_left - before_left)
         goal = np.where(goal > reach, np.minimum(goal, 1.0), 1.0)
         there = np.minimum(goal, reach + step)
         tried, ahead = self._followed(q, x, y, reach, there)
         sound, found = ahead > -ENDED, ~np.isnan(ahead)
+        back = np.where(found & (last_left > 0), BACK, 0.5) * (there - reach)
         return np.array(
             [
                 np.where(sound, there, reach),
-                np.where(sound, 2 * step, (there - reach) / 2),
+                np.where(sound, growth * step, back),
+                np.where(sound, np.minimum(2 * growth, 2.0), np.where(found, 1.0, 0.5)),
                 np.where(sound, ahead, left),
                 np.where(found, there, last),
                 np.where(found, ahead, last_left),
