@@ -51,8 +51,8 @@ def test_a_source_that_is_not_known_yet_ends_nothing():
     assert beyond_refinement(estimates, unknown, FIGURES, TARGET, 0.1) is None
 
 
-@pytest.mark.parametrize("accuracy, enough", [(0.101, True), (0.099, False)])
-def test_half_the_error_of_the_transient_solution_decides_upon_one_more(accuracy, enough):
+@pytest.mark.parametrize("accuracy, enough", [(0.086, True), (0.084, False)])
+def test_a_quarter_of_the_error_of_the_transient_solution_decides_upon_one_more(accuracy, enough):
     assert time_would_do(SOURCES, FIGURES, TARGET, accuracy) is enough
 
 
