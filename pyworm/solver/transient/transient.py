@@ -157,7 +157,7 @@ def _begin(time_grid: TimeGrid, place: float) -> float:
     """Where a solve begins that may begin at a place [transits]: while surfaces come together with the life.
 
     Oil at rest between surfaces nearly in touch, from which it would begin, is not what their approach has
-    left: phase 0.1 of drive 3 of seed 99009 of `tests/hard`, 0.9 transits after the touch, had 14 % too much
+    left: phase 0.1 of drive 3 of seed 99009 of `tests/hard`, 0.9 transits after the touch, had 15 % too much
     of it where a third solve began 1.1 transits before.
     """
     if place <= 0 or time_grid.come_together(time_grid.time_at(place)):
@@ -410,7 +410,7 @@ def _errors(readings: Sequence[Reading], plan: Plan, slow: bool) -> dict[str, fl
     least = _least(readings, kind, slow)
     if len(moving) == 1:
         return dict.fromkeys(moving[-1].figures, least)
-    left = _left(moving, kind, slow)
+    left = _left(moving, _share(kind, slow))
     films = plan.target.films().worst(left, moving[-1].figures)
     return {name: max(error, films, least) for name, error in left.items()}
 
@@ -429,23 +429,15 @@ def _least(readings: Sequence[Reading], kind: Kind, slow: bool) -> float:
     return MIN_ERRORS[kind][number - 1].of(difference, far)
 
 
-def _left(readings: Sequence[Reading], kind: Kind, slow: bool) -> dict[str, float]:
-    """What the last of some readings leaves of error, by its change from those before.
-
-    Of films that settle slowly three readings tell how slowly.
-    """
-    last, share = change(*readings[-2:]), _share(kind, slow)
+def _left(readings: Sequence[Reading], share: float) -> dict[str, float]:
+    """What the last of some readings leaves of error, by its change from those before."""
+    last = change(*readings[-2:])
     if len(readings) == 2:
         return {name: share * relative for name, relative in last.items()}
     before = change(*readings[-3:-1])
     return {
-        name: min(share, max(ERROR_SHARE[kind], _tail(relative, before[name]))) * relative
+        name: share * relative
         if relative <= MAX_CHANGE_RATIO * before[name]
         else relative + before[name]
         for name, relative in last.items()
     }
-
-
-def _tail(last: float, before: float) -> float:
-    """All further changes over the last one where each is to the one before as it is, times their safety."""
-    return SLOW_ERROR_SHARE["point"] * last / (before - last) if last < before else inf

@@ -268,10 +268,10 @@ class FlankHeight:
         steps halved where no plane is found: that far q is not followed at once.
         """
         none, half, twice = (np.full(x.shape, value) for value in (0.0, 0.5, 2.0))
-        whole = np.full(x.shape, self._start_margin)
+        margin = np.full(x.shape, self._start_margin)
         q = [np.full(x.shape, value) for value in self.start]
-        rays = np.array([none, half, twice, whole, none, whole, none, whole, *q])
-        tried = np.flatnonzero(whole > ENDED)
+        rays = np.array([none, half, twice, margin, none, margin, none, margin, *q])
+        tried = np.flatnonzero(margin > ENDED)
         for _ in range(MOST_TRIES):
             if not tried.size:
                 break
