@@ -4,10 +4,10 @@ The Reynolds equation has d(rho h)/dt. Oil under pressure at present entered the
 other load, curvature and edges, and its film is that of its entry. One transient solve
 (`integrate_in_time`) goes through the life of the contact and gives the rate of change at any time of it,
 which the films on all grids of the figures take. It is made twice, the second time with half the spacing and
-half the time step; what that changes tells its error.
+half the time step; what that changes tells its error, and a third time where that does not do.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil, inf, nextafter
@@ -24,12 +24,14 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.error_estimate import Reading, change, largest_of_films
+from pyworm.solver.error_estimate import Reading
 from pyworm.solver.kinds import SOLVERS
-from pyworm.solver.level import Level
+from pyworm.solver.level import Level, TransientTerm
 from pyworm.solver.newton import converge
 from pyworm.solver.stop_reason import MAX_USED_ERROR
+from pyworm.solver.transient.extrapolated_rate import ExtrapolatedRate, share_left
 from pyworm.solver.transient.next_film import MEMORY_TRANSITS, NoFilmError
+from pyworm.solver.transient.rate_errors import error_share, least_error, rate_errors
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
 from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
 from pyworm.solver.transient.time_records import TimeRecord, curves, until
@@ -51,22 +53,6 @@ MAX_WHOLE_TRANSITS, RECENT_TRANSITS = 30.0, 6.0
 """Transits of the present contact from which on a life is not solved as a whole, and how many of them are
 then before the present."""
 
-ERROR_SHARE: dict[Kind, float] = {"point": 0.5, "line": 1.0}
-"""Error of the figures by the last rate of change, over the largest of what they and the films change with it
-from the one before. At second order a third of that is left; where a kink of the load or an edge passes, the
-order is lower, and where the load of a gear pair jumps, or the entrainment has turned round
-(`SLOW_ERROR_SHARE`), it is one or less: what is left of the film of that time is a dip as narrow as the
-grid."""
-
-SLOW_ERROR_SHARE: dict[Kind, float] = {"point": 1.5, "line": 1.0}
-"""Error of the figures over their last change, as `ERROR_SHARE`, where the entrainment has turned round
-(`_turned_round`), or the end of a contact moves over the grid and rates are limited (`backward_term`): of 14
-random balls after two solves two minimum or central films of 28 differ by 1.2 and 1.5 times the last change
-from those of three."""
-
-MAX_CHANGE_RATIO = 0.5
-"""Largest ratio of successive changes at which the films settle; else the error is the sum of both."""
-
 USABLE_ERROR = error_budget.TIME * MAX_USED_ERROR
 """Error of the films by the last transient solve up to which it is used although it exceeds the accuracy: its
 share of the largest error with which a film is used."""
@@ -83,44 +69,6 @@ HEAT_TIME_RATIO, ROUGH_TIME_RATIO = 5.0, 2.5
 """Time of a node's time step with heat over that without, and with rough surfaces over that with smooth ones:
 5.6 us of `cases/zi_drive.toml`, 1.2 us of an ellipse, and 14 to 20 us of drives 0 of seeds 61001 and 61002 of
 `tests/hard` while the machine did other work."""
-
-
-@dataclass(frozen=True)
-class Least:
-    """Least error of the figures by a number of transient solves.
-
-    The last two of them may agree by chance.
-    """
-
-    share: float
-    """Share of what transient films differ from steady ones."""
-    most: float
-    """The largest that counts, of films that are not far from steady ones."""
-
-    def of(self, difference: float, far: bool = False) -> float:
-        """The least error for a difference from steady films, which may be far from these."""
-        least = self.share * difference
-        return max(least if far else min(least, self.most), MIN_TRANSIENT_ERROR)
-
-
-MIN_TRANSIENT_ERROR = 5e-4
-"""Smallest error by transient solves: where motion hardly changes a film, a steady beginning two or more
-transits ago and Newton's iteration leave up to 0.04 %."""
-
-MAX_STEADY_DIFFERENCE = 0.5
-"""Difference from steady films, over those in motion, from which on a first solve errs by a share of it,
-without bound; so it does where films settle slowly (`_settles_slowly`)."""
-
-MIN_ERRORS: dict[Kind, tuple[Least, ...]] = {
-    "point": (Least(0.6, 0.06), Least(0.15, 0.015), Least(0.08, 0.0075)),
-    "line": (Least(0.7, 0.06), Least(0.08, 0.005), Least(0.02, 0.003)),
-}
-"""After one transient solve, two and three or more, against a finer one.
-
-After one: chosen on random pasts of balls and rollers (`benchmarks/accuracy/random_pasts.py`, seeds 1 to 3),
-of which 41 of 42 bars of points and 76 of 76 of lines hold. Of seeds 4 to 6, which the choice had not seen,
-38 of 42 and 78 of 78 hold. The bound is that of the thirteen phases of `cases/zi_drive.toml`, whose films are
-up to 6 % off."""
 
 
 @dataclass(frozen=True)
@@ -247,7 +195,7 @@ class Rates:
 class Transient:
     """The transient term of a contact at present."""
 
-    rate: RateOfChange | None
+    rate: TransientTerm | None
     """d(rho h)/dt at present; None where a film at an earlier time was not found."""
     level: Level
     """The film with that rate, on the plan's first grid of the figures."""
@@ -328,18 +276,28 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     level, _ = solver_type(scene, plan).begin(plan.grids)
     if rates.flaw is not None:
         return Transient(None, level, dict.fromkeys(level.read().figures, inf), rates.flaw)
-    readings: list[Reading] = []
-    for rate in (None, *rates.found):
+
+    def with_rate(level: Level, rate: TransientTerm | None) -> tuple[Level, Reading]:
         if rate is not None:
             level = solver_type(scene, plan, rate).with_rate(level)
         # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
         iteration = converge(
             level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy
         )
-        readings.append(iteration.reading)
-    slow = _settles_slowly(scene, rates, plan.work.kind)
-    errors = _errors(readings, plan, slow)
-    figures = readings[-1].figures
+        return level, iteration.reading
+
+    readings: list[Reading] = []
+    for rate in (None, *rates.found):
+        level, reading = with_rate(level, rate)
+        readings.append(reading)
+    kind, slow = plan.work.kind, _settles_slowly(scene, rates, plan.work.kind)
+    last: TransientTerm = rates.found[-1]
+    extrapolated, share = None, 0.0 if slow else share_left(readings[1:], plan.target)
+    if share > 0:
+        last = ExtrapolatedRate(rates.found[-2], rates.found[-1], share)
+        level, extrapolated = with_rate(level, last)
+    errors = rate_errors(readings, extrapolated, share, kind, slow, plan.target)
+    figures = (extrapolated or readings[-1]).figures
     heat_error = plan.target.worst(errors, figures)
     film_error = plan.target.without(*HEAT_FIGURES).worst(errors, figures)
     flaw = None
@@ -349,13 +307,13 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
             f"the transient solve through the engagement leaves an error of {percent(heat_error)}"
         )
     coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
-    life = _life(scene, plan, rates, readings, slow)
-    return Transient(rates.found[-1], level, errors, flaw, coarse, life, film_error, heat_error)
+    life = _life(scene, plan, rates, readings, figures, slow)
+    return Transient(last, level, errors, flaw, coarse, life, film_error, heat_error)
 
 
 def _settles_slowly(scene: Scene | LineScene, rates: Rates, kind: Kind) -> bool:
     """Whether films settle with the first order of the time step at best."""
-    if any(rate.limited for rate in rates.found):
+    if any(rate.limited for rate in rates.found[-2:]):
         return True
     return _turned_round(scene, rates.records, kind)
 
@@ -380,6 +338,7 @@ def _life(
     plan: Plan,
     rates: Rates,
     readings: Sequence[Reading],
+    present: Mapping[str, float],
     slow: bool,
 ) -> PlainDataset:
     """The film up to now since the scene before, one instant at least.
@@ -393,51 +352,8 @@ def _life(
     if plan.model.heated and heat is not None:
         coldest = heat.inlet_temperature + scene.coldest
     shared = readings[: len(rates.records) + 1]
-    share, least = _share(kind, slow), _least(shared, kind, slow)
-    present = readings[-1].figures
+    share, least = error_share(kind, slow), least_error(shared, kind, slow)
     present_seconds = present_in_life(scene).seconds
     reach = MEMORY_TRANSITS * 2 * predicted(scene).half_width
     shown = share, least, present_seconds, present, coldest, reach
     return curves(rates.records, since, kind, *shown)
-
-
-def _errors(readings: Sequence[Reading], plan: Plan, slow: bool) -> dict[str, float]:
-    """Relative errors of the figures by the rates, from readings of the steady film and with each rate.
-
-    `slow` tells whether they settle slowly. No error is less than that of the films.
-    """
-    kind, (_, *moving) = plan.work.kind, readings
-    least = _least(readings, kind, slow)
-    if len(moving) == 1:
-        return dict.fromkeys(moving[-1].figures, least)
-    left = _left(moving, _share(kind, slow))
-    films = plan.target.films().worst(left, moving[-1].figures)
-    return {name: max(error, films, least) for name, error in left.items()}
-
-
-def _share(kind: Kind, slow: bool) -> float:
-    """Error by the last rate over the last change (`ERROR_SHARE`, `SLOW_ERROR_SHARE`)."""
-    return (SLOW_ERROR_SHARE if slow else ERROR_SHARE)[kind]
-
-
-def _least(readings: Sequence[Reading], kind: Kind, slow: bool) -> float:
-    """Least relative error of the figures, from the same readings."""
-    steady, *moving = readings
-    difference = largest_of_films(change(steady, moving[-1]))
-    far = len(moving) == 1 and (slow or difference > MAX_STEADY_DIFFERENCE)
-    number = min(len(moving), len(MIN_ERRORS[kind]))
-    return MIN_ERRORS[kind][number - 1].of(difference, far)
-
-
-def _left(readings: Sequence[Reading], share: float) -> dict[str, float]:
-    """What the last of some readings leaves of error, by its change from those before."""
-    last = change(*readings[-2:])
-    if len(readings) == 2:
-        return {name: share * relative for name, relative in last.items()}
-    before = change(*readings[-3:-1])
-    return {
-        name: share * relative
-        if relative <= MAX_CHANGE_RATIO * before[name]
-        else relative + before[name]
-        for name, relative in last.items()
-    }

@@ -24,6 +24,7 @@ from pyworm.solver.line.level import LineLevel
 from pyworm.solver.transient import next_film, time_integration, time_steps
 from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.differences import backward_weights, weights
+from pyworm.solver.transient.rate_errors import ERROR_SHARE
 from pyworm.solver.transient.time_grid import FOLDS, time_grid_of
 from pyworm.solver.transient.time_integration import RateOfChange, TimeIntegration
 from pyworm.solver.transient.time_records import TimeRecord
@@ -216,10 +217,10 @@ def test_a_past_whose_film_is_not_found_is_reported(monkeypatch):
 def test_a_rate_less_accurate_than_asked_for_is_used_with_wider_bars(left, ending, monkeypatch):
     """Up to what leaves a film of use; its figures have that error, and those of the grids."""
 
-    def errors(readings, kind, turned):
+    def errors(readings, *others):
         return dict.fromkeys(readings[-1].figures, left)
 
-    monkeypatch.setattr(transient_module, "_errors", errors)
+    monkeypatch.setattr(transient_module, "rate_errors", errors)
     monkeypatch.setattr(transient_module, "MAX_SOLVES", 2)
     solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), ("isothermal", "squeeze"))
     assert solution.ending is ending
@@ -231,10 +232,10 @@ def test_a_rate_less_accurate_than_asked_for_is_used_with_wider_bars(left, endin
 
 
 def test_a_rate_beyond_its_share_leaves_an_accurate_film_if_all_errors_are_within(monkeypatch):
-    def errors(readings, kind, turned):
+    def errors(readings, *others):
         return dict.fromkeys(readings[-1].figures, 0.042)
 
-    monkeypatch.setattr(transient_module, "_errors", errors)
+    monkeypatch.setattr(transient_module, "rate_errors", errors)
     monkeypatch.setattr(transient_module, "MAX_SOLVES", 2)
     solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), ("isothermal", "squeeze"))
     assert error_budget.TIME * 0.05 < 0.042 < solution.figures.film_min.error < 0.05
@@ -247,10 +248,10 @@ def test_one_more_transient_solution_follows_where_grids_cannot_bring_the_accura
 ):
     """With another error that grids do not reduce it exceeds the accuracy; alone it has its share."""
 
-    def errors(readings, plan, slow):
+    def errors(readings, *others):
         return dict.fromkeys(readings[-1].figures, 0.038 if len(readings) <= 3 else 0.01)
 
-    monkeypatch.setattr(transient_module, "_errors", errors)
+    monkeypatch.setattr(transient_module, "rate_errors", errors)
     monkeypatch.setattr(LineLevel, "conduction_errors", lambda level: {"film_central": conduction})
     solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), ("isothermal", "squeeze"))
     assert solution.cost.transient_solves == solves
@@ -442,7 +443,7 @@ def test_as_the_load_of_a_tooth_pair_falls_by_an_e_fold_a_time_step_s_share_of_a
 
 @pytest.mark.parametrize(
     ("ago", "limited", "share"),
-    [(1.0, False, 1.5), (3.0, False, transient_module.ERROR_SHARE["point"]), (3.0, True, 1.5)],
+    [(1.0, False, 1.5), (3.0, False, ERROR_SHARE["point"]), (3.0, True, 1.5)],
 )
 def test_where_films_settle_slowly_the_error_is_one_and_a_half_of_the_last_change(
     ago, limited, share
@@ -480,6 +481,27 @@ def test_where_films_settle_slowly_the_error_is_one_and_a_half_of_the_last_chang
     changed = max(abs(before[name] / after[name] - 1) for name in ("film_min", "film_central"))
     assert changed > 0.01
     assert two.errors["film_min"] == pytest.approx(share * changed)
+
+
+def test_films_of_three_solves_take_the_rate_to_which_their_rates_of_change_converge():
+    """The first two are off by four and two times what the third is: first order."""
+    scene = lived(lambda back: ball())
+    plan = pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",))
+    grid, of = plan.grids[-1], predicted(ball())
+    films = dict.fromkeys(("film_min", "film_central"), of.film_central)
+    records = (TimeRecord(TRANSITS * of.transit, None, 50.0, (1.0, 0.0), films),)
+
+    def found(*parts):
+        """Rates that are a share of a film in a transit."""
+        fields = (np.full(grid.shape, part * of.film_central / of.transit) for part in parts)
+        rates = tuple(RateOfChange(grid, field) for field in fields)
+        return transient_module.transient(scene, plan, Rates(rates, (records,) * len(rates)))
+
+    exact, plain, three = found(0.04), found(0.05), found(0.08, 0.06, 0.05)
+    of_exact, of_plain, of_three = (one.level.read().film_central for one in (exact, plain, three))
+    assert abs(of_plain / of_exact - 1) > 5e-3
+    assert of_three == pytest.approx(of_exact, rel=3e-4)
+    assert abs(of_three / of_exact - 1) < three.errors["film_central"] < 5e-3
 
 
 @pytest.mark.parametrize(("after", "solves"), [(1.0, 2), (3.0, 1)])
