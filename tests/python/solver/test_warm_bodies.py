@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from contacts import INLET, ball, roller, steel
 from draws import warm_line
+from gear_draws import drive
 
 import pyworm
 from pyworm.case.case import case_of
@@ -138,6 +139,20 @@ def test_a_hot_film_gets_the_levels_that_it_needs():
     exact = solved(scene, 0.02, model=replace(plan.model, levels=17)).figures.friction_coefficient
     assert own.on_grid == pytest.approx(exact.on_grid, rel=own.error)
     assert own.on_grid == pytest.approx(exact.on_grid, rel=0.005)
+
+
+@pytest.mark.parametrize("phase", [0.1, pytest.param(0.7, marks=pytest.mark.long)])
+def test_levels_are_added_beyond_those_whose_film_swings(phase):
+    """A fast helical pair: with 9 or 11 levels its film does not settle, with 7 it is 5 and 16 % too thin."""
+    case = case_of(drive(8, 99010).tables, "helical", Path())
+    scene = case.scene(phase=phase)
+    plan = pyworm.plan(scene, 0.05)
+    own = pyworm.solve(scene, plan)
+    assert own.accurate, own.stop_reason
+    exact = pyworm.solve(scene, replace(plan, model=replace(plan.model, levels=25)))
+    for name in ("film_central", "friction_coefficient"):
+        one, other = getattr(own.figures, name), getattr(exact.figures, name)
+        assert one.value == pytest.approx(other.value, rel=one.error), name
 
 
 def test_where_more_levels_have_no_film_the_last_that_had_one_stays(monkeypatch):
