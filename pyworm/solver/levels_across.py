@@ -29,11 +29,11 @@ ADDED_LEVELS = 2
 """Levels added at a time."""
 
 MAX_LEVELS: dict[Kind, int] = {"point": 13, "line": 25}
-"""The most there are; those of lines cost little. Friction of a helical pair whose film of 6 um is 22 K warmer
-(drive 8 of seed 99010 of `tests/hard`, phase 0.3) is 3.58, 4.12, 3.59, 3.88, 3.81, 3.77, 3.83, 3.80 and 3.80e-3
-with 9 to 25 levels."""
+"""The most there are; those of lines cost little. Friction of a helical pair whose film of 6 um is 22 K
+warmer (drive 8 of seed 99010 of `tests/hard`, phase 0.3) is 3.58, 4.12, 3.59, 3.88, 3.81, 3.77, 3.83, 3.80
+and 3.80 thousandths with 9 to 25 levels."""
 
-MOST_UNSETTLED = 2
+MOST_DIVERGED = 2
 """Numbers of levels in a row whose films do not settle, from which on no more are tried: of its phases 0.1
 and 0.7 the film with 9 or 11 levels swings, and those with more settle."""
 
@@ -82,7 +82,7 @@ def enough_levels(
     irregularly (a film 35 K above its walls is off by +0.16, -0.11, +0.06, +0.08 % with 7 to 13 levels). If
     levels were added on a coarser grid (`again`) a film that has enough is kept, with what was read before.
     """
-    found, last, film, unsettled = None, start, start, 0
+    found, last, film, diverged = None, start, start, 0
     before = dict.fromkeys(start.iteration.reading.figures, 0.0)
     while film.plan.model.levels < MAX_LEVELS[start.plan.work.kind]:
         film = _with_more_levels(film, transient)
@@ -94,16 +94,16 @@ def enough_levels(
             for name, relative in changed.items()
         }
         if not film_is_sound(film.level, film.iteration, film.plan):
-            unsettled += 1
+            diverged += 1
             found = _as_judged_by(film, replace(last, errors=errors)) or found
-            if unsettled == MOST_UNSETTLED:
+            if diverged == MOST_DIVERGED:
                 break
             continue
         enough = worst <= error_budget.LEVELS * last.plan.accuracy
         found = replace(start if again and enough and last is start else film, errors=errors)
         if enough:
             break
-        last, before, unsettled = film, changed, 0
+        last, before, diverged = film, changed, 0
     return found
 
 
