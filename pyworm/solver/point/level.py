@@ -5,7 +5,7 @@ its window is that of the grid before: it deflects the bodies, carries its share
 boundary condition on the outline.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 import numpy as np
@@ -165,11 +165,18 @@ def guess_around(narrow: PointLevel, wide: PointLevel) -> InitialGuess:
 def next_level(
     scene: Scene, size: Scales, level: PointLevel, grid: Grid, guess: InitialGuess
 ) -> PointLevel:
-    """A grid of half the spacing within the present one, with the film of an initial guess, without heat."""
+    """A grid of half the spacing within the present one, with the film of an initial guess, without heat.
+
+    Of a starved film nothing lies beyond it: pressure of the present grid there is of a meniscus that has not
+    come in yet. Kept on the outline it would press in oil that is not supplied.
+    """
     window = level.grid.window_of(grid)
     far, load = level.far, level.load
     outside = level.film.pressure.copy(order="F")
     outside[window] = 0.0
+    if level.film.fed:
+        outside[:] = 0.0
+        guess = replace(guess, pressure=_without_outline(guess.pressure))
     if outside.any():
         far = far + kernel.elastic_deflection(
             outside, level.grid.dx, level.grid.dy, scene.bending_modulus, scene.layers
@@ -181,6 +188,13 @@ def next_level(
     finer = _level(scene, size, grid, far, load, level.transient_term, coarser)
     finer.film.start(np.where(finer.covered, guess.pressure, 0.0), guess.rigid_film)
     return finer
+
+
+def _without_outline(pressure: Array) -> Array:
+    """A pressure that is zero on the outline."""
+    inner = np.zeros(pressure.shape, order="F")
+    inner[1:-1, 1:-1] = pressure[1:-1, 1:-1]
+    return inner
 
 
 def restart(scene: Scene, size: Scales, level: PointLevel) -> None:
