@@ -192,7 +192,8 @@ def main() -> int:
             verdicts = judged(random_trials(part, wanted, kept, seed), store)
             drawn[part] = verdicts
         report(part, verdicts)
-        if options.record and len(verdicts) == COUNTS.get(part):
+        # of another seed than the default one some contacts may do
+        if options.record and (seed != SEED or len(verdicts) == COUNTS.get(part)):
             record_contacts(part, verdicts, seed)
         found += complaints(part, verdicts, seed)
     if drawn.keys() & PANELS.keys():

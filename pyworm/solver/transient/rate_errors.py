@@ -16,9 +16,9 @@ grid."""
 
 SLOW_ERROR_SHARE: dict[Kind, float] = {"point": 1.5, "line": 1.0}
 """Error of the figures over their last change, as `ERROR_SHARE`, where the entrainment has turned round
-(`_turned_round`), or the end of a contact moves over the grid and rates are limited (`backward_term`): of 14
-random balls after two solves two minimum or central films of 28 differ by 1.2 and 1.5 times the last change
-from those of three."""
+(`transient._turned_round`), or the end of a contact moves over the grid and rates are limited
+(`backward_term`): of 14 random balls after two solves two minimum or central films of 28 differ by 1.2 and
+1.5 times the last change from those of three."""
 
 MAX_CHANGE_RATIO = 0.5
 """Largest ratio of successive changes at which films settle whose rate is not extrapolated; else the error is
@@ -52,7 +52,7 @@ transits ago and Newton's iteration leave up to 0.04 %."""
 
 MAX_STEADY_DIFFERENCE = 0.5
 """Difference from steady films, over those in motion, from which on a first solve errs by a share of it,
-without bound; so it does where films settle slowly (`_settles_slowly`)."""
+without bound; so it does where films settle slowly (`transient._settles_slowly`)."""
 
 MIN_ERRORS: dict[Kind, tuple[Least, ...]] = {
     "point": (Least(0.6, 0.06), Least(0.15, 0.015), Least(0.08, 0.0075)),
