@@ -26,6 +26,7 @@ module bindings
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions, flow_tables
   public :: heated_times, extrapolated_flux, surface_residual_rise
+  public :: flank_heights, flank_expansions, flank_ends
   public :: compiled_with, status_text, watch_signals
 
 contains
@@ -959,6 +960,91 @@ contains
     axes = [(moving_axes(first(:, k), spacing(:, k)), k=1, count)]
     call residual_rise(surface_past(ages, velocities, chosen, flux, axes), body(1), body(2), turning, u, v, rise)
   end subroutine surface_residual_rise
+
+  !> Height [m] of a flank, q and margin to its end at points of the tangent plane [m], from guesses of q (`flank_height`).
+  subroutine flank_heights(kind, seat, form, curve, powers, frame, start, x, y, n, guess, q, height, left)
+    use pyworm_flank_height, only: flank_height
+    integer(c_int), intent(in) :: kind, powers, n
+    real(c_double), intent(in) :: seat(4), form(9), curve(3, powers), frame(3, 4), start(3), x(n), y(n), guess(3, n)
+    real(c_double), intent(out) :: q(3, n), height(n), left(n)
+    type(flank_height) :: flank
+    integer :: k
+    !f2py threadsafe
+
+    call set_flank(flank, kind, seat, form, curve, frame, start)
+    q = guess
+    do k = 1, n
+      call flank%converge(x(k), y(k), q(:, k), height(k), left(k))
+    end do
+  end subroutine flank_heights
+
+  !> Height [m] of a flank, slopes, second derivatives and rates of q [1/m] at points where q is known (`flank_height`).
+  subroutine flank_expansions(kind, seat, form, curve, powers, frame, start, x, y, n, q, height, slopes, bend, rates)
+    use pyworm_flank_height, only: flank_height
+    integer(c_int), intent(in) :: kind, powers, n
+    real(c_double), intent(in) :: seat(4), form(9), curve(3, powers), frame(3, 4), start(3), x(n), y(n), q(3, n)
+    real(c_double), intent(out) :: height(n), slopes(2, n), bend(2, 2, n), rates(3, 2, n)
+    type(flank_height) :: flank
+    integer :: k
+    !f2py threadsafe
+
+    call set_flank(flank, kind, seat, form, curve, frame, start)
+    do k = 1, n
+      call flank%expand(x(k), y(k), q(:, k), height(k), slopes(:, k), bend(:, :, k), rates(:, :, k))
+    end do
+  end subroutine flank_expansions
+
+  !> Fractions of rays to points [m] that lie on a flank, and q there (`flank_height`).
+  subroutine flank_ends(kind, seat, form, curve, powers, frame, start, x, y, n, reach, q)
+    use pyworm_flank_height, only: flank_height
+    integer(c_int), intent(in) :: kind, powers, n
+    real(c_double), intent(in) :: seat(4), form(9), curve(3, powers), frame(3, 4), start(3), x(n), y(n)
+    real(c_double), intent(out) :: reach(n), q(3, n)
+    type(flank_height) :: flank
+    integer :: k
+    !f2py threadsafe
+
+    call set_flank(flank, kind, seat, form, curve, frame, start)
+    do k = 1, n
+      call flank%end_of_ray(x(k), y(k), reach(k), q(:, k))
+    end do
+  end subroutine flank_ends
+
+  !> The flank of a kind, in the frame of a contact (ex, ey, ez and the contact point, in columns).
+  subroutine set_flank(flank, kind, seat, form, curve, frame, start)
+    use pyworm_flank_height, only: flank_height, new_flank_height
+    use pyworm_flank_points, only: new_wheel_points, new_worm_points, swept_curve, wheel_points, worm_points
+    use pyworm_flank_surface, only: contact_frame, new_screw_seat, screw_seat
+    use pyworm_tangent_planes, only: new_wheel_planes, new_worm_planes
+    type(flank_height), intent(out) :: flank
+    integer(c_int), intent(in) :: kind
+    real(c_double), intent(in) :: seat(4), form(9), curve(:, :), frame(3, 4), start(3)
+    type(contact_frame) :: contact
+    type(screw_seat) :: place
+    type(swept_curve) :: swept
+    type(worm_points) :: worm
+    type(wheel_points) :: wheel
+
+    contact = contact_frame(frame(:, 1), frame(:, 2), frame(:, 3), frame(:, 4))
+    place = new_screw_seat(seat(1), seat(2), seat(3))
+    allocate (swept%coefficients, source=curve)
+    swept%middle = form(4)
+    swept%half = form(5)
+    swept%arc = form(6)
+    swept%top = form(7)
+    select case (kind)
+    case (1)
+      call new_flank_height(flank, new_worm_planes(place, seat(4), form(1), form(2)), contact, start)
+    case (2)
+      call new_flank_height(flank, new_wheel_planes(place, seat(4), form(1), form(2), form(3)), contact, start)
+    case (3)
+      worm = new_worm_points(place, seat(4), swept, form(8:9), form(1), form(2))
+      call new_flank_height(flank, worm, contact, start)
+    case default
+      wheel = new_wheel_points(place, seat(4), swept, form(8:9), form(1), form(2), form(3))
+      call new_flank_height(flank, wheel, contact, start)
+    end select
+  end subroutine set_flank
 
   !> Tables of the thinning of a flow law by its curve, stress over Newtonian stress; see `flow_table`.
   subroutine flow_tables(newtonian, stress, points, cells, by_stress, by_rate, per_log)

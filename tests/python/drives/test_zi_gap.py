@@ -2,17 +2,19 @@
 
 import time
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from folders import DATA
 from scipy.optimize import brentq, root
+from worm_drawings import of_profile
 from zi_drives import WHEEL, WORM, changed, sharif
 
 import pyworm
 from pyworm.drives.worm.drawing.design import ParabolicRelief
 from pyworm.drives.worm.drawing.usual_values import completed
-from pyworm.drives.worm.flanks.flank_height import OUTLINE_RAYS, FlankHeight
+from pyworm.drives.worm.flanks.flank_height import OUTLINE_RAYS
 from pyworm.drives.worm.flanks.point_cache import PointCache
 from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
@@ -253,11 +255,11 @@ def test_many_points_beyond_the_end_of_a_flank_are_continued_as_a_few_are(phase)
             np.testing.assert_allclose(height[some], few, rtol=0, atol=5e-6)
 
 
-def test_a_flank_that_ends_at_its_contact_point_is_continued_from_there_at_once(monkeypatch):
-    """No place on a ray is tried: its height is that of the curvatures."""
-    flank = replace(sharif().cycle.contact(0.3).worm_height)
-    monkeypatch.setattr(type(flank.surface), "margin", lambda surface, q: 0.0 * q[0])
-    monkeypatch.setattr(FlankHeight, "_farther", None)
+def test_a_flank_that_ends_at_its_contact_point_is_continued_from_there_at_once():
+    """Its height is that of the curvatures."""
+    worm = drawn_gears(of_profile("ZN")).cycle.contact(0.3).worm_height
+    there = replace(worm.surface.numbers, bounds=(worm.start[0], worm.start[0]))
+    flank = replace(worm, surface=SimpleNamespace(numbers=there))
     x, y = window(0.01, 0.005, 7)
     height, _, exists = flank.solve(x, y)
     assert not exists.any()

@@ -15,6 +15,7 @@ from math import atan, cos, pi, sin, tan
 import numpy as np
 
 from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGenerator
+from pyworm.kernel.flank_height import SweptCurve
 
 
 @dataclass(frozen=True)
@@ -56,6 +57,12 @@ class AxialArc(ScrewGenerator):
         height = np.sqrt(self.arc_radius**2 - below**2)
         bend = -(self.arc_radius**2) / height**3
         return (u, 0.0 * below, height), (1.0, 0.0, below / height), (0.0, 0.0, bend)
+
+    @property
+    def swept(self) -> SweptCurve:
+        """The arc over the radius."""
+        radius = np.array([[1.0, 0.0], [0.0, 0.0], [0.0, 0.0]])
+        return SweptCurve(radius, arc=self.arc_radius, top=self.top)
 
     def at_radius(self, radius: Array | float) -> Array:
         """The radius itself [m]."""

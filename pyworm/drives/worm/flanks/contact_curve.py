@@ -15,7 +15,7 @@ import numpy as np
 import scipy
 
 from pyworm.drives.worm.flanks.contact_path import ContactPath, Touches
-from pyworm.drives.worm.flanks.flank_points import WheelPoints, WormPoints, within
+from pyworm.drives.worm.flanks.flank_points import WheelPoints, WormPoints
 from pyworm.drives.worm.flanks.flank_surface import dot
 from pyworm.drives.worm.flanks.helicoid import Array, Components
 from pyworm.drives.worm.flanks.swept_helicoid import SweptHelicoid
@@ -158,8 +158,7 @@ class ContactCurve(ContactPath):
             size = np.abs(step).max()
             unknown = unknown - step * (MAX_NEWTON_STEP / max(size, MAX_NEWTON_STEP))
             if not (
-                within(self.worm.bounds, unknown[0]) > 0
-                and within(self.flank.hob.bounds, unknown[2]) > 0
+                _within(self.worm.bounds, unknown[0]) and _within(self.flank.hob.bounds, unknown[2])
             ):
                 return None
             if size < MIN_NEWTON_STEP:
@@ -212,3 +211,8 @@ def _solved(slopes: Array, right: Array) -> Array:
 def _stacked(vector: Components, like: Array | float = 0.0) -> Array:
     """Components as one array, (3, ...)."""
     return np.stack(np.broadcast_arrays(*(part + 0 * np.asarray(like) for part in vector)))
+
+
+def _within(bounds: tuple[float, float], u: float) -> bool:
+    """Whether a parameter is within its bounds."""
+    return bounds[0] < u < bounds[1]

@@ -22,6 +22,7 @@ import numpy as np
 import scipy
 
 from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGenerator
+from pyworm.kernel.flank_height import SweptCurve
 
 NODES = 33
 """Number of Chebyshev nodes over the radius through which the axial profile is found."""
@@ -242,6 +243,17 @@ class DiscHelicoid(ScrewGenerator):
             (by_u, 0.0, slope / self._half),
             (bent, 0.0, 2 * bend / self._half**2),
         )
+
+    @property
+    def swept(self) -> SweptCurve:
+        """The axial profile over its parameter."""
+        powers = max(len(self._coefficients), 3)
+        coefficients = np.zeros((3, powers))
+        coefficients[2, powers - len(self._coefficients) :] = self._coefficients
+        middle, half = self._middle, self._half
+        radius, by_u, bent = self._at(middle)
+        coefficients[0, -3:] = bent * half**2 / 2, by_u * half, radius
+        return SweptCurve(coefficients, middle, half)
 
     def at_radius(self, radius: Array | float) -> Array:
         """Parameter at a radius [m]; at the edge below it."""

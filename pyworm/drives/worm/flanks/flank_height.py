@@ -1,35 +1,20 @@
 """Heights of the two flanks over the common tangent plane, and their slopes and curvatures.
 
-Newton's method finds the parameters q of the flank (`FlankSurface`) on the line through each point along the
-common normal. With the slope T_x = -normal . ex / normal . ez the second derivatives are T_xy = T_xi q_i,y.
+The kernel's Newton iteration finds the parameters q of the flank (`FlankSurface`) on the line through each
+point along the common normal, from a quadratic of the point. Beyond the flank's end it is continued.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from pyworm.drives.worm.flanks.flank_surface import FlankSurface, along
-from pyworm.drives.worm.flanks.helicoid import Array, Components
+from pyworm.drives.worm.flanks.flank_surface import FlankSurface
+from pyworm.drives.worm.flanks.helicoid import Array
 from pyworm.drives.worm.flanks.lagrange_interpolation import on_mesh
 from pyworm.drives.worm.flanks.point_cache import PointCache
 from pyworm.formulas.whole_numbers import whole
-
-EDGE = 0.1
-"""Ratio of the determinant to that of the contact point at which a flank counts as ending.
-
-It falls to zero at the flank's edge of regression (of the involute the base helix), where curvature grows
-without bound; the flank is continued from a little before it."""
-
-MIN_NEWTON_STEP = 1e-6
-"""Newton step [rad] below which the height, whose error is the step's cube, is right to rounding."""
-
-MOST_STEPS = 8
-"""Largest number of Newton steps for a plane."""
-
-MAX_NEWTON_STEP = 0.3
-"""Newton step [rad] at which the iteration fails; larger ones led to other parts of the flank."""
+from pyworm.kernel.flank_height import FlankOverPlane
 
 STENCIL = np.array([[0, 1, -1, 0, 0, 1], [0, 0, 0, 1, -1, 1]])
 """Places from which q as a quadratic of x and y is determined."""
@@ -37,22 +22,12 @@ STENCIL = np.array([[0, 1, -1, 0, 0, 1], [0, 0, 0, 1, -1, 1]])
 START_DISTANCE = 0.01
 """Distance of these places, as the change of q from one to the next [rad]."""
 
-ENDED = 1e-8
-"""Accuracy of the flank's end: of the square of the determinant over the contact point's, and of its place
-on the ray from there as a fraction of its length."""
-
-MOST_TRIES = 64
-"""Largest number of places tried on a ray for the flank's end."""
-
-BACK = 0.9
-"""Largest next step from the flank over that to a place tried beyond its end, where the last one was not."""
-
-MAX_PARAMETER_CHANGE = np.pi / 2
-"""Largest change of a plane's parameter [rad] from the contact point's: beyond lie other windings."""
-
 OUTLINE_RAYS = 512
 """Rays on which the flank's end is found, and points beyond it from which on they are; between two rays its
 inverse distance, linear along a straight end, is interpolated."""
+
+OUTLINE_CHANGE = np.pi / 2
+"""Change of a parameter [rad] up to which these rays go, about where other windings begin."""
 
 MAX_OUTLINE_STEP = 0.05
 """Largest relative change of the distance of the flank's end from one ray to the next, and farthest that a
@@ -60,9 +35,6 @@ point may lie within it, for that; elsewhere a ray of its own leads to the point
 
 JUST_BEYOND = 1 - 1e-9
 """Fraction of the ray on the flank of a point beside its end."""
-
-BLOCK = 4096
-"""Points solved at once: keeps the work arrays within the processor's cache."""
 
 TOLERANCE = 1e-12
 """Error of heights on large meshes [m], a ten-thousandth of a film of 10 nm."""
@@ -74,12 +46,6 @@ MOST_CACHED = 1_000_000
 def _powers(x: Array, y: Array) -> Array:
     """Powers of x and y up to the second."""
     return np.array([np.ones(x.shape), x, y, x * x, x * y, y * y])
-
-
-def _in_blocks(find: Callable[[Array, Array], Array], x: Array, y: Array) -> Array:
-    """Evaluate a function at points in blocks, with a row for each quantity."""
-    blocks = [slice(first, first + BLOCK) for first in range(0, max(x.size, 1), BLOCK)]
-    return np.concatenate([find(x[block], y[block]) for block in blocks], axis=1)
 
 
 @dataclass(frozen=True)
@@ -95,77 +61,34 @@ class FlankHeight:
     start: tuple[float, ...]
     """Parameters q of the flank at the origin."""
 
-    def _line(self, x: Array, y: Array) -> Components:
-        """Points at which lines along the common normal cross the tangent plane [m]."""
-        ex, ey, _ = self.axes
-        return along(along(self.origin, x, ex), y, ey)
+    @cached_property
+    def _over_plane(self) -> FlankOverPlane:
+        return FlankOverPlane(self.surface.numbers, self.axes, self.origin, self.start)
 
-    def expansion(self, q: list[Array], x: Array, y: Array) -> tuple[Array, Array, Array]:
-        """Height [m], gradient (2, ...) and second derivatives (2, 2, ...) [1/m] at solved q."""
-        line, axes = self._line(x, y), self.axes
-        height = self.surface.newton(q, line, axes)[0]
-        slopes, crosses = zip(
-            *(self.surface.tilt(q, axis, axes[2]) for axis in axes[:2]), strict=True
-        )
-        rates = [self.surface.rates(q, line, axes, axis) for axis in axes[:2]]
-        bend = [
-            [sum(c * r for c, r in zip(cross, rate, strict=True)) for rate in rates]
-            for cross in crosses
-        ]
-        return height, np.array(slopes), np.array(bend)
-
-    @property
-    def _start(self) -> list[Array]:
-        return [np.asarray(unknown) for unknown in self.start]
+    def expansion(self, q: Array, x: Array, y: Array) -> tuple[Array, Array, Array]:
+        """Height [m], gradient (2, ...) and second derivatives (2, 2, ...) [1/m] at solved q (q, ...)."""
+        shape = np.shape(x)
+        found = self._over_plane.expansions(np.ravel(x), np.ravel(y), np.reshape(q, (len(q), -1)))
+        parts = found.height, found.slopes, found.bend
+        height, slopes, bend = (part.reshape((*part.shape[:-1], *shape)) for part in parts)
+        return height, slopes, bend
 
     @cached_property
     def curvatures(self) -> Array:
         """Second derivatives of the height at the contact point, (2, 2) [1/m]."""
-        return self.expansion(self._start, np.zeros(()), np.zeros(()))[2]
-
-    @cached_property
-    def _contact_determinant(self) -> float:
-        return float(self.surface.newton(self._start, self.origin, self.axes)[2])
-
-    @cached_property
-    def _start_margin(self) -> float:
-        """Margin to the flank's end at the contact point; none where it lies on the end or beyond."""
-        return min(1 - EDGE**2, float(np.min(self.surface.margin(self._start))))
+        return self.expansion(np.array(self.start), np.zeros(()), np.zeros(()))[2]
 
     @cached_property
     def _guess(self) -> Array:
         """Coefficients of the powers of x and y in q near the contact point, (q, 6)."""
-        start = self._start
-        rates = np.array(
-            [self.surface.rates(start, self.origin, self.axes, axis) for axis in self.axes[:2]]
-        )
+        here, start = np.zeros(1), np.array(self.start)[:, None]
+        rates = self._over_plane.expansions(here, here, start).rates[..., 0]
         x, y = START_DISTANCE / np.abs(rates).max() * STENCIL
-        q = [value + a * x + b * y for value, (a, b) in zip(start, rates.T, strict=True)]
-        _, q, _ = self._converged(q, self._line(x, y))
-        return np.linalg.solve(_powers(x, y).T, np.array(q).T).T
+        _, q, _ = self._over_plane.heights(x, y, start + rates @ (x, y))
+        return np.linalg.solve(_powers(x, y).T, q.T).T
 
-    def _converged(self, q: list[Array], line: Components) -> tuple[Array, list[Array], Array]:
-        """Height and q by Newton's method, and the margin to the flank's end; NaN where no plane is found.
-
-        The margin is the square of the determinant over the contact point's, less that of EDGE, or the
-        fraction of REACH, or what is left of the parameters, where that is less.
-        """
-        for _ in range(MOST_STEPS):
-            height, step, determinant = self.surface.newton(q, line, self.axes)
-            size = np.max(np.abs(step), axis=0)
-            near = size < MAX_NEWTON_STEP
-            q = [np.where(near, value - h, np.nan) for value, h in zip(q, step, strict=True)]
-            if np.all(size < MIN_NEWTON_STEP):
-                break
-        part = determinant / self._contact_determinant
-        left = np.where((size < MIN_NEWTON_STEP) & (part > 0), part * part - EDGE**2, np.nan)
-        for value, start in zip(q, self.start, strict=True):
-            left = np.minimum(left, 1 - np.abs(value - start) / MAX_PARAMETER_CHANGE)
-        left = np.minimum(left, self.surface.margin(q))
-        return height, q, left
-
-    def solve(self, x: Array, y: Array) -> tuple[Array, list[Array], Array]:
-        """Height [m] of the flank at points (x, y), the touching planes' q, and where it exists.
+    def solve(self, x: Array, y: Array) -> tuple[Array, Array, Array]:
+        """Height [m] of the flank at points (x, y), its q there, (q, ...), and where it exists.
 
         Where the flank ends before (x, y), it is continued along the ray from the contact point with the
         slope of its last sound point, whose q is given, and the contact point's curvatures, so that the gap
@@ -183,7 +106,7 @@ class FlankHeight:
         """
         return self._found(x, y)[1]
 
-    def _found(self, x: Array, y: Array) -> tuple[Array, Array, list[Array], Array]:
+    def _found(self, x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
         x, y = np.broadcast_arrays(np.asarray(x, float), np.asarray(y, float))
         return self._cache.recall((x, y), lambda: self._solve_all(x, y))
 
@@ -191,32 +114,31 @@ class FlankHeight:
     def _cache(self) -> PointCache:
         return PointCache(MOST_CACHED)
 
-    def _solve_all(self, x: Array, y: Array) -> tuple[Array, Array, list[Array], Array]:
+    def _solve_all(self, x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             found = on_mesh(self._solve_each, x, y, TOLERANCE)
             if found is None:
                 found = self._solve_each(x.ravel(), y.ravel())
         found.flags.writeable = False
-        height, moving, *q, exists = found.reshape(-1, *x.shape)
-        return height, moving, q, exists == 1
+        found = found.reshape(-1, *x.shape)
+        return found[0], found[1], found[2:-1], found[-1] == 1
 
     def _solve_each(self, x: Array, y: Array) -> Array:
-        """Rows as of `_solve_block`, also where the flank is continued."""
-        found = _in_blocks(self._solve_block, x, y)
+        """Rows: height, also where the flank is continued, height on it, q there, and 1 where it exists.
+
+        Less than 1 is the fraction of the ray to the point that lies on the flank.
+        """
+        height, q, left = self._over_plane.heights(x, y, self._guess @ _powers(x, y))
+        found = np.array([height, height, *q, left > 0])
         for further, least in ((self._between_rays, OUTLINE_RAYS), (self._along_rays, 1)):
             failed = np.flatnonzero(found[-1] == 0)
             if failed.size >= least:
-                found[:, failed] = _in_blocks(further, x[failed], y[failed])
+                found[:, failed] = further(x[failed], y[failed])
         return found
-
-    def _solve_block(self, x: Array, y: Array) -> Array:
-        """Rows: height, twice, q and 1 where the flank is found from the contact point, else 0."""
-        height, q, left = self._converged(list(self._guess @ _powers(x, y)), self._line(x, y))
-        return np.array([height, height, *q, left > 0])
 
     def _along_rays(self, x: Array, y: Array) -> Array:
         """Rows as of `_continued`, by a ray to each point."""
-        return self._continued(x, y, *self._end(x, y))
+        return self._continued(x, y, *self._over_plane.ends(x, y))
 
     def _between_rays(self, x: Array, y: Array) -> Array:
         """Rows as of `_continued`, by rays of the outline beside them; 0 last where these do not tell."""
@@ -231,15 +153,16 @@ class FlankHeight:
         reach, x_near, y_near = np.minimum(reach[near], 1.0), x[near], y[near]
         first, second, part = first[near], second[near], part[near]
         between = on_rays[:, first] + part * (on_rays[:, second] - on_rays[:, first])
-        _, q, left = self._converged(list(between), self._line(reach * x_near, reach * y_near))
+        _, q, left = self._over_plane.heights(reach * x_near, reach * y_near, between)
         reach = np.where(left > 0, reach, np.minimum(reach, JUST_BEYOND))
         found = np.zeros((3 + len(q), x.size))
         sound = ~np.isnan(left)
-        q = [values[sound] for values in q]
-        found[:, near[sound]] = self._continued(x_near[sound], y_near[sound], reach[sound], q)
+        found[:, near[sound]] = self._continued(
+            x_near[sound], y_near[sound], reach[sound], q[:, sound]
+        )
         return found
 
-    def _continued(self, x: Array, y: Array, reach: Array, q: list[Array]) -> Array:
+    def _continued(self, x: Array, y: Array, reach: Array, q: Array) -> Array:
         """Rows: height on or beyond the flank, and on it, q there and fraction of the ray that lies on it.
 
         `reach` is that fraction, and `q` belongs to its end.
@@ -257,62 +180,6 @@ class FlankHeight:
         angle = 2 * np.pi / OUTLINE_RAYS * np.arange(OUTLINE_RAYS)
         x, y = np.cos(angle), np.sin(angle)
         rates = np.abs(self._guess[:, 1:3] @ (x, y)).max(axis=0)
-        length = MAX_PARAMETER_CHANGE / rates
-        reach, q = self._end(length * x, length * y)
-        return np.where(reach < 1, 1 / (reach * length), np.nan), np.array(q)
-
-    def _end(self, x: Array, y: Array) -> tuple[Array, list[Array]]:
-        """Fraction of the ray to (x, y) that lies on the flank, and q there.
-
-        The margin to the flank's end falls nearly linearly, so that the secant method finds its zero, with
-        steps halved where no plane is found: that far q is not followed at once.
-        """
-        none, half, twice = (np.full(x.shape, value) for value in (0.0, 0.5, 2.0))
-        margin = np.full(x.shape, self._start_margin)
-        q = [np.full(x.shape, value) for value in self.start]
-        rays = np.array([none, half, twice, margin, none, margin, none, margin, *q])
-        tried = np.flatnonzero(margin > ENDED)
-        for _ in range(MOST_TRIES):
-            if not tried.size:
-                break
-            rays[:, tried] = self._farther(rays[:, tried], x[tried], y[tried])
-            reach, step, _, left = rays[:4, tried]
-            tried = tried[(left > ENDED) & (step > ENDED) & (reach < 1)]
-        return rays[0], list(rays[8:])
-
-    def _farther(self, rays: Array, x: Array, y: Array) -> Array:
-        """Rays after one more try.
-
-        Rows: fraction of the ray on the flank, next step and its growth if it succeeds, residual there; the
-        last place where a plane was found, and its residual; likewise of the place before; q.
-        """
-        reach, step, growth, left, last, last_left, before, before_left, *q = rays
-        goal = last - last_left * (last - before) / (last_left - before_left)
-        goal = np.where(goal > reach, np.minimum(goal, 1.0), 1.0)
-        there = np.minimum(goal, reach + step)
-        tried, ahead = self._followed(q, x, y, reach, there)
-        sound, found = ahead > -ENDED, ~np.isnan(ahead)
-        back = np.where(found & (last_left > 0), BACK, 0.5) * (there - reach)
-        return np.array(
-            [
-                np.where(sound, there, reach),
-                np.where(sound, growth * step, back),
-                np.where(sound, np.minimum(2 * growth, 2.0), np.where(found, 1.0, 0.5)),
-                np.where(sound, ahead, left),
-                np.where(found, there, last),
-                np.where(found, ahead, last_left),
-                np.where(found, last, before),
-                np.where(found, last_left, before_left),
-                *(np.where(sound, new, old) for new, old in zip(tried, q, strict=True)),
-            ]
-        )
-
-    def _followed(
-        self, q: list[Array], x: Array, y: Array, here: Array, there: Array
-    ) -> tuple[list[Array], Array]:
-        """q followed along the rays from here (x, y) to there (x, y), and the margin there."""
-        ray = along(along((0.0, 0.0, 0.0), x, self.axes[0]), y, self.axes[1])
-        rates = self.surface.rates(q, along(self.origin, here, ray), self.axes, ray)
-        q = [value + (there - here) * rate for value, rate in zip(q, rates, strict=True)]
-        _, q, left = self._converged(q, along(self.origin, there, ray))
-        return q, left
+        length = OUTLINE_CHANGE / rates
+        reach, q = self._over_plane.ends(length * x, length * y)
+        return np.where(reach < 1, 1 / (reach * length), np.nan), q

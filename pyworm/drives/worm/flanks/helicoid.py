@@ -50,6 +50,10 @@ class Seated:
         """Intersection of the axis with the common perpendicular to the wheel's axis, (3,) [m]."""
         return np.array([-self.centre_distance, self.axial_shift, 0.0])
 
+    def seat(self, angle: float) -> tuple[float, float, float, float]:
+        """Its place, and a rotation angle [rad], as of `pyworm.kernel.flank_height.FlankNumbers`."""
+        return self.centre_distance, self.axial_shift, self.swivel, angle
+
     @cached_property
     def axes(self) -> Array:
         """Columns: the screw's own x, y and z (its axis) directions in the drive frame, (3, 3)."""

@@ -12,6 +12,7 @@ import numpy as np
 
 from pyworm.drives.worm.flanks.involute_helicoid import base_lead_angle, base_radius
 from pyworm.drives.worm.flanks.screw_generator import Array, Components, ScrewGenerator
+from pyworm.kernel.flank_height import SweptCurve
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,11 @@ class RuledHelicoid(ScrewGenerator):
     def curve(self, u: Array | float) -> tuple[Components, Components, Components]:
         """The line and its derivatives."""
         return (self.offset, u, self.slope * u), (0.0, 1.0, self.slope), (0.0, 0.0, 0.0)
+
+    @property
+    def swept(self) -> SweptCurve:
+        """The line."""
+        return SweptCurve(np.array([[0.0, self.offset], [1.0, 0.0], [self.slope, 0.0]]))
 
     def at_radius(self, radius: Array | float) -> Array:
         """Way across the axis along the line at a distance from the axis [m]."""

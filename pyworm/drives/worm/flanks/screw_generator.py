@@ -12,6 +12,8 @@ from abc import ABC, abstractmethod
 
 import numpy as np
 
+from pyworm.kernel.flank_height import SweptCurve
+
 Array = np.ndarray
 
 Components = tuple[Array | float, Array | float, Array | float]
@@ -40,6 +42,11 @@ class ScrewGenerator(ABC):
     @abstractmethod
     def curve(self, u: Array | float) -> tuple[Components, Components, Components]:
         """The curve [m] and its first [-] and second [1/m] derivatives by its parameter [m]."""
+
+    @property
+    def swept(self) -> SweptCurve:
+        """The curve for the kernel; NotImplementedError of one that sweeps no working flank."""
+        raise NotImplementedError
 
     @abstractmethod
     def at_radius(self, radius: Array | float) -> Array:
