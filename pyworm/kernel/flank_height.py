@@ -107,8 +107,8 @@ class FlankOverPlane:
         if not x.size:
             slopes, bend, rates = (np.zeros((*of, 0)) for of in ((2,), (2, 2), (len(q), 2)))
             return FlankExpansion(x, slopes, bend, rates)
-        *parts, rates = core.bindings.flank_expansions(*self._given, x, y, _three(q))
-        return FlankExpansion(*parts, rates[: self.numbers.parameters])
+        height, slopes, bend, rates = core.bindings.flank_expansions(*self._given, x, y, _three(q))
+        return FlankExpansion(height, slopes, bend, rates[: self.numbers.parameters])
 
     def ends(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Fraction of the ray to each point (x, y) [m] that lies on the flank, and q there."""
