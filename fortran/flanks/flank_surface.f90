@@ -48,6 +48,7 @@ module pyworm_flank_surface
     !> taken off q; a determinant that vanishes at the flank's edge of regression; and whether there is such a step.
     pure subroutine newton_step(self, q, line, frame, height, step, determinant, found)
       import :: contact_frame, flank_surface, wp
+      implicit none(type, external)
       class(flank_surface), intent(in) :: self
       real(wp), intent(in) :: q(:), line(3)
       type(contact_frame), intent(in) :: frame
@@ -58,6 +59,7 @@ module pyworm_flank_surface
     !> Change of q along a direction of the tangent plane, at the flank's place on a line.
     pure subroutine change_along(self, q, line, frame, direction, rate)
       import :: contact_frame, flank_surface, wp
+      implicit none(type, external)
       class(flank_surface), intent(in) :: self
       real(wp), intent(in) :: q(:), line(3), direction(3)
       type(contact_frame), intent(in) :: frame
@@ -67,6 +69,7 @@ module pyworm_flank_surface
     !> Normal of any length, and its derivatives by q, (3, parameters).
     pure subroutine normal_field(self, q, normal, swings)
       import :: flank_surface, wp
+      implicit none(type, external)
       class(flank_surface), intent(in) :: self
       real(wp), intent(in) :: q(:)
       real(wp), intent(out) :: normal(3), swings(:, :)

@@ -50,6 +50,7 @@ module pyworm_tangent_planes
     !> Support [m] and normal of a plane, (0), their derivatives by the parameters, (1:2), and second ones, 11, 12 and 22.
     pure subroutine family_at(self, q, support, normal, support_bend, normal_bend)
       import :: plane_family, wp
+      implicit none(type, external)
       class(plane_family), intent(in) :: self
       real(wp), intent(in) :: q(:)
       real(wp), intent(out) :: support(0:2), normal(3, 0:2), support_bend(3), normal_bend(3, 3)
