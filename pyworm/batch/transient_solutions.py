@@ -25,7 +25,7 @@ from pyworm.io.kept_arrays import DamagedError, keep, kept
 from pyworm.io.present import present
 from pyworm.io.reason import reason_of
 from pyworm.planning.effects.selection import effect_names
-from pyworm.planning.expected_work import refinements_of_life
+from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.lifts import Lift, moving_lifts, steady_lift
@@ -105,7 +105,7 @@ def solve_lives(
         LifePart(life[0], part, refinement)
         for life in _lives(tasks, directory)
         for part in tasks_by_part(life)
-        for refinement in _refinements(life[0])
+        for refinement in range(solves_of_life(life[0].accuracy))
     ]
     parts.sort(
         key=lambda part: part.refinement
@@ -128,31 +128,18 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
     found: list[RateOfChange] = []
     records: list[tuple[TimeRecord, ...]] = []
     since = -inf
-    if not is_transient(task):
-        return None
-    begun = 0
-    for refinement in _refinements(task):
+    for refinement in range(solves_of_life(task.accuracy)):
         try:
             left = kept(directory / _file(task.key, refinement), _left)
         except (OSError, DamagedError):
             return None
-        if isinstance(left, str):
-            if refinement < 0:
-                continue
-            # what coarser solves found is better than nothing
+        if isinstance(left, str):  # what coarser solves found is better than nothing
             flaw = None if found else left
-            return Rates(tuple(found), tuple(records), since, flaw, finest=True, begun=begun)
+            return Rates(tuple(found), tuple(records), since, flaw, finest=True)
         rate, time_record, since = left
-        begun = begun if found else refinement
         found.append(rate)
         records.append(time_record)
-    return Rates(tuple(found), tuple(records), since, begun=begun)
-
-
-def _refinements(task: Task) -> range:
-    """Halvings of the transient solves that a task's film begins with."""
-    written = bool(present_in_life(task.scene).life.kinks)
-    return refinements_of_life(task.plan.work.kind, written, task.accuracy)
+    return Rates(tuple(found), tuple(records), since)
 
 
 def _left(data: dict[str, np.ndarray]) -> str | tuple[RateOfChange, tuple[TimeRecord, ...], float]:

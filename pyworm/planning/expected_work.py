@@ -181,18 +181,8 @@ def first_refinement(change: float, accuracy: float, heated: bool, rough: bool) 
 
 
 def solves_of_life(accuracy: float) -> int:
-    """Transient solves of a life that usually suffice."""
+    """Transient solves of a life, each with half the spacing and time step of the one before."""
     return 1 + (accuracy < ONE_SOLVE) + (accuracy < TWO_SOLVES)
-
-
-def refinements_of_life(kind: Kind, written: bool, accuracy: float) -> range:
-    """Halvings of spacing and time step of the first transient solves of a life, which may be written.
-
-    Where two suffice for a tooth contact, the first has twice the usual spacing: most films away from entry
-    and exit are told by it and the usual one well enough, at a seventh of the work of the next.
-    """
-    count = solves_of_life(accuracy)
-    return range(-1, 1) if count == 2 and kind == "point" and not written else range(count)
 
 
 def stiffness(heated: bool, moes_l: float) -> float:

@@ -299,7 +299,7 @@ class GridSequence:
 
     def _solution(self, stop: Stop) -> Solution:
         scene, plan, level = self._scene, self._plan, self._level
-        solves = 0 if self._rates is None else self._rates.made
+        solves = 0 if self._rates is None else len(self._rates.found)
         cost = replace(self._stopwatch.cost(level.film), transient_solves=solves)
         outcome = self._solver.outcome(level)
         figures = self._estimates()

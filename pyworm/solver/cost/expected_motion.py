@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from pyworm.planning.effects.squeeze import SQUEEZE
-from pyworm.planning.expected_work import refinements_of_life
+from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -24,9 +24,6 @@ FURTHER = 0.17, 0.13
 are made whatever they cost (`MIN_SOLVES`): 4 and 3 of 24 phases of worm gear sets at 10 % had (`tests/hard`,
 drives 0 and 3 of seed 98001, 1 of 98002, 0 and 1 of 99002). One in the first transit of a life that begins
 under load (`FIRST_TRANSITS`) has one."""
-
-FURTHER_OF_TEETH = 0.4, 0.13
-"""The same where the first solve has twice the usual spacing (`refinements_of_life`)."""
 
 
 @dataclass(frozen=True)
@@ -74,32 +71,28 @@ def motion(
         part = part_at(time_grid, past.seconds)
     except ValueError:  # no load at present
         return None
-    refinements = refinements_of_life(
-        time_grid.plan.work.kind, bool(past.life.kinks), plan.accuracy
-    )
-    place = time_grid.transits(past.seconds)
+    solves, place = solves_of_life(plan.accuracy), time_grid.transits(past.seconds)
     last = min(part.last, time_grid.transits(time_grid.end))
     return Motion(
-        _time_steps(time_grid, refinements, part.begin, place),
-        tuple(_further(time_grid, past.seconds, refinements)),
-        _time_steps(time_grid, refinements, part.begin, last),
+        _time_steps(time_grid, range(solves), part.begin, place),
+        tuple(_further(time_grid, past.seconds, solves)),
+        _time_steps(time_grid, range(solves), part.begin, last),
         None if lone else part,
     )
 
 
 def _further(
-    time_grid: TimeGrid, seconds: float, refinements: range
+    time_grid: TimeGrid, seconds: float, solves: int
 ) -> Iterator[tuple[float, tuple[TimeSteps, ...]]]:
     """Chance and time steps of each more solve for a contact at a time [s], after the usual ones."""
     place = time_grid.transits(seconds)
     under_load = time_grid.approach is None and place < FIRST_TRANSITS
-    first = refinements.stop
-    for number, chance in enumerate(FURTHER if refinements.start == 0 else FURTHER_OF_TEETH, first):
+    for number, chance in enumerate(FURTHER, solves):
         begin = begin_of_further(time_grid, seconds, number)
-        if begin is None or (number > first and number >= MIN_SOLVES):
+        if begin is None or (number > solves and number >= MIN_SOLVES):
             return
         steps = _time_steps(time_grid, range(number, number + 1), begin, place)
-        yield 1.0 if under_load and number == first else chance, steps
+        yield 1.0 if under_load and number == solves else chance, steps
 
 
 def time_grid_if_any(scene: Scene | LineScene, plan: Plan) -> TimeGrid | None:
@@ -123,7 +116,7 @@ def _time_steps(
     return tuple(
         TimeSteps(
             grids[together](time_grid.begin, on).nodes,
-            grids[together](time_grid.begin, min(on, 0)).nodes,
+            grids[together](time_grid.begin, 0).nodes,
             count,
         )
         for (on, together), count in counts.items()

@@ -204,7 +204,7 @@ def _onward(
     used = _differenced(time_grid, seconds, before)
     rise = None
     if heat:
-        rise = residual_rise(heat, contact, grid, time_grid.grid(seconds, min(step.refinement, 0)), seconds, mesh.turning)
+        rise = residual_rise(heat, contact, grid, time_grid.grid(seconds, 0), seconds, mesh.turning)
     term = BackwardTerm(seconds, used, mesh.divergence, rise)
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), time_grid.plan, term)
     tolerances = _tolerances(time_grid, step)

@@ -87,7 +87,7 @@ the least film of a first isothermal solve is 0.97 um in the window of a steady 
 1.205 um in one of 5 times. Films are thick there and do with twice the spacing."""
 
 CELLS = 8
-"""Cells of the usual first grid to either side of the contact point come in multiples of half of this."""
+"""Cells of the coarsest grid to either side of the contact point come in multiples of half of this."""
 
 ROUNDING = 1e-6
 """Part of a cell by which a window may be short: rounding decides about no cells."""
@@ -164,9 +164,9 @@ class TimeGrid:
         self, seconds: float, refinement: int, sides: Sequence[tuple[int, int]], coarser: float
     ) -> Grid | LineGrid:
         within = float(np.clip(seconds, *self._fitted))
-        cell = coarser * 2.0**-refinement
+        cell = coarser / 2**refinement
         steps = [cell * exp(log_spacing(within)) for log_spacing in self._log_spacing]
-        spans = [(_halved(before, refinement), _halved(behind, refinement)) for before, behind in sides]
+        spans = [(before << refinement, behind << refinement) for before, behind in sides]
         if len(steps) == 1:
             ((dx,), ((before, behind),)) = steps, spans
             return LineGrid(dx, -before, before + behind + 1)
@@ -175,7 +175,7 @@ class TimeGrid:
 
     def step(self, refinement: int) -> float:
         """Time step [transits], halved with the spacing."""
-        return 1 / (STEPS_A_TRANSIT[self.plan.work.kind] * 2.0**refinement)
+        return 1 / (STEPS_A_TRANSIT[self.plan.work.kind] << refinement)
 
     def mesh(self, seconds: float) -> MeshMotion | Stretching:
         """Velocity of the grid's nodes at a time."""
@@ -236,11 +236,6 @@ def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
     if whole.work.kind == "line" or not life.touched > time_grid.begin:
         return time_grid
     return replace(time_grid, approach=_approach(time_grid))
-
-
-def _halved(cells: int, refinement: int) -> int:
-    """Cells after some halvings of the spacing; -1 has it doubled."""
-    return cells << refinement if refinement >= 0 else cells >> -refinement
 
 
 def _approach(time_grid: TimeGrid) -> Approach:

@@ -187,7 +187,7 @@ def _through(
     """The films of some steps, of which those of the finest grid are kept; as of `integrate_in_time`."""
     refinement = asked[-1].refinement
     finest = [step.seconds for step in asked if step.refinement == refinement]
-    framed = set(finest[:: 2 ** max(refinement, 0)])
+    framed = set(finest[:: 2**refinement])
     steps, level, before, taken_of_all = _begun(time_grid, asked, min(wanted))
     turns = _turns([step.seconds for step in steps if step.refinement == refinement], wanted)
     rates: dict[float, RateOfChange] = {}

@@ -4,7 +4,7 @@ The Reynolds equation has d(rho h)/dt. Oil under pressure at present entered the
 other load, curvature and edges, and its film is that of its entry. One transient solve
 (`integrate_in_time`) goes through the life of the contact and gives the rate of change at any time of it,
 which the films on all grids of the figures take. It is made twice, the second time with half the spacing and
-half the time step; what that changes tells its error, and further times where that does not do.
+half the time step; what that changes tells its error, and a third time where that does not do.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,10 +15,9 @@ from math import ceil, inf, nextafter
 import numpy as np
 
 from pyworm.io.plain_dataset import PlainDataset
-from pyworm.io.present import present
 from pyworm.io.quantity_text import percent
 from pyworm.planning import error_budget
-from pyworm.planning.expected_work import Kind, refinements_of_life
+from pyworm.planning.expected_work import Kind, solves_of_life
 from pyworm.planning.plan import Plan
 from pyworm.planning.prediction import predicted
 from pyworm.planning.target import HEAT_FIGURES
@@ -34,11 +33,7 @@ from pyworm.solver.transient.extrapolated_rate import ExtrapolatedRate, share_le
 from pyworm.solver.transient.next_film import MEMORY_TRANSITS, NoFilmError
 from pyworm.solver.transient.rate_errors import error_share, least_error, rate_errors
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
-from pyworm.solver.transient.time_integration import (
-    RateOfChange,
-    TimeIntegration,
-    integrate_in_time,
-)
+from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
 from pyworm.solver.transient.time_records import TimeRecord, curves, until
 from pyworm.solver.transient.time_steps import places_of
 
@@ -194,30 +189,6 @@ class Rates:
     """Reason why a film before was not found."""
     finest: bool = False
     """Whether no further solve is to be had."""
-    begun: int = 0
-    """Halvings of the first solve; -1 of one with twice the usual spacing."""
-    dropped: int = 0
-    """Number of solves left out: that one, once there are two others."""
-
-    @property
-    def made(self) -> int:
-        """Number of solves."""
-        return self.dropped + len(self.found)
-
-    @property
-    def following(self) -> int:
-        """Halvings of one more solve."""
-        return self.begun + self.made
-
-    def followed(self, rate: RateOfChange, records: tuple[tuple[TimeRecord, ...], ...]) -> "Rates":
-        """The rates with that of one more solve, without that of twice the usual spacing."""
-        coarse = int(self.begun + self.dropped < 0)
-        return replace(
-            self,
-            found=(*self.found, rate)[coarse:],
-            records=(*self.records, *records)[coarse:],
-            dropped=self.dropped + coarse,
-        )
 
 
 @dataclass(frozen=True)
@@ -257,57 +228,46 @@ class Transient:
 
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
     """Rates of change of a contact at present, by transient solves of the part of its life before."""
-    past, found = recent(scene), None
-    solves: list[tuple[int, TimeIntegration]] = []
+    past, solves = recent(scene), []
     try:
         time_grid = time_grid_of(past.life, plan)
         begin = part_at(time_grid, past.seconds).begin
-        refinements = refinements_of_life(
-            time_grid.plan.work.kind, bool(past.life.kinks), plan.accuracy
-        )
-        for refinement in refinements:
-            found = _solved(time_grid, refinement, begin, past, needed=refinement >= 0)
-            if found is not None and past.seconds in found.rates:
-                solves.append((refinement, found))
-            elif refinement >= 0:  # finer ones would cost more, and be of no use
+        for refinement in range(solves_of_life(plan.accuracy)):
+            found = integrate_in_time(time_grid, refinement, begin, [past.seconds], past.last)
+            if past.seconds not in found.rates:  # finer ones would cost more, and be of no use
                 break
+            solves.append(found)
     except (NoFilmError, ValueError) as reason:  # of no contact in motion, or of a film
         return Rates((), flaw=str(reason))
     if not solves:
-        return Rates((), flaw=present(found, "a transient solve").failure)
+        return Rates((), flaw=found.failure)
     return Rates(
-        tuple(solve.rates[past.seconds] for _, solve in solves),
-        tuple(until(solve.records, past.last) for _, solve in solves),
-        finest=solves[-1][0] < refinements[-1],
-        begun=solves[0][0],
+        tuple(solve.rates[past.seconds] for solve in solves),
+        tuple(until(solve.records, past.last) for solve in solves),
+        finest=past.seconds not in found.rates,
     )
-
-
-def _solved(
-    time_grid: TimeGrid, refinement: int, begin: float, past: Past, needed: bool
-) -> TimeIntegration | None:
-    """A transient solve up to now; None without a film to begin from, a NoFilmError if it is needed."""
-    try:
-        return integrate_in_time(time_grid, refinement, begin, [past.seconds], past.last)
-    except NoFilmError:
-        if needed:
-            raise
-        return None
 
 
 def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
     """The rates with that of one more transient solve of the life before; else marked as the finest."""
-    past, refinement = recent(scene), rates.following
+    past, solves = recent(scene), len(rates.found)
     time_grid = time_grid_of(past.life, plan)
-    begin = begin_of_further(time_grid, past.seconds, refinement)
+    begin = begin_of_further(time_grid, past.seconds, solves)
     if begin is None:
         return replace(rates, finest=True)
-    found = _solved(time_grid, refinement, begin, past, needed=False)
-    if found is None or past.seconds not in found.rates:
+    try:
+        found = integrate_in_time(time_grid, solves, begin, [past.seconds], past.last)
+    except NoFilmError:
+        return replace(rates, finest=True)
+    if past.seconds not in found.rates:
         return replace(rates, finest=True)
     whole = begin == part_at(time_grid, past.seconds).begin
     records = (until(found.records, past.last),) if whole else ()
-    return rates.followed(found.rates[past.seconds], records)
+    return replace(
+        rates,
+        found=(*rates.found, found.rates[past.seconds]),
+        records=rates.records + records,
+    )
 
 
 def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
@@ -346,7 +306,7 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         flaw = (
             f"the transient solve through the engagement leaves an error of {percent(heat_error)}"
         )
-    coarse = flaw is not None and not rates.finest and rates.following < MAX_SOLVES
+    coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
     life = _life(scene, plan, rates, readings, figures, slow)
     return Transient(last, level, errors, flaw, coarse, life, film_error, heat_error)
 
