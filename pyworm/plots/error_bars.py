@@ -29,7 +29,9 @@ def estimates_of(solutions: Sequence[Solution], name: str) -> tuple[list[Estimat
     converged = [solution.converged for solution in solutions]
     values = np.where(converged, [estimate.value for estimate in estimates], np.nan)
     rises = [
-        solution.rise(estimate) if quantity.unit == "K" else estimate.value
+        (solution.rise(estimate) if quantity.unit == "K" else estimate.value)
+        if solution.converged  # else a rise of nothing may have an error without bound
+        else np.nan
         for solution, estimate in zip(solutions, estimates, strict=True)
     ]
     return estimates, quantity.number(values), np.abs(rises) * quantity.scale

@@ -78,8 +78,11 @@ def maximum_across(field: Array, positions: Array, within: Array, highest: Array
     """Largest value of a field (nodes, levels) across the film, between nodes and between levels.
 
     Across the film the field is the polynomial through the levels, as in the kernel, at positions from -1/2
-    to 1/2; `highest` has the largest value of each column at its levels.
+    to 1/2; `highest` has the largest value of each column at its levels. No number where none is within: a
+    film under hardly any load has no contact.
     """
+    if not np.any(within):
+        return nan
     nodal = np.where(within, highest, -np.inf)
     node = np.unravel_index(np.argmax(nodal), nodal.shape)
     about = tuple(

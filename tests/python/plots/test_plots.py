@@ -1,7 +1,9 @@
 """Pictures: all are drawn, and they show what their scales and outlines claim."""
 
+import warnings
 from dataclasses import replace
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -42,6 +44,7 @@ from pyworm.plots.contact.maps import draw_friction, draw_pressure, draw_tempera
 from pyworm.plots.contact.profiles import draw_profiles
 from pyworm.plots.draw import draw
 from pyworm.plots.drives.worm import draw_cycle
+from pyworm.plots.error_bars import draw_figure, estimates_of
 from pyworm.plots.layout import Window, contact_window, heading
 from pyworm.plots.overlays import draw_tooth, signed_square
 from pyworm.plots.regimes import draw_chart, draw_regimes, numbers_of
@@ -525,3 +528,21 @@ def test_sides_of_the_tooth_are_named_at_the_edges_of_a_panel_that_shows_a_part_
         assert named["to the entering side"] == (0.01, 0.5)
     else:
         assert set(named) == {"tip", "root", "leaving side", "entering side"}
+
+
+def test_a_figure_that_was_not_found_is_a_gap_without_error_bars():
+    """Its rise may be none and its error without bound (drive 1 of seed 99013 of `tests/hard`)."""
+    found, lost = (
+        SimpleNamespace(
+            figures=SimpleNamespace(temperature_max_film=Estimate(value, error, None)),
+            converged=converged,
+            rise=lambda estimate: estimate.value - 313.0,
+        )
+        for value, error, converged in ((353.0, 0.05, True), (313.0, np.inf, False))
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        draw_figure(Figure().subplots(), [0.1, 0.9], [found, lost], "temperature_max_film", {})
+        _, values, sizes = estimates_of([found, lost], "temperature_max_film")
+    np.testing.assert_array_equal(np.isnan([values, sizes]), [[False, True]] * 2)
+    assert sizes[0] == pytest.approx(40.0)

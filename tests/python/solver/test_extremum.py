@@ -1,5 +1,8 @@
 """Figures read off fields between nodes and levels."""
 
+import warnings
+from math import isnan
+
 import numpy as np
 import pytest
 
@@ -243,3 +246,11 @@ def test_what_is_far_from_the_nodes_that_count_does_not_matter():
     changed[:8], changed[28:], changed[:, :15], changed[:, 37:] = -1.0, -1.0, -1.0, -1.0
     assert minimum(changed, within, usable) == (value, place)
     assert minimum(field, within & False, usable) == (np.inf, (0.0, 0.0))
+
+
+def test_a_film_without_contact_has_no_largest_temperature_in_it():
+    """Of a life whose load begins at nothing (drive 0 of seed 99013 of `tests/hard`)."""
+    field = np.ones((9, 9, 5))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert isnan(_across(field, kernel.level_positions(5), np.zeros((9, 9), bool)))
