@@ -1,6 +1,7 @@
 """Error bars of figures over a sweep: the numerical one, and behind it that of the model of roughness."""
 
 from collections.abc import Sequence
+from math import isfinite, nan
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -22,7 +23,7 @@ def estimates_of(solutions: Sequence[Solution], name: str) -> tuple[list[Estimat
     """A figure of solutions with its values as shown, and what its errors are relative to, as shown.
 
     Values are NaN, and so gaps of a curve, where a solution did not converge; errors of temperatures are
-    relative to the rise.
+    relative to the rise, and NaN without bound.
     """
     quantity = QUANTITIES[name]
     estimates = [getattr(solution.figures, name) for solution in solutions]
@@ -30,8 +31,8 @@ def estimates_of(solutions: Sequence[Solution], name: str) -> tuple[list[Estimat
     values = np.where(converged, [estimate.value for estimate in estimates], np.nan)
     rises = [
         (solution.rise(estimate) if quantity.unit == "K" else estimate.value)
-        if solution.converged  # else a rise of nothing may have an error without bound
-        else np.nan
+        if isfinite(estimate.error)
+        else nan
         for solution, estimate in zip(solutions, estimates, strict=True)
     ]
     return estimates, quantity.number(values), np.abs(rises) * quantity.scale

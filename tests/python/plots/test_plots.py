@@ -534,7 +534,7 @@ def test_a_figure_that_was_not_found_is_a_gap_without_error_bars():
     """Its rise may be none and its error without bound (drive 1 of seed 99013 of `tests/hard`)."""
     found, lost = (
         SimpleNamespace(
-            figures=SimpleNamespace(temperature_max_film=Estimate(value, error, None)),
+            figures=SimpleNamespace(temperature_max_film=Estimate(value, error)),
             converged=converged,
             rise=lambda estimate: estimate.value - 313.0,
         )
