@@ -17,9 +17,11 @@ from pyworm.drives.worm.drive import WormDrive
 from pyworm.drives.worm.flanks.contact_curve import ContactCurve
 from pyworm.drives.worm.flanks.ruled_helicoid import RuledHelicoid
 from pyworm.drives.worm.flanks.surfaces import contact_paths
+from pyworm.drives.worm.flanks.wheel_envelope import turned
 from pyworm.drives.worm.flanks.worm_profiles import PRESSURE_ANGLE_PLACES, own_pressure_angle
 from pyworm.drives.worm.patterns.hob_setting import drawn_gears, with_swivel
 from pyworm.drives.worm.teeth.checks import check_gears
+from pyworm.drives.worm.teeth.gap import surface_points
 from pyworm.drives.worm.teeth.gear_warnings import gear_warnings
 from pyworm.drives.worm.teeth.gears import WormGears
 
@@ -43,6 +45,42 @@ def swept(screw):
     advance = screw.lead / (2 * np.pi)
     line = RuledHelicoid(screw.base_radius, advance / screw.base_radius, advance)
     return replace(screw, generator=line)
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_heights_of_the_kernel_are_places_of_the_flanks(profile):
+    """At the q that it finds the geometry has those points, and the hob cuts there."""
+    pair = gears(profile)
+    contact = pair.cycle.contact(0.4)
+    x, y = np.meshgrid(np.linspace(-0.006, 0.006, 9), np.linspace(-0.003, 0.003, 7), indexing="ij")
+    for flank, body in (
+        (contact.worm_height, pair.worm_flank),
+        (contact.wheel_height, pair.wheel_flank),
+    ):
+        height, q, exists = flank.solve(x, y)
+        assert exists.mean() > 0.7
+        place = surface_points(contact, x, y, height)[:, exists]
+        if profile == "ZI":
+            lies = off_planes(body, q[:, exists], place, flank.surface.angle)
+        elif flank is contact.worm_height:
+            u, turn = q[:, exists]
+            lies = np.stack(body.expanded(u, turn, contact.worm_angle).point) - place
+        else:
+            u, turn, lag = q[:, exists]
+            miss = body.cut(u, turn, lag + contact.wheel_angle).miss / body.hob.size
+            assert np.abs(miss).max() < 1e-10
+            lies = body.point(u, turn, lag + contact.wheel_angle, wheel_angle=contact.wheel_angle)
+            lies = lies - place
+        assert np.abs(lies).max() < 1e-9  # q is right to a Newton step, 1e-6, squared
+
+
+def off_planes(body, q, place, angle):
+    """Distance of points from the tangent planes of an involute flank that touch it there [m]."""
+    screw = getattr(body, "hob", body)
+    normal, support = screw.normals(q[0])[0], screw.supports(q[0])[0]
+    if body is screw:
+        return np.sum(normal * place, axis=0) - support + screw.base_travel * angle
+    return np.sum(turned(normal, q[1]) * place, axis=0) - support + body.lever * (q[1] + angle)
 
 
 def test_the_general_meshing_of_an_involute_drive_is_its_closed_form():
