@@ -2,7 +2,7 @@
 
 At a rotation angle of the worm the contact has six unknowns, u and turn on the worm, u, turn and lag on the
 wheel, and the wheel's angle, and six equations: the two points coincide, the two normals are parallel, and
-the hob cuts there. They are solved by Newton's method with derivatives by complex step, from one angle to
+the hob cuts there. They are solved by Newton's method, from one angle to
 the next, which begins over the line of centres on the reference cylinders. The places of this path are worm
 angles [rad].
 """
@@ -19,10 +19,7 @@ from pyworm.drives.worm.flanks.flank_points import WheelPoints, WormPoints
 from pyworm.drives.worm.flanks.flank_surface import dot
 from pyworm.drives.worm.flanks.helicoid import Array, Components
 from pyworm.drives.worm.flanks.swept_helicoid import SweptHelicoid
-from pyworm.drives.worm.flanks.swept_wheel import SweptWheel
-
-COMPLEX_STEP = 1e-30
-"""Step of derivatives by complex step."""
+from pyworm.drives.worm.flanks.swept_wheel import SweptWheel, across
 
 MIN_NEWTON_STEP = 1e-11
 """Newton step beyond which nothing is gained."""
@@ -166,25 +163,13 @@ class ContactCurve(ContactPath):
         return None
 
     def _residual(self, unknown: Array, angle: Array) -> tuple[Array, Array, Array]:
-        """Equations at places, (6, places), derivatives by unknowns (6, 6, places) and by the angle."""
-        moved = np.repeat(np.vstack([unknown, angle])[:, None].astype(complex), 7, axis=1)
-        moved[np.arange(7), np.arange(7)] += COMPLEX_STEP * 1j
-        value = self._equations(*moved)
-        slopes = value.imag / COMPLEX_STEP
-        return value[:, 0].real, slopes[:, :6], slopes[:, 6]
+        """Equations at places, (6, places), derivatives by unknowns (6, 6, places) and by the angle.
 
-    def _equations(
-        self,
-        u: Array,
-        turn: Array,
-        cut_u: Array,
-        cut_turn: Array,
-        lag: Array,
-        wheel: Array,
-        angle: Array,
-    ) -> Array:
-        """Distance of the points over the size, normal of the wheel along the worm's flank, and N . V."""
-        on = self.worm.expanded(u, turn, angle)
+        They are the distance of the points over the size, the normal of the wheel along the worm's flank, and
+        N . V. A screw's angle and the wheel's roll move its points along its axis alone.
+        """
+        u, turn, cut_u, cut_turn, lag, wheel = unknown
+        on, size = self.worm.expanded(u, turn, angle), self.worm.size
         cut = self.flank.cut(cut_u, cut_turn, lag + wheel)
         cosine, sine = np.cos(lag), np.sin(lag)
 
@@ -192,14 +177,32 @@ class ContactCurve(ContactPath):
             x, y, z = vector
             return cosine * x + sine * z, y, cosine * z - sine * x
 
-        point, normal, size = turned(cut.point), turned(cut.normal), self.worm.size
+        point, normal = turned(cut.point), turned(cut.normal)
+        by_cut_u, by_cut_turn, _ = (turned(way) for way in cut.ways)
+        swings = tuple(turned(swing) for swing in cut.swings)
+        rise = turned(self.flank.rise)
+        by_lag = [a + b for a, b in zip(across(point), rise, strict=True)]
         rows = [(a - b) / size for a, b in zip(on.point, point, strict=True)]
-        rows += [
-            dot(on.by_u, normal) / size**2,
-            dot(on.by_turn, normal) / size**2,
-            cut.miss / size**2,
+        slopes = [
+            [a / size, b / size, -c / size, -d / size, -e / size, -f / size]
+            for a, b, c, d, e, f in zip(
+                on.by_u, on.by_turn, by_cut_u, by_cut_turn, by_lag, rise, strict=True
+            )
         ]
-        return np.stack(np.broadcast_arrays(*rows))
+        for tangent, bends in zip((on.by_u, on.by_turn), self.worm.bends(u, turn), strict=True):
+            rows.append(dot(tangent, normal) / size**2)
+            by_worm = [dot(bend, normal) / size**2 for bend in bends]
+            by_wheel = [dot(tangent, swing) / size**2 for swing in swings]
+            slopes.append([*by_worm, *by_wheel, 0.0])
+        rows.append(cut.miss / size**2)
+        by_u, by_turn, by_roll = (slope / size**2 for slope in cut.slopes)
+        slopes.append([0.0, 0.0, by_u, by_turn, by_roll, by_roll])
+        pace = [-self.worm.screw * part / size for part in self.worm.axes[:, 2]] + [0.0] * 3
+        return (
+            np.stack(np.broadcast_arrays(*rows)),
+            np.stack([np.stack(np.broadcast_arrays(*row, angle)[:6]) for row in slopes]),
+            np.stack(np.broadcast_arrays(*pace, angle)[:6]),
+        )
 
 
 def _solved(slopes: Array, right: Array) -> Array:

@@ -4,6 +4,7 @@ Parameters are u, the place on the curve over `size`, and the turn of the curve 
 angle takes p angle off the advance: a helicoid is carried into itself by its own screw motion.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from math import cos, sin
@@ -87,14 +88,8 @@ class SweptHelicoid(Seated):
         turn = -float(np.arctan2(y, x))
         return u / self.size, turn, turn + float(z) / self.screw
 
-    def expanded(self, u: Array, turn: Array, angle: Array | float) -> Expansion:
-        """Points, normals and derivatives at u, a turn of the curve and an angle of the screw [rad]."""
-        place, along, bend = self.generator.curve(u * self.size)
-        x, y, z = place
-        swept = -y, x, self.screw
-        normal = cross_product(along, swept)
-        bent, turned = cross_product(bend, swept), cross_product(along, (-along[1], along[0], 0.0))
-        swung = bent[0] + turned[0], bent[1] + turned[1], bent[2] + turned[2]
+    def _seated(self, turn: Array) -> Callable[..., Components]:
+        """What places a vector of the curve, times a scale, after its turn in the drive frame."""
         cosine, sine = np.cos(turn), np.sin(turn)
         upright, tilt = cos(self.swivel), sin(self.swivel)
 
@@ -108,6 +103,24 @@ class SweptHelicoid(Seated):
                 tilt * across + upright * z,
             )
 
+        return seated
+
+    def bends(self, u: Array, turn: Array) -> tuple[tuple[Components, Components], ...]:
+        """Second derivatives of the places, by u and by the turn, of those by u and of those by the turn."""
+        (x, y, _), along, bend = self.generator.curve(u * self.size)
+        seated = self._seated(turn)
+        mixed = seated((-along[1], along[0], 0.0), self.size)
+        return (seated(bend, self.size**2), mixed), (mixed, seated((-x, -y, 0.0)))
+
+    def expanded(self, u: Array, turn: Array, angle: Array | float) -> Expansion:
+        """Points, normals and derivatives at u, a turn of the curve and an angle of the screw [rad]."""
+        place, along, bend = self.generator.curve(u * self.size)
+        x, y, z = place
+        swept = -y, x, self.screw
+        normal = cross_product(along, swept)
+        bent, turned = cross_product(bend, swept), cross_product(along, (-along[1], along[0], 0.0))
+        swung = bent[0] + turned[0], bent[1] + turned[1], bent[2] + turned[2]
+        seated = self._seated(turn)
         placed = seated((x, y, z + self.screw * (turn - angle)))
         return Expansion(
             point=(placed[0] - self.centre_distance, placed[1] + self.axial_shift, placed[2]),

@@ -10,6 +10,7 @@ by Newton's method from this and from where they are sought; no plane, line or t
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -51,13 +52,18 @@ class SweptWheel:
     ratio: float
     """Wheel angle by hob angle, threads / teeth [-]."""
 
+    @cached_property
+    def rise(self) -> Components:
+        """Way of a hob's point along its axis by the roll [m/rad]."""
+        x, y, z = -self.hob.screw / self.ratio * self.hob.axes[:, 2]
+        return float(x), float(y), float(z)
+
     def cut(self, u: Array, turn: Array, roll: Array) -> Cut:
         """Points of the hob at a roll of the wheel [rad], and how far they are from cutting."""
         on = self.hob.expanded(u, turn, roll / self.ratio)
-        pace = self.hob.screw / self.ratio
-        axis = tuple(pace * part for part in self.hob.axes[:, 2])
+        rise = self.rise
         x, y, z = across(on.point)
-        speed = x - axis[0], y - axis[1], z - axis[2]
+        speed = x + rise[0], y + rise[1], z + rise[2]
         return Cut(
             point=on.point,
             ways=(on.by_u, on.by_turn, speed),
@@ -67,7 +73,7 @@ class SweptWheel:
             slopes=(
                 dot(on.normal_by_u, speed) + dot(on.normal, across(on.by_u)),
                 dot(on.normal_by_turn, speed) + dot(on.normal, across(on.by_turn)),
-                -dot(on.normal, across(axis)),
+                dot(on.normal, across(rise)),
             ),
         )
 
