@@ -105,7 +105,7 @@ class FlankOverPlane:
     def expansions(self, x: Array, y: Array, q: Array) -> FlankExpansion:
         """Height, slopes and curvatures at points (x, y) [m] at which q is known."""
         if not x.size:
-            slopes, bend, rates = (np.zeros((*of, 0)) for of in ((2,), (2, 2), (len(q), 2)))
+            slopes, bend, rates = (np.zeros((*shape, 0)) for shape in ((2,), (2, 2), (len(q), 2)))
             return FlankExpansion(x, slopes, bend, rates)
         height, slopes, bend, rates = core.bindings.flank_expansions(*self._given, x, y, _three(q))
         return FlankExpansion(height, slopes, bend, rates[: self.numbers.parameters])

@@ -178,7 +178,7 @@ class ContactCurve(ContactPath):
             return cosine * x + sine * z, y, cosine * z - sine * x
 
         point, normal = turned(cut.point), turned(cut.normal)
-        by_cut_u, by_cut_turn, _ = (turned(way) for way in cut.ways)
+        by_cut_u, by_cut_turn, _ = (turned(tangent) for tangent in cut.ways)
         swings = tuple(turned(swing) for swing in cut.swings)
         rise = turned(self.flank.rise)
         by_lag = [a + b for a, b in zip(across(point), rise, strict=True)]
