@@ -77,13 +77,7 @@ contains
     type(worm_points) :: points
 
     points%parameters = 2
-    points%seat = seat
-    points%angle = angle
-    points%first = bounds(1)
-    points%last = bounds(2)
-    points%curve = curve
-    points%screw = screw
-    points%size = size
+    call form(points, seat, angle, curve, bounds, screw, size)
   end function new_worm_points
 
   !> Points of a wheel at a rotation angle [rad] by those numbers of its hob and the ratio threads/teeth.
@@ -94,6 +88,17 @@ contains
     type(wheel_points) :: points
 
     points%parameters = 3
+    call form(points, seat, angle, curve, bounds, screw, size)
+    points%ratio = ratio
+  end function new_wheel_points
+
+  !> What points of worms and of hobs have.
+  pure subroutine form(points, seat, angle, curve, bounds, screw, size)
+    class(helicoid_points), intent(inout) :: points
+    type(screw_seat), intent(in) :: seat
+    type(swept_curve), intent(in) :: curve
+    real(wp), intent(in) :: angle, bounds(2), screw, size
+
     points%seat = seat
     points%angle = angle
     points%first = bounds(1)
@@ -101,8 +106,7 @@ contains
     points%curve = curve
     points%screw = screw
     points%size = size
-    points%ratio = ratio
-  end function new_wheel_points
+  end subroutine form
 
   !> The curve and its first [-] and second [1/m] derivatives at a parameter [m], and whether it has such a point.
   pure subroutine evaluate(curve, u, place, along, bend, exists)

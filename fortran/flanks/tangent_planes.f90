@@ -67,11 +67,7 @@ contains
     type(worm_planes) :: planes
 
     planes%parameters = 1
-    planes%seat = seat
-    planes%angle = angle
-    planes%across = sin(base_lead_angle)
-    planes%along = cos(base_lead_angle)
-    planes%base_travel = base_travel
+    call form(planes, seat, angle, base_lead_angle, base_travel)
   end function new_worm_planes
 
   !> Planes of a wheel at a rotation angle [rad] by those numbers of its hob and the moment arm of its normals [m].
@@ -81,13 +77,22 @@ contains
     type(wheel_planes) :: planes
 
     planes%parameters = 2
+    call form(planes, seat, angle, base_lead_angle, base_travel)
+    planes%lever = lever
+  end function new_wheel_planes
+
+  !> What planes of worms and of hobs have.
+  pure subroutine form(planes, seat, angle, base_lead_angle, base_travel)
+    class(plane_family), intent(inout) :: planes
+    type(screw_seat), intent(in) :: seat
+    real(wp), intent(in) :: angle, base_lead_angle, base_travel
+
     planes%seat = seat
     planes%angle = angle
     planes%across = sin(base_lead_angle)
     planes%along = cos(base_lead_angle)
     planes%base_travel = base_travel
-    planes%lever = lever
-  end function new_wheel_planes
+  end subroutine form
 
   !> The tangent plane of a generator at rotation angle 0 and its first two derivatives by theta.
   pure subroutine planes(self, theta, support, normal)
