@@ -338,7 +338,7 @@ contains
     if (self%model%is_sheared()) self%model%shear%work%flow_alone = .false.
   end subroutine film_residual_at
 
-  !> Evaluates the balance of the present film again after its transient term has changed; arguments as of `film_residual`.
+  !> Begins an iteration anew from the flow last set, whose net outflow may have changed since; arguments as of `film_residual`.
   !>
   !> Unlike at the start of an iteration the oil's pressure between rough surfaces follows from their balance already, and the
   !> rupture line may move in the next step.
@@ -346,7 +346,7 @@ contains
     class(film_contact), intent(inout) :: self
     real(wp), intent(out) :: residual, load_error
 
-    call film_balance(self, residual, load_error)
+    call judge_balance(self, residual, load_error)
     self%least = residual + abs(load_error)
     self%idle_steps = 0
   end subroutine film_balance_again
@@ -356,6 +356,9 @@ contains
     class(film_contact), intent(inout) :: self
     real(wp), intent(out) :: residual, load_error
 
+    call self%work%flow%start()
+    call self%set_flow()
+    call self%work%flow%finish()
     call film_balance_again(self, residual, load_error)
     if (self%model%is_rough()) self%free = self%covered .and. .not. self%model%fields%rough%ruptured
   end subroutine begin_iteration
@@ -391,10 +394,19 @@ contains
   subroutine film_balance(self, residual, load_error)
     class(film_contact), intent(inout) :: self
     real(wp), intent(out) :: residual, load_error
-    integer :: j
 
     call self%work%flow%start()
     call self%set_flow()
+    call self%work%flow%finish()
+    call judge_balance(self, residual, load_error)
+  end subroutine film_balance
+
+  !> Sets where pressure is free, and the residuals, by the net outflow of the present film; arguments as of `film_residual`.
+  subroutine judge_balance(self, residual, load_error)
+    class(film_contact), intent(inout) :: self
+    real(wp), intent(out) :: residual, load_error
+    integer :: j
+
     associate (p => self%model%fields%p)
       !$omp parallel do schedule(static)
       do j = 1, size(p, 2)
@@ -413,8 +425,7 @@ contains
       residual = residual + total(self%dh)*self%spacing(1)*self%spacing(2)/self%load
     end if
     if (self%rigid_film_fixed) load_error = 0
-    call self%work%flow%finish()
-  end subroutine film_balance
+  end subroutine judge_balance
 
   !> Makes one Newton step from (p, h0), at which `film_residual` was last evaluated; both are replaced.
   !>

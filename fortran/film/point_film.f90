@@ -1,6 +1,7 @@
 !> The film of a point contact: deflection of half-spaces, flow in two directions, a multigrid cycle before GMRES.
 module pyworm_point_film
-  use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, weigh_load, change_balance
+  use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, set_transient_term, weigh_load, &
+    change_balance
   use pyworm_half_space, only: elastic_half_space, new_half_space
   use pyworm_kinds, only: pp, wp
   use pyworm_partial_film, only: fill_gap, carry_change
@@ -13,7 +14,7 @@ module pyworm_point_film
   implicit none(type, external)
   private
 
-  public :: point_contact, new_point_contact, entrain, transport, set_fluidity
+  public :: point_contact, new_point_contact, entrain, limit_rate, transport, set_fluidity
 
   !> Krylov iterations after which GMRES is restarted.
   integer, parameter :: cycle_length = 16
@@ -90,6 +91,30 @@ contains
       end if
     end select
   end subroutine entrain
+
+  !> Replaces the explicit part of the transient term [m/s] of a film that was evaluated; its net outflow follows by the change.
+  subroutine limit_rate(film, explicit_rate, stat)
+    class(film_contact), intent(inout) :: film
+    real(wp), intent(in) :: explicit_rate(:, :)
+    integer, intent(out) :: stat
+
+    stat = status_bad_argument
+    select type (film)
+    type is (point_contact)
+      if (film%model%is_partial()) then
+        call set_transient_term(film, film%grid%implicit_rate, explicit_rate, stat)
+        if (stat == status_ok) call film%set_flow()
+        return
+      end if
+      associate (nx => film%grid%nx, ny => film%grid%ny)
+        film%dh = film%grid%explicit_rate
+        call set_transient_term(film, film%grid%implicit_rate, explicit_rate, stat)
+        if (stat /= status_ok) return
+        film%imbalance(2:nx - 1, 2:ny - 1) = film%imbalance(2:nx - 1, 2:ny - 1) &
+          + (explicit_rate(2:nx - 1, 2:ny - 1) - film%dh(2:nx - 1, 2:ny - 1))
+      end associate
+    end select
+  end subroutine limit_rate
 
   !> Mean of each node and the next along x; the last column is not used.
   pure function face_mean_x(a) result(mean)

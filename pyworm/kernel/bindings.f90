@@ -15,14 +15,14 @@ module bindings
   private
 
   public :: dry_contact_solve, elastic_deflection, point_stress, line_stress, heat_stress
-  public :: point_film_transport, point_film_fluidity
+  public :: point_film_transport, point_film_fluidity, point_film_limit
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_entrain, line_film_heat
-  public :: film_free, film_place, film_evaluate, film_rebalance, film_step, film_state, film_thickness, film_convolve, &
-    film_tally, film_transient, film_set_gap, film_hold, film_remember, film_store, film_shear, film_roughen, film_asperities, &
-    film_tabulate, film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, film_unsolved, &
-    film_shear_fields, film_heat_fields, film_profile, film_adjoints, film_evaluate_at, film_heat_change, film_spread_change, &
-    film_set_oil
+  public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
+    film_transient, film_set_gap, film_hold, film_judge, film_remember, film_store, film_shear, film_roughen, &
+    film_asperities, film_tabulate, film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, &
+    film_unsolved, film_shear_fields, film_heat_fields, film_profile, film_adjoints, film_evaluate_at, film_heat_change, &
+    film_spread_change, film_set_oil
   public :: cell_press, cell_conduct
   public :: prolong_cubic, level_positions, flow_tables
   public :: heated_times, extrapolated_flux, surface_residual_rise
@@ -322,6 +322,16 @@ contains
     contact%film%rigid_film_fixed = .true.
   end subroutine film_hold
 
+  !> Judges temperatures of a heated film where the pressure exceeds a fraction of the largest; see `thermal_step`.
+  subroutine film_judge(handle, fraction)
+    integer(c_int64_t), intent(in) :: handle
+    real(c_double), intent(in) :: fraction
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    if (allocated(contact%heat)) contact%heat%judged_pressure = fraction
+  end subroutine film_judge
+
   !> Sets what both bodies of a heated contact remember of other fluxes before [K]; see `wall_balance`.
   subroutine film_remember(handle, remembered, nx, ny, stat)
     integer(c_int64_t), intent(in) :: handle
@@ -496,19 +506,26 @@ contains
     call contact%film%work%whole%finish()
   end subroutine film_evaluate
 
-  !> Evaluates residual and load error of the present film again, after its transient term has changed.
-  subroutine film_rebalance(handle, residual, load_error)
+  !> Replaces the explicit part of the transient term of a point contact; residual and load error of the present film follow.
+  subroutine point_film_limit(handle, explicit_rate, nx, ny, residual, load_error, stat)
     use pyworm_film_newton, only: film_balance_again
+    use pyworm_point_film, only: limit_rate
     integer(c_int64_t), intent(in) :: handle
+    integer(c_int), intent(in) :: nx, ny
+    real(c_double), intent(in) :: explicit_rate(nx, ny)
     real(c_double), intent(out) :: residual, load_error
+    integer(c_int), intent(out) :: stat
     type(thermal_contact), pointer :: contact
     !f2py threadsafe
 
+    residual = 0
+    load_error = 0
     contact => contact_of(handle)
     call contact%film%work%whole%start()
-    call film_balance_again(contact%film, residual, load_error)
+    call limit_rate(contact%film, explicit_rate, stat)
+    if (stat == status_ok) call film_balance_again(contact%film, residual, load_error)
     call contact%film%work%whole%finish()
-  end subroutine film_rebalance
+  end subroutine point_film_limit
 
   !> Makes one Newton step from the state last evaluated, and where heat is simulated one sweep of it; p and h0 are replaced.
   !>

@@ -181,6 +181,12 @@ class Film(ABC):
         """A field of the kernel in the shape of the grid; no copy."""
         return field[:, 0] if len(self._shape) == 1 else field
 
+    def place(self, pressure: npt.ArrayLike, rigid_film: float) -> None:
+        """Set pressure [Pa] and rigid film h0 [m]; the film must be started before a step."""
+        self.pressure = fortran_array(pressure).copy(order="F")
+        self.rigid_film = rigid_film
+        core.bindings.film_place(self._handle, self._on_nodes(self.pressure), rigid_film)
+
     def start(
         self, pressure: npt.ArrayLike, rigid_film: float, oil: Array | None = None
     ) -> Balance:
@@ -214,12 +220,6 @@ class Film(ABC):
     def restart(self) -> Balance:
         """Restart from the present pressure and rigid film after a change of the equations."""
         return self._evaluate(self.pressure, self.rigid_film)
-
-    def rebalance(self) -> Balance:
-        """Evaluate the present film after a change of its transient term alone; the next step goes on."""
-        residual, load_error = core.bindings.film_rebalance(self._handle)
-        self.balance = Balance(residual, load_error, self._warming)
-        return self.balance
 
     def oil_pressure(self) -> Array:
         """Pressure that the oil bears [Pa]."""
@@ -299,7 +299,7 @@ class Film(ABC):
         """Set the nodal entrainment along each direction [m/s]; the film must be restarted before a step."""
 
     def set_transient_term(self, implicit: float, explicit: npt.ArrayLike) -> None:
-        """Set d(rho h)/dt of the Reynolds equation; the film must be restarted, or rebalanced, before a step.
+        """Set d(rho h)/dt of the Reynolds equation; the film must be restarted before a step.
 
         `implicit` is the coefficient of rho h at present [1/s], `explicit` the part by rho h at earlier times
         at the nodes [m/s]. KernelError if a value is not finite or the shape is not that of the grid.
@@ -309,6 +309,10 @@ class Film(ABC):
     def hold(self) -> None:
         """Keep the rigid film as it is started, whatever load the film then carries."""
         core.bindings.film_hold(self._handle)
+
+    def judge(self, fraction: float) -> None:
+        """Judge a heated film's temperatures where the pressure exceeds this fraction of the largest [-]."""
+        core.bindings.film_judge(self._handle, fraction)
 
     def remember(self, rise: npt.ArrayLike) -> None:
         """Set what surfaces are warmer by than in steady conduction [K]; restart before a step.

@@ -9,7 +9,7 @@ from pyworm.formulas.arrays import Array
 from pyworm.formulas.layered_half_space import Layer
 from pyworm.kernel import core
 from pyworm.kernel.core import check_status, fortran_array
-from pyworm.kernel.film import Film, Shear
+from pyworm.kernel.film import Balance, Film, Shear
 from pyworm.kernel.numbers import bodies_numbers, heat_numbers, layer_numbers, oil_numbers
 from pyworm.materials.body import Body
 from pyworm.materials.oil import Oil
@@ -78,6 +78,19 @@ class PointFilm(Film):
         core.bindings.point_film_entrain(
             self._handle, *(fortran_array(part) for part in entrainment)
         )
+
+    def limit_rate(self, explicit: npt.ArrayLike) -> Balance:
+        """Replace the explicit part of the transient term [m/s] of a film that was evaluated.
+
+        Its balance follows by that change alone, and the next step goes on. KernelError if a value is not
+        finite or the shape is not that of the grid.
+        """
+        residual, load_error, status = core.bindings.point_film_limit(
+            self._handle, fortran_array(explicit)
+        )
+        check_status(status)
+        self.balance = Balance(residual, load_error, self._warming)
+        return self.balance
 
     def transport(self) -> None:
         """Prepare a film of smooth surfaces for time steps along the path of the oil.

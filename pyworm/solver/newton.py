@@ -81,16 +81,20 @@ def newton_step(level: Level, forcing: float | None = None) -> NewtonStep | None
 
 
 def iterate(
-    level: Level, tolerance: float, warming: float | None = None, most: int = MOST_STEPS
+    level: Level,
+    tolerance: float,
+    warming: float | None = None,
+    most: int = MOST_STEPS,
+    forcing: float | None = None,
 ) -> list[NewtonStep]:
     """Make Newton steps on a grid outside the figures until its equations are met within a tolerance.
 
     Temperatures are met within `warming`, a fraction of their largest rise, where that is given. After `most`
-    steps the film is left as it is.
+    steps the film is left as it is. `forcing` is that of `newton_step`.
     """
     steps: list[NewtonStep] = []
     while len(steps) < most and not level.film.balance.within(tolerance, warming):
-        taken = newton_step(level)
+        taken = newton_step(level, forcing)
         if taken is None:
             break
         steps.append(taken)

@@ -183,6 +183,8 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         """The film on a grid from an initial guess, with shear and heat, without pressure around it."""
         level = lone_level(self._scene, self._size, grid, guess, self._transient_term)
         self._shear_and_warm(level, guess)
+        if not self._model.levels:
+            level.film.restart()
         return level
 
     def isolated(self, grid: Grid, guess: InitialGuess) -> PointLevel:

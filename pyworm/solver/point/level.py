@@ -114,11 +114,11 @@ def _set_back(level: PointLevel, size: Scales) -> None:
 def lone_level(
     scene: Scene, size: Scales, grid: Grid, guess: InitialGuess, term: TransientTerm | None
 ) -> PointLevel:
-    """A grid with the film of an initial guess, without heat and without pressure around it."""
+    """A grid with the film of an initial guess, not started, without shear, heat and pressure around it."""
     level = _level(scene, size, grid, 0.0, scene.load, term)
     pressure = np.zeros(grid.shape, order="F")
     pressure[1:-1, 1:-1] = np.where(level.covered, guess.pressure, 0.0)[1:-1, 1:-1]
-    level.film.start(pressure, guess.rigid_film)
+    level.film.place(pressure, guess.rigid_film)
     return level
 
 

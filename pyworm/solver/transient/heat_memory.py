@@ -91,12 +91,10 @@ def residual_rise(
     known = [present, *history]
     ages = np.array([seconds - time_level.seconds for time_level in known])
     rises = []
+    # the film's nodes have the same heights of the flanks
+    velocities_at_nodes = contact.velocities_at(*grid.mesh())
     for number, (body, velocity) in enumerate(
-        zip(
-            contact.bodies,
-            contact.velocities_at(*(axis[nodes] for axis in grid.mesh())),
-            strict=True,
-        )
+        zip(contact.bodies, velocities_at_nodes, strict=True)
     ):
         velocities = np.array([time_level.velocities[number] for time_level in known])
         past = kernel.SurfacePast(ages, velocities)
@@ -107,7 +105,7 @@ def residual_rise(
             [_record(known[place], number, nodes) for place in chosen],
             body,
             turning,
-            velocity,
+            tuple(component[nodes] for component in velocity),
         )
         rises.append(at_places(coarse, rise, grid))
     return np.stack(rises, axis=-1)

@@ -21,7 +21,8 @@ from pyworm.scene.point import Scene
 from pyworm.solver.contact import UNUSABLE_START_RESIDUAL, ContactSolver
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess, Level
-from pyworm.solver.newton import iterate, newton_step
+from pyworm.solver.newton import newton_step
+from pyworm.solver.point.level import PointLevel
 from pyworm.solver.transient.backward_term import BackwardTerm
 from pyworm.solver.transient.heat_memory import (
     HeatedTimeLevel,
@@ -29,6 +30,7 @@ from pyworm.solver.transient.heat_memory import (
     velocities_at_origin,
 )
 from pyworm.solver.transient.moving_grid import at_places, each_at_places, seen_from
+from pyworm.solver.transient.settling import Settling, settling_of
 from pyworm.solver.transient.time_grid import TimeGrid
 from pyworm.solver.transient.time_level import (
     TimeLevel,
@@ -41,23 +43,6 @@ from pyworm.solver.transient.time_steps import Step
 
 EARLIER_FILMS = 3
 """Films before an instant from which its rate of change follows."""
-
-TOLERANCE = 0.06
-"""Residual of the films over the square of the time step in transits: half the step halves what Newton's
-iteration leaves in a rate of change."""
-
-TOLERANCE_RATIO_WITHOUT_APPROACH = 0.1
-"""Tolerance of other courses over that where surfaces come together.
-
-A film with a given rate of change sums up along the flow what that is off by, and the residual is a share of
-the flow far out, where gaps are tens of films high. Under a load that rises fourfold and falls back within a
-transit (M = 1000) such films were off by 5 % with the whole tolerance, by 0.5 % with a tenth, at a fifth more
-time. Where surfaces come together films are thick for long, and tell no difference beyond their bars: up to
-phase 0.3 the first solve of `cases/zi_drive.toml` moves by 6 %."""
-
-TEMPERATURE_CHANGE = 1e-2
-"""Last change of their temperatures over the largest rise. The heat of the instants is steady and keeps no
-errors; in a rate of change they are divided by a time step, but the oil follows within microseconds."""
 
 MAX_TRANSIENT_RESIDUAL = 1e-2
 """Residual above which the film of an instant is lost."""
@@ -98,7 +83,7 @@ def steady_level(time_grid: TimeGrid, step: Step) -> tuple[Level, int]:
     grid = time_grid.grid(seconds, step.refinement)
     with _told(seconds):
         level = _beside(contact, time_grid, grid, SOLVERS[type(contact)](contact, time_grid.plan))
-        taken = len(iterate(level, *_tolerances(time_grid, step)))
+        taken = settling_of(time_grid, step).iterated(level)
     return _sound(level, seconds), taken
 
 
@@ -207,42 +192,42 @@ def _onward(
         rise = residual_rise(heat, contact, grid, time_grid.grid(seconds, 0), seconds, mesh.turning)
     term = BackwardTerm(seconds, used, mesh.divergence, rise)
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), time_grid.plan, term)
-    tolerances = _tolerances(time_grid, step)
+    settling = settling_of(time_grid, step)
     with _told(seconds):
-        level = _begun_from(time_grid, solver, grid, contact, before, seconds)
-        taken = _followed(level, term, tolerances)
+        level = _begun_from(time_grid, solver, grid, contact, before, step)
+        taken = _followed(level, term, settling)
         if level.film.balance.residual <= UNUSABLE_START_RESIDUAL:
-            taken += len(iterate(level, *tolerances, most=MOST_STEPS - TRIAL_STEPS))
+            taken += settling.iterated(level, MOST_STEPS - TRIAL_STEPS)
             balance = level.film.balance
             if (
                 balance.within(MAX_TRANSIENT_RESIDUAL, np.inf)
                 and balance.warming > MAX_TEMPERATURE_RESIDUAL
             ):
-                taken += len(iterate(level, *tolerances, most=WARMING_STEPS))
+                taken += settling.iterated(level, WARMING_STEPS)
         if again and contact.separation is None and not _is_found(level):
             level = _beside(contact, time_grid, grid, solver)
-            taken += _followed(level, term, tolerances)
-            taken += len(iterate(level, *tolerances))
+            taken += _followed(level, term, settling) + settling.iterated(level)
     return _sound(level, seconds), taken
 
 
-def _followed(level: Level, term: BackwardTerm, tolerances: tuple[float, float]) -> int:
+def _followed(level: Level, term: BackwardTerm, settling: Settling) -> int:
     """First Newton steps of a film, in which its rate of change is limited; their number."""
+    if settling.judged is not None:
+        level.film.judge(settling.judged)
     # one step at least: a film that is only extrapolated would follow no equation until it is far from it
     _limit(level, term)
-    newton_step(level)
+    newton_step(level, settling.forcing)
     taken = 1
     for most in (1, TRIAL_STEPS - 2):
         _limit(level, term)
-        taken += len(iterate(level, *tolerances, most=most))
+        taken += settling.iterated(level, most)
     return taken
 
 
 def _limit(level: Level, term: BackwardTerm) -> None:
     """Limit the rate of change of a point's film in its present state; lines take five times the steps."""
-    if isinstance(level.grid, Grid) and term.limit(content_of(level)):
-        level.film.set_transient_term(*term.on(level.grid))
-        level.film.rebalance()
+    if isinstance(level, PointLevel) and term.limit(content_of(level)):
+        level.film.limit_rate(term.explicit)
 
 
 def _begun_from(
@@ -251,7 +236,7 @@ def _begun_from(
     grid: Grid | LineGrid,
     contact: Scene | LineScene,
     before: Sequence[TimeLevel],
-    seconds: float,
+    step: Step,
 ) -> Level:
     """The level of a time that begins with the films before, the latest first.
 
@@ -259,7 +244,8 @@ def _begun_from(
     extrapolated pressures; the last film, or its pressure as that of the oil, is nearer then. Soon after
     surfaces came together a film that does not follow asks for shorter time steps instead.
     """
-    latest, guesses = before[0].state, [extrapolated(before, seconds)]
+    seconds, further = step.seconds, step.refinement > 0
+    latest, guesses = before[0].state, [extrapolated(before, seconds, further)]
     if time_grid.approach is None or since_touch(time_grid, seconds) > MEMORY_TRANSITS:
         guesses += [latest, replace(latest, oil=None)]
     levels: list[Level] = []
@@ -282,12 +268,6 @@ def _differenced(
 def contact_at(time_grid: TimeGrid, seconds: float) -> Scene | LineScene:
     """The contact at a time with the effects of the plan, and no past."""
     return time_grid.plan.simplified(replace(time_grid.life.at(seconds), past=None))
-
-
-def _tolerances(time_grid: TimeGrid, step: Step) -> tuple[float, float]:
-    """Residual and warming to which films are solved."""
-    share = 1.0 if time_grid.approach is not None else TOLERANCE_RATIO_WITHOUT_APPROACH
-    return share * TOLERANCE * time_grid.step(step.refinement) ** 2, TEMPERATURE_CHANGE
 
 
 def _beside(

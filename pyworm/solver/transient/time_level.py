@@ -17,6 +17,10 @@ MIN_PRESSURE_RATIO = 0.5
 press out, pressures extrapolated to nothing rupture the film, and Newton's iteration wets it again node by
 node."""
 
+EXTRAPOLATED_PRESSURE = 0.02
+"""Pressure, over the largest, above which temperatures are extrapolated: those of far nodes settle slowly,
+and extrapolated they run away."""
+
 
 @dataclass(frozen=True)
 class TimeLevel:
@@ -60,11 +64,11 @@ def content_of(level: Level) -> Array:
     return level.film.fraction() * density * film
 
 
-def extrapolated(before: Sequence[TimeLevel], seconds: float) -> InitialGuess:
+def extrapolated(before: Sequence[TimeLevel], seconds: float, warmed: bool) -> InitialGuess:
     """A film extrapolated from those at earlier times, the latest first; only where that bears pressure.
 
-    Pressures fall to no less than `MIN_PRESSURE_RATIO` of the latest. Temperatures are the latest: those of
-    far nodes settle slowly, and extrapolated they run away.
+    Pressures fall to no less than `MIN_PRESSURE_RATIO` of the latest. Temperatures are extrapolated if
+    `warmed`, else the latest.
     """
     latest = before[0].state
     coefficients, _ = weights([time_level.seconds for time_level in before], seconds)
@@ -80,4 +84,16 @@ def extrapolated(before: Sequence[TimeLevel], seconds: float) -> InitialGuess:
         np.where(last > 0, np.maximum(onward(name), MIN_PRESSURE_RATIO * last), 0.0)
         for name, last in (("pressure", latest.pressure), ("oil", oil))
     )
-    return InitialGuess(pressure, float(onward("rigid_film")), latest.rise, oil)
+    rise = _rise_onward(before, seconds) if warmed else latest.rise
+    return InitialGuess(pressure, float(onward("rigid_film")), rise, oil)
+
+
+def _rise_onward(before: Sequence[TimeLevel], seconds: float) -> Array | None:
+    """Temperatures by the last two films in the contact (`EXTRAPOLATED_PRESSURE`); elsewhere the latest."""
+    latest = before[0].state
+    if latest.rise is None or len(before) < 2 or before[1].state.rise is None:
+        return latest.rise
+    (now, then), _ = weights([film.seconds for film in before[:2]], seconds)
+    onward = now * latest.rise + then * before[1].state.rise
+    pressed = latest.pressure > EXTRAPOLATED_PRESSURE * latest.pressure.max()
+    return np.where(pressed[..., np.newaxis], onward, latest.rise)

@@ -1,18 +1,22 @@
 """Backward differences beside the end of a contact that moves over the nodes."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from contacts import ball as sliding_ball
 from rough_bodies import rough
 from test_transient import ball
 
 import pyworm
+from pyworm.kernel.core import KernelError
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import iterate, newton_step
 from pyworm.solver.transient import next_film
 from pyworm.solver.transient.backward_term import LEAST_TURN, MAX_TURN, BackwardTerm
 from pyworm.solver.transient.next_film import NoFilmError
+from pyworm.solver.transient.settling import FORCING, JUDGED_PRESSURE, TOLERANCE, settling_of
 from pyworm.solver.transient.time_level import TimeLevel
 from pyworm.solver.transient.time_steps import Step
 
@@ -163,7 +167,54 @@ def test_oil_that_flows_in_moves_the_rupture_line_in_the_step_after_a_limit():
     into = dry & np.roll(level.flowing(), 1, axis=0)
     assert into.any()
     explicit = np.where(into, -1e3 * level.film.thickness(), 0.0)
-    term = SimpleNamespace(limit=lambda content: True, on=lambda grid: (0.0, explicit))
+    term = SimpleNamespace(limit=lambda content: True, explicit=explicit)
     next_film._limit(level, term)
     newton_step(level)
     assert level.flowing()[into].any()  # none, where the line stands still
+
+
+@pytest.mark.parametrize("supply", [None, 2e-7])
+def test_a_limited_rate_changes_the_balance_as_an_evaluation_of_the_whole_film_does(supply):
+    scene = ball()
+    scene = replace(scene, oil=replace(scene.oil, supply=supply))
+    plan = pyworm.plan(scene, 0.2, "isothermal")
+    level, _ = SOLVERS[type(scene)](scene, plan).begin(plan.grids)
+    iterate(level, plan.tolerance)
+    film = level.film
+    first = -2e-3 * film.thickness() * (1 + np.sin(np.arange(film.thickness().shape[1])))
+    film.set_transient_term(3.0, first)
+    film.restart()
+    limited = film.limit_rate(first / 2), film.fields()[2]
+    film.set_transient_term(3.0, first / 2)
+    whole = film.restart(), film.fields()[2]
+    assert limited[0].residual == pytest.approx(whole[0].residual, rel=1e-9)
+    assert limited[0].load_error == pytest.approx(whole[0].load_error, abs=1e-12)
+    assert limited[1] == pytest.approx(whole[1], abs=1e-9 * np.abs(whole[1]).max())
+    film.limit_rate(first)
+    assert film.fields()[2] != pytest.approx(whole[1], rel=1e-3)
+    with pytest.raises(KernelError):
+        film.limit_rate(np.full_like(first, np.nan))
+
+
+def test_films_of_further_solves_of_surfaces_that_come_together_settle_in_exact_steps():
+    together = SimpleNamespace(approach=object(), step=lambda refinement: 0.1 / 2**refinement)
+    alone = SimpleNamespace(approach=None, step=together.step)
+    first, second = (settling_of(together, Step(0.0, number)) for number in (0, 1))
+    assert first.tolerance == pytest.approx(TOLERANCE * 0.01)
+    assert (first.forcing, first.judged) == (None, None)
+    assert second.tolerance == pytest.approx(first.tolerance / 2)
+    assert (second.forcing, second.judged) == (FORCING, JUDGED_PRESSURE)
+    assert settling_of(alone, Step(0.0, 1)).forcing is None
+
+
+def test_temperatures_are_judged_where_the_pressure_is_large_enough():
+    scene = sliding_ball()
+    plan = pyworm.plan(scene, 0.2, "all")
+    level, _ = SOLVERS[type(scene)](scene, plan).begin(plan.grids)
+    level.film.judge(0.0)
+    newton_step(level)
+    everywhere = level.film.balance.warming
+    level.film.judge(2.0)
+    newton_step(level)
+    assert everywhere > 0
+    assert level.film.balance.warming < everywhere

@@ -19,7 +19,7 @@ from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import converge
-from pyworm.solver.transient import next_film
+from pyworm.solver.transient import next_film, settling
 from pyworm.solver.transient.next_film import heated_levels, prompt
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
@@ -126,8 +126,8 @@ def test_a_film_whose_temperatures_still_move_is_solved_on_before_it_is_begun_ag
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 6)
     for name in ("MOST_STEPS", "TRIAL_STEPS"):
         monkeypatch.setattr(next_film, name, 2)
-    for name in ("TEMPERATURE_CHANGE", "MAX_TEMPERATURE_RESIDUAL"):
-        monkeypatch.setattr(next_film, name, 1e-5)
+    monkeypatch.setattr(settling, "TEMPERATURE_CHANGE", 1e-5)
+    monkeypatch.setattr(next_film, "MAX_TEMPERATURE_RESIDUAL", 1e-5)
     monkeypatch.setattr(next_film, "WARMING_STEPS", more)
     beside, beginnings = next_film._beside, []
 

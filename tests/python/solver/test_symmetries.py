@@ -16,7 +16,7 @@ from symmetric_contacts import VIEWS, View, ellipse, line, seen
 import pyworm
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.scene.life import Life, Past
-from pyworm.solver.transient import next_film
+from pyworm.solver.transient import settling
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import integrate_in_time
 
@@ -37,7 +37,7 @@ SAME = 5e-7
 """Largest relative difference: what rounding grows to on the way of Newton's iteration."""
 
 OF_TOLERANCES = {"TOLERANCE": 1e-5, "TEMPERATURE_CHANGE": 1e-4}
-"""Parts of the tolerances of `next_film` to which the coarsest transient films are solved."""
+"""Parts of the tolerances of `settling` to which the coarsest transient films are solved."""
 
 ACCURACY = 0.2
 
@@ -63,7 +63,7 @@ def figures(contact, name, starved=False, moves=False):
 def solved_to_rounding(monkeypatch):
     """Newton's iteration of transient films goes on until what it leaves is rounding."""
     for name, part in OF_TOLERANCES.items():
-        monkeypatch.setattr(next_film, name, part * getattr(next_film, name))
+        monkeypatch.setattr(settling, name, part * getattr(settling, name))
 
 
 @cache
