@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.expected_work import solves_of_life
+from pyworm.planning.model import Model
 from pyworm.planning.plan import Plan
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -42,6 +43,8 @@ class TimeSteps:
 class Motion:
     """Expected transient solves of the life of one contact."""
 
+    model: Model
+    """What its life simulates: effects that any of its contacts calls for."""
     up_to_present: tuple[TimeSteps, ...]
     """Time steps up to its own time."""
     further: tuple[tuple[float, tuple[TimeSteps, ...]], ...]
@@ -74,6 +77,7 @@ def motion(
     solves, place = solves_of_life(plan.accuracy), time_grid.transits(past.seconds)
     last = min(part.last, time_grid.transits(time_grid.end))
     return Motion(
+        time_grid.plan.model,
         _time_steps(time_grid, range(solves), part.begin, place),
         tuple(_further(time_grid, past.seconds, solves)),
         _time_steps(time_grid, range(solves), part.begin, last),

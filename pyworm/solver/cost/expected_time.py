@@ -72,7 +72,7 @@ def expectation(
     def taken(steps: Sequence[TimeSteps]) -> float:
         each = SCENES_A_STEP * making
         sampled = sum(step.count * (step.nodes * times + each) for step in steps)
-        return pace.motion_seconds(plan.work.kind, plan.model, steps) + sampled
+        return pace.motion_seconds(plan.work.kind, moving.model, steps) + sampled
 
     film += sum(chance * taken(steps) for chance, steps in moving.further)
     past = taken(moving.up_to_present)

@@ -11,7 +11,7 @@ from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.expected_work import STEPS_A_TRANSIT, solves_of_life
 from pyworm.planning.prediction import predicted
 from pyworm.solver.cost.expected_motion import FURTHER, motion, time_grid_if_any
-from pyworm.solver.cost.expected_time import Expectation, together
+from pyworm.solver.cost.expected_time import Expectation, expectation, together
 from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.time_grid import FORMING
 from pyworm.solver.transient.time_integration import integrate_in_time
@@ -153,3 +153,13 @@ def test_contacts_of_one_part_of_a_life_pay_for_it_once():
     assert together(of, ["life"] * 3) == 3 * 1.0 + 7.0 + 5.0
     lone = [Expectation(1.0 + 4.0, 1.0, 4.0, 7.0, None)] * 2
     assert together(lone, ["life"] * 2) == 2 * (1.0 + 4.0)
+
+
+def test_heat_that_others_of_its_life_call_for_is_expected_of_a_contact_that_is_cold_itself():
+    scene, cold, _ = moving(POINT, 0.05)
+    path, phase = POINT
+    whole = pyworm.plan(pyworm.load(path).scene(phase=phase), 0.05)
+    heated, alone = (time_grid_if_any(scene, plan) for plan in (whole, cold))
+    assert heated.plan.model.heated and not cold.model.heated
+    past = [expectation(scene, cold, time_grid).past for time_grid in (alone, heated)]
+    assert past[1] > 2 * past[0]
