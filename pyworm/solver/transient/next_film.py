@@ -194,7 +194,7 @@ def _onward(
     solver = SOLVERS[type(contact)](seen_from(contact, mesh), time_grid.plan, term)
     settling = settling_of(time_grid, step)
     with _told(seconds):
-        level = _begun_from(time_grid, solver, grid, contact, before, step)
+        level = _begun_from(time_grid, solver, grid, contact, before, seconds, settling)
         taken = _followed(level, term, settling)
         if level.film.balance.residual <= UNUSABLE_START_RESIDUAL:
             taken += settling.iterated(level, MOST_STEPS - TRIAL_STEPS)
@@ -236,7 +236,8 @@ def _begun_from(
     grid: Grid | LineGrid,
     contact: Scene | LineScene,
     before: Sequence[TimeLevel],
-    step: Step,
+    seconds: float,
+    settling: Settling,
 ) -> Level:
     """The level of a time that begins with the films before, the latest first.
 
@@ -244,8 +245,7 @@ def _begun_from(
     extrapolated pressures; the last film, or its pressure as that of the oil, is nearer then. Soon after
     surfaces came together a film that does not follow asks for shorter time steps instead.
     """
-    seconds, further = step.seconds, step.refinement > 0
-    latest, guesses = before[0].state, [extrapolated(before, seconds, further)]
+    latest, guesses = before[0].state, [extrapolated(before, seconds, settling.exact)]
     if time_grid.approach is None or since_touch(time_grid, seconds) > MEMORY_TRANSITS:
         guesses += [latest, replace(latest, oil=None)]
     levels: list[Level] = []

@@ -196,15 +196,27 @@ def test_a_limited_rate_changes_the_balance_as_an_evaluation_of_the_whole_film_d
         film.limit_rate(np.full_like(first, np.nan))
 
 
-def test_films_of_further_solves_of_surfaces_that_come_together_settle_in_exact_steps():
-    together = SimpleNamespace(approach=object(), step=lambda refinement: 0.1 / 2**refinement)
-    alone = SimpleNamespace(approach=None, step=together.step)
-    first, second = (settling_of(together, Step(0.0, number)) for number in (0, 1))
-    assert first.tolerance == pytest.approx(TOLERANCE * 0.01)
-    assert (first.forcing, first.judged) == (None, None)
-    assert second.tolerance == pytest.approx(first.tolerance / 2)
-    assert (second.forcing, second.judged) == (FORCING, JUDGED_PRESSURE)
-    assert settling_of(alone, Step(0.0, 1)).forcing is None
+def course(heated, approach=None):
+    """What stands for a time grid."""
+    plan = SimpleNamespace(model=SimpleNamespace(heated=heated))
+    return SimpleNamespace(
+        approach=approach, plan=plan, step=lambda refinement: 0.1 / 2**refinement
+    )
+
+
+def test_heated_films_of_surfaces_that_come_together_settle_in_exact_steps():
+    cold, heated = (
+        [settling_of(course(hot, "approach"), Step(0.0, number)) for number in (0, 1, 2)]
+        for hot in (False, True)
+    )
+    assert [one.tolerance / TOLERANCE for one in cold] == pytest.approx([1e-2, 1e-2 / 4, 1e-2 / 16])
+    assert [one.tolerance for one in heated[1:]] == pytest.approx(
+        [2 * one.tolerance for one in cold[1:]]
+    )
+    assert heated[0] == heated[1]
+    assert (heated[0].forcing, heated[0].judged) == (FORCING, JUDGED_PRESSURE)
+    assert heated[0].exact and not cold[0].exact
+    assert not settling_of(course(True), Step(0.0, 1)).exact
 
 
 def test_temperatures_are_judged_where_the_pressure_is_large_enough():

@@ -25,8 +25,10 @@ def part():
     return time_grid, part_at(time_grid, scene.past.seconds).begin, scene.past.seconds
 
 
-def first_guesses_of_extrapolated_films(time_grid, solver, grid, contact, before, step):
-    return solver.on_grid(grid, next_film.extrapolated(before, step.seconds, False))
+def first_guesses_of_extrapolated_films(
+    time_grid, solver, grid, contact, before, seconds, settling
+):
+    return solver.on_grid(grid, next_film.extrapolated(before, seconds, False))
 
 
 @pytest.mark.parametrize("begun_from", [next_film._begun_from, first_guesses_of_extrapolated_films])
