@@ -4,8 +4,8 @@ program test_point_film
   use, intrinsic :: ieee_arithmetic, only: ieee_value, ieee_positive_inf
   use pyworm_kinds, only: wp
   use pyworm_viscosity_density, only: oil_law, law_barus
-  use pyworm_film_newton, only: contact_conditions, newton_step, set_transient_term, film_residual, film_step
-  use pyworm_point_film, only: point_contact, new_point_contact
+  use pyworm_film_newton, only: contact_conditions, newton_step, set_transient_term, film_balance_again, film_residual, film_step
+  use pyworm_point_film, only: point_contact, new_point_contact, limit_rate
   use pyworm_status, only: status_ok, status_bad_argument, status_not_finite
   use tap, only: check, close_to, done
   implicit none(type, external)
@@ -66,7 +66,32 @@ contains
     call close_to(sum(p)*(place(2) - place(1))**2, load, 1e-7_wp*load, "the load is carried")
     call check(all(p >= 0) .and. all(contact%imbalance > -1e-5_wp), "pressure and outflow are complementary")
     thinnest = minval(contact%model%fields%h)
+    if (u > 0) call limit(contact, p, h0)
   end subroutine solve
+
+  !> A rate of change that is limited changes the balance of a film as an evaluation with it does.
+  subroutine limit(contact, p, h0)
+    type(point_contact), intent(inout) :: contact
+    real(wp), intent(in) :: p(n, n), h0
+    real(wp) :: explicit_rate(n, n), residual, load_error, limited, imbalance(n, n)
+    integer :: i, stat
+
+    explicit_rate = spread([(0.1_wp*sin(real(i, wp)), i=1, n)], 2, n)
+    call set_transient_term(contact, 0.3_wp, explicit_rate, stat)
+    call film_residual(contact, p, h0, residual, load_error)
+    imbalance = contact%imbalance
+    explicit_rate = explicit_rate/2
+    call limit_rate(contact, explicit_rate, stat)
+    call check(stat == status_ok, "a rate of change is limited")
+    call film_balance_again(contact, limited, load_error)
+    call check(maxval(abs(contact%imbalance - imbalance)) > 0.04_wp, "which changes what leaves a cell")
+    imbalance = contact%imbalance
+    call film_residual(contact, p, h0, residual, load_error)
+    call close_to(maxval(abs(contact%imbalance - imbalance)), 0.0_wp, 1e-14_wp, "as an evaluation of the film does")
+    call close_to(limited, residual, 1e-12_wp, "and so its residual")
+    call limit_rate(contact, explicit_rate(:8, :), stat)
+    call check(stat == status_bad_argument, "a rate of another grid is refused")
+  end subroutine limit
 
   !> Nodes on a square of side 7 about the contact.
   pure real(wp) function place(i)
