@@ -32,7 +32,7 @@ module pyworm_film_newton
 
   public :: contact_conditions, newton_step
   public :: film_contact, film_status, new_film_contact, weigh_load, shear_contact, roughen_contact, set_transient_term
-  public :: set_film, film_residual, film_residual_at, film_balance_again, film_step, set_ruptured
+  public :: set_film, evaluate_flow, film_residual, film_residual_at, film_balance_again, film_step, set_ruptured
   public :: change_balance, set_system, film_direction, move_film, film_balance, acceptable, note_progress, search_step
   public :: first_row, last_row
 
@@ -356,9 +356,7 @@ contains
     class(film_contact), intent(inout) :: self
     real(wp), intent(out) :: residual, load_error
 
-    call self%work%flow%start()
-    call self%set_flow()
-    call self%work%flow%finish()
+    call evaluate_flow(self)
     call film_balance_again(self, residual, load_error)
     if (self%model%is_rough()) self%free = self%covered .and. .not. self%model%fields%rough%ruptured
   end subroutine begin_iteration
@@ -395,11 +393,18 @@ contains
     class(film_contact), intent(inout) :: self
     real(wp), intent(out) :: residual, load_error
 
+    call evaluate_flow(self)
+    call judge_balance(self, residual, load_error)
+  end subroutine film_balance
+
+  !> Evaluates oil, flow and imbalance at the present pressure and film, and counts that work.
+  subroutine evaluate_flow(self)
+    class(film_contact), intent(inout) :: self
+
     call self%work%flow%start()
     call self%set_flow()
     call self%work%flow%finish()
-    call judge_balance(self, residual, load_error)
-  end subroutine film_balance
+  end subroutine evaluate_flow
 
   !> Sets where pressure is free, and the residuals, by the net outflow of the present film; arguments as of `film_residual`.
   subroutine judge_balance(self, residual, load_error)

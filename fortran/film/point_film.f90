@@ -1,7 +1,7 @@
 !> The film of a point contact: deflection of half-spaces, flow in two directions, a multigrid cycle before GMRES.
 module pyworm_point_film
-  use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, set_transient_term, weigh_load, &
-    change_balance
+  use pyworm_film_newton, only: contact_conditions, film_contact, film_status, new_film_contact, evaluate_flow, &
+    set_transient_term, weigh_load, change_balance
   use pyworm_half_space, only: elastic_half_space, new_half_space
   use pyworm_kinds, only: pp, wp
   use pyworm_partial_film, only: fill_gap, carry_change
@@ -97,19 +97,21 @@ contains
     class(film_contact), intent(inout) :: film
     real(wp), intent(in) :: explicit_rate(:, :)
     integer, intent(out) :: stat
+    real(wp) :: implicit_rate
 
     stat = status_bad_argument
     select type (film)
     type is (point_contact)
+      film%dh = film%grid%explicit_rate
+      implicit_rate = film%grid%implicit_rate
+      call set_transient_term(film, implicit_rate, explicit_rate, stat)
+      if (stat /= status_ok) return
       if (film%model%is_partial()) then
-        call set_transient_term(film, film%grid%implicit_rate, explicit_rate, stat)
-        if (stat == status_ok) call film%set_flow()
+        ! what fills the gap depends on the rate from node to node
+        call evaluate_flow(film)
         return
       end if
       associate (nx => film%grid%nx, ny => film%grid%ny)
-        film%dh = film%grid%explicit_rate
-        call set_transient_term(film, film%grid%implicit_rate, explicit_rate, stat)
-        if (stat /= status_ok) return
         film%imbalance(2:nx - 1, 2:ny - 1) = film%imbalance(2:nx - 1, 2:ny - 1) &
           + (explicit_rate(2:nx - 1, 2:ny - 1) - film%dh(2:nx - 1, 2:ny - 1))
       end associate

@@ -91,7 +91,7 @@ def residual_rise(
     known = [present, *history]
     ages = np.array([seconds - time_level.seconds for time_level in known])
     rises = []
-    # the film's nodes have the same heights of the flanks
+    # at all of its nodes: the film's gap then has the heights of the flanks there already
     velocities_at_nodes = contact.velocities_at(*grid.mesh())
     for number, (body, velocity) in enumerate(
         zip(contact.bodies, velocities_at_nodes, strict=True)

@@ -30,7 +30,7 @@ from pyworm.solver.transient.heat_memory import (
     velocities_at_origin,
 )
 from pyworm.solver.transient.moving_grid import at_places, each_at_places, seen_from
-from pyworm.solver.transient.settling import Settling, settling_of
+from pyworm.solver.transient.settling import JUDGED_PRESSURE, Settling, settling_of
 from pyworm.solver.transient.time_grid import TimeGrid
 from pyworm.solver.transient.time_level import (
     TimeLevel,
@@ -212,8 +212,8 @@ def _onward(
 
 def _followed(level: Level, term: BackwardTerm, settling: Settling) -> int:
     """First Newton steps of a film, in which its rate of change is limited; their number."""
-    if settling.judged is not None:
-        level.film.judge(settling.judged)
+    if settling.exact:
+        level.film.judge(JUDGED_PRESSURE)
     # one step at least: a film that is only extrapolated would follow no equation until it is far from it
     _limit(level, term)
     newton_step(level, settling.forcing)

@@ -29,7 +29,7 @@ FORCING, HEATED_TOLERANCE_RATIO, JUDGED_PRESSURE = 1e-2, 2.0, 0.1
 surfaces come together, tolerance of these films over that of others, and pressure, over the largest, where
 their temperatures are judged.
 
-A sweep of heat costs as much as all else in a step, and a step so exact takes the place of two: with a tenth
+A sweep of heat costs more than all else in a step, and a step so exact takes the place of two: with a tenth
 and the whole tolerance minimum films of `cases/zi_drive.toml` are off by up to 1.5 % by what the iteration
 leaves, so by 0.8 %, and the second solve takes a fifth less time. The first has the tolerance of the second,
 and is off by 0.15 % (1.4 % before). Nodes that enter the contact have no temperature to go on from, and would
@@ -42,15 +42,13 @@ class Settling:
 
     tolerance: float
     """Residual."""
-    forcing: float | None = None
-    """That of its steps (`newton.newton_step`)."""
-    judged: float | None = None
-    """Pressure, over the largest, where temperatures are judged; None for that of any film."""
+    exact: bool = False
+    """Whether its steps are exact, and temperatures judged above `JUDGED_PRESSURE`."""
 
     @property
-    def exact(self) -> bool:
-        """Whether few and exact steps lead to it."""
-        return self.forcing is not None
+    def forcing(self) -> float | None:
+        """That of its steps, as of `newton.newton_step`."""
+        return FORCING if self.exact else None
 
     def iterated(self, level: Level, most: int = MOST_STEPS) -> int:
         """Make further Newton steps of a film, at most so many; their number."""
@@ -65,4 +63,4 @@ def settling_of(time_grid: TimeGrid, step: Step) -> Settling:
     if not time_grid.plan.model.heated:
         return Settling(tolerance)
     tolerance = TOLERANCE * time_grid.step(max(step.refinement, 1)) ** 2
-    return Settling(HEATED_TOLERANCE_RATIO * tolerance, FORCING, JUDGED_PRESSURE)
+    return Settling(HEATED_TOLERANCE_RATIO * tolerance, exact=True)
