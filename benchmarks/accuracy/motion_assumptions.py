@@ -55,7 +55,7 @@ def beginnings() -> None:
     touch, apart = tooth_pair_motion.TOUCH, tooth_pair_motion.FIRST_SEPARATION
     rows = {
         "steady at phase 0": early_films(
-            lambda drive: ToothLife(drive._scene, drive.phases_per_second, drive._axes)
+            lambda drive: ToothLife(drive.scene_at, drive.phases_per_second, drive.contact_axes)
         )
     }
     for name, constant, value in (
