@@ -136,6 +136,16 @@ def _means_along(places: Array, field: Array, nodes: Array, width: float, axis: 
     return np.diff(integral(within) + outside, axis=axis) / width
 
 
+def reaches_to(grid: Grid | LineGrid, other: Grid | LineGrid) -> Array:
+    """Which nodes of another grid in the same axes a grid reaches to."""
+    axes = (grid.x,) if isinstance(grid, LineGrid) else (grid.x, grid.y)
+    reached = [
+        (axis[0] <= places) & (places <= axis[-1])
+        for axis, places in zip(axes, other.mesh(), strict=True)
+    ]
+    return np.logical_and.reduce(reached)
+
+
 def each_at_places(grid: Grid | LineGrid, fields: Array, other: Grid | LineGrid) -> Array:
     """Several fields, along the last axis, at the nodes of another grid (`at_places`)."""
     return np.stack(

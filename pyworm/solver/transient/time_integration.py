@@ -21,7 +21,13 @@ from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
 from pyworm.solver.transient.differences import backward_weights
 from pyworm.solver.transient.heat_memory import HeatedTimeLevel
-from pyworm.solver.transient.moving_grid import at_places, each_at_places, means_about, slopes
+from pyworm.solver.transient.moving_grid import (
+    at_places,
+    each_at_places,
+    means_about,
+    reaches_to,
+    slopes,
+)
 from pyworm.solver.transient.next_film import (
     EARLIER_FILMS,
     MEMORY_TRANSITS,
@@ -74,12 +80,16 @@ class RateOfChange:
         return None if self.rise is None else each_at_places(self.grid, self.rise, grid)
 
     def stored(self, grid: Grid | LineGrid) -> kernel.HeatStorage | None:
-        """Rates of change of the oil's temperature and pressure at nodes of a grid."""
+        """Rates of change of the oil's temperature and pressure at nodes of a grid.
+
+        Beyond their own they are zero: gaps are wide there, and the last rates would heat them without end.
+        """
         if self.warming is None:
             return None
-        warming = each_at_places(self.grid, self.warming, grid)
+        known = reaches_to(self.grid, grid)
+        warming = known[..., np.newaxis] * each_at_places(self.grid, self.warming, grid)
         pressing = present(self.pressing, "rate of change of the pressure")
-        return kernel.HeatStorage(warming, at_places(self.grid, pressing, grid))
+        return kernel.HeatStorage(warming, known * at_places(self.grid, pressing, grid))
 
 
 @dataclass(frozen=True)

@@ -1,23 +1,32 @@
 """Transient films that are thin beside the deformation of their bodies."""
 
 from dataclasses import replace
+from math import sqrt
 
 import numpy as np
 import pytest
 from folders import DATA
+from plan_scenes import STEEL, point
 
 import pyworm
+from pyworm.materials.flow_laws import FlowLaw
+from pyworm.materials.oil import Oil
+from pyworm.materials.viscosity_density import Barus, Density
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.plan import first_grids_of
+from pyworm.planning.prediction import predicted
+from pyworm.scene.life import Life
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.newton import converge, iterate
 from pyworm.solver.transient.moving_grid import means_about
 from pyworm.solver.transient.next_film import _beside, _moved, contact_at, steady_level
 from pyworm.solver.transient.time_grid import time_grid_of
-from pyworm.solver.transient.time_integration import integrate_in_time
+from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
 from pyworm.solver.transient.time_steps import Step
 from pyworm.solver.transient.transient import part_at
+
+OIL = Oil(Barus(0.05, 1.5e-8), Density.incompressible(850.0), FlowLaw("newtonian"), None)
 
 
 def course_and_scene(name, accuracy=0.05):
@@ -88,6 +97,36 @@ def test_solves_of_a_struck_contact_agree_in_its_minimum_film_thickness():
         level = SOLVERS[type(scene)](simple, plan, rate).with_rate(level)
         films.append(converge(level, plan.tolerance, plan.target, 0.001).reading.film_min)
     assert films[0] == pytest.approx(films[1], rel=0.03)
+
+
+def test_the_grid_holds_a_contact_that_grows_longer_in_cells():
+    """Its breadth, by which the spacing goes, falls faster than its length."""
+
+    def contact_at(seconds):
+        fall = np.exp(-3 * seconds)
+        speeds = (1.0, 0.0), (0.5, 0.0)
+        radii = 2.0, 0.2 * fall
+        return point("runs off", radii, 5000 * sqrt(fall), speeds, (STEEL, STEEL), OIL)
+
+    life = Life(1.0, contact_at, lambda seconds: 0.0)
+    time_grid = time_grid_of(life, pyworm.plan(contact_at(0.0), 0.05, "isothermal", ("film",)))
+    for seconds in np.linspace(0.0, 1.0, 9):
+        grid, prediction = time_grid.grid(seconds, 0), predicted(contact_at(seconds))
+        # the spacing follows that of the windows within a per cent
+        assert min(-grid.x[0], grid.x[-1]) > 1.19 * prediction.half_width
+        assert min(-grid.y[0], grid.y[-1]) > 1.19 * prediction.half_length
+
+
+def test_oil_stores_no_heat_beyond_the_grid_on_which_its_rate_is_known():
+    """Gaps are wide there: the rates of its edge heated the wider domain of a worm gear by 2800 K."""
+    grid, wider = Grid(-1.0, -1.0, 0.5, 0.5, 5, 5), Grid(-2.0, -1.5, 0.5, 0.5, 9, 7)
+    ones = np.ones(grid.shape)
+    rate = RateOfChange(grid, 0 * ones, np.zeros((5, 5, 2)), np.ones((5, 5, 3)), ones)
+    stored = rate.stored(wider)
+    inner = np.zeros(wider.shape)
+    inner[2:7, 1:6] = 1.0
+    assert stored.pressing == pytest.approx(inner)
+    assert stored.warming == pytest.approx(np.repeat(inner[..., np.newaxis], 3, axis=-1))
 
 
 def test_a_rate_keeps_its_sum_on_a_grid_far_coarser_than_its_features():
