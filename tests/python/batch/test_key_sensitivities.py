@@ -167,6 +167,7 @@ def balanced(case, loss, friction):
     return solved, results
 
 
+@pytest.mark.long
 def test_temperatures_and_loads_follow_the_loss_and_the_friction(cooled):
     """Derivatives against differences of cases whose balances of heat and torques are found anew."""
     solved, results = balanced(cooled, 113.2, 0.00888)
@@ -212,6 +213,7 @@ def test_teeth_that_move_alike_are_found_alike():
     assert not laws_alike(scenes[1], scenes[2], places, heated=False, rough=False)
 
 
+@pytest.mark.long
 def test_figures_that_no_contact_decides(ball):
     """The contact of Sharif et al. (2001) lies within the face, 60.33 mm wide; a ball has no face."""
     worm = pyworm.load(ROOT / "cases/zi_sharif_2001.toml")

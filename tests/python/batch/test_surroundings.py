@@ -83,7 +83,9 @@ def all_commands(directory, before="", **surroundings):
 
 
 @pytest.mark.parametrize(
-    "odd", [NO_HOME | ASCII, FULL_HOME | LATIN], ids=["nohome, C", "full, latin"]
+    "odd",
+    [NO_HOME | ASCII, pytest.param(FULL_HOME | LATIN, marks=pytest.mark.long)],
+    ids=["nohome, C", "full, latin"],
 )
 def test_every_command_works_in_odd_surroundings(case, odd):
     done = all_commands(case, **odd)
@@ -101,7 +103,7 @@ assert locale.localeconv()["decimal_point"] == ",", locale.setlocale(locale.LC_A
 """What a program of which pyworm is a part may have done: all of the C library speaks its language."""
 
 
-@pytest.fixture(params=["UTF-8", "ISO-8859-9"])
+@pytest.fixture(params=[pytest.param("UTF-8", marks=pytest.mark.long), "ISO-8859-9"])
 def turkish(request, tmp_path_factory):
     """Environment of Turkish: an i without a dot, a comma in numbers, and a character set of its own.
 

@@ -42,6 +42,7 @@ def test_a_film_grows_after_a_reversal_and_its_oil_came_in_slower():
         assert 0.7 < getattr(moving, name).value / getattr(still, name).value < 0.95
 
 
+@pytest.mark.long
 def test_surfaces_come_from_apart_where_their_separation_is_given(tmp_path):
     case = tmp_path / "drop.toml"
     case.write_text(DROP)

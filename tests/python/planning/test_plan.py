@@ -315,7 +315,7 @@ def test_roughness_is_an_effect_like_any_other():
     "name",
     [
         pytest.param("rubber in water", marks=pytest.mark.long),
-        "steel, rolling slowly",
+        pytest.param("steel, rolling slowly", marks=pytest.mark.long),
         "gear, pitch point",
         "gear, tip",
     ],

@@ -78,6 +78,7 @@ def test_the_table_has_all_instants():
     assert float(rows[30]["seconds"]) == pytest.approx(0.3 * DURATION)
 
 
+@pytest.mark.long
 def test_a_life_is_drawn_and_animated_from_its_file(tmp_path):
     file = lively().save(tmp_path / "result.nc")
     assert lives(open_result(file))[0].figures["film_min"] == pytest.approx(

@@ -86,6 +86,7 @@ def test_a_coating_changes_a_film_by_its_deflection():
     assert found["pressure_max"] > 0
 
 
+@pytest.mark.long
 def test_a_heated_tooth_has_sensitivities_to_its_oil():
     """Those of whole solves, but for the convection that turns from node to node."""
     scene = tooth_scene()

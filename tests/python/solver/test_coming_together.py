@@ -86,6 +86,7 @@ def test_oil_is_pressed_out_of_all_of_the_gap_between_flanks_that_come_together(
     assert np.all(in_that_of_a_steady_film < 0.9 * as_they_are)
 
 
+@pytest.mark.long
 def test_films_that_form_on_an_edge_hardly_depend_on_the_time_step(monkeypatch):
     """A difference of higher order presses out of a film the gap that was there a time step before.
 

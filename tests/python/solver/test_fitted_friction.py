@@ -86,6 +86,7 @@ def test_five_phases_make_the_mesh_mean(row):
     assert over_the_mesh(row).loss.friction == pytest.approx(many, rel=0.02)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("row", [Row(MATERIAL, "PAG", 1500)], ids=str)
 def test_a_kept_contact_is_what_the_solver_finds(row):
     """With the mu_b and the spread of the library, and how friction follows mu_b and laws of contact."""

@@ -228,6 +228,7 @@ def test_a_restarted_film_keeps_its_outline_and_carries_its_load():
     assert film_level.film.thickness().min() > 0.5 * size.film
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["coarse-grid-lost"])
 def test_small_changes_have_small_effects(name):
     assert list(stability.small_changes(lambda row: None, (name,))) == []

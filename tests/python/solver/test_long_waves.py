@@ -40,7 +40,7 @@ def _with_waves(scene, length, number=0):
     return replace(scene, bodies=tuple(bodies))
 
 
-@pytest.mark.parametrize("ratio", [0.5, 1.0, 2.0])
+@pytest.mark.parametrize("ratio", [pytest.param(0.5, marks=pytest.mark.long), 1.0, 2.0])
 def test_rolling_waves_are_flattened_as_venner_found(contact, ratio):
     """Amplitudes of C. H. Venner et al. (1997), table 1, by a contact whose past is all the same."""
     half_width = line_scales(contact).hertz.half_width

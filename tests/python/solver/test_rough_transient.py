@@ -40,6 +40,7 @@ def _solved(scene, effects):
     return solution.figures
 
 
+@pytest.mark.long
 def test_roughness_to_zero_is_the_transient_film_of_smooth_surfaces(line):
     found = _solved(_after(_rough(line, 1e3), FASTER), EFFECTS)
     smooth = _solved(_after(line, FASTER), ("isothermal", "squeeze"))
@@ -50,6 +51,7 @@ def test_roughness_to_zero_is_the_transient_film_of_smooth_surfaces(line):
     assert found.asperity_load_fraction.value < 1e-12
 
 
+@pytest.mark.long
 def test_a_past_that_is_all_the_same_leaves_the_steady_mixed_film(line):
     scene = _rough(line, 0.7)
     found = _solved(_after(scene, CALM), EFFECTS)

@@ -85,6 +85,7 @@ def parabola(x):
     return x**2 / (2 * RADIUS)
 
 
+@pytest.mark.long
 def test_a_cylinder_that_is_lowered_presses_as_the_closed_form_says():
     time_grid, records = integrated(
         lambda at: replace(cylinder(), separation=APART - APPROACH * at)

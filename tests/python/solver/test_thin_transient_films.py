@@ -85,6 +85,7 @@ def test_grids_do_not_move_as_fast_as_the_oil_when_a_blow_is_over():
         assert abs(time_grid.mesh(kink).growth_x) * transit < 0.2
 
 
+@pytest.mark.long
 def test_solves_of_a_struck_contact_agree_in_its_minimum_film_thickness():
     time_grid, scene = course_and_scene("struck_ellipse.toml")
     at, plan = scene.past.seconds, pyworm.plan(scene, 0.05, "auto")
