@@ -68,7 +68,7 @@ class _Collector(ast.NodeTransformer):
     """Replaces every number of the formulas by an element of a list."""
 
     def __init__(self, source: str) -> None:
-        self.source = source
+        self.lines = source.splitlines()
         self.numbers: list[Number] = []
         self.place, self.key = "", ""
 
@@ -96,9 +96,10 @@ class _Collector(ast.NodeTransformer):
         return node
 
     def visit_Constant(self, node: ast.Constant) -> ast.AST:
-        written = ast.get_source_segment(self.source, node) or ""
-        number = isinstance(node.value, int | float)
-        if not number or node.value in _PLAIN or _UNITS.match(written):
+        if not isinstance(node.value, int | float) or node.value in _PLAIN:
+            return node
+        line = self.lines[node.lineno - 1].encode()
+        if _UNITS.match(line[node.col_offset : node.end_col_offset].decode()):
             return node
         self.numbers.append(Number(self.place, self.key, node.value))
         element = ast.parse(f"__numbers__[{len(self.numbers) - 1}]", mode="eval").body
