@@ -83,7 +83,11 @@ def steady_level(time_grid: TimeGrid, step: Step) -> tuple[Level, int]:
     grid = time_grid.grid(seconds, step.refinement)
     with _told(seconds):
         level = _beside(contact, time_grid, grid, SOLVERS[type(contact)](contact, time_grid.plan))
-        taken = settling_of(time_grid, step).iterated(level)
+        settling = settling_of(time_grid, step)
+        taken = settling.iterated(level)
+        if level.film.heated and not _is_found(level):
+            # heat that the first steps lost begins anew, as cold as the bodies
+            taken += settling.iterated(level)
     return _sound(level, seconds), taken
 
 
