@@ -172,6 +172,16 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
     "solver/transient/time_integration.py _begun NoFilmError":
         "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
+    "solver/transient/time_integration.py _through_loads NoLoadError":
+        "solver/test_transient.py::test_where_load_is_lost_while_coarse_steps_lead_the_films_begin_after_it",
+    "solver/transient/time_integration.py _loaded_after suppress NoLoadError":
+        "solver/test_transient.py::test_films_go_on_after_a_time_without_load",
+    "solver/transient/time_integration.py _begun suppress NoLoadError":
+        "solver/test_transient.py::test_where_load_is_lost_while_coarse_steps_lead_the_films_begin_after_it",
+    "solver/transient/next_film.py contact_at ValueError":
+        "solver/test_transient.py::test_a_time_without_load_has_no_film",
+    "solver/transient/next_film.py _found NoLoadError":
+        "solver/test_transient.py::test_a_time_without_load_has_no_film",
     "solver/transient/time_integration.py _resumed NoFilmError":
         "solver/test_solver_fall_backs.py::test_where_no_other_beginning_is_found_films_before_the_lost_one_are_kept",
     "solver/transient/next_film.py _found NoFilmError":
@@ -180,6 +190,8 @@ MADE_BY = {
         "solver/test_backward_term.py::test_where_its_halves_are_lost_a_step_with_a_limited_rate_is_kept",
     "solver/transient/next_film.py reached suppress NoFilmError":
         "solver/test_backward_term.py::test_where_they_are_lost_the_whole_step_is_made_once",
+    "solver/transient/time_integration.py _through NoLoadError":
+        "solver/test_transient.py::test_a_time_without_load_has_no_film",
     "solver/transient/time_integration.py _through NoFilmError":
         "solver/test_solver_fall_backs.py::test_films_before_one_that_is_lost_are_kept_with_the_reason",
     "solver/transient/next_film.py _told KernelError":

@@ -71,6 +71,15 @@ class NoFilmError(Exception):
     """No converged film at some time; the message gives the time and the reason."""
 
 
+class NoLoadError(NoFilmError):
+    """Surfaces that carry no load at a time amid their life, when neighbouring teeth carry all."""
+
+    def __init__(self, seconds: float, reason: object) -> None:
+        super().__init__(f"{lost_at(seconds)}: {reason}")
+        self.seconds = seconds
+        """The time [s]."""
+
+
 def since_touch(time_grid: TimeGrid, seconds: float) -> float:
     """Transits from the first touch to a time."""
     return time_grid.transits(seconds) - time_grid.transits(time_grid.life.touched)
@@ -139,6 +148,8 @@ def _found(
     """
     try:
         level, taken = _onward(time_grid, step, before, heat, held, halvings > 0)
+    except NoLoadError:
+        raise
     except NoFilmError:
         if halvings == MOST_HALVINGS:
             raise
@@ -270,8 +281,12 @@ def _differenced(
 
 
 def contact_at(time_grid: TimeGrid, seconds: float) -> Scene | LineScene:
-    """The contact at a time with the effects of the plan, and no past."""
-    return time_grid.plan.simplified(replace(time_grid.life.at(seconds), past=None))
+    """The contact at a time with the effects of the plan, and no past; NoLoadError where it carries none."""
+    try:
+        contact = time_grid.life.at(seconds)
+    except ValueError as reason:
+        raise NoLoadError(seconds, reason) from reason
+    return time_grid.plan.simplified(replace(contact, past=None))
 
 
 def _beside(

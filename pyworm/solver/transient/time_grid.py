@@ -225,7 +225,8 @@ def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
         lines = [grid for grid in grids if isinstance(grid, LineGrid)]
         sides = (_covering(sides[0], times_under_load, half_widths, drawn, lines, spacings[0]),)
     else:
-        sides = _holding(sides, drawn, [predictions[number] for number in some], grids, spacings)
+        points = [grid for grid in grids if isinstance(grid, Grid)]
+        sides = _holding(sides, drawn, [predictions[number] for number in some], points, spacings)
     paced = list(zip(times_under_load, contacts_under_load, predictions, strict=True))
     if times[0] < life.touched < times_under_load[0]:
         touching = life.at(life.touched)
@@ -410,7 +411,7 @@ def _holding(
     sides: Sequence[tuple[int, int]],
     times: Sequence[float],
     predictions: Sequence[Prediction],
-    grids: Sequence[Grid | LineGrid],
+    grids: Sequence[Grid],
     log_spacings: Sequence[np.polynomial.Polynomial],
 ) -> tuple[tuple[int, int], ...]:
     """Cells of a point's grid before and behind the contact point; more where Hertz's contact lies beyond.

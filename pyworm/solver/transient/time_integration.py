@@ -7,6 +7,7 @@ films of all instants of that part, and the rates of change that films on other 
 """
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -32,6 +33,7 @@ from pyworm.solver.transient.next_film import (
     EARLIER_FILMS,
     MEMORY_TRANSITS,
     NoFilmError,
+    NoLoadError,
     contact_at,
     heated_levels,
     lost_at,
@@ -106,6 +108,8 @@ class TimeIntegration:
     """Newton steps of all instants."""
     failure: str | None = None
     """Reason why films of some times are missing, if they are."""
+    unloaded: float | None = None
+    """Time at which they are since surfaces carry no load [s]; None for another reason."""
 
 
 def integrate_in_time(
@@ -128,7 +132,32 @@ def integrate_in_time(
     """
     _require_memory(time_grid, refinement)
     asked = steps_of(time_grid, refinement, begin, max(*wanted, until))
-    return _resumed(time_grid, asked, wanted, _from_first_touch(time_grid, asked, wanted))
+    return _through_loads(time_grid, asked, wanted)
+
+
+def _through_loads(
+    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float]
+) -> TimeIntegration:
+    """The films of some steps; those after a time without load where coarse steps before led to it."""
+    try:
+        found = _from_first_touch(time_grid, asked, wanted)
+    except NoLoadError as reason:
+        left = _loaded_after(time_grid, asked, reason.seconds)
+        later = [seconds for seconds in wanted if left and seconds >= left[0].seconds]
+        if not later:
+            raise
+        return _through_loads(time_grid, left, later)
+    return _resumed(time_grid, asked, wanted, found)
+
+
+def _loaded_after(time_grid: TimeGrid, asked: Sequence[Step], seconds: float) -> Sequence[Step]:
+    """Those of some steps from the first that carries load again after a time that carries none [s]."""
+    for number, step in enumerate(asked):
+        if step.seconds > seconds:
+            with suppress(NoLoadError):
+                contact_at(time_grid, step.seconds)
+                return asked[number:]
+    return ()
 
 
 def _from_first_touch(
@@ -158,13 +187,17 @@ def _resumed(
 ) -> TimeIntegration:
     """What was found, and where films were lost those of a steady beginning after that.
 
-    They are kept from `MEMORY_TRANSITS` after it, when they no longer depend on it.
+    They are kept from `MEMORY_TRANSITS` after it, when they no longer depend on it; where surfaces carried no
+    load in between all are, as in a life that begins under load.
     """
     last = found.records[-1].seconds
-    left = [step for step in asked if step.seconds > last][1:]
+    left: Sequence[Step] = [step for step in asked if step.seconds > last][1:]
+    memory = MEMORY_TRANSITS
+    if found.unloaded is not None:
+        left, memory = _loaded_after(time_grid, asked, found.unloaded), 0.0
     if found.failure is None or not left:
         return found
-    first_place = time_grid.place(left[0].seconds) + MEMORY_TRANSITS
+    first_place = time_grid.place(left[0].seconds) + memory
     later = [seconds for seconds in wanted if time_grid.place(seconds) >= first_place]
     if not later:
         return found
@@ -172,9 +205,9 @@ def _resumed(
         again = _through(time_grid, left, later)
     except NoFilmError:
         return found
-    if again.rates:
+    if again.rates or found.unloaded is not None:
         again = _resumed(time_grid, left, later, again)
-    first_place = time_grid.place(again.records[0].seconds) + MEMORY_TRANSITS
+    first_place = time_grid.place(again.records[0].seconds) + memory
     kept = [seconds for seconds in again.rates if time_grid.place(seconds) >= first_place]
     records = [record for record in again.records if time_grid.place(record.seconds) >= first_place]
     return replace(
@@ -203,7 +236,9 @@ def _through(
     rates: dict[float, RateOfChange] = {}
     rigid_films: dict[float, float] = {}
     heat: list[HeatedTimeLevel] = []
-    records, failure, held = [], None, True
+    records: list[TimeRecord] = []
+    reason: NoFilmError | None = None
+    unloaded, held = None, True
     on = steps[0]
     for step in steps:
         before, heat = _led_on(time_grid, on, step, before, heat)
@@ -227,19 +262,42 @@ def _through(
             for time in turns.get(step.seconds, ()):
                 then, known, taken = level, before, 0
                 if time > step.seconds:
-                    turn = Step(time, refinement)
-                    past = _led_on(time_grid, step, turn, before, heat)
-                    then, known, _, taken = reached(time_grid, turn, *past, held)
-                    known = [time_level_of(then, time), *known]
+                    then, known, taken = _turned(time_grid, step, time, before, heat, held)
                 taken_of_all += taken
                 rates[time] = replace(_rate_of(time_grid, then, known), limited=is_limited(then))
                 rigid_films[time] = then.film.rigid_film
+        except NoLoadError as error:
+            reason, unloaded = error, error.seconds
+            break
         except NoFilmError as error:
-            failure = str(error)
+            reason = error
             break
     if not records:
-        raise NoFilmError(failure)
-    return TimeIntegration(rates, rigid_films, tuple(records), taken_of_all, failure)
+        raise present(reason, "reason")
+    return TimeIntegration(
+        rates,
+        rigid_films,
+        tuple(records),
+        taken_of_all,
+        None if reason is None else str(reason),
+        unloaded,
+    )
+
+
+def _turned(
+    time_grid: TimeGrid,
+    step: Step,
+    time: float,
+    before: list[TimeLevel],
+    heat: list[HeatedTimeLevel],
+    held: bool,
+) -> tuple[Level, list[TimeLevel], int]:
+    """The film of a wanted time by a step of its own, films up to it, the latest first, and Newton steps."""
+    turn = Step(time, step.refinement)
+    level, known, _, taken = reached(
+        time_grid, turn, *_led_on(time_grid, step, turn, before, heat), held
+    )
+    return level, [time_level_of(level, time), *known], taken
 
 
 def _led_on(
@@ -294,8 +352,9 @@ def _begun(
     They begin with the first that has a steady film, or after the first where its surfaces are apart. A tooth
     that is touched at its tip has no steady film yet; NoFilmError where there is none before a wanted time.
     """
-    if time_grid.life.at(steps[0].seconds).separation is not None:
-        return steps[1:], None, [_at_rest(time_grid, steps[0])], 0
+    with suppress(NoLoadError):
+        if contact_at(time_grid, steps[0].seconds).separation is not None:
+            return steps[1:], None, [_at_rest(time_grid, steps[0])], 0
     for number in _beginnings([step.seconds for step in steps], wanted):
         try:
             level, taken = steady_level(time_grid, steps[number])

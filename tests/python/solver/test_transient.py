@@ -24,6 +24,7 @@ from pyworm.solver.line.level import LineLevel
 from pyworm.solver.transient import next_film, time_integration, time_steps
 from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.differences import backward_weights, weights
+from pyworm.solver.transient.next_film import NoLoadError
 from pyworm.solver.transient.rate_errors import ERROR_SHARE
 from pyworm.solver.transient.time_grid import FOLDS, time_grid_of
 from pyworm.solver.transient.time_integration import RateOfChange, TimeIntegration
@@ -422,6 +423,70 @@ def test_a_third_solve_of_a_later_part_begins_on_the_grid_before(monkeypatch):
             for of in (found, alone, before)
         )
         assert abs(by_two / by_one - 1) < 0.25 * abs(coarser / by_one - 1)
+
+
+@pytest.mark.parametrize("unloaded", [(0.02, 0.1), (0.35, 0.45)])
+@pytest.mark.parametrize("refinement", [0, 1])
+def test_films_go_on_after_a_time_without_load(refinement, unloaded):
+    """Those after it begin with a steady one, and nothing changes afterwards; coarse steps may lead to it."""
+    transit = predicted(as_line(ball())).transit
+    duration = 10 * transit
+    gap = tuple(share * duration for share in unloaded)
+
+    def contact_at(seconds):
+        if gap[0] < seconds < gap[1]:
+            raise ValueError("its neighbours carry all")
+        return as_line(ball(1 + 0.2 * np.cos(seconds / transit) * (seconds < gap[0])))
+
+    life = Life(duration, contact_at)
+    time_grid = time_grid_of(life, pyworm.plan(contact_at(0.0), 0.05, "isothermal", ("film",)))
+    early, late = 0.3 * duration, 0.7 * duration
+    found = time_integration.integrate_in_time(time_grid, refinement, 0.0, [early, late])
+    assert set(found.rates) == {early, late}
+    assert not any(gap[0] < record.seconds < gap[1] for record in found.records)
+    film = found.records[-1].figures["film_central"]
+    least = 1e-3 * film / transit
+    assert np.abs(found.rates[late].rate).max() < least
+    assert (np.abs(found.rates[early].rate).max() < least) == (early > gap[1])
+
+
+def test_a_time_without_load_has_no_film():
+    transit = predicted(as_line(ball())).transit
+
+    def contact_at(seconds):
+        if seconds > 2 * transit:
+            raise ValueError("its neighbours carry all")
+        return as_line(ball())
+
+    whole = Life(10 * transit, lambda seconds: as_line(ball()))
+    time_grid = time_grid_of(whole, pyworm.plan(as_line(ball()), 0.05, "isothermal", ("film",)))
+    time_grid = replace(time_grid, life=Life(10 * transit, contact_at))
+    found = time_integration.integrate_in_time(time_grid, 0, 0.0, [5 * transit])
+    assert not found.rates and 2 * transit < found.unloaded < 2.2 * transit
+    assert found.failure is not None and found.failure.endswith("its neighbours carry all")
+
+
+@pytest.mark.parametrize("back", [2.4, 6.0])
+def test_where_load_is_lost_while_coarse_steps_lead_the_films_begin_after_it(monkeypatch, back):
+    transit = predicted(as_line(ball())).transit
+
+    def contact_at(seconds):
+        if 2.2 < time_grid.place(seconds) < back:
+            raise ValueError("its neighbours carry all")
+        return as_line(ball())
+
+    monkeypatch.setitem(STEPS_A_TRANSIT, "line", 12)
+    whole = Life(6 * transit, lambda seconds: as_line(ball()))
+    time_grid = time_grid_of(whole, pyworm.plan(as_line(ball()), 0.05, "isothermal", ("film",)))
+    parted = replace(time_grid, life=Life(6 * transit, contact_at))
+    at = time_grid.time_at(4.0)
+    if back < 4:
+        found = time_integration.integrate_in_time(parted, 2, 2.0, [at])
+        assert at in found.rates and time_grid.place(found.records[0].seconds) > back
+    else:
+        with pytest.raises(NoLoadError, match="its neighbours carry all") as lost:
+            time_integration.integrate_in_time(parted, 2, 2.0, [at])
+        assert 2.2 < time_grid.place(lost.value.seconds) < 2.3
 
 
 def test_as_the_load_of_a_tooth_pair_falls_by_an_e_fold_a_time_step_s_share_of_a_transit_passes():
