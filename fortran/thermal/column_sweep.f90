@@ -344,7 +344,8 @@ contains
     if (backward) change_backward = max(change_backward, maxval(warmed(:columns%columns)))
   end subroutine take_changes
 
-  !> Pressure gradient at nodes of a line, along it and from line to line [Pa/m].
+  !> Pressure gradient at nodes of a line, along it and from line to line [Pa/m]; that of ruptured oil is none (Reynolds'
+  !> condition). Differences across a node between pressures that have not settled would heat it without bound.
   pure subroutine take_gradient(self, line, first, last, along, across)
     type(swept_columns), intent(in) :: self
     integer, intent(in) :: line, first, last
@@ -354,6 +355,10 @@ contains
     m = last - first + 1
     along(:m) = (self%p(first + 1:last + 1, line) - self%p(first - 1:last - 1, line))*(self%way%per_node/2)
     across(:m) = (self%p(first:last, line + 1) - self%p(first:last, line - 1))*(self%way%per_line/2)
+    where (.not. self%p(first:last, line) > 0)
+      along(:m) = 0
+      across(:m) = 0
+    end where
   end subroutine take_gradient
 
   !> Heat convected away from the levels of a line's columns for each kelvin, `absorption` [W/(m3 K)], and to them,

@@ -197,9 +197,9 @@ contains
       case (by_pressure)
         oil%p(:m) = oil%p(:m) + change
       case (by_slope_x)
-        shear%px(:m) = shear%px(:m) + change
+        shear%px(:m) = shear%px(:m) + merge(change, 0.0_wp, oil%p(:m) > 0)
       case (by_slope_y)
-        shear%py(:m) = shear%py(:m) + change
+        shear%py(:m) = shear%py(:m) + merge(change, 0.0_wp, oil%p(:m) > 0)
       case (by_gap)
         do c = 1, m
           i = modulo(nodes(c) - 1, size(film%gap, 1)) + 1

@@ -48,7 +48,7 @@ contains
   end subroutine new_line_columns
 
   !> Sets film, gradient, sliding, temperature and oil of the columns at nodes first..last, without storage; u1 is the
-  !> nodal velocity of body 1's surface [m/s].
+  !> nodal velocity of body 1's surface [m/s]. Ruptured oil has no gradient (`column_sweep.take_gradient`).
   subroutine gather_line(film, u1, first, last, columns, shear, oil)
     class(film_contact), intent(in) :: film
     real(wp), intent(in) :: u1(:)
@@ -61,6 +61,7 @@ contains
     m = last - first + 1
     call gather_nodes(film, first, last, 1, shear, columns%known)
     oil%p(:m) = film%model%fields%p(first:last, 1)
+    where (.not. oil%p(:m) > 0) shear%px(:m) = 0
     oil%u1(:m) = u1(first:last)
     oil%v1(:m) = 0
     oil%pressing(:m) = 0
