@@ -69,6 +69,20 @@ def test_an_oil_whose_viscosity_stays_has_the_sheared_film():
     assert heated.temperature_max_film.value > scene.oil.heat.inlet_temperature + 5
 
 
+def test_a_ruptured_node_between_pressures_is_not_heated_by_their_difference():
+    """Reynolds' condition: pressure and gradient vanish there, and 50 K of a sweep with them."""
+    scene = ball(slide_roll_ratio=0.0)
+    plan = pyworm.plan(scene, COARSE, "all")
+    level, _ = PointContactSolver(scene, plan).begin(plan.grids)
+    before, pressure = level.film.rise().max(), level.film.pressure.copy(order="F")
+    i, j = np.unravel_index(pressure.argmax(), pressure.shape)
+    pressure[i, j] = pressure[i + 1, j] = 0.0
+    state = level.state()
+    level.film.start(pressure, state.rigid_film)
+    level.film.warm()
+    assert level.film.rise()[i : i + 2, j].max() < before + 1
+
+
 def test_friction_heat_goes_where_it_must(hot):
     """Into both bodies and away with the oil; its work is sliding against stress."""
     assert abs(hot.figures.heat_balance) < 1e-3
