@@ -1,6 +1,7 @@
 """Expected work of transient solves."""
 
 from itertools import pairwise
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pyworm
 from pyworm.planning.effects.geometry import as_line
 from pyworm.planning.expected_work import STEPS_A_TRANSIT, solves_of_life
 from pyworm.planning.prediction import predicted
+from pyworm.solver.cost import calibration
 from pyworm.solver.cost.expected_motion import FURTHER, motion, time_grid_if_any
 from pyworm.solver.cost.expected_time import Expectation, expectation, together
 from pyworm.solver.transient import transient as transient_module
@@ -163,3 +165,13 @@ def test_heat_that_others_of_its_life_call_for_is_expected_of_a_contact_that_is_
     assert heated.plan.model.heated and not cold.model.heated
     past = [expectation(scene, cold, time_grid).past for time_grid in (alone, heated)]
     assert past[1] > 2 * past[0]
+
+
+def test_the_shortest_of_several_times_counts(monkeypatch):
+    """A machine that is busy makes some of them longer, and what is left beside the nodes meaningless."""
+    clock = iter([0, 3, 9, 10, 11, 15, 20, 22, 24])
+    monkeypatch.setattr(calibration, "process_time", lambda: next(clock))
+    monkeypatch.setattr(calibration, "steps_to_convergence", lambda level, planned: 2)
+    solver = SimpleNamespace(on_grid=lambda grid, guess: None)
+    level = SimpleNamespace(grid=None, state=lambda: None)
+    assert calibration._shortest(solver, level, None) == (1, 1.0)
