@@ -50,25 +50,27 @@ CALIBRATION_HALVINGS = {"point": 1, "line": 4}
 
 REPEATS = 3
 """Number of times that each is timed, of which the shortest counts. What a step takes beside its nodes is a
-small difference of both: from single times of grids of 23 000 and 93 000 nodes it was 1.5 to 14 ms for heated
-points in seven calibrations of one machine, and runs on few nodes were expected to take twice as long."""
+small difference of both: from single times of grids of 23 000 and 93 000 nodes it was 1.5, 2.4, 2.4 and 13.5
+ms for heated points in four calibrations of one machine, and runs on few nodes were expected to take up to
+twice as long."""
 
 CALIBRATION_ACCURACY = 0.01
 
 NEWTON_STEPS: dict[Kind, tuple[float, float]] = {"point": (1.4, 2.0), "line": (1.8, 1.0)}
 """Newton steps of a time step, without and with heat: medians of those of the cases that
-`benchmarks/accuracy/expected_cost.py` names for it, of heated points those of `cases/zi_drive.toml`
-(`benchmarks/accuracy/transient_cost.py`)."""
+`benchmarks/accuracy/expected_cost.py` names for it, of heated points the mean of 2.3 and 1.65 of both solves
+of `cases/zi_drive.toml` (`benchmarks/accuracy/transient_cost.py`)."""
 
 ROUGH_NEWTON_STEPS = 4.0
-"""Those between rough heated points, whose films are lost and begun again on edges: 3.0 to 11.7 in ten solves
-of five worm gear sets (drives 99011:6, 99012:5, 99014:0, 5 and 6 of `tests/hard`)."""
+"""Those between rough heated points: 3.0 to 4.5 in five of six solves of three worm gear sets (drives
+99012:5, 99014:5 and 6 of `tests/hard`). Where films are lost at edges and begun again they are more and not foreseen:
+9.0 in the sixth, 7.5 to 11.7 in four of 99011:6 and 99014:0."""
 
 TIME_STEP_OVERHEAD: dict[Kind, tuple[float, float]] = {"point": (0.0, 4.7), "line": (1.5, 4.0)}
 """What a time step takes beside its grid and Newton steps, for figures and the heat that surfaces remember,
 without and with heat, over setting up the coarsest grid of its life, on which that heat is found. Of points
-with heat it was 2.0 to 5.6 in eight solves of four worm gear sets, more where films are begun again; others
-are of the same cases as the Newton steps."""
+with heat it was 2.0 to 18 in eight solves of four worm gear sets, 5.4 in the median (`transient_cost.py`);
+others are of the same cases as the Newton steps."""
 
 
 def newton_steps(kind: Kind, model: Model) -> float:

@@ -60,7 +60,8 @@ in turn. A line whose speed goes from -1.6 to 1.6 m/s, in a window whose later i
 loses 14 % of its film (`tests/python/solver/test_symmetries.py`)."""
 
 CONTACT_MARGIN = 1.2
-"""Reach of the grid at any time, over that of Hertz's contact at least, where surfaces go so far.
+"""Reach of the grid at the knots whose windows are drawn, over that of Hertz's contact at least, where
+surfaces go so far.
 
 A long contact that runs off a tooth flank grows longer in cells. Where the grid of a worm gear (drive 1 of
 seed 99013 of `tests/hard`, phase 0.9) ended at 0.7 to 0.9 of it, what was left bore the load that it cut off:

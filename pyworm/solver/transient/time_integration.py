@@ -109,7 +109,7 @@ class TimeIntegration:
     failure: str | None = None
     """Reason why films of some times are missing, if they are."""
     unloaded: float | None = None
-    """Time at which they are since surfaces carry no load [s]; None for another reason."""
+    """Time at which they are missing since surfaces carry no load [s]; None where films were lost."""
 
 
 def integrate_in_time(
@@ -202,11 +202,14 @@ def _resumed(
     if not later:
         return found
     try:
-        again = _through(time_grid, left, later)
+        if found.unloaded is not None:
+            again = _through_loads(time_grid, left, later)
+        else:
+            again = _through(time_grid, left, later)
+            if again.rates:
+                again = _resumed(time_grid, left, later, again)
     except NoFilmError:
         return found
-    if again.rates or found.unloaded is not None:
-        again = _resumed(time_grid, left, later, again)
     first_place = time_grid.place(again.records[0].seconds) + memory
     kept = [seconds for seconds in again.rates if time_grid.place(seconds) >= first_place]
     records = [record for record in again.records if time_grid.place(record.seconds) >= first_place]

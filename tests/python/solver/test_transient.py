@@ -425,29 +425,34 @@ def test_a_third_solve_of_a_later_part_begins_on_the_grid_before(monkeypatch):
         assert abs(by_two / by_one - 1) < 0.25 * abs(coarser / by_one - 1)
 
 
-@pytest.mark.parametrize("unloaded", [(0.02, 0.1), (0.35, 0.45)])
+@pytest.mark.parametrize(
+    "unloaded", [[(0.02, 0.1)], [(0.35, 0.45)], [(0.02, 0.1), (0.4, 0.45)]], ids=str
+)
 @pytest.mark.parametrize("refinement", [0, 1])
 def test_films_go_on_after_a_time_without_load(refinement, unloaded):
     """Those after it begin with a steady one, and nothing changes afterwards; coarse steps may lead to it."""
     transit = predicted(as_line(ball())).transit
     duration = 10 * transit
-    gap = tuple(share * duration for share in unloaded)
+    gaps = [tuple(share * duration for share in gap) for gap in unloaded]
 
     def contact_at(seconds):
-        if gap[0] < seconds < gap[1]:
+        if parted(seconds):
             raise ValueError("its neighbours carry all")
-        return as_line(ball(1 + 0.2 * np.cos(seconds / transit) * (seconds < gap[0])))
+        return as_line(ball(1 + 0.2 * np.cos(seconds / transit) * (seconds < gaps[0][0])))
+
+    def parted(seconds):
+        return any(begin < seconds < end for begin, end in gaps)
 
     life = Life(duration, contact_at)
     time_grid = time_grid_of(life, pyworm.plan(contact_at(0.0), 0.05, "isothermal", ("film",)))
     early, late = 0.3 * duration, 0.7 * duration
     found = time_integration.integrate_in_time(time_grid, refinement, 0.0, [early, late])
     assert set(found.rates) == {early, late}
-    assert not any(gap[0] < record.seconds < gap[1] for record in found.records)
+    assert not any(parted(record.seconds) for record in found.records)
     film = found.records[-1].figures["film_central"]
     least = 1e-3 * film / transit
     assert np.abs(found.rates[late].rate).max() < least
-    assert (np.abs(found.rates[early].rate).max() < least) == (early > gap[1])
+    assert (np.abs(found.rates[early].rate).max() < least) == (early > gaps[0][1])
 
 
 def test_a_time_without_load_has_no_film():
