@@ -63,8 +63,8 @@ of `cases/zi_drive.toml` (`benchmarks/accuracy/transient_cost.py`)."""
 
 ROUGH_NEWTON_STEPS = 4.0
 """Those between rough heated points: 3.0 to 4.5 in five of six solves of three worm gear sets (drives
-99012:5, 99014:5 and 6 of `tests/hard`). Where films are lost at edges and begun again they are more and not foreseen:
-9.0 in the sixth, 7.5 to 11.7 in four of 99011:6 and 99014:0."""
+99012:5, 99014:5 and 6 of `tests/hard`). Where films are lost at edges and begun again they are more, and not
+foreseen: 9.0 in the sixth, 7.5 to 11.7 in four of 99011:6 and 99014:0."""
 
 TIME_STEP_OVERHEAD: dict[Kind, tuple[float, float]] = {"point": (0.0, 4.7), "line": (1.5, 4.0)}
 """What a time step takes beside its grid and Newton steps, for figures and the heat that surfaces remember,
