@@ -6,9 +6,10 @@ films under these loads and temperatures. Where roughness carries load and is no
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
 temperatures are found with every `PHASE_STRIDE`-th phase and steady films, lifts by first transient solves
-(`transient_solutions.lifts_of`) and, for an accuracy below `ESTIMATE_ACCURACY`, what steady films at that one
-find beyond these, at some phases. Without transient solutions lifts are those of steady films at that
-accuracy in one window. All that is solved last is solved in full.
+(`tooth_lifts`) and, for an accuracy below `ESTIMATE_ACCURACY`, what steady films at that one find beyond
+these, at some phases. A first transient solve that hardly changes the loads is that of the run. Without
+transient solutions lifts are those of steady films at that accuracy in one window. All that is solved last is
+solved in full.
 """
 
 from collections.abc import Callable, Sequence
@@ -20,9 +21,10 @@ from typing import Any
 
 import numpy as np
 
-from pyworm.batch.case_run import RESULT_NAME, run
+from pyworm.batch.case_run import RESULT_NAME, SCENES, run
 from pyworm.batch.task import Task
-from pyworm.batch.transient_solutions import is_transient, lifts_of
+from pyworm.batch.tooth_lifts import moving_lifts_of, steady_lifts_of
+from pyworm.batch.transient_solutions import drop_rates, is_transient
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.io.present import present
@@ -33,6 +35,7 @@ from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.standard_loss import standard_loss
 from pyworm.result.mesh_cycle import DriveCycle, drive_cycle
 from pyworm.result.result import Result, case_in
+from pyworm.solver.transient.lifts import Lift
 
 PASSES = 3
 """Most passes with all phases: friction moves loads by a few per cent, which hardly move friction."""
@@ -58,6 +61,10 @@ MAX_TRANSIENT_SOLVES = 3
 REMAINING_CHANGE_STEADY, REMAINING_CHANGE_TRANSIENT = 0.25, 0.05
 """Change of loads left to the next pass, as a share of the change by this one: of steady films, and of a
 transient solve."""
+
+KEPT_SHARE = 0.25
+"""Change of the loads by a first transient solve up to which the run goes on from it, as a share of the
+accuracy: half of `LOAD_SHARE`, since its films in full change the loads a little more."""
 
 LOAD_SHARE = 0.5
 """Change of the loads that asks for another pass, as a share of the accuracy: pressures follow them with a
@@ -117,20 +124,17 @@ class _Search:
 
     def lifted(self, case: Case, tasks: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with lifts, as far as finding them costs less than another pass."""
-        given = [
-            replace(task, case=case, accuracy=ESTIMATE_ACCURACY, wider_window=False)
-            for task in tasks
-        ]
+        given = [replace(task, case=case) for task in tasks]
         moving = [task for task in given if is_transient(task)]
         if self.accuracy < ESTIMATE_ACCURACY:
             return self._estimated(case, given, moving, how)
-        return self._by_motion(case, moving, how["executor"], {}) if moving else case
+        return self._by_motion(case, moving, how, {}) if moving else case
 
     def _by_motion(
         self,
         case: Case,
         moving: Sequence[Task],
-        executor: Executor | None,
+        how: dict[str, Any],
         beyond: dict[float, float],
     ) -> Case:
         """The case with lifts and friction by first transient solves.
@@ -139,30 +143,37 @@ class _Search:
         it is interpolated between the phases. Where loads differ by more than the accuracy allows, the films
         that follow ask for another pass.
         """
+        directory = how["directory"].absolute() / SCENES
         for _ in range(MAX_TRANSIENT_SOLVES):
-            then = lifts_of([replace(task, case=case) for task in moving], True, executor)
+            under = [replace(task, case=case) for task in moving]
+            then = moving_lifts_of(under, directory, how["executor"])
             if not then:
                 return case
-            phases = sorted(then)
-            more = (
-                np.interp(phases, [*beyond], [*beyond.values()])
-                if beyond
-                else np.zeros(len(phases))
-            )
-            lifts = tuple(
-                (phase, float(then[phase].distance + rest))
-                for phase, rest in zip(phases, more, strict=True)
-            )
-            found: dict[str, Any] = {"lifts": lifts}
-            rubbing = [lift for lift in then.values() if lift.friction > 0]
-            if "friction" in self.open["operation"] and rubbing:
-                slid = sum(lift.loss / lift.friction for lift in rubbing)
-                found["friction"] = float(f"{sum(lift.loss for lift in rubbing) / slid:.2g}")
-            before, case = case, case.with_found({"operation": found})
-            if self._is_close(before, case, phases, REMAINING_CHANGE_TRANSIENT):
+            found = self._in_motion(then, beyond)
+            new = case.with_found({"operation": found})
+            if load_change(case, new, sorted(then)) <= KEPT_SHARE * self.accuracy:
                 break
-        self.print_message(f"transient solution: film-induced separation {_told_lifts(lifts)}")
+            for task in under:
+                drop_rates(task, directory)
+            before, case = case, new
+            if self._is_close(before, case, sorted(then), REMAINING_CHANGE_TRANSIENT):
+                break
+        said = _told_lifts(found["lifts"])
+        self.print_message(f"transient solution: film-induced separation {said}")
         return case
+
+    def _in_motion(self, then: dict[float, Lift], beyond: dict[float, float]) -> dict[str, Any]:
+        """Lifts, and friction where it is sought, by those of first transient solves and what these lack."""
+        phases = sorted(then)
+        lacking = np.interp(phases, [*beyond], [*beyond.values()]) if beyond else 0.0
+        distances = np.array([then[phase].distance for phase in phases]) + lacking
+        lifts = tuple(zip(phases, distances.tolist(), strict=True))
+        rubbing = [lift for lift in then.values() if lift.friction > 0]
+        if "friction" not in self.open["operation"] or not rubbing:
+            return {"lifts": lifts}
+        slid = sum(lift.loss / lift.friction for lift in rubbing)
+        friction = sum(lift.loss for lift in rubbing) / slid
+        return {"lifts": lifts, "friction": float(f"{friction:.2g}")}
 
     def _estimated(
         self, case: Case, given: Sequence[Task], moving: Sequence[Task], how: dict[str, Any]
@@ -172,7 +183,8 @@ class _Search:
         That part of a lift, by pressure beyond the windows of first transient solves and by their coarse
         grids, changes slowly with the phase.
         """
-        some = [steady(task) for task in every(PHASE_STRIDE, given)] if moving else given
+        coarse = [replace(task, accuracy=ESTIMATE_ACCURACY, wider_window=False) for task in given]
+        some = [steady(task) for task in every(PHASE_STRIDE, coarse)] if moving else coarse
         for _ in range(1 if moving else MAX_ESTIMATES):
             again = [replace(task, case=case) for task in some]
             before, result = case, run(case, again, **how, cycle_of=methodcaller("loaded_cycle"))
@@ -187,11 +199,11 @@ class _Search:
         cycle = drive_cycle(result)
         if not moving or cycle is None or not cycle.lifts:
             return case
-        lifts, executor = dict(cycle.lifts), how["executor"]
+        lifts = dict(cycle.lifts)
         same = [replace(task, case=before) for task in moving if task.place.phase in lifts]
-        beside = lifts_of(same, False, executor)
+        beside = steady_lifts_of(same, how["executor"])
         beyond = {phase: lifts[phase] - beside[phase].distance for phase in sorted(beside)}
-        return self._by_motion(case, moving, executor, beyond)
+        return self._by_motion(case, moving, how, beyond)
 
     def _is_close(self, case: Case, new: Case, phases: Sequence[float], leaves: float) -> bool:
         """Whether what a change of loads leaves to the next one is within the accuracy."""

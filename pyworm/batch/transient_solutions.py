@@ -3,10 +3,6 @@
 Each solve is a call of its own, in any process, and leaves a file for each task that it serves; the tasks
 then solve their films with these rates of change. Both are the same to the last bit as where a task finds its
 own: a transient solve does not depend on which of its times are wanted.
-
-Lifts of a drive's teeth, with the loads that they move, come from the first transient solve of each part of
-the life, a tenth of the work of films within error bars, or from what motion changes there in those of steady
-films; under the loads that follow it is solved again until they stay. Each call goes to any process.
 """
 
 from collections import defaultdict
@@ -22,13 +18,11 @@ import numpy as np
 
 from pyworm.batch.task import Task
 from pyworm.io.kept_arrays import DamagedError, keep, kept
-from pyworm.io.present import present
 from pyworm.io.reason import reason_of
 from pyworm.planning.effects.selection import effect_names
 from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
-from pyworm.solver.transient.lifts import Lift, moving_lifts, steady_lift
 from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
 from pyworm.solver.transient.time_records import TimeRecord, as_arrays, from_arrays, until
@@ -40,6 +34,20 @@ MIN_SHARED_TASKS = 2
 
 RATES = "rate", "rise", "warming", "pressing", "limited"
 """Fields of a rate of change; those that are None are not kept."""
+
+
+@dataclass(frozen=True)
+class Left:
+    """What a transient solve has left for a task."""
+
+    rate: RateOfChange
+    """Rate of change of its film."""
+    rigid_film: float
+    """Rigid film [m]."""
+    records: tuple[TimeRecord, ...]
+    """What the solve found up to then, of the last task of a part up to the end of that."""
+    since: float
+    """Time of the scene before [s]."""
 
 
 @dataclass(frozen=True)
@@ -86,12 +94,18 @@ class LifePart:
                 arrays = as_arrays(until(records, ends[seconds]))
                 figures = {name: getattr(rates[seconds], name) for name in RATES}
                 known = {name: rate for name, rate in figures.items() if rate is not None}
-                keep(file, grid=grid, since=since[seconds], **known, **arrays)
+                beside = {"since": since[seconds], "rigid_film": found.rigid_films[seconds]}
+                keep(file, grid=grid, **beside, **known, **arrays)
 
     def _diverged(self, directory: Path) -> bool:
         """Whether the solve of twice the spacing has ended already and found no film of any task."""
-        coarser = [directory / _file(task.key, self.refinement - 1) for task in self.tasks]
-        return all(_has_flaw(file) for file in coarser)
+        return all(
+            isinstance(left_for(task, directory, self.refinement - 1), str) for task in self.tasks
+        )
+
+    def is_solved(self, directory: Path) -> bool:
+        """Whether all that it finds is in a directory."""
+        return None not in (left_for(task, directory, self.refinement) for task in self.tasks)
 
 
 def solve_lives(
@@ -107,60 +121,73 @@ def solve_lives(
         for part in tasks_by_part(life)
         for refinement in range(solves_of_life(life[0].accuracy))
     ]
-    parts.sort(
-        key=lambda part: part.refinement
-    )  # where those of few nodes find nothing, finer ones need not begin
-    if not parts:
+    # where those of few nodes find nothing, finer ones need not begin
+    parts.sort(key=lambda part: part.refinement)
+    solve_parts(parts, directory, executor, tell)
+
+
+def solve_parts(
+    parts: Sequence[LifePart],
+    directory: Path,
+    executor: Executor | None,
+    tell: Callable[[str, float], None] = lambda message, share: None,
+) -> None:
+    """Make the transient solves of some parts that are not in a directory yet."""
+    left = [part for part in parts if not part.is_solved(directory)]
+    if not left:
         return
     directory.mkdir(parents=True, exist_ok=True)
     message = "transient solution, from the first touch to the last"
     tell(message, 0.0)
     if executor is None:
-        for part in parts:
+        for part in left:
             part.solve_into(directory)
         return
-    for _ in as_completed([executor.submit(part.solve_into, directory) for part in parts]):
+    for _ in as_completed([executor.submit(part.solve_into, directory) for part in left]):
         tell(message, 0.0)
 
 
 def rates_for(task: Task, directory: Path) -> Rates | None:
     """Rates of change of a task's film that were left for it; None where there are not all."""
-    found: list[RateOfChange] = []
-    records: list[tuple[TimeRecord, ...]] = []
-    since = -inf
+    found: list[Left] = []
     for refinement in range(solves_of_life(task.accuracy)):
-        try:
-            left = kept(directory / _file(task.key, refinement), _left)
-        except (OSError, DamagedError):
+        left = left_for(task, directory, refinement)
+        if left is None:
             return None
         if isinstance(left, str):  # what coarser solves found is better than nothing
             flaw = None if found else left
-            return Rates(tuple(found), tuple(records), since, flaw, finest=True)
-        rate, time_record, since = left
-        found.append(rate)
-        records.append(time_record)
-    return Rates(tuple(found), tuple(records), since)
+            return _rates(found, flaw=flaw, finest=True)
+        found.append(left)
+    return _rates(found)
 
 
-def _left(data: dict[str, np.ndarray]) -> str | tuple[RateOfChange, tuple[TimeRecord, ...], float]:
-    """What a transient solve has left for a task: rate, moments and since when, or why there is none."""
+def _rates(found: Sequence[Left], flaw: str | None = None, finest: bool = False) -> Rates:
+    """Rates of change by what each of some transient solves has left."""
+    since = found[-1].since if found else -inf
+    rates, records = tuple(left.rate for left in found), tuple(left.records for left in found)
+    return Rates(rates, records, since, flaw, finest)
+
+
+def left_for(task: Task, directory: Path, refinement: int) -> Left | str | None:
+    """What a transient solve has left for a task, or why it found no film; None where there is no file."""
+    try:
+        return kept(directory / _file(task.key, refinement), _left)
+    except (OSError, DamagedError):
+        return None
+
+
+def _left(data: dict[str, np.ndarray]) -> Left | str:
+    """What a transient solve has left for a task by the arrays of its file, or why there is none."""
     if "flaw" in data:
         return str(data["flaw"])
     rates: dict[str, Any] = {name: data[name] for name in RATES if name in data}
     rates["limited"] = bool(data["limited"])
-    return (
+    return Left(
         RateOfChange(_grid(data["grid"].tolist()), **rates),
+        float(data["rigid_film"]),
         from_arrays(data),
         float(data["since"]),
     )
-
-
-def _has_flaw(file: Path) -> bool:
-    """Whether a transient solve has left the reason why there is no film."""
-    try:
-        return isinstance(kept(file, _left), str)
-    except (OSError, DamagedError):
-        return False
 
 
 def drop_rates(task: Task, directory: Path) -> None:
@@ -220,41 +247,3 @@ def _grid(numbers: Sequence[float]) -> Grid | LineGrid:
         return Grid(west, south, dx, dy, int(columns), int(rows))
     dx, first, count = numbers
     return LineGrid(dx, int(first), int(count))
-
-
-@dataclass(frozen=True)
-class PartLifts:
-    """Lifts at phases of one part of a life."""
-
-    tasks: tuple[Task, ...]
-    """Its contacts, all point contacts with transient films."""
-    moving: bool
-    """Whether by transient solutions; else by steady films in the same window."""
-
-    def __call__(self) -> dict[float, Lift]:
-        """Phase -> lift; without those of which no film is found."""
-        time_grid = self.tasks[0].time_grid
-        phases = {
-            present_in_life(task.scene).seconds: present(task.place.phase, "phase")
-            for task in self.tasks
-        }
-        if self.moving:
-            begin = part_at(time_grid, min(phases)).begin
-            found = moving_lifts(time_grid, begin, sorted(phases))
-        else:
-            steady = {seconds: steady_lift(time_grid, seconds) for seconds in phases}
-            found = {seconds: lift for seconds, lift in steady.items() if lift is not None}
-        return {phases[seconds]: lift for seconds, lift in found.items()}
-
-
-def lifts_of(tasks: Sequence[Task], moving: bool, executor: Executor | None) -> dict[float, Lift]:
-    """Phase -> lift of the contacts of one life, without those of which no film is found."""
-    parts = [PartLifts(part, moving) for part in tasks_by_part(tasks)]
-    calls: list[Callable[[], dict[float, Lift]]] = [*parts]
-    if executor is not None:
-        calls = [future.result for future in [executor.submit(part) for part in parts]]
-    found: dict[float, Lift] = {}
-    for call in calls:
-        with suppress(Exception):  # the scenes of that part meet the same, and tell it
-            found |= call()
-    return found

@@ -76,18 +76,18 @@ MADE_BY = {
         "batch/test_transient_solutions.py::test_finer_solves_are_not_begun_where_the_first_finds_no_film",
     "batch/transient_solutions.py LifePart.solve_into Exception":
         "batch/test_batch_fall_backs.py::test_a_life_that_breaks_costs_its_own_tasks_alone",
-    "batch/transient_solutions.py _has_flaw (OSError, DamagedError)":
-        "batch/test_batch_fall_backs.py::test_a_file_that_is_not_there_has_no_flaw",
     "batch/transient_solutions.py drop_rates suppress OSError":
         "batch/test_batch_fall_backs.py::test_a_file_that_cannot_be_removed_costs_nothing",
     "batch/transient_solutions.py is_transient ValueError":
         "batch/test_batch.py::test_a_failing_scene_is_reported_and_costs_no_other",
-    "batch/transient_solutions.py rates_for (OSError, DamagedError)":
-        "batch/test_study.py::test_progress_rises_to_one",
+    "batch/transient_solutions.py left_for (OSError, DamagedError)":
+        "batch/test_transient_solutions.py::test_a_damaged_file_of_a_life_counts_as_none",
     "batch/transient_solutions.py tasks_by_part ValueError":
         "batch/test_batch_fall_backs.py::test_a_life_without_load_has_no_parts",
-    "batch/transient_solutions.py lifts_of suppress Exception":
+    "batch/tooth_lifts.py steady_lifts_of suppress Exception":
         "batch/test_transient_lifts.py::test_a_part_that_breaks_costs_its_own_lifts_alone",
+    "batch/tooth_lifts.py moving_lifts_of suppress KernelError":
+        "batch/test_transient_lifts.py::test_no_lift_is_known_of_films_that_are_not_found",
     "batch/provenance.py _git (OSError, subprocess.TimeoutExpired)":
         "batch/test_provenance.py::test_without_git_there_is_no_commit",
     "batch/scene_task.py require_sendable Exception":
@@ -166,8 +166,6 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
     "solver/transient/time_grid.py _predicted ValueError":
         "solver/test_solver_fall_backs.py::test_a_contact_at_rest_is_no_knot_of_a_course",
-    "solver/transient/lifts.py moving_lifts NoFilmError":
-        "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
     "solver/transient/lifts.py steady_lift NoFilmError":
         "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
     "solver/transient/time_integration.py _begun NoFilmError":

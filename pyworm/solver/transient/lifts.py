@@ -14,7 +14,7 @@ from pyworm.scene.scales import scales
 from pyworm.solver.point.level import dry_contact
 from pyworm.solver.transient.next_film import NoFilmError, contact_at, steady_level
 from pyworm.solver.transient.time_grid import TimeGrid
-from pyworm.solver.transient.time_integration import TimeIntegration, integrate_in_time
+from pyworm.solver.transient.time_records import TimeRecord
 from pyworm.solver.transient.time_steps import Step
 
 
@@ -30,30 +30,20 @@ class Lift:
     """Work of the friction [W], likewise."""
 
 
-def moving_lifts(time_grid: TimeGrid, begin: float, wanted: Sequence[float]) -> dict[float, Lift]:
-    """Lifts by the transient films of a life of point contacts.
+def moving_lift(
+    time_grid: TimeGrid, seconds: float, rigid_film: float, records: Sequence[TimeRecord]
+) -> Lift:
+    """Lift by the transient film of a life of point contacts at a time [s].
 
     Args:
-        begin: Where its transient solve begins, with a steady film [transits].
-        wanted: Times at which the lift is wanted [s].
-
-    Returns:
-        Time [s] -> lift; without times to which no films lead.
+        time_grid: Time grid of the life.
+        seconds: The time [s].
+        rigid_film: Rigid film of its first transient solve there [m].
+        records: What that found, of which the nearest gives friction and loss.
     """
-    try:
-        found = integrate_in_time(time_grid, 0, begin, wanted)
-    except NoFilmError:
-        return {}
-    return {
-        seconds: Lift(rigid + _approach(time_grid, seconds), *_failure_nearest(found, seconds))
-        for seconds, rigid in found.rigid_films.items()
-    }
-
-
-def _failure_nearest(found: TimeIntegration, seconds: float) -> tuple[float, float]:
-    """Friction coefficient and loss [W] at the instant that is nearest to a time."""
-    figures = min(found.records, key=lambda time_record: abs(time_record.seconds - seconds)).figures
-    return figures.get("friction_coefficient", 0.0), figures.get("power_loss", 0.0)
+    figures = min(records, key=lambda record: abs(record.seconds - seconds)).figures
+    friction, loss = (figures.get(name, 0.0) for name in ("friction_coefficient", "power_loss"))
+    return Lift(rigid_film + _approach(time_grid, seconds), friction, loss)
 
 
 def steady_lift(time_grid: TimeGrid, seconds: float) -> Lift | None:

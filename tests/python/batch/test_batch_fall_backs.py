@@ -99,10 +99,6 @@ def test_a_process_that_serves_sends_errors_and_ends_with_its_connection(monkeyp
     assert ended.sent == [(7, None)]
 
 
-def test_a_file_that_is_not_there_has_no_flaw(tmp_path):
-    assert not transient_solutions._has_flaw(tmp_path / "one.rate-0.npz")
-
-
 def test_worn_flanks_that_cannot_be_solved_are_told_with_the_contacts_that_are_not(
     tmp_path, monkeypatch
 ):

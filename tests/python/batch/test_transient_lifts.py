@@ -5,14 +5,19 @@ from types import SimpleNamespace
 
 import pytest
 
-from pyworm.batch import drive_iteration, transient_solutions
+import pyworm
+from pyworm.batch import drive_iteration, tooth_lifts, transient_solutions
+from pyworm.batch.task import Task
+from pyworm.io.kept_arrays import keep
+from pyworm.kernel.core import NOT_CONVERGED, KernelError
+from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.solver.transient.lifts import Lift
 
 
 class Part:
-    """A part of a life whose solve finds a lift at its phase, or breaks."""
+    """A part of a life whose steady film finds a lift at its phase, or breaks."""
 
-    def __init__(self, phase, moving):
+    def __init__(self, phase):
         self.phase = phase
 
     def __call__(self):
@@ -23,24 +28,109 @@ class Part:
 
 @pytest.mark.parametrize("processes", [0, 2])
 def test_a_part_that_breaks_costs_its_own_lifts_alone(processes, monkeypatch):
-    monkeypatch.setattr(transient_solutions, "PartLifts", Part)
-    monkeypatch.setattr(transient_solutions, "tasks_by_part", lambda tasks: tasks)
+    monkeypatch.setattr(tooth_lifts, "SteadyLifts", Part)
+    monkeypatch.setattr(tooth_lifts, "tasks_by_part", lambda tasks: tasks)
     executor = ThreadPoolExecutor(processes) if processes else None
-    assert transient_solutions.lifts_of([0.2, 0.8], True, executor) == {0.2: 1e-6}
+    assert tooth_lifts.steady_lifts_of([0.2, 0.8], executor) == {0.2: 1e-6}
 
 
 def test_a_film_without_squeeze_is_not_transient_whatever_its_plan():
     assert not transient_solutions.is_transient(SimpleNamespace(effects=("auto", "-squeeze")))
 
 
-def test_what_first_solves_lack_of_a_lift_is_interpolated_between_phases(monkeypatch):
-    """Steady films of two phases find 0.1 and 0.3 um more than those on the first grids."""
-    lifts = {phase: Lift(1e-6, 0.02, 3.0) for phase in (1.0, 0.0, 0.5)}
-    monkeypatch.setattr(drive_iteration, "lifts_of", lambda *given: lifts)
-    monkeypatch.setattr(drive_iteration, "load_change", lambda *given: 0.0)
-    case = SimpleNamespace(with_found=lambda found: found)
+class Films:
+    """First transient solves of phases, whose lifts are given; a phase without one has no film."""
+
+    def __init__(self, lifts):
+        self.lifts, self.solved = lifts, []
+
+    def of(self, tasks, directory, executor):
+        self.solved.append(tasks)
+        for task in tasks:
+            keep(directory / f"{task.key}.rate-0.npz", flaw="of no use here")
+        return self.lifts
+
+
+@pytest.fixture
+def films(monkeypatch):
+    found = Films({phase: Lift(1e-6, 0.02, 3.0) for phase in (1.0, 0.0, 0.5)})
+    monkeypatch.setattr(drive_iteration, "moving_lifts_of", found.of)
+    return found
+
+
+def searched(tmp_path, monkeypatch, change, beyond):
+    """The case that a search by motion ends with, when each solve changes the loads by so much."""
+    changes = iter(change)
+    monkeypatch.setattr(drive_iteration, "load_change", lambda *given: next(changes))
+    case = pyworm.load("cases/zi_drive.toml")
+    tasks = [Task(case, place, 0.05) for place in case.places(phase=[0.3, 0.5])]
     search = drive_iteration._Search({"operation": ("lifts", "friction")}, 0.05, print)
-    found = search._by_motion(case, [], None, {0.0: 0.1e-6, 1.0: 0.3e-6})["operation"]
-    assert found["friction"] == 0.02
-    assert [phase for phase, _ in found["lifts"]] == [0.0, 0.5, 1.0]
-    assert [lift for _, lift in found["lifts"]] == pytest.approx([1.1e-6, 1.2e-6, 1.3e-6])
+    (tmp_path / "scenes").mkdir()
+    return case, search._by_motion(case, tasks, {"directory": tmp_path, "executor": None}, beyond)
+
+
+def test_what_first_solves_lack_of_a_lift_is_interpolated_between_phases(
+    tmp_path, monkeypatch, films
+):
+    """Steady films of two phases find 0.1 and 0.3 um more than those on the first grids."""
+    _, found = searched(tmp_path, monkeypatch, [0.2, 0.2], {0.0: 0.1e-6, 1.0: 0.3e-6})
+    operation = found.tables.operation
+    assert operation.friction == 0.02
+    assert [phase for phase, _ in operation.lifts] == [0.0, 0.5, 1.0]
+    assert [lift for _, lift in operation.lifts] == pytest.approx([1.1e-6, 1.2e-6, 1.3e-6])
+    # one solve leaves a twentieth of its change, and that under other loads is of no use
+    assert len(films.solved) == 1 and not list(tmp_path.rglob("*.npz"))
+
+
+@pytest.mark.usefixtures("films")
+def test_a_first_solve_that_hardly_moves_the_loads_is_that_of_the_run(tmp_path, monkeypatch):
+    """A quarter of the accuracy is 1.25 %."""
+    case, found = searched(tmp_path, monkeypatch, [0.012], {})
+    assert found is case and len(list(tmp_path.rglob("*.rate-0.npz"))) == 2
+
+
+def test_loads_that_move_far_are_sought_in_three_solves_at_most(tmp_path, monkeypatch, films):
+    case, found = searched(tmp_path, monkeypatch, [0.9] * 6, {})
+    assert len(films.solved) == drive_iteration.MAX_TRANSIENT_SOLVES == 3
+    assert found.tables.operation.lifts and not case.tables.operation.lifts
+
+
+def two_phases(accuracy):
+    """Tasks of an isothermal worm gear with time steps and grids of which nothing is asked here."""
+    case = pyworm.load("cases/zi_drive.toml").with_found({"operation": {"lifts": ()}})
+    how = accuracy, ("isothermal", "squeeze"), ("film",)
+    return [Task(case, place, *how) for place in case.places(phase=[0.1, 0.2])]
+
+
+def test_lifts_come_from_the_solves_that_a_run_goes_on_from(tmp_path, monkeypatch):
+    monkeypatch.setitem(STEPS_A_TRANSIT, "point", 3)
+    tasks = two_phases(0.05)
+    lifts = tooth_lifts.moving_lifts_of(tasks, tmp_path, None)
+    assert sorted(lifts) == [0.1, 0.2] and all(1e-8 < one.distance < 1e-4 for one in lifts.values())
+    asked = []
+
+    def integrate_in_time(time_grid, refinement, *given):
+        asked.append(refinement)
+        raise transient_solutions.NoFilmError("there is none")
+
+    monkeypatch.setattr(transient_solutions, "integrate_in_time", integrate_in_time)
+    transient_solutions.solve_lives(tasks, tmp_path, None, lambda message, share: None)
+    assert asked == [1]
+
+
+def test_no_lift_is_known_of_films_that_are_not_found(tmp_path, monkeypatch):
+    """Of the first phase there is no film, and dry bodies of the second do not come together."""
+    tasks = two_phases(0.05)
+
+    def integrate_in_time(time_grid, refinement, begin, times, last):
+        raise transient_solutions.NoFilmError("there is none")
+
+    def moving_lift(*given):
+        raise KernelError(NOT_CONVERGED)
+
+    monkeypatch.setattr(transient_solutions, "integrate_in_time", integrate_in_time)
+    assert tooth_lifts.moving_lifts_of(tasks, tmp_path, None) == {}
+    monkeypatch.setattr(tooth_lifts, "moving_lift", moving_lift)
+    left = SimpleNamespace(rigid_film=0.0, records=())
+    monkeypatch.setattr(tooth_lifts, "left_for", lambda *given: left)
+    assert tooth_lifts.moving_lifts_of(tasks, tmp_path, None) == {}

@@ -5,8 +5,9 @@ from test_transient import ball, lived
 
 import pyworm
 from pyworm.planning.prediction import predicted
-from pyworm.solver.transient.lifts import moving_lifts, steady_lift
+from pyworm.solver.transient.lifts import moving_lift, steady_lift
 from pyworm.solver.transient.time_grid import time_grid_of
+from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.transient import part_at
 
 
@@ -14,8 +15,9 @@ def both_lifts(contact):
     """Lift by the transient film at present, and by a steady one."""
     plan = pyworm.plan(contact, 0.1, ("isothermal", "squeeze"), ("film",))
     time_grid, now = time_grid_of(contact.past.life, plan), contact.past.seconds
-    moving = moving_lifts(time_grid, part_at(time_grid, now).begin, [now])
-    return moving[now].distance, steady_lift(time_grid, now).distance
+    found = integrate_in_time(time_grid, 0, part_at(time_grid, now).begin, [now])
+    moving = moving_lift(time_grid, now, found.rigid_films[now], found.records)
+    return moving.distance, steady_lift(time_grid, now).distance
 
 
 def test_a_contact_without_change_is_lifted_like_a_steady_one():

@@ -84,9 +84,7 @@ def test_a_contact_at_rest_is_no_knot_of_a_course():
 def test_no_lift_is_known_of_films_that_are_not_found(accelerated, monkeypatch):
     time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
     seconds = accelerated.past.seconds
-    monkeypatch.setattr(lifts, "integrate_in_time", diverged)
     monkeypatch.setattr(lifts, "steady_level", diverged)
-    assert lifts.moving_lifts(time_grid, 0.0, [seconds]) == {}
     assert lifts.steady_lift(time_grid, seconds) is None
 
 
