@@ -149,7 +149,7 @@ class _Search:
             then = moving_lifts_of(under, directory, how["executor"])
             if not then:
                 return case
-            found = self._in_motion(then, beyond)
+            found = self._found_moving(then, beyond)
             new = case.with_found({"operation": found})
             if load_change(case, new, sorted(then)) <= KEPT_SHARE * self.accuracy:
                 break
@@ -162,7 +162,7 @@ class _Search:
         self.print_message(f"transient solution: film-induced separation {said}")
         return case
 
-    def _in_motion(self, then: dict[float, Lift], beyond: dict[float, float]) -> dict[str, Any]:
+    def _found_moving(self, then: dict[float, Lift], beyond: dict[float, float]) -> dict[str, Any]:
         """Lifts, and friction where it is sought, by those of first transient solves and what these lack."""
         phases = sorted(then)
         lacking = np.interp(phases, [*beyond], [*beyond.values()]) if beyond else 0.0
