@@ -28,7 +28,7 @@ from pyworm.result.result import Result
 from pyworm.solver.solution import Estimate
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import integrate_in_time
-from pyworm.solver.transient.transient import parts_of
+from pyworm.solver.transient.transient import MAX_ALONE_TRANSITS, parts_of
 
 FIGURES = ("film_central", "film_min", "friction_coefficient")
 HEADS = ("ms", "lag", "spread", "estimate", "central", "least", "friction", "agrees")
@@ -61,7 +61,7 @@ def solved(case: Case, tasks: Sequence[Task]) -> tuple[Result, float]:
 def overlap(scene: pyworm.Scene, accuracy: float) -> None:
     """Largest difference of the films of both parts of a life where they overlap, beyond the warm-up."""
     time_grid = time_grid_of(scene.past.life, pyworm.plan(scene, accuracy))
-    parts = parts_of(time_grid)
+    parts = parts_of(time_grid, MAX_ALONE_TRANSITS)
     if len(parts) < 2:
         print("the life is solved in one part")
         return

@@ -2,7 +2,8 @@
 
 Each solve is a call of its own, in any process, and leaves a file for each task that it serves; the tasks
 then solve their films with these rates of change. Both are the same to the last bit as where a task finds its
-own: a transient solve does not depend on which of its times are wanted.
+own, but for point contacts of the later part of a life, which begin later alone (`MAX_ALONE_TRANSITS`): a
+transient solve does not depend on which of its times are wanted.
 """
 
 from collections import defaultdict
@@ -48,6 +49,8 @@ class Left:
     """What the solve found up to then, of the last task of a part up to the end of that."""
     since: float
     """Time of the scene before [s]."""
+    begin: float
+    """Where the solve begins [transits]."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +97,11 @@ class LifePart:
                 arrays = as_arrays(until(records, ends[seconds]))
                 figures = {name: getattr(rates[seconds], name) for name in RATES}
                 known = {name: rate for name, rate in figures.items() if rate is not None}
-                beside = {"since": since[seconds], "rigid_film": found.rigid_films[seconds]}
+                beside = {
+                    "since": since[seconds],
+                    "begin": part.begin,
+                    "rigid_film": found.rigid_films[seconds],
+                }
                 keep(file, grid=grid, **beside, **known, **arrays)
 
     def _diverged(self, directory: Path) -> bool:
@@ -163,9 +170,9 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
 
 def _rates(found: Sequence[Left], flaw: str | None = None, finest: bool = False) -> Rates:
     """Rates of change by what each of some transient solves has left."""
-    since = found[-1].since if found else -inf
+    since, begin = (found[-1].since, found[-1].begin) if found else (-inf, 0.0)
     rates, records = tuple(left.rate for left in found), tuple(left.records for left in found)
-    return Rates(rates, records, since, flaw, finest)
+    return Rates(rates, records, since, begin, flaw, finest)
 
 
 def left_for(task: Task, directory: Path, refinement: int) -> Left | str | None:
@@ -187,6 +194,7 @@ def _left(data: dict[str, np.ndarray]) -> Left | str:
         float(data["rigid_film"]),
         from_arrays(data),
         float(data["since"]),
+        float(data["begin"]),
     )
 
 

@@ -13,6 +13,7 @@ from pyworm.scene.point import Scene
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
 from pyworm.solver.transient.time_steps import FIRST_TRANSITS, places_of
 from pyworm.solver.transient.transient import (
+    MAX_ALONE_TRANSITS,
     MIN_SOLVES,
     Part,
     begin_of_further,
@@ -74,11 +75,12 @@ def motion(
         part = part_at(time_grid, past.seconds)
     except ValueError:  # no load at present
         return None
+    begin = part_at(time_grid, past.seconds, MAX_ALONE_TRANSITS).begin
     solves, place = solves_of_life(plan.accuracy), time_grid.transits(past.seconds)
     last = min(part.last, time_grid.transits(time_grid.end))
     return Motion(
         time_grid.plan.model,
-        _time_steps(time_grid, range(solves), part.begin, place),
+        _time_steps(time_grid, range(solves), begin, place),
         tuple(_further(time_grid, past.seconds, solves)),
         _time_steps(time_grid, range(solves), part.begin, last),
         None if lone else part,
