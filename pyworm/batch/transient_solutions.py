@@ -38,8 +38,8 @@ RATES = "rate", "rise", "warming", "pressing", "limited"
 
 
 @dataclass(frozen=True)
-class Left:
-    """What a transient solve has left for a task."""
+class TaskFilm:
+    """What a transient solve has left for a task: its film's rate of change, and the way there."""
 
     rate: RateOfChange
     """Rate of change of its film."""
@@ -156,7 +156,7 @@ def solve_parts(
 
 def rates_for(task: Task, directory: Path) -> Rates | None:
     """Rates of change of a task's film that were left for it; None where there are not all."""
-    found: list[Left] = []
+    found: list[TaskFilm] = []
     for refinement in range(solves_of_life(task.accuracy)):
         left = left_for(task, directory, refinement)
         if left is None:
@@ -168,14 +168,14 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
     return _rates(found)
 
 
-def _rates(found: Sequence[Left], flaw: str | None = None, finest: bool = False) -> Rates:
+def _rates(found: Sequence[TaskFilm], flaw: str | None = None, finest: bool = False) -> Rates:
     """Rates of change by what each of some transient solves has left."""
     since, begin = (found[-1].since, found[-1].begin) if found else (-inf, 0.0)
     rates, records = tuple(left.rate for left in found), tuple(left.records for left in found)
     return Rates(rates, records, since, begin, flaw, finest)
 
 
-def left_for(task: Task, directory: Path, refinement: int) -> Left | str | None:
+def left_for(task: Task, directory: Path, refinement: int) -> TaskFilm | str | None:
     """What a transient solve has left for a task, or why it found no film; None where there is no file."""
     try:
         return kept(directory / _file(task.key, refinement), _left)
@@ -183,13 +183,13 @@ def left_for(task: Task, directory: Path, refinement: int) -> Left | str | None:
         return None
 
 
-def _left(data: dict[str, np.ndarray]) -> Left | str:
+def _left(data: dict[str, np.ndarray]) -> TaskFilm | str:
     """What a transient solve has left for a task by the arrays of its file, or why there is none."""
     if "flaw" in data:
         return str(data["flaw"])
     rates: dict[str, Any] = {name: data[name] for name in RATES if name in data}
     rates["limited"] = bool(data["limited"])
-    return Left(
+    return TaskFilm(
         RateOfChange(_grid(data["grid"].tolist()), **rates),
         float(data["rigid_film"]),
         from_arrays(data),

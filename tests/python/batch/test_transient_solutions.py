@@ -11,7 +11,8 @@ from pyworm.batch.transient_solutions import RATES, drop_rates, rates_for, solve
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
 from pyworm.result.life import lives
 from pyworm.solver.transient.next_film import NoFilmError
-from pyworm.solver.transient.transient import rates_at_present
+from pyworm.solver.transient.time_integration import integrate_in_time
+from pyworm.solver.transient.transient import part_at, rates_at_present
 
 HOW = 0.5, ("isothermal", "squeeze"), ("film",)
 
@@ -85,3 +86,18 @@ def test_finer_solves_are_not_begun_where_the_first_finds_no_film(tmp_path, monk
     solve_lives(tasks, tmp_path, None, lambda message, share: None)
     assert begun == [0] * len(begun)
     assert [rates_for(task, tmp_path).flaw for task in tasks] == ["there is none"] * 2
+
+
+def test_a_point_contact_alone_begins_later_with_the_same_film():
+    """With its part of eight transits; all together begin at first touch."""
+    case = pyworm.load("cases/zi_drive.toml")
+    (place,) = case.places(phase=[0.74])
+    task = Task(case, place, 0.2, ("isothermal", "squeeze"), ("film",))
+    alone = rates_at_present(task.scene, task.plan)
+    seconds = task.scene.past.seconds
+    whole = integrate_in_time(task.time_grid, 0, 0.0, [seconds])
+    assert alone.begin > 3 and part_at(task.time_grid, seconds).begin == 0
+    assert alone.records[0][0].seconds > 2 * whole.records[0].seconds
+    now = alone.records[0][-1]
+    same = min(whole.records, key=lambda record: abs(record.seconds - now.seconds))
+    assert now.figures["film_min"] == pytest.approx(same.figures["film_min"], rel=5e-3)
