@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import fields as parts_of
 from dataclasses import is_dataclass
 from enum import EnumType
-from math import isfinite
+from math import inf, isfinite
 from types import NoneType, UnionType
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
@@ -141,8 +141,10 @@ def _flaws_of_fields(solution: Solution) -> Iterator[str]:
             yield f"it is marked as converged, but its field {held} is not finite everywhere"
     if solution.converged and fields["pressure"].values.min() < 0:
         yield "it is marked as converged, but its pressure is negative somewhere"
-    # the mean planes of rough flanks may cross where asperities carry the load
-    apart = "asperity_pressure" in fields or fields["film"].values.min() > 0
+    # the mean planes of rough flanks may cross where asperities carry the load, and flanks as they are continued
+    # beyond their ends
+    film = fields["film"].where(fields["covered"] != 0, inf)
+    apart = "asperity_pressure" in fields or film.values.min() > 0
     if solution.converged and not apart:
         yield "it is marked as converged, but its film is not above zero everywhere"
     for name in SIZES[solution.kind]:

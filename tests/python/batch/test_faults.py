@@ -258,6 +258,18 @@ def test_a_result_that_no_solver_wrote_is_refused_with_its_error(
         assert sentence in refusal(command, str(file))
 
 
+def test_a_film_may_cross_zero_where_a_flank_has_ended(tmp_path, result_file):
+    """Flanks are continued beyond their ends, where they may pass through each other."""
+    file = tmp_path / "result.nc"
+    file.write_bytes(result_file)
+    groups = _load(file)
+    for name, number in (("covered", 0), ("film", -1e-6), ("pressure", 0.0)):
+        _field(name, number)(groups)
+    file.write_bytes(as_netcdf(groups))
+    (solution,) = open_result(file).solutions
+    assert solution.converged and solution.fields["film"].values.min() < 0
+
+
 def test_a_run_over_a_damaged_result_solves_again(tmp_path, capsys, result_file):
     file = tmp_path / "result.nc"
     file.write_bytes(result_file[: len(result_file) // 2])
