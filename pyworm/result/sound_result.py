@@ -141,8 +141,8 @@ def _flaws_of_fields(solution: Solution) -> Iterator[str]:
             yield f"it is marked as converged, but its field {held} is not finite everywhere"
     if solution.converged and fields["pressure"].values.min() < 0:
         yield "it is marked as converged, but its pressure is negative somewhere"
-    # the mean planes of rough flanks may cross where asperities carry the load, and flanks as they are continued
-    # beyond their ends
+    # mean planes of rough flanks may cross where asperities carry the load, others beyond their ends, where
+    # they are continued
     film = fields["film"].where(fields["covered"] != 0, inf)
     apart = "asperity_pressure" in fields or film.values.min() > 0
     if solution.converged and not apart:
