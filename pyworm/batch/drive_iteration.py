@@ -14,7 +14,7 @@ solved in full.
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from operator import methodcaller
 from pathlib import Path
 from typing import Any
@@ -35,7 +35,7 @@ from pyworm.ratings.mesh_loss import mesh_loss
 from pyworm.ratings.standard_loss import standard_loss
 from pyworm.result.mesh_cycle import DriveCycle, drive_cycle
 from pyworm.result.result import Result, case_in
-from pyworm.solver.transient.lifts import Lift
+from pyworm.solver.transient.lifts import Lift, mean_friction
 
 PASSES = 3
 """Most passes with all phases: friction moves loads by a few per cent, which hardly move friction."""
@@ -114,6 +114,35 @@ def run_balanced(
     return result, tasks
 
 
+@dataclass(frozen=True)
+class Lacking:
+    """What first transient solves lack by their coarse grids, and by pressure beyond their windows."""
+
+    lifts: dict[float, float] = field(default_factory=dict)
+    """Phase -> lift [m], a tenth of the whole; interpolated between the phases."""
+    friction_ratio: float = 1.0
+    """Friction coefficient over theirs."""
+
+    def at(self, phases: Sequence[float]) -> np.ndarray:
+        """Lift that they lack at some phases [m]."""
+        if not self.lifts:
+            return np.zeros(len(phases))
+        return np.interp(phases, [*self.lifts], [*self.lifts.values()])
+
+
+def _lacking(result: Result, lifts: dict[float, float], beside: dict[float, Lift]) -> Lacking:
+    """What steady films of a result, with their lifts by phase [m], have beyond those on the first grids."""
+    known = {phase: lifts[phase] - beside[phase].distance for phase in sorted(beside)}
+    there = [solution.figures for solution in result.solutions if solution.phase in beside]
+    full = mean_friction(
+        Lift(0.0, figures.friction_coefficient.value, figures.power_loss.value)
+        for figures in there
+        if figures.friction_coefficient is not None and figures.power_loss is not None
+    )
+    coarse = mean_friction(beside.values())
+    return Lacking(known, full / coarse if full and coarse else 1.0)
+
+
 @dataclass
 class _Search:
     """Fixed-point iteration of the values that a case leaves open."""
@@ -128,20 +157,18 @@ class _Search:
         moving = [task for task in given if is_transient(task)]
         if self.accuracy < ESTIMATE_ACCURACY:
             return self._estimated(case, given, moving, how)
-        return self._by_motion(case, moving, how, {}) if moving else case
+        return self._by_motion(case, moving, how, Lacking()) if moving else case
 
     def _by_motion(
         self,
         case: Case,
         moving: Sequence[Task],
         how: dict[str, Any],
-        beyond: dict[float, float],
+        lacking: "Lacking",
     ) -> Case:
-        """The case with lifts and friction by first transient solves.
+        """The case with lifts and friction by first transient solves, and what these lack.
 
-        `beyond` has what these lack at some phases [m], a tenth of a lift, by pressure beyond their windows;
-        it is interpolated between the phases. Where loads differ by more than the accuracy allows, the films
-        that follow ask for another pass.
+        Where loads differ by more than the accuracy allows, the films that follow ask for another pass.
         """
         directory = how["directory"].absolute() / SCENES
         for _ in range(MAX_TRANSIENT_SOLVES):
@@ -149,7 +176,7 @@ class _Search:
             then = moving_lifts_of(under, directory, how["executor"])
             if not then:
                 return case
-            found = self._found_moving(then, beyond)
+            found = self._found_moving(then, lacking)
             new = case.with_found({"operation": found})
             if load_change(case, new, sorted(then)) <= KEPT_SHARE * self.accuracy:
                 break
@@ -162,18 +189,15 @@ class _Search:
         self.print_message(f"transient solution: film-induced separation {said}")
         return case
 
-    def _found_moving(self, then: dict[float, Lift], beyond: dict[float, float]) -> dict[str, Any]:
+    def _found_moving(self, then: dict[float, Lift], lacking: "Lacking") -> dict[str, Any]:
         """Lifts, and friction where it is sought, by those of first transient solves and what these lack."""
         phases = sorted(then)
-        lacking = np.interp(phases, [*beyond], [*beyond.values()]) if beyond else 0.0
-        distances = np.array([then[phase].distance for phase in phases]) + lacking
+        distances = np.array([then[phase].distance for phase in phases]) + lacking.at(phases)
         lifts = tuple(zip(phases, distances.tolist(), strict=True))
-        rubbing = [lift for lift in then.values() if lift.friction > 0]
-        if "friction" not in self.open["operation"] or not rubbing:
+        friction = mean_friction(then.values())
+        if "friction" not in self.open["operation"] or friction is None:
             return {"lifts": lifts}
-        slid = sum(lift.loss / lift.friction for lift in rubbing)
-        friction = sum(lift.loss for lift in rubbing) / slid
-        return {"lifts": lifts, "friction": float(f"{friction:.2g}")}
+        return {"lifts": lifts, "friction": float(f"{lacking.friction_ratio * friction:.2g}")}
 
     def _estimated(
         self, case: Case, given: Sequence[Task], moving: Sequence[Task], how: dict[str, Any]
@@ -202,8 +226,7 @@ class _Search:
         lifts = dict(cycle.lifts)
         same = [replace(task, case=before) for task in moving if task.place.phase in lifts]
         beside = steady_lifts_of(same, how["executor"])
-        beyond = {phase: lifts[phase] - beside[phase].distance for phase in sorted(beside)}
-        return self._by_motion(case, moving, how, beyond)
+        return self._by_motion(case, moving, how, _lacking(result, lifts, beside))
 
     def _is_close(self, case: Case, new: Case, phases: Sequence[float], leaves: float) -> bool:
         """Whether what a change of loads leaves to the next one is within the accuracy."""

@@ -5,7 +5,7 @@ contact, beyond the window of a life, pushes bodies apart by a tenth of the lift
 lift is told well by the difference from a steady film in the same window.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from pyworm.planning.line_grid import LineGrid
@@ -25,9 +25,16 @@ class Lift:
     distance: float
     """The lift [m]."""
     friction: float = 0.0
-    """Friction coefficient [-]; 0 of a steady film and where the flow law of the oil is not known."""
+    """Friction coefficient [-]; 0 where the flow law of the oil is not known."""
     loss: float = 0.0
     """Work of the friction [W], likewise."""
+
+
+def mean_friction(lifts: Iterable[Lift]) -> float | None:
+    """Friction coefficient by which some films together lose what they do; None where it is not known."""
+    rubbing = [lift for lift in lifts if lift.friction > 0]
+    slid = sum(lift.loss / lift.friction for lift in rubbing)
+    return sum(lift.loss for lift in rubbing) / slid if slid > 0 else None
 
 
 def moving_lift(
@@ -42,8 +49,12 @@ def moving_lift(
         records: What that found, of which the nearest gives friction and loss.
     """
     figures = min(records, key=lambda record: abs(record.seconds - seconds)).figures
-    friction, loss = (figures.get(name, 0.0) for name in ("friction_coefficient", "power_loss"))
-    return Lift(rigid_film + _approach(time_grid, seconds), friction, loss)
+    return Lift(rigid_film + _approach(time_grid, seconds), *_friction(figures))
+
+
+def _friction(figures: Mapping[str, float]) -> tuple[float, float]:
+    """Friction coefficient and loss [W] among the figures of a film."""
+    return figures.get("friction_coefficient", 0.0), figures.get("power_loss", 0.0)
 
 
 def steady_lift(time_grid: TimeGrid, seconds: float) -> Lift | None:
@@ -52,7 +63,8 @@ def steady_lift(time_grid: TimeGrid, seconds: float) -> Lift | None:
         level, _ = steady_level(time_grid, Step(seconds, 0))
     except NoFilmError:
         return None
-    return Lift(level.film.rigid_film + _approach(time_grid, seconds))
+    distance = level.film.rigid_film + _approach(time_grid, seconds)
+    return Lift(distance, *_friction(level.read().figures))
 
 
 def _approach(time_grid: TimeGrid, seconds: float) -> float:

@@ -7,6 +7,7 @@ import pytest
 
 import pyworm
 from pyworm.batch import drive_iteration, tooth_lifts, transient_solutions
+from pyworm.batch.drive_iteration import Lacking
 from pyworm.batch.task import Task
 from pyworm.io.kept_arrays import keep
 from pyworm.kernel.core import NOT_CONVERGED, KernelError
@@ -58,7 +59,7 @@ def films(monkeypatch):
     return found
 
 
-def searched(tmp_path, monkeypatch, change, beyond):
+def searched(tmp_path, monkeypatch, change, lacking):
     """The case that a search by motion ends with, when each solve changes the loads by so much."""
     changes = iter(change)
     monkeypatch.setattr(drive_iteration, "load_change", lambda *given: next(changes))
@@ -66,31 +67,51 @@ def searched(tmp_path, monkeypatch, change, beyond):
     tasks = [Task(case, place, 0.05) for place in case.places(phase=[0.3, 0.5])]
     search = drive_iteration._Search({"operation": ("lifts", "friction")}, 0.05, print)
     (tmp_path / "scenes").mkdir()
-    return case, search._by_motion(case, tasks, {"directory": tmp_path, "executor": None}, beyond)
+    return case, search._by_motion(case, tasks, {"directory": tmp_path, "executor": None}, lacking)
 
 
 def test_what_first_solves_lack_of_a_lift_is_interpolated_between_phases(
     tmp_path, monkeypatch, films
 ):
-    """Steady films of two phases find 0.1 and 0.3 um more than those on the first grids."""
-    _, found = searched(tmp_path, monkeypatch, [0.2, 0.2], {0.0: 0.1e-6, 1.0: 0.3e-6})
+    """Steady films find 0.1 and 0.3 um more than those on the first grids, and a tenth less friction."""
+    _, found = searched(tmp_path, monkeypatch, [0.2, 0.2], Lacking({0.0: 0.1e-6, 1.0: 0.3e-6}, 0.9))
     operation = found.tables.operation
-    assert operation.friction == 0.02
+    assert operation.friction == 0.018
     assert [phase for phase, _ in operation.lifts] == [0.0, 0.5, 1.0]
     assert [lift for _, lift in operation.lifts] == pytest.approx([1.1e-6, 1.2e-6, 1.3e-6])
     # one solve leaves a twentieth of its change, and that under other loads is of no use
     assert len(films.solved) == 1 and not list(tmp_path.rglob("*.npz"))
 
 
+def solved(phase, friction, slid):
+    """A solution by its friction coefficient, if known, and its loss over that [W]."""
+    known = [None if friction is None else SimpleNamespace(value=friction * by) for by in (1, slid)]
+    figures = SimpleNamespace(friction_coefficient=known[0], power_loss=known[1])
+    return SimpleNamespace(phase=phase, figures=figures)
+
+
+@pytest.mark.parametrize(
+    ("frictions", "ratio"), [((0.03, 0.06), 0.04 / 0.025), ((None, None), 1.0)]
+)
+def test_steady_films_tell_what_first_grids_lack(frictions, ratio):
+    """Of two phases, of which the second slides half as far under its load."""
+    solutions = [solved(*given) for given in zip((0.2, 0.8), frictions, (100.0, 50.0), strict=True)]
+    beside = {0.8: Lift(1.9e-6, 0.03, 1.5), 0.2: Lift(0.8e-6, 0.0225, 2.25)}
+    lifts = {0.2: 1e-6, 0.8: 2e-6}
+    lacking = drive_iteration._lacking(SimpleNamespace(solutions=solutions), lifts, beside)
+    assert lacking.lifts == pytest.approx({0.2: 0.2e-6, 0.8: 0.1e-6})
+    assert lacking.friction_ratio == pytest.approx(ratio)
+
+
 @pytest.mark.usefixtures("films")
 def test_a_first_solve_that_hardly_moves_the_loads_is_that_of_the_run(tmp_path, monkeypatch):
     """A quarter of the accuracy is 1.25 %."""
-    case, found = searched(tmp_path, monkeypatch, [0.012], {})
+    case, found = searched(tmp_path, monkeypatch, [0.012], Lacking())
     assert found is case and len(list(tmp_path.rglob("*.rate-0.npz"))) == 2
 
 
 def test_loads_that_move_far_are_sought_in_three_solves_at_most(tmp_path, monkeypatch, films):
-    case, found = searched(tmp_path, monkeypatch, [0.9] * 6, {})
+    case, found = searched(tmp_path, monkeypatch, [0.9] * 6, Lacking())
     assert len(films.solved) == drive_iteration.MAX_TRANSIENT_SOLVES == 3
     assert found.tables.operation.lifts and not case.tables.operation.lifts
 
