@@ -52,9 +52,11 @@ whole of `cases/zi_drive.toml` takes a tenth more time by one process (86 s for 
 (55 s for 61)."""
 
 MAX_ALONE_TRANSITS: dict[Kind, float] = {"point": 8.0, "line": 4.0}
-"""The same for one contact alone, solved from the begin of its part. Two transits of warm-up leave 0.02 % in
-the film of phase 0.5 of `cases/zi_drive.toml` by the first solve, 0.11 % in that of phase 0.9 of a rough set
-(a = 100 mm, 2/41); to 1 % the former takes a third of the time from the first touch."""
+"""Most transits of a part whose films are wanted, of one contact alone, solved from the begin of its part.
+
+Two transits of warm-up leave 0.02 % in the film of phase 0.5 of `cases/zi_drive.toml` by the first solve,
+0.11 % in that of phase 0.9 of a rough set (a = 100 mm, 2/41); to 1 % the former takes a third of the time
+from the first touch."""
 
 MAX_WHOLE_TRANSITS, RECENT_TRANSITS = 30.0, 6.0
 """Transits of the present contact from which on a life is not solved as a whole, and how many of them are
@@ -276,11 +278,11 @@ def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
         return replace(rates, finest=True)
     if past.seconds not in found.rates:
         return replace(rates, finest=True)
-    records = (until(found.records, past.last),) if begin == rates.begin else ()
+    records = [until(found.records, past.last)] * (begin == rates.begin)
     return replace(
         rates,
         found=(*rates.found, found.rates[past.seconds]),
-        records=rates.records + records,
+        records=(*rates.records, *records),
     )
 
 
