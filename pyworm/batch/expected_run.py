@@ -12,6 +12,7 @@ from pyworm.batch.drive_iteration import (
     ESTIMATE_ACCURACY,
     MAX_ESTIMATES,
     PHASE_STRIDE,
+    estimate_of,
     every,
     steady,
 )
@@ -92,10 +93,7 @@ def _solved(tasks: Sequence[Task]) -> tuple[tuple[Expectation, ...], float]:
 def _lifts(tasks: Sequence[Task], once: float) -> float:
     """Processor time of the search for lifts, from some of the tasks and that of all solved once [s]."""
     accuracy = tasks[0].accuracy
-    some = [
-        replace(task, accuracy=ESTIMATE_ACCURACY, wider_window=False)
-        for task in every(PHASE_STRIDE, tasks)
-    ]
+    some = [estimate_of(task) for task in every(PHASE_STRIDE, tasks)]
     all_of_them = len(tasks) / len(some)
     moving = [task for task in some if is_transient(task)]
     if not moving and accuracy < ESTIMATE_ACCURACY:

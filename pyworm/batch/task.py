@@ -44,6 +44,8 @@ class Task:
     """What is asked for, likewise."""
     wider_window: bool = True
     """Whether a wider window is solved too, for the window error; else error bars are without it."""
+    largest_grid: int | None = None
+    """Nodes beyond which no grid is refined, fewer than the plan's."""
 
     @cached_property
     def scene(self) -> Scene | LineScene:
@@ -54,7 +56,11 @@ class Task:
     def plan(self) -> Plan:
         """Plan of the solve; ValueError if it cannot be planned."""
         found = plan_of(self.scene, self.accuracy, self.effects, self.quantities)
-        return found if self.wider_window else replace(found, wider_grids=())
+        if not self.wider_window:
+            found = replace(found, wider_grids=())
+        if self.largest_grid is None:
+            return found
+        return replace(found, largest_grid=min(self.largest_grid, found.largest_grid))
 
     @cached_property
     def time_grid(self) -> TimeGrid:
@@ -73,6 +79,7 @@ class Task:
             "effects": self.effects,
             "quantities": self.quantities,
             "wider_window": self.wider_window,
+            "largest_grid": self.largest_grid,
         }
 
     @cached_property

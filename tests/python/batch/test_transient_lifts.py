@@ -1,6 +1,7 @@
 """Lifts of a drive's teeth by transient films."""
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -155,3 +156,11 @@ def test_no_lift_is_known_of_films_that_are_not_found(tmp_path, monkeypatch):
     left = SimpleNamespace(rigid_film=0.0, records=())
     monkeypatch.setattr(tooth_lifts, "left_for", lambda *given: left)
     assert tooth_lifts.moving_lifts_of(tasks, tmp_path, None) == {}
+
+
+def test_lifts_are_sought_on_grids_of_moderate_size():
+    task = two_phases(0.01)[0]
+    estimate = drive_iteration.estimate_of(task)
+    assert estimate.plan.largest_grid == drive_iteration.ESTIMATE_GRID < task.plan.largest_grid
+    assert estimate.plan.accuracy == 0.1 and not estimate.plan.wider_grids and task.plan.wider_grids
+    assert estimate.key != replace(estimate, largest_grid=None).key
