@@ -182,7 +182,8 @@ class _Search:
                 return case
             found = self._found_moving(then, lacking)
             new = case.with_found({"operation": found})
-            if load_change(case, new, sorted(then)) <= KEPT_SHARE * self.accuracy:
+            known = case.tables.operation.lifts
+            if known and load_change(case, new, sorted(then)) <= KEPT_SHARE * self.accuracy:
                 break
             for task in under:
                 drop_rates(task, directory)
