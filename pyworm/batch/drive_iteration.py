@@ -168,7 +168,7 @@ class _Search:
         case: Case,
         moving: Sequence[Task],
         how: dict[str, Any],
-        lacking: "Lacking",
+        lacking: Lacking,
     ) -> Case:
         """The case with lifts and friction by first transient solves, and what these lack.
 
@@ -194,7 +194,7 @@ class _Search:
         self.print_message(f"transient solution: film-induced separation {said}")
         return case
 
-    def _found_moving(self, then: dict[float, Lift], lacking: "Lacking") -> dict[str, Any]:
+    def _found_moving(self, then: dict[float, Lift], lacking: Lacking) -> dict[str, Any]:
         """Lifts, and friction where it is sought, by those of first transient solves and what these lack."""
         phases = sorted(then)
         distances = np.array([then[phase].distance for phase in phases]) + lacking.at(phases)
