@@ -5,6 +5,7 @@ It goes by what `drive_iteration` usually does.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -47,14 +48,34 @@ pairs at 10 %, five contacts each, whose solves take tenths of a second, took 3.
 class ExpectedRun:
     """Expected cost of a run."""
 
+    case: Case
+    """The case."""
+    tasks: tuple[Task, ...]
+    """Those of the run."""
     each: tuple[Expectation, ...]
     """Cost of each task by itself."""
     once: float
     """Processor time of all of them solved once, with transient solves that they share [s]."""
-    search: float
-    """Processor time of the search for temperatures and lifts before [s]."""
-    cycle: float = 0.0
-    """Processor time of the mesh cycle's data for the result [s]."""
+
+    @cached_property
+    def search(self) -> float:
+        """Processor time of the search for temperatures and lifts before [s]; planning it takes a second."""
+        open_, search = self.case.left_open, 0.0
+        if "cooling" in open_:
+            some = [steady(task) for task in every(PHASE_STRIDE, self.tasks)]
+            search += TEMPERATURE_PASSES * _solved(some)[1]
+        if "lifts" in open_.get("operation", ()):
+            search += _lifts(self.tasks, self.once)
+        return search
+
+    @cached_property
+    def cycle(self) -> float:
+        """Processor time of the mesh cycle's data for the result [s]; none of a single contact."""
+        drive = self.case.drive
+        if drive is None or len(self.each) == 1:
+            return 0.0
+        sampling = float(np.mean([expectation.sampling for expectation in self.each]))
+        return drive.cycle_seconds + drive.cycle_points * sampling
 
     @property
     def seconds(self) -> float:
@@ -64,23 +85,7 @@ class ExpectedRun:
 
 def expected_run(case: Case, tasks: Sequence[Task]) -> ExpectedRun:
     """The expected cost of a run of some tasks of a case that were not solved before."""
-    each, once = _solved(tasks)
-    open_, search = case.left_open, 0.0
-    if "cooling" in open_:
-        search += (
-            TEMPERATURE_PASSES * _solved([steady(task) for task in every(PHASE_STRIDE, tasks)])[1]
-        )
-    if "lifts" in open_.get("operation", ()):
-        search += _lifts(tasks, once)
-    return ExpectedRun(each, once, search, _cycle(case, each))
-
-
-def _cycle(case: Case, each: Sequence[Expectation]) -> float:
-    """Processor time of the data of a mesh cycle of several contacts [s]."""
-    if case.drive is None or len(each) == 1:
-        return 0.0
-    sampling = float(np.mean([expectation.sampling for expectation in each]))
-    return case.drive.cycle_seconds + case.drive.cycle_points * sampling
+    return ExpectedRun(case, tuple(tasks), *_solved(tasks))
 
 
 def _solved(tasks: Sequence[Task]) -> tuple[tuple[Expectation, ...], float]:

@@ -25,9 +25,22 @@ from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.transient.next_film import NoFilmError
-from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
-from pyworm.solver.transient.time_records import TimeRecord, as_arrays, from_arrays, until
-from pyworm.solver.transient.transient import Rates, part_at, present_in_life, recent
+from pyworm.solver.transient.restart import Restart, restart_arrays, restart_from
+from pyworm.solver.transient.time_integration import (
+    RateOfChange,
+    TimeIntegration,
+    integrate_in_time,
+    integrate_on,
+)
+from pyworm.solver.transient.time_records import (
+    TimeRecord,
+    as_arrays,
+    completed,
+    from_arrays,
+    until,
+)
+from pyworm.solver.transient.time_steps import in_stretches, restart_place
+from pyworm.solver.transient.transient import Part, Rates, part_at, present_in_life, recent
 
 MIN_SHARED_TASKS = 2
 """Number of tasks of one life from which they share its transient solve."""
@@ -51,6 +64,8 @@ class TaskFilm:
     """Time of the scene before [s]."""
     begin: float
     """Where the solve begins [transits]."""
+    memory_end: float
+    """Time from which its films no longer depend on those from which it went on [s]."""
 
 
 @dataclass(frozen=True)
@@ -75,34 +90,103 @@ class LifePart:
     def _solve_into(self, directory: Path) -> None:
         if self.refinement > 0 and self._diverged(directory):
             return
-        time_grid = self.task.time_grid
-        wanted = {task.key: present_in_life(task.scene).seconds for task in self.tasks}
-        part = part_at(time_grid, present_in_life(self.tasks[0].scene).seconds)
-        times, last = sorted(wanted.values()), time_grid.time_at(part.last)
+        left: Sequence[Task] = self.tasks
+        while left:
+            left = self._solve_some(directory, left)
+
+    def _solve_some(self, directory: Path, tasks: Sequence[Task]) -> list[Task]:
+        """Write what one solve leaves for some tasks; returns those that another beginning may lead to."""
+        time_grid, begin = self.task.time_grid, self._part.begin
+        wanted = [_seconds(task) for task in tasks]
+        restarts = [self._restart(task, directory) for task in tasks]
+        after = solves_of_life(self.task.accuracy) - 1 - self.refinement
+        found, flaw = None, None
         try:
-            found = integrate_in_time(time_grid, self.refinement, part.begin, times, last)
-            rates, flaw, records = found.rates, found.failure, found.records
-        except NoFilmError as error:
-            rates, flaw, records = {}, str(error), ()
-        # each task keeps the stretch of the life since the one before it, and together they keep all of it
-        first = time_grid.time_at(part.first) if part.first > 0 else -inf
-        since = dict(zip(times, (first, *times[:-1]), strict=True))
-        ends = {time: time for time in times} | {times[-1]: last}
-        for key, seconds in wanted.items():
-            file = directory / _file(key, self.refinement)
-            if seconds not in rates:
-                keep(file, flaw=flaw)
+            if restarts[0] is not None:
+                found = integrate_on(time_grid, restarts[0], begin, wanted, after)
             else:
-                grid = list(vars(rates[seconds].grid).values())
-                arrays = as_arrays(until(records, ends[seconds]))
-                figures = {name: getattr(rates[seconds], name) for name in RATES}
-                known = {name: rate for name, rate in figures.items() if rate is not None}
-                beside = {
-                    "since": since[seconds],
-                    "begin": part.begin,
-                    "rigid_film": found.rigid_films[seconds],
-                }
-                keep(file, grid=grid, **beside, **known, **arrays)
+                how = begin, wanted, self._until(wanted), after
+                found = integrate_in_time(time_grid, self.refinement, *how)
+            flaw = found.failure
+        except NoFilmError as error:
+            flaw = str(error)
+        first = time_grid.time_at(begin) if restarts[0] is None else restarts[0].step.seconds
+        last = found.records[-1].seconds if found else first
+        left = []
+        for task, seconds, restart in zip(tasks, wanted, restarts, strict=True):
+            if found and seconds in found.rates:
+                self._keep(directory, task, seconds, found)
+            elif restart is not None and restart.step.seconds > last:
+                left.append(task)
+            else:
+                keep(directory / _file(task.key, self.refinement), flaw=flaw)
+        return left
+
+    def _keep(self, directory: Path, task: Task, seconds: float, found: TimeIntegration) -> None:
+        """Write what a solve has found for a task whose film it holds at a time [s]."""
+        rate = found.rates[seconds]
+        figures = {name: getattr(rate, name) for name in RATES}
+        known = {name: value for name, value in figures.items() if value is not None}
+        since, until_then = self._kept_between(seconds)
+        keep(
+            directory / _file(task.key, self.refinement),
+            grid=list(vars(rate.grid).values()),
+            since=since,
+            begin=self._part.begin,
+            rigid_film=found.rigid_films[seconds],
+            memory_end=found.memory_end,
+            **known,
+            **as_arrays(until(found.records, until_then)),
+        )
+        if seconds in found.restarts:
+            file = directory / _restart_file(task.key, self.refinement)
+            keep(file, **restart_arrays(found.restarts[seconds]))
+
+    @property
+    def _part(self) -> Part:
+        return part_at(self.task.time_grid, _seconds(self.tasks[0]))
+
+    def _until(self, wanted: Sequence[float]) -> float:
+        """Time up to which a solve that begins with the part goes [s]: the first to its end."""
+        time_grid = self.task.time_grid
+        if self.refinement > 0 and in_stretches(time_grid):
+            return wanted[-1]
+        return time_grid.time_at(self._part.last)
+
+    def _restart(self, task: Task, directory: Path) -> Restart | None:
+        """Films of the solve before from which this one goes on for a task, if it has left some."""
+        if self.refinement == 0:
+            return None
+        try:
+            return kept(directory / _restart_file(task.key, self.refinement - 1), restart_from)
+        except (OSError, DamagedError):
+            return None
+
+    def stretches(self, refinement: int) -> list["LifePart"]:
+        """Solves of its tasks on finer grids: each a stretch, or several that overlap."""
+        if refinement == 0:
+            return [self]
+        after = solves_of_life(self.task.accuracy) - refinement
+        time_grid = self.task.time_grid
+        parts: list[list[Task]] = []
+        last = inf
+        for task in self.tasks:
+            place = restart_place(time_grid, _seconds(task), after)
+            if parts and (place is None or place <= last):
+                parts[-1].append(task)
+            else:
+                parts.append([task])
+            last = time_grid.place(_seconds(task))
+        return [LifePart(self.task, tuple(tasks), refinement) for tasks in parts]
+
+    def _kept_between(self, seconds: float) -> tuple[float, float]:
+        """Times between which a task of a time keeps what a solve found: together they keep all of it [s]."""
+        time_grid, part = self.task.time_grid, self._part
+        times = [_seconds(task) for task in self.tasks]
+        number = times.index(seconds)
+        first = time_grid.time_at(part.first) if part.first > 0 else -inf
+        last = time_grid.time_at(part.last)
+        return (times[number - 1] if number else first), (seconds if seconds < times[-1] else last)
 
     def _diverged(self, directory: Path) -> bool:
         """Whether the solve of twice the spacing has ended already and found no film of any task."""
@@ -122,15 +206,21 @@ def solve_lives(
     tell: Callable[[str, float], None],
 ) -> None:
     """Solve the lives that several tasks share, where transient solutions are simulated, into a directory."""
-    parts = [
-        LifePart(life[0], part, refinement)
+    first = [
+        LifePart(life[0], part, 0)
         for life in _lives(tasks, directory)
         for part in tasks_by_part(life)
-        for refinement in range(solves_of_life(life[0].accuracy))
     ]
-    # where those of few nodes find nothing, finer ones need not begin
-    parts.sort(key=lambda part: part.refinement)
-    solve_parts(parts, directory, executor, tell)
+    # finer ones go on from films of those before, or need not begin where these find nothing
+    most = max((solves_of_life(part.task.accuracy) for part in first), default=0)
+    for refinement in range(most):
+        parts = [
+            stretch
+            for part in first
+            if refinement < solves_of_life(part.task.accuracy)
+            for stretch in part.stretches(refinement)
+        ]
+        solve_parts(parts, directory, executor, tell)
 
 
 def solve_parts(
@@ -170,8 +260,9 @@ def rates_for(task: Task, directory: Path) -> Rates | None:
 
 def _rates(found: Sequence[TaskFilm], flaw: str | None = None, finest: bool = False) -> Rates:
     """Rates of change by what each of some transient solves has left."""
-    since, begin = (found[-1].since, found[-1].begin) if found else (-inf, 0.0)
-    rates, records = tuple(left.rate for left in found), tuple(left.records for left in found)
+    since, begin = (found[0].since, found[0].begin) if found else (-inf, 0.0)
+    rates = tuple(left.rate for left in found)
+    records = completed([(left.records, left.memory_end) for left in found])
     return Rates(rates, records, since, begin, flaw, finest)
 
 
@@ -195,6 +286,7 @@ def _left(data: dict[str, np.ndarray]) -> TaskFilm | str:
         from_arrays(data),
         float(data["since"]),
         float(data["begin"]),
+        float(data["memory_end"]),
     )
 
 
@@ -213,8 +305,13 @@ def tasks_by_part(life: Sequence[Task]) -> list[tuple[Task, ...]]:
         return []
     found = defaultdict(list)
     for task in life:
-        found[part_at(time_grid, present_in_life(task.scene).seconds)].append(task)
-    return [tuple(part) for part in found.values()]
+        found[part_at(time_grid, _seconds(task))].append(task)
+    return [tuple(sorted(part, key=_seconds)) for part in found.values()]
+
+
+def _seconds(task: Task) -> float:
+    """Time of a task's film in its life [s]."""
+    return present_in_life(task.scene).seconds
 
 
 def _lives(tasks: Sequence[Task], directory: Path) -> list[list[Task]]:
@@ -246,6 +343,11 @@ def is_transient(task: Task) -> bool:
 
 def _file(key: str, refinement: object) -> str:
     return f"{key}.rate-{refinement}.npz"
+
+
+def _restart_file(key: str, refinement: int) -> str:
+    """One of those that `_file` has of any refinement."""
+    return _file(key, f"{refinement}.restart")
 
 
 def _grid(numbers: Sequence[float]) -> Grid | LineGrid:

@@ -72,7 +72,9 @@ MADE_BY = {
         "batch/test_cluster.py::test_a_scheduler_lost_on_the_way_is_one_sentence_and_what_was_solved_is_kept",
     "batch/cluster.py cluster ImportError":
         "batch/test_batch_fall_backs.py::test_without_dask_a_scheduler_is_refused_with_what_to_install",
-    "batch/transient_solutions.py LifePart._solve_into NoFilmError":
+    "batch/transient_solutions.py LifePart._restart (OSError, DamagedError)":
+        "solver/test_stretches.py::test_where_films_to_go_on_from_are_damaged_a_solve_begins_with_the_life",
+    "batch/transient_solutions.py LifePart._solve_some NoFilmError":
         "batch/test_transient_solutions.py::test_finer_solves_are_not_begun_where_the_first_finds_no_film",
     "batch/transient_solutions.py LifePart.solve_into Exception":
         "batch/test_batch_fall_backs.py::test_a_life_that_breaks_costs_its_own_tasks_alone",
@@ -188,9 +190,9 @@ MADE_BY = {
         "solver/test_backward_term.py::test_where_its_halves_are_lost_a_step_with_a_limited_rate_is_kept",
     "solver/transient/next_film.py reached suppress NoFilmError":
         "solver/test_backward_term.py::test_where_they_are_lost_the_whole_step_is_made_once",
-    "solver/transient/time_integration.py _through NoLoadError":
+    "solver/transient/time_integration.py _along NoLoadError":
         "solver/test_transient.py::test_a_time_without_load_has_no_film",
-    "solver/transient/time_integration.py _through NoFilmError":
+    "solver/transient/time_integration.py _along NoFilmError":
         "solver/test_solver_fall_backs.py::test_films_before_one_that_is_lost_are_kept_with_the_reason",
     "solver/transient/next_film.py _told KernelError":
         "solver/test_solver_fall_backs.py::test_a_film_that_the_kernel_gives_up_is_lost_at_its_time",

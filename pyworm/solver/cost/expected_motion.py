@@ -1,17 +1,26 @@
 """Expected work of the transient solves of a life: its time steps are those of its time grid, counted."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from itertools import chain
 
 from pyworm.planning.effects.squeeze import SQUEEZE
 from pyworm.planning.expected_work import solves_of_life
 from pyworm.planning.model import Model
 from pyworm.planning.plan import Plan
+from pyworm.scene.life import Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
-from pyworm.solver.transient.time_steps import FIRST_TRANSITS, places_of
+from pyworm.solver.transient.time_steps import (
+    FIRST_TRANSITS,
+    Step,
+    in_stretches,
+    restart_place,
+    steps_of,
+    steps_on,
+)
 from pyworm.solver.transient.transient import (
     MAX_ALONE_TRANSITS,
     MIN_SOLVES,
@@ -41,13 +50,27 @@ class TimeSteps:
 
 
 @dataclass(frozen=True)
+class Stretch:
+    """A finer transient solve for one contact, through a stretch of its life that others may share."""
+
+    begin: float
+    """Where it begins [transits]."""
+    end: float
+    """The contact's own place [transits]."""
+    steps: tuple[TimeSteps, ...]
+    """Its time steps."""
+
+
+@dataclass(frozen=True)
 class Motion:
     """Expected transient solves of the life of one contact."""
 
     model: Model
     """What its life simulates: effects that any of its contacts calls for."""
     up_to_present: tuple[TimeSteps, ...]
-    """Time steps up to its own time."""
+    """Time steps up to its own time, of solves that begin with its life."""
+    stretches: tuple[Stretch, ...]
+    """Finer solves that go on from films of these."""
     further: tuple[tuple[float, tuple[TimeSteps, ...]], ...]
     """Chance and time steps of each more solve, for it alone; empty where there is none to be had."""
     shared: tuple[TimeSteps, ...]
@@ -76,28 +99,42 @@ def motion(
     except ValueError:  # no load at present
         return None
     begin = part_at(time_grid, past.seconds, MAX_ALONE_TRANSITS).begin
-    solves, place = solves_of_life(plan.accuracy), time_grid.transits(past.seconds)
-    last = min(part.last, time_grid.transits(time_grid.end))
+    solves = solves_of_life(plan.accuracy)
+    stretches = tuple(_stretches(time_grid, past, begin, solves))
+    whole = range(solves - len(stretches))
     return Motion(
         time_grid.plan.model,
-        _time_steps(time_grid, range(solves), begin, place),
+        _time_steps(time_grid, whole, begin, past.seconds),
+        stretches,
         tuple(_further(time_grid, past.seconds, solves)),
-        _time_steps(time_grid, range(solves), part.begin, last),
+        _time_steps(time_grid, whole, part.begin, time_grid.time_at(part.last)),
         None if lone else part,
     )
+
+
+def _stretches(time_grid: TimeGrid, past: Past, begin: float, solves: int) -> Iterator[Stretch]:
+    """Finer ones of some solves for a contact, of which the first begins at a place [transits]."""
+    if past.until is not None or not in_stretches(time_grid):
+        return
+    for refinement in range(1, solves):
+        place = restart_place(time_grid, past.seconds, solves - refinement)
+        if place is None or place < begin:
+            place, steps = begin, steps_of(time_grid, refinement, begin, past.seconds)
+        else:
+            steps = steps_on(time_grid, refinement, begin, place, past.seconds)[1:]
+        yield Stretch(place, time_grid.place(past.seconds), _by_grid(time_grid, steps))
 
 
 def _further(
     time_grid: TimeGrid, seconds: float, solves: int
 ) -> Iterator[tuple[float, tuple[TimeSteps, ...]]]:
     """Chance and time steps of each more solve for a contact at a time [s], after the usual ones."""
-    place = time_grid.transits(seconds)
-    under_load = time_grid.approach is None and place < FIRST_TRANSITS
+    under_load = time_grid.approach is None and time_grid.transits(seconds) < FIRST_TRANSITS
     for number, chance in enumerate(FURTHER, solves):
         begin = begin_of_further(time_grid, seconds, number)
         if begin is None or (number > solves and number >= MIN_SOLVES):
             return
-        steps = _time_steps(time_grid, range(number, number + 1), begin, place)
+        steps = _time_steps(time_grid, range(number, number + 1), begin, seconds)
         yield 1.0 if under_load and number == solves else chance, steps
 
 
@@ -112,12 +149,14 @@ def time_grid_if_any(scene: Scene | LineScene, plan: Plan) -> TimeGrid | None:
 def _time_steps(
     time_grid: TimeGrid, refinements: range, begin: float, last: float
 ) -> tuple[TimeSteps, ...]:
-    """Time steps of several transient solves between two places of a life [transits], by their grids."""
-    counts = Counter(
-        (on, time_grid.come_together(time_grid.time_at(place)))
-        for refinement in refinements
-        for on, place in places_of(time_grid, refinement, begin, last)
-    )
+    """Time steps of several transient solves from a place [transits] up to a time [s], by their grids."""
+    steps = (steps_of(time_grid, refinement, begin, last) for refinement in refinements)
+    return _by_grid(time_grid, chain.from_iterable(steps))
+
+
+def _by_grid(time_grid: TimeGrid, steps: Iterable[Step]) -> tuple[TimeSteps, ...]:
+    """Some time steps by their grids."""
+    counts = Counter((step.refinement, time_grid.come_together(step.seconds)) for step in steps)
     grids = {True: time_grid.grid, False: time_grid.grid_of_contact}
     return tuple(
         TimeSteps(

@@ -3,6 +3,7 @@
 from collections import defaultdict
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from math import inf
 from time import process_time
 
 import numpy as np
@@ -33,6 +34,18 @@ SCENES_A_STEP = 3
 
 
 @dataclass(frozen=True)
+class ExpectedStretch:
+    """Cost of a finer transient solve for one contact, of which overlapping ones serve others as well."""
+
+    begin: float
+    """Where it begins [transits]."""
+    end: float
+    """Where it ends [transits]."""
+    seconds: float
+    """Processor time [s]."""
+
+
+@dataclass(frozen=True)
 class Expectation:
     """Expected cost of a solve."""
 
@@ -48,6 +61,8 @@ class Expectation:
     """That part; None of a contact that shares it with none."""
     sampling: float = 0.0
     """Processor time of the gap at a point [s]."""
+    stretches: tuple[ExpectedStretch, ...] = ()
+    """Finer transient solves of its own, the coarsest first."""
 
 
 def expectation(
@@ -75,10 +90,13 @@ def expectation(
         return pace.motion_seconds(plan.work.kind, moving.model, steps) + sampled
 
     film += sum(chance * taken(steps) for chance, steps in moving.further)
-    past = taken(moving.up_to_present)
-    return Expectation(
-        film + past, (film + past) / unit, past, taken(moving.shared), moving.part, gap
+    stretches = tuple(
+        ExpectedStretch(stretch.begin, stretch.end, taken(stretch.steps))
+        for stretch in moving.stretches
     )
+    past = taken(moving.up_to_present) + sum(stretch.seconds for stretch in stretches)
+    shared = taken(moving.shared)
+    return Expectation(film + past, (film + past) / unit, past, shared, moving.part, gap, stretches)
 
 
 def expectations(
@@ -106,6 +124,17 @@ def together(expected: Sequence[Expectation], lives: Sequence[Hashable]) -> floa
             seconds += some[0].past
         else:
             seconds += sum({solve.part: solve.shared for solve in some}.values())
+            seconds += sum(map(_joined, zip(*(solve.stretches for solve in some), strict=True)))
+    return seconds
+
+
+def _joined(stretches: Sequence[ExpectedStretch]) -> float:
+    """Processor time of stretches of several contacts of a life: each goes on from the one before [s]."""
+    seconds, last = 0.0, -inf
+    for stretch in sorted(stretches, key=lambda stretch: stretch.end):
+        length = stretch.end - stretch.begin
+        seconds += stretch.seconds * (stretch.end - max(stretch.begin, last)) / length
+        last = stretch.end
     return seconds
 
 

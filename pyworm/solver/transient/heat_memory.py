@@ -22,6 +22,7 @@ the present flux is taken. Fluxes are those of `next_film.heated_levels`, withou
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -109,6 +110,25 @@ def residual_rise(
         )
         rises.append(at_places(coarse, rise, grid))
     return np.stack(rises, axis=-1)
+
+
+def remembered(
+    history: Sequence[HeatedTimeLevel], contact: Scene | LineScene
+) -> list[HeatedTimeLevel]:
+    """Those of some times, the latest first, that later ones still read, and one between each two of them.
+
+    Of growing ages others count; the ones between keep these no farther apart than they are read.
+    """
+    if len(history) < 2:
+        return list(history)
+    ages = np.array([history[0].seconds - time_level.seconds for time_level in history])
+    grid, counted = history[0].grid, {0}
+    for number, body in enumerate(contact.bodies):
+        velocities = np.array([time_level.velocities[number] for time_level in history])
+        past = kernel.SurfacePast(ages, velocities)
+        counted |= {*past.chosen(grid.shape, grid.spacing, body.diffusivity)}
+    between = {(before + after) // 2 for before, after in pairwise(sorted(counted))}
+    return [history[number] for number in sorted(counted | between)]
 
 
 def _record(time_level: HeatedTimeLevel, body: int, nodes: tuple[slice, ...]) -> kernel.FluxRecord:

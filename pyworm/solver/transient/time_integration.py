@@ -8,8 +8,9 @@ films of all instants of that part, and the rates of change that films on other 
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from math import inf
 
 import numpy as np
 
@@ -21,7 +22,7 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.solver.level import InitialGuess, Level
 from pyworm.solver.memory import shortage
 from pyworm.solver.transient.differences import backward_weights
-from pyworm.solver.transient.heat_memory import HeatedTimeLevel
+from pyworm.solver.transient.film_series import FilmSeries
 from pyworm.solver.transient.moving_grid import (
     at_places,
     each_at_places,
@@ -30,22 +31,20 @@ from pyworm.solver.transient.moving_grid import (
     slopes,
 )
 from pyworm.solver.transient.next_film import (
-    EARLIER_FILMS,
     MEMORY_TRANSITS,
     NoFilmError,
     NoLoadError,
     contact_at,
-    heated_levels,
     lost_at,
     prompt,
-    reached,
     since_touch,
     steady_level,
 )
+from pyworm.solver.transient.restart import Restart
 from pyworm.solver.transient.time_grid import TimeGrid
-from pyworm.solver.transient.time_level import TimeLevel, is_limited, time_level_of
+from pyworm.solver.transient.time_level import TimeLevel, is_limited
 from pyworm.solver.transient.time_records import TimeRecord, time_record
-from pyworm.solver.transient.time_steps import Step, steps_of
+from pyworm.solver.transient.time_steps import Step, restart_place, steps_of, steps_on
 
 REST_PRESSURE = 1.0
 """Pressure of oil at rest [Pa], by which the velocities of surfaces are weighted in their conduction."""
@@ -53,6 +52,11 @@ REST_PRESSURE = 1.0
 EACH_TRIED = 4
 """Number of steps from each of which a solve is tried to begin with a steady film; beyond, each is twice as
 far: a contact without steady films costs a few solves of them, not one a step."""
+
+
+MEMORY_SHARE = 0.75
+"""Share of the way to the first wanted time after which films no longer depend on those from which a solve
+goes on."""
 
 
 @dataclass(frozen=True)
@@ -110,6 +114,10 @@ class TimeIntegration:
     """Reason why films of some times are missing, if they are."""
     unloaded: float | None = None
     """Time at which they are missing since surfaces carry no load [s]; None where films were lost."""
+    restarts: dict[float, Restart] = field(default_factory=dict)
+    """Time -> films from which the next solve goes on to it."""
+    memory_end: float = -inf
+    """Time from which its films no longer depend on those from which it goes on [s]."""
 
 
 def integrate_in_time(
@@ -118,6 +126,7 @@ def integrate_in_time(
     begin: float,
     wanted: Sequence[float],
     until: float = 0.0,
+    solves_after: int = 0,
 ) -> TimeIntegration:
     """Integrate a contact's film in time.
 
@@ -126,28 +135,56 @@ def integrate_in_time(
         begin: Where it begins, with a steady film [transits].
         wanted: Times at which the rate of change is wanted [s], later than that.
         until: Time up to which the films are wanted, where that is later than these [s].
+        solves_after: Number of solves that go on from films of this one, each from those of the one before.
 
     Raises:
         NoFilmError: No film was found from which to begin.
     """
     _require_memory(time_grid, refinement)
     asked = steps_of(time_grid, refinement, begin, max(*wanted, until))
-    return _through_loads(time_grid, asked, wanted)
+    return _through_loads(time_grid, asked, wanted, solves_after)
+
+
+def integrate_on(
+    time_grid: TimeGrid,
+    restart: Restart,
+    begin: float,
+    wanted: Sequence[float],
+    solves_after: int = 0,
+) -> TimeIntegration:
+    """Integrate a contact's film from those of the solve before, with half its spacing and time step.
+
+    Args:
+        restart: Films of that solve up to the time from which it goes on.
+        begin: Where that solve began [transits].
+        wanted, solves_after: As of `integrate_in_time`.
+
+    Raises:
+        NoFilmError: No film was found.
+    """
+    refinement = restart.step.refinement + 1
+    _require_memory(time_grid, refinement)
+    place = time_grid.place(restart.step.seconds)
+    asked = steps_on(time_grid, refinement, begin, place, max(wanted))
+    series = FilmSeries(time_grid, restart.step, [*restart.before], [*restart.heat], restart.held)
+    found = _along(series, asked, asked[1:], wanted, solves_after)
+    first = restart.step.seconds
+    return replace(found, memory_end=first + MEMORY_SHARE * (min(wanted) - first))
 
 
 def _through_loads(
-    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float]
+    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], solves_after: int
 ) -> TimeIntegration:
     """The films of some steps; those after a time without load where coarse steps before led to it."""
     try:
-        found = _from_first_touch(time_grid, asked, wanted)
+        found = _from_first_touch(time_grid, asked, wanted, solves_after)
     except NoLoadError as reason:
         left = _loaded_after(time_grid, asked, reason.seconds)
         later = [seconds for seconds in wanted if left and seconds >= left[0].seconds]
         if not later:
             raise
-        return _through_loads(time_grid, left, later)
-    return _resumed(time_grid, asked, wanted, found)
+        return _through_loads(time_grid, left, later, solves_after)
+    return _resumed(time_grid, asked, wanted, solves_after, found)
 
 
 def _loaded_after(time_grid: TimeGrid, asked: Sequence[Step], seconds: float) -> Sequence[Step]:
@@ -161,20 +198,20 @@ def _loaded_after(time_grid: TimeGrid, asked: Sequence[Step], seconds: float) ->
 
 
 def _from_first_touch(
-    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float]
+    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], solves_after: int
 ) -> TimeIntegration:
     """The films of some steps; begun at the first touch where the approach before it loses them."""
     later = [step for step in asked if step.seconds >= time_grid.life.touched]
     if len(later) == len(asked):
-        return _through(time_grid, asked, wanted)
+        return _through(time_grid, asked, wanted, solves_after)
     try:
-        found = _through(time_grid, asked, wanted)
+        found = _through(time_grid, asked, wanted, solves_after)
     except NoFilmError:
         found = None
     if found is not None and (len(found.rates) == len(wanted) or _long_after(time_grid, found)):
         return found
     try:
-        again = _through(time_grid, later, wanted)
+        again = _through(time_grid, later, wanted, solves_after)
     except NoFilmError:
         if found is None:
             raise
@@ -183,7 +220,11 @@ def _from_first_touch(
 
 
 def _resumed(
-    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], found: TimeIntegration
+    time_grid: TimeGrid,
+    asked: Sequence[Step],
+    wanted: Sequence[float],
+    solves_after: int,
+    found: TimeIntegration,
 ) -> TimeIntegration:
     """What was found, and where films were lost those of a steady beginning after that.
 
@@ -203,11 +244,11 @@ def _resumed(
         return found
     try:
         if found.unloaded is not None:
-            again = _through_loads(time_grid, left, later)
+            again = _through_loads(time_grid, left, later, solves_after)
         else:
-            again = _through(time_grid, left, later)
+            again = _through(time_grid, left, later, solves_after)
             if again.rates:
-                again = _resumed(time_grid, left, later, again)
+                again = _resumed(time_grid, left, later, solves_after, again)
     except NoFilmError:
         return found
     first_place = time_grid.place(again.records[0].seconds) + memory
@@ -219,6 +260,7 @@ def _resumed(
         rigid_films=found.rigid_films | {seconds: again.rigid_films[seconds] for seconds in kept},
         records=(*found.records, *records),
         newton_steps=found.newton_steps + again.newton_steps,
+        restarts=found.restarts | again.restarts,
     )
 
 
@@ -228,46 +270,46 @@ def _long_after(time_grid: TimeGrid, found: TimeIntegration) -> bool:
 
 
 def _through(
-    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float]
+    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], solves_after: int
 ) -> TimeIntegration:
     """The films of some steps, of which those of the finest grid are kept; as of `integrate_in_time`."""
-    refinement = asked[-1].refinement
+    steps, level, before, taken = _begun(time_grid, asked, min(wanted))
+    series = FilmSeries(time_grid, steps[0], before, level=level, newton_steps=taken)
+    return _along(series, asked, steps, wanted, solves_after)
+
+
+def _along(
+    series: FilmSeries,
+    asked: Sequence[Step],
+    steps: Sequence[Step],
+    wanted: Sequence[float],
+    solves_after: int,
+) -> TimeIntegration:
+    """The films of some of the steps that were asked for, from those before them."""
+    time_grid, refinement = series.time_grid, asked[-1].refinement
     finest = [step.seconds for step in asked if step.refinement == refinement]
-    framed = set(finest[:: 2**refinement])
-    steps, level, before, taken_of_all = _begun(time_grid, asked, min(wanted))
+    framed = finest[:: 2**refinement]
+    known = [seconds for seconds in framed if seconds >= steps[0].seconds]
+    marks = _marks(time_grid, known, wanted, solves_after)
     turns = _turns([step.seconds for step in steps if step.refinement == refinement], wanted)
     rates: dict[float, RateOfChange] = {}
     rigid_films: dict[float, float] = {}
-    heat: list[HeatedTimeLevel] = []
+    restarts: dict[float, Restart] = {}
     records: list[TimeRecord] = []
     reason: NoFilmError | None = None
-    unloaded, held = None, True
-    on = steps[0]
+    unloaded = None
     for step in steps:
-        before, heat = _led_on(time_grid, on, step, before, heat)
-        on = step
         try:
-            if before:
-                level, before, heat, taken = reached(time_grid, step, before, heat, held)
-                taken_of_all += taken
-                if held and level.carried() > time_grid.life.touch:
-                    held = False
-                    level, before, heat, taken = reached(time_grid, step, before, heat, held)
-                    taken_of_all += taken
-            level = present(level, "the first film")
-            now = time_level_of(level, step.seconds)
-            heat = [*heated_levels(time_grid, level, step.seconds), *heat]
-            before = [now, *before[: EARLIER_FILMS - 1]]
-            if on.refinement < refinement:
+            level = series.reach(step)
+            if step.refinement < refinement:
                 continue
             frame = time_grid.grid_of_contact(step.seconds, 0) if step.seconds in framed else None
             records.append(time_record(level, step.seconds, frame))
+            for time in marks.get(step.seconds, ()):
+                restarts[time] = series.restart()
             for time in turns.get(step.seconds, ()):
-                then, known, taken = level, before, 0
-                if time > step.seconds:
-                    then, known, taken = _turned(time_grid, step, time, before, heat, held)
-                taken_of_all += taken
-                rates[time] = replace(_rate_of(time_grid, then, known), limited=is_limited(then))
+                then, levels = series.turned(time)
+                rates[time] = replace(_rate_of(time_grid, then, levels), limited=is_limited(then))
                 rigid_films[time] = then.film.rigid_film
         except NoLoadError as error:
             reason, unloaded = error, error.seconds
@@ -281,48 +323,27 @@ def _through(
         rates,
         rigid_films,
         tuple(records),
-        taken_of_all,
+        series.newton_steps,
         None if reason is None else str(reason),
         unloaded,
+        restarts,
     )
 
 
-def _turned(
-    time_grid: TimeGrid,
-    step: Step,
-    time: float,
-    before: list[TimeLevel],
-    heat: list[HeatedTimeLevel],
-    held: bool,
-) -> tuple[Level, list[TimeLevel], int]:
-    """The film of a wanted time by a step of its own, films up to it, the latest first, and Newton steps."""
-    turn = Step(time, step.refinement)
-    level, known, _, taken = reached(
-        time_grid, turn, *_led_on(time_grid, step, turn, before, heat), held
-    )
-    return level, [time_level_of(level, time), *known], taken
-
-
-def _led_on(
-    time_grid: TimeGrid,
-    last: Step,
-    step: Step,
-    before: list[TimeLevel],
-    heat: list[HeatedTimeLevel],
-) -> tuple[list[TimeLevel], list[HeatedTimeLevel]]:
-    """Films and heat up to a last step on the kind of grid of the next."""
-    if step.refinement > last.refinement:
-        before, heat = [film.finer() for film in before], [film.finer() for film in heat]
-    if time_grid.come_together(last.seconds) and not time_grid.come_together(step.seconds):
-        grids = time_grid.grid, time_grid.grid_of_contact
-        large, small = (grid(last.seconds, step.refinement) for grid in grids)
-        if isinstance(large, Grid) and isinstance(small, Grid):  # lines do not come together
-            window = large.window_of(small)
-            before, heat = (
-                [film.finer(window) for film in before],
-                [film.finer(window) for film in heat],
-            )
-    return before, heat
+def _marks(
+    time_grid: TimeGrid, step_times: Sequence[float], wanted: Sequence[float], solves_after: int
+) -> dict[float, list[float]]:
+    """Wanted times by the instant from whose films the next solve begins for them."""
+    marks: dict[float, list[float]] = {}
+    if solves_after == 0:
+        return marks
+    places = [time_grid.place(seconds) for seconds in step_times]
+    for time in wanted:
+        place = restart_place(time_grid, time, solves_after)
+        if place is not None and places[0] <= place:
+            number = int(np.searchsorted(places, place, side="right")) - 1
+            marks.setdefault(step_times[number], []).append(time)
+    return marks
 
 
 def _turns(step_times: Sequence[float], wanted: Sequence[float]) -> dict[float, list[float]]:

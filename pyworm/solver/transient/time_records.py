@@ -26,6 +26,9 @@ FOR_EACH_LENGTH = ("life_load", "life_power_loss")
 MIN_FIGURE = 1e-300
 """Least size of a figure to which its change is relative."""
 
+MAX_CORRECTION = 2.0
+"""Largest ratio by which a figure of a coarser solve is corrected."""
+
 
 @dataclass(frozen=True)
 class Frame:
@@ -88,6 +91,60 @@ def _frame(level: Level, grid: Grid | LineGrid) -> Frame:
 def until(records: Sequence[TimeRecord], seconds: float) -> tuple[TimeRecord, ...]:
     """The moments not later than a time [s]."""
     return tuple(record for record in records if record.seconds <= seconds)
+
+
+def completed(
+    solves: Sequence[tuple[Sequence[TimeRecord], float]],
+) -> tuple[tuple[TimeRecord, ...], ...]:
+    """Moments of each of some solves of a life, of which later ones go through a stretch of it alone.
+
+    Beyond its stretch a solve has the moments of the one before, their figures times what the nearest moment
+    of the stretch has over that of the solve before.
+
+    Args:
+        solves: Moments of each, the finest last, and the time from which they no longer depend on how it
+            began [s].
+    """
+    whole: list[tuple[TimeRecord, ...]] = []
+    for records, memory_end in solves:
+        whole.append(_completed(records, whole[-1], memory_end) if whole else tuple(records))
+    return tuple(whole)
+
+
+def _completed(
+    records: Sequence[TimeRecord], coarser: Sequence[TimeRecord], memory_end: float
+) -> tuple[TimeRecord, ...]:
+    late = [record for record in records if record.seconds >= memory_end]
+    known = {record.seconds: record.figures for record in coarser}
+    both = [record for record in late if record.seconds in known]
+    if not both:
+        return tuple(late)
+    first, last = late[0].seconds, late[-1].seconds
+    before, after = (
+        _ratios(record.figures, known[record.seconds]) for record in (both[0], both[-1])
+    )
+    beyond = (record for record in coarser if not first <= record.seconds <= last)
+    corrected = [
+        replace(record, figures=_times(record.figures, before if record.seconds < first else after))
+        for record in beyond
+    ]
+    return tuple(sorted([*corrected, *late], key=lambda record: record.seconds))
+
+
+def _ratios(figures: Mapping[str, float], coarser: Mapping[str, float]) -> dict[str, float]:
+    """Figures over those of a coarser solve, between a half and two; one where either is none."""
+    least, most = 1 / MAX_CORRECTION, MAX_CORRECTION
+    return {
+        name: min(max(figure / coarser[name], least), most)
+        if min(figure, coarser[name]) > MIN_FIGURE
+        else 1.0
+        for name, figure in figures.items()
+    }
+
+
+def _times(figures: Mapping[str, float], ratios: Mapping[str, float]) -> dict[str, float]:
+    """Figures times their ratios."""
+    return {name: figure * ratios[name] for name, figure in figures.items()}
 
 
 def as_arrays(records: Sequence[TimeRecord]) -> dict[str, Array]:

@@ -33,8 +33,13 @@ from pyworm.solver.transient.extrapolated_rate import ExtrapolatedRate, share_le
 from pyworm.solver.transient.next_film import MEMORY_TRANSITS, NoFilmError
 from pyworm.solver.transient.rate_errors import error_share, least_error, rate_errors
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
-from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
-from pyworm.solver.transient.time_records import TimeRecord, curves, until
+from pyworm.solver.transient.time_integration import (
+    RateOfChange,
+    TimeIntegration,
+    integrate_in_time,
+    integrate_on,
+)
+from pyworm.solver.transient.time_records import TimeRecord, completed, curves, until
 from pyworm.solver.transient.time_steps import places_of
 
 WARM_UP: dict[Kind, float] = {"point": 2.0, "line": 3.0}
@@ -244,25 +249,40 @@ class Transient:
 
 def rates_at_present(scene: Scene | LineScene, plan: Plan) -> Rates:
     """Rates of change of a contact at present, by transient solves of the part of its life before."""
-    past, solves = recent(scene), []
+    past = recent(scene)
+    solves: list[TimeIntegration] = []
+    number = solves_of_life(plan.accuracy)
     try:
         time_grid = time_grid_of(past.life, plan)
         begin = part_at(time_grid, past.seconds, MAX_ALONE_TRANSITS).begin
-        for refinement in range(solves_of_life(plan.accuracy)):
-            found = integrate_in_time(time_grid, refinement, begin, [past.seconds], past.last)
+        for _ in range(number):
+            found = _next_solve(time_grid, past, begin, solves, number)
             if past.seconds not in found.rates:  # finer ones would cost more, and be of no use
                 break
             solves.append(found)
     except (NoFilmError, ValueError) as reason:  # of no contact in motion, or of a film
-        return Rates((), flaw=str(reason))
+        if not solves:
+            return Rates((), flaw=str(reason))
     if not solves:
         return Rates((), flaw=found.failure)
     return Rates(
         tuple(solve.rates[past.seconds] for solve in solves),
-        tuple(until(solve.records, past.last) for solve in solves),
+        completed([(until(solve.records, past.last), solve.memory_end) for solve in solves]),
         begin=begin,
-        finest=past.seconds not in found.rates,
+        finest=len(solves) < number,
     )
+
+
+def _next_solve(
+    time_grid: TimeGrid, past: Past, begin: float, solves: Sequence[TimeIntegration], number: int
+) -> TimeIntegration:
+    """The next of some transient solves: it begins at a place [transits], or with films of the last."""
+    after = 0 if past.until else number - len(solves) - 1
+    restart = solves[-1].restarts.get(past.seconds) if solves else None
+    if restart is not None:
+        return integrate_on(time_grid, restart, begin, [past.seconds], after)
+    how = begin, [past.seconds], past.last, after
+    return integrate_in_time(time_grid, len(solves), *how)
 
 
 def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:

@@ -4,7 +4,7 @@ import pytest
 from zi_drives import coarse_springs
 
 import pyworm
-from pyworm.batch.expected_run import MOVING_PASSES, _cycle, expected_run
+from pyworm.batch.expected_run import MOVING_PASSES, ExpectedRun, expected_run
 from pyworm.batch.task import Task
 from pyworm.solver.cost.expected_time import Expectation
 
@@ -46,8 +46,9 @@ def test_flanks_that_take_long_lengthen_the_data_of_a_mesh_cycle():
     case = pyworm.load("cases/zi_drive.toml")
     some = [Expectation(1.0, 1.0, sampling=sampling) for sampling in (1e-6, 3e-6)]
     drive = case.drive
-    assert _cycle(case, some) == pytest.approx(drive.cycle_seconds + drive.cycle_points * 2e-6)
-    assert _cycle(case, some[:1]) == 0.0
+    several, one = (ExpectedRun(case, (), tuple(each), 0.0).cycle for each in (some, some[:1]))
+    assert several == pytest.approx(drive.cycle_seconds + drive.cycle_points * 2e-6)
+    assert one == 0.0
 
 
 def test_temperatures_are_searched_for_too():

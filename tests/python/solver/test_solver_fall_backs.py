@@ -20,7 +20,7 @@ from pyworm.solver.cost.calibration import calibration
 from pyworm.solver.cost.expected_motion import motion, time_grid_if_any
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.newton import newton_step
-from pyworm.solver.transient import lifts, next_film, time_integration, transient
+from pyworm.solver.transient import film_series, lifts, next_film, time_integration, transient
 from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import TimeIntegration
@@ -112,13 +112,12 @@ def test_what_coarser_transient_solves_found_is_kept_where_the_next_loses_its_fi
     accelerated, monkeypatch
 ):
     """Else a finer request would end with a steady film where a coarser one has that in motion."""
-    solved = transient.integrate_in_time
+    solved = transient.integrate_on
 
-    def lost_when_fine(time_grid, refinement, *given):
-        found = solved(time_grid, 0, *given)
-        return found if refinement == 0 else replace(found, rates={}, failure="no film")
+    def lost(*given):
+        return replace(solved(*given), rates={}, failure="no film")
 
-    monkeypatch.setattr(transient, "integrate_in_time", lost_when_fine)
+    monkeypatch.setattr(transient, "integrate_on", lost)
     plan = planned(accelerated)
     monkeypatch.setattr(transient, "solves_of_life", lambda accuracy: 2)
     rates = transient.rates_at_present(accelerated, plan)
@@ -203,14 +202,14 @@ def test_films_after_one_that_is_lost_are_found_once_another_beginning_is_forgot
     time_grid = time_grid_of(life, pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",)))
     wanted = [time_grid.time_at(place) for place in (1.0, 3.5, 7.0)]
     whole = time_integration.integrate_in_time(time_grid, 0, 0.0, wanted)
-    reached, lost = time_integration.reached, time_grid.time_at(3.0)
+    reached, lost = film_series.reached, time_grid.time_at(3.0)
 
     def lost_once(time_grid, step, *how):
         if how[0] and how[0][0].seconds < lost <= step.seconds:
             diverged()
         return reached(time_grid, step, *how)
 
-    monkeypatch.setattr(time_integration, "reached", lost_once)
+    monkeypatch.setattr(film_series, "reached", lost_once)
     found = time_integration.integrate_in_time(time_grid, 0, 0.0, wanted)
     assert found.failure == "no film"
     assert list(found.rates) == [
@@ -233,7 +232,7 @@ def test_where_no_other_beginning_is_found_films_before_the_lost_one_are_kept(
     steps = steps_of(time_grid, 0, 0.0, time_grid.end)
     monkeypatch.setattr(time_integration, "_through", lambda *how: diverged())
     wanted = [time_grid.end]
-    assert time_integration._resumed(time_grid, steps, wanted, film) is film
+    assert time_integration._resumed(time_grid, steps, wanted, 0, film) is film
 
 
 def test_a_life_without_steady_films_is_given_up_after_a_few(accelerated, monkeypatch):
@@ -282,7 +281,7 @@ def test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_
     time_grid = time_grid_of(life, planned(accelerated))
     first = time_integration.TimeIntegration({}, {}, (SimpleNamespace(seconds=0.0),), 1, "lost")
 
-    def through(time_grid, steps, wanted):
+    def through(time_grid, steps, *how):
         return first if steps[0].seconds == 0 else diverged()
 
     monkeypatch.setattr(time_integration, "_through", through)

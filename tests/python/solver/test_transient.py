@@ -584,7 +584,7 @@ def test_a_life_begins_later_only_where_films_are_lost_soon_after_the_first_touc
     last = time_grid.time_at(time_grid.transits(life.touched) + after)
     asked = []
 
-    def diverged(time_grid, steps, wanted):
+    def diverged(time_grid, steps, *how):
         asked.append(steps)
         return TimeIntegration(
             {}, {}, (TimeRecord(last, None, 1.0, (1.0,), {}),), 1, failure="no film"
