@@ -45,7 +45,10 @@ SLOPE_POWER = log(SLOPE_FACTOR) / log(STIFFNESS_FACTOR)
 """Power of the stiffer law's factor that is the factor by steeper slopes: pressures are as the slopes."""
 
 
-BY_FACTOR = ("contact", "slope", "aspect", "sample")
+LAYS = ("longer lay", "shorter lay")
+"""Assumptions that exclude each other; flow factors over the aspect have a kink where they are tabulated."""
+
+BY_FACTOR = ("contact", "slope", *LAYS, "sample")
 """Assumptions that are known to a factor."""
 
 
@@ -95,7 +98,7 @@ def variations(
     waves: float = 0.0,
     fitted_spread: float | None = None,
 ) -> Iterator[tuple[str, Variation]]:
-    """Names of uncertain assumptions, each with the surfaces in which it is changed; all are independent.
+    """Names of uncertain assumptions, each with the surfaces in which it is changed; `LAYS` alone depend.
 
     Laws of contact exclude each other: that one counts by which the load of the asperities changes most at a
     given gap. A friction coefficient that was fitted (`fitted_spread`, else `BOUNDARY_FRICTION_SPREAD`) by
@@ -113,7 +116,10 @@ def variations(
         "contact": pressed(curves, pressure, part),
         "slope": _steeper(pair, curves, part),
         "sample": _sampled(pair, curves, part),
-        "aspect": _drawn_out(pair, curves, float(thickness.min()), part),
+        **{
+            lay: _drawn_out(pair, curves, sign * part)
+            for lay, sign in zip(LAYS, (1, -1), strict=True)
+        },
         "pressure flow": _scattered(curves, slice(3, 6), part),
         "shear flow": _scattered(curves, slice(6, 9), part),
     }
@@ -182,20 +188,9 @@ def _steeper(pair: RoughSurfaces, curves: GapCurves, part: float) -> GapCurves:
     return curves if other is None else pressed(curves, other.curves().values[0], part)
 
 
-def _drawn_out(pair: RoughSurfaces, curves: GapCurves, thickness: float, part: float) -> GapCurves:
-    """Curves with the flow factors of other aspects, by a part of their factor's logarithm.
-
-    Of larger and smaller aspects those count by which the film resists pressure more otherwise.
-    """
-    whole, rows = (pair.drawn_out(ASPECT_FACTOR**exponent) for exponent in (1.0, -1.0)), slice(3, 9)
-    present = curves.at_thickness(thickness)[3:5]
-    changed = [
-        0.0
-        if other_aspect is None
-        else abs(other_aspect.curves().at_thickness(thickness)[3:5] - present).max()
-        for other_aspect in whole
-    ]
-    other = pair.drawn_out(ASPECT_FACTOR ** (part if changed[0] >= changed[1] else -part))
+def _drawn_out(pair: RoughSurfaces, curves: GapCurves, part: float) -> GapCurves:
+    """Curves with the flow factors of other aspects, by a part of their factor's logarithm."""
+    other, rows = pair.drawn_out(ASPECT_FACTOR**part), slice(3, 9)
     return curves if other is None else _with_rows(curves, rows, other.curves().values[rows])
 
 

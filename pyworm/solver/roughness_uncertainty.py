@@ -3,7 +3,7 @@
 Each assumption is changed by a small part of its uncertainty at the converged film. A Newton step from
 there, a linear solve with the film's own Jacobian, shows how every figure follows, of a heated film some more
 with its temperature; nothing is solved anew. Assumptions are independent of each other, so that their
-changes add by squares.
+changes add by squares; of longer and shorter lays the larger change of each figure counts.
 """
 
 from collections.abc import Mapping
@@ -12,6 +12,7 @@ from math import hypot, inf, pi
 
 from pyworm.formulas.wave_deformation import Groups, left_of_waves
 from pyworm.materials.roughness_assumptions import (
+    LAYS,
     RoughSurfaces,
     Variation,
     flow_scatter,
@@ -87,11 +88,14 @@ def roughness_uncertainty(
     varied = variations(
         pair, boundary_friction, VARIED_FRACTION, thickness, waves.film, fitted_spread
     )
-    changes = changes_by(level, pair, boundary_friction, dict(varied)).values()
+    changes = changes_by(level, pair, boundary_friction, dict(varied))
+    lays = [changes.pop(lay) for lay in LAYS if lay in changes]
     others = _of_stress(figures, pair.height), waves.changes(figures)
     return {
         key: hypot(
-            *(change[key] for change in changes), *(change.get(key, 0.0) for change in others)
+            *(change[key] for change in changes.values()),
+            max((abs(change[key]) for change in lays), default=0.0),
+            *(change.get(key, 0.0) for change in others),
         )
         for key in figures
     }

@@ -12,6 +12,7 @@ import pyworm
 from pyworm.materials.roughness_assumptions import (
     BOUNDARY_FRICTION_SPREAD,
     HEIGHT_SPREAD,
+    LAYS,
     REFITTED,
     SLOPE_POWER,
     STIFFNESS_FACTOR,
@@ -68,18 +69,20 @@ def test_linear_solves_find_what_solving_again_finds(film):
     """Of the whole uncertainty of each assumption, though found from a tenth of it by two Newton steps."""
     level, pair = film
     before = level.read().figures
-    anew = []
+    anew = {}
     thickness = level.film.thickness()
     parts = [variations(pair, MU_B, part, thickness) for part in (0.25, 0.5, 0.75, 1.0)]
     for path in zip(*parts, strict=True):
         after = solved_anew(level, [varied for _, varied in path])
-        anew.append({key: abs(after[key] / before[key] - 1) for key in FIGURES})
+        anew[path[0][0]] = {key: abs(after[key] / before[key] - 1) for key in FIGURES}
+    lays = [anew.pop(lay) for lay in LAYS]
+    anew["lay"] = {key: max(of[key] for of in lays) for key in FIGURES}
     fluid = before["friction_coefficient"] - before["friction_boundary"]
     scatter = float(flow_scatter(before["film_central"] / pair.height))
     stress = scatter * fluid / before["friction_coefficient"]
     found = uncertainty.roughness_uncertainty(level, pair, MU_B)
     for key in FIGURES:
-        parts = [of[key] for of in anew]
+        parts = [of[key] for of in anew.values()]
         expected = hypot(*parts, stress if key == "friction_coefficient" else 0.0)
         assert found[key] == pytest.approx(expected, rel=0.2), key
 
@@ -153,13 +156,26 @@ def test_slopes_and_lays_are_known_to_a_factor():
     # the pressure of elastic asperities is proportional to their slope
     np.testing.assert_allclose(steeper[0, :200], curves.values[0, :200] + np.log(2.0))
     np.testing.assert_array_equal(steeper[1:], curves.values[1:])
-    other = whole["aspect"].curves.values
-    np.testing.assert_array_equal(other[:3], curves.values[:3])
-    of_half, of_twice = (
-        replace(pair, surfaces=tuple(replace(s, aspect=by * s.aspect) for s in pair.surfaces))
-        for by in (0.5, 2.0)
-    )
-    assert any(np.allclose(other[3:], of.curves().values[3:]) for of in (of_half, of_twice))
+    for lay, by in zip(LAYS, (2.0, 0.5), strict=True):
+        drawn = [replace(surface, aspect=by * surface.aspect) for surface in pair.surfaces]
+        other = whole[lay].curves.values
+        np.testing.assert_array_equal(other[:3], curves.values[:3])
+        of_lay = replace(pair, surfaces=tuple(drawn)).curves().values
+        np.testing.assert_allclose(other[3:], of_lay[3:])
+
+
+def test_of_longer_and_shorter_lays_the_larger_change_of_each_figure_counts(film, monkeypatch):
+    level, pair = film
+    names = list(level.read().figures)
+    changes = {
+        "longer lay": dict.fromkeys(names, 0.3) | {"film_min": -0.1},
+        "shorter lay": dict.fromkeys(names, -0.2),
+        "slope": dict.fromkeys(names, 0.4),
+    }
+    monkeypatch.setattr(uncertainty, "changes_by", lambda *given: dict(changes))
+    found = uncertainty.roughness_uncertainty(level, pair, MU_B)
+    assert found["pressure_max"] == pytest.approx(0.5)
+    assert found["film_min"] == pytest.approx(hypot(0.2, 0.4))
 
 
 @pytest.fixture(scope="module")
