@@ -62,9 +62,7 @@ def row(name: str, refinement: int, scenes: list[pyworm.Scene]) -> str:
         for seconds in (recent(one).seconds for one in scenes)
         if part_at(time_grid, seconds) == part
     )
-    steps = _time_steps(
-        time_grid, range(refinement, refinement + 1), part.begin, time_grid.transits(times[-1])
-    )
+    steps = _time_steps(time_grid, range(refinement, refinement + 1), part.begin, times[-1])
     started = process_time()
     try:
         found = integrate_in_time(time_grid, refinement, part.begin, times, times[-1])
