@@ -29,6 +29,10 @@ MIN_FIGURE = 1e-300
 MAX_CORRECTION = 2.0
 """Largest ratio by which a figure of a coarser solve is corrected."""
 
+CORRECTED_CHANGE_RATIO = 2.0
+"""Change by which the error of a figure beyond a stretch is told, over its correction: that changes by as
+much as it is from one stretch to the next."""
+
 
 @dataclass(frozen=True)
 class Frame:
@@ -60,6 +64,8 @@ class TimeRecord:
     """Figures on the moving grid, temperatures above the colder body's bulk temperature [K]."""
     frame: Frame | None = None
     """Its fields; kept at the instants of the coarsest transient solve."""
+    corrected: bool = False
+    """Whether its figures are those of the solve before, corrected."""
 
 
 def time_record(level: Level, seconds: float, frame: Grid | LineGrid | None) -> TimeRecord:
@@ -125,7 +131,11 @@ def _completed(
     )
     beyond = (record for record in coarser if not first <= record.seconds <= last)
     corrected = [
-        replace(record, figures=_times(record.figures, before if record.seconds < first else after))
+        replace(
+            record,
+            figures=_times(record.figures, before if record.seconds < first else after),
+            corrected=True,
+        )
         for record in beyond
     ]
     return tuple(sorted([*corrected, *late], key=lambda record: record.seconds))
@@ -294,7 +304,9 @@ def _changes(
         / max(abs(record.figures[name]), MIN_FIGURE)
         for record in both
     ]
-    return np.interp(seconds, [record.seconds for record in both], changes)
+    beyond = np.array([record.corrected for record in records], dtype=bool)
+    found = np.interp(seconds, [record.seconds for record in both], changes)
+    return np.where(beyond, CORRECTED_CHANGE_RATIO, 1.0) * found
 
 
 def _frames(records: Sequence[TimeRecord]) -> dict[str, tuple[tuple[str, ...], Array]]:

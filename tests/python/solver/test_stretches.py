@@ -19,7 +19,7 @@ from pyworm.solver.transient.heat_memory import remembered
 from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.restart import restart_arrays, restart_from
 from pyworm.solver.transient.time_integration import integrate_in_time, integrate_on
-from pyworm.solver.transient.time_records import TimeRecord, completed
+from pyworm.solver.transient.time_records import TimeRecord, completed, curves
 from pyworm.solver.transient.time_steps import COARSE_WAY, STRETCH, restart_place
 from pyworm.solver.transient.transient import rates_at_present
 
@@ -173,9 +173,13 @@ def test_what_a_solve_before_found_is_kept_where_a_stretch_alone_is_lost(monkeyp
 
 def records_of(films, first=0.0, step=1.0):
     return [
-        TimeRecord(first + number * step, None, 1.0, (1.0,), {"film_min": film, "power_loss": 2.0})
+        TimeRecord(first + number * step, None, 1.0, (1.0, 0.0), figures_of(film))
         for number, film in enumerate(films)
     ]
+
+
+def figures_of(film):
+    return {"film_min": film, "film_central": 2 * film, "power_loss": 2.0}
 
 
 def test_beyond_a_stretch_a_life_has_the_moments_of_the_solve_before_corrected():
@@ -188,11 +192,20 @@ def test_beyond_a_stretch_a_life_has_the_moments_of_the_solve_before_corrected()
     films = [record.figures["film_min"] for record in second]
     assert films == pytest.approx([1.1, 2.2, 3.3, 3.6, 4.4, 5.0, 5.5, 6.6])
     assert all(record.figures["power_loss"] == 2.0 for record in second)
+    assert [record.seconds for record in second if record.corrected] == [0, 1, 2, 5]
+
+
+def test_bars_beyond_a_stretch_are_twice_as_wide():
+    coarse = records_of([1.0] * 6)
+    solves = completed([(coarse, -np.inf), (records_of([1.1] * 5, 2.0, 0.5), 2.0)])
+    life = curves(solves, -1.0, "point", 0.5, 0.0, 4.0, {"film_min": 1.1}, None, 1e-3)
+    bars = life["life_film_min_error"].values / 0.05
+    assert bars == pytest.approx([2, 2, 1, 1, 1, 1, 1, 2], rel=1e-6)
 
 
 def test_a_correction_is_a_factor_of_two_at_most_and_none_of_a_figure_that_is_zero():
     coarse = records_of([1.0, 1.0, 1.0])
-    fine = [replace(coarse[1], figures={"film_min": 9.0, "power_loss": 0.0})]
+    fine = [replace(coarse[1], figures=figures_of(9.0) | {"power_loss": 0.0})]
     films = [record.figures for record in completed([(coarse, -np.inf), (fine, 0.5)])[1]]
     assert [film["film_min"] for film in films] == [2.0, 9.0, 2.0]
     assert [film["power_loss"] for film in films] == [2.0, 0.0, 2.0]
