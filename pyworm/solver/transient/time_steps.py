@@ -22,7 +22,7 @@ left the contact by then that these films have brought there.
 
 Of what the first solve is off in the least film, 3 to 5 % of two rough sets (`cases/worm_drawing.toml`, and
 a = 100 mm, 1/30) and 12 to 30 % of `cases/zi_drive.toml`, one transit leaves 0.01 to 0.04 % of the film and
-0.5 to 1.2 %, one and a half at most 0.01 and 0.2 %."""
+0.3 to 1.2 %, one and a half at most 0.01 and 0.2 %."""
 
 
 FIRST_TRANSITS = 1.0
