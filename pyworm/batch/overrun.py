@@ -61,13 +61,11 @@ def overrun(case: Case, tasks: Sequence[Task], result: Result, taken: float) -> 
     if taken <= MIN_SECONDS:
         return None
     expected = expected_run(case, tasks)
+    least = taken / MAX_TIME_RATIO
     # planning the search takes a second, and only where a run took long does it decide
-    some = taken / MAX_TIME_RATIO
-    if some <= expected.seconds or some <= expected.seconds + expected.search:
+    if least <= expected.seconds or least <= (whole := expected.seconds + expected.search):
         return None
-    return Overrun(
-        taken, expected.seconds + expected.search, tuple(_reasons(tasks, result, expected))
-    )
+    return Overrun(taken, whole, tuple(_reasons(tasks, result, expected)))
 
 
 def _reasons(tasks: Sequence[Task], result: Result, expected: ExpectedRun) -> list[str]:

@@ -2,8 +2,8 @@
 
 Each solve is a call of its own, in any process, and leaves a file for each task that it serves; the tasks
 then solve their films with these rates of change. Both are the same to the last bit as where a task finds its
-own, but for point contacts of the later part of a life, which begin later alone (`MAX_ALONE_TRANSITS`): a
-transient solve does not depend on which of its times are wanted.
+own, but for point contacts: those of the later part of a life begin later alone (`MAX_ALONE_TRANSITS`), and
+stretches of finer solves that overlap are one, which begins with the first (`time_steps.restart_place`).
 """
 
 from collections import defaultdict

@@ -98,14 +98,14 @@ def variations(
     waves: float = 0.0,
     fitted_spread: float | None = None,
 ) -> Iterator[tuple[str, Variation]]:
-    """Names of uncertain assumptions, each with the surfaces in which it is changed; `LAYS` alone depend.
+    """Names of uncertain assumptions, each with the surfaces in which it is changed.
 
-    Laws of contact exclude each other: that one counts by which the load of the asperities changes most at a
-    given gap. A friction coefficient that was fitted (`fitted_spread`, else `BOUNDARY_FRICTION_SPREAD`) by
-    one law is another by another one (`REFITTED`). Assumptions that change nothing, as shear flow factors
-    between equal surfaces, are omitted. `part` of the uncertainty is changed; `thickness` is the mean one [m]
-    at evenly spaced places; `waves` in the film that the gap does not have count as more roughness by their
-    height [m].
+    All are independent but for `LAYS`. Laws of contact exclude each other: that one counts by which the load
+    of the asperities changes most at a given gap. A friction coefficient that was fitted (`fitted_spread`,
+    else `BOUNDARY_FRICTION_SPREAD`) by one law is another by another one (`REFITTED`). Assumptions that
+    change nothing, as shear flow factors between equal surfaces, are omitted. `part` of the uncertainty is
+    changed; `thickness` is the mean one [m] at evenly spaced places; `waves` in the film that the gap does
+    not have count as more roughness by their height [m].
     """
     curves = pair.curves()
     higher = hypot(1.0, waves / pair.height) - 1

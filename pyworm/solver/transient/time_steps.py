@@ -11,18 +11,18 @@ the second is off leaves 0.13 % where two solves leave 12."""
 
 COARSE_WAY = 0.75
 """Share of the way to the first touch of surfaces that come together whose films are solved so as well, from
-the second solve on. Films are thick there, and windows wide. By the second solve of `cases/zi_drive.toml` it
-changes the least film of phases 0.3 and 1.5 transits after the touch by 0.3 and 0.2 %, half of the way by 0.4
-and 0.3; 1.4 transits after that of a rough set (a = 100 mm, 1/30) by 0.03 %, nine tenths by 0.1 % and its
-temperatures by 0.6."""
+the second solve on. Films are thick there, and windows wide. In the least film of phases 0.02 and 0.1, 0.4
+and 1.7 transits after the touch, it leaves 0.6 and 0.2 % of `cases/zi_drive.toml`, 0.8 and 0.03 % of
+`cases/worm_drawing.toml`; half of the way 0.4, 0.0, 0.4 and 0.02, nine tenths 0.2, 0.3, 2.7 and 0.1
+(`benchmarks/accuracy/stretch_length.py`)."""
 
 STRETCH = 1.25
 """Transits before a wanted time through which a solve goes that begins from films of the one before: oil has
 left the contact by then that these films have brought there.
 
-Of what the first solve is off in the least film, 3 to 5 % of two rough sets (`cases/worm_drawing.toml`, and
-a = 100 mm, 1/30) and 12 to 30 % of `cases/zi_drive.toml`, one transit leaves 0.01 to 0.04 % of the film and
-0.3 to 1.2 %, one and a half at most 0.01 and 0.2 %."""
+Of what the first solve is off in the least film at phases 0.3 to 0.9, 16 to 25 % of `cases/zi_drive.toml` and
+3 to 10 % of `cases/worm_drawing.toml`, it leaves 0.1 to 0.3 % of the film and at most 0.03; one transit leaves
+0.4 to 1.7 and at most 0.14, one and a half at most 0.08 and 0.02 (`benchmarks/accuracy/stretch_length.py`)."""
 
 
 FIRST_TRANSITS = 1.0

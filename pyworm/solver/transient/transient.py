@@ -4,7 +4,8 @@ The Reynolds equation has d(rho h)/dt. Oil under pressure at present entered the
 other load, curvature and edges, and its film is that of its entry. One transient solve
 (`integrate_in_time`) goes through the life of the contact and gives the rate of change at any time of it,
 which the films on all grids of the figures take. It is made twice, the second time with half the spacing and
-half the time step; what that changes tells its error, and a third time where that does not do.
+half the time step (of worm teeth through a stretch before that time alone); what that changes tells its
+error, and a third time where that does not do.
 """
 
 from collections.abc import Mapping, Sequence
@@ -201,7 +202,8 @@ class Rates:
     found: tuple[RateOfChange, ...]
     """The rates, the finest last."""
     records: tuple[tuple[TimeRecord, ...], ...] = ()
-    """What each of the solves through the whole part, at least the first, found up to that time."""
+    """What each of the solves that began with the part, at least the first, found up to that time; of
+    stretches completed (`time_records.completed`)."""
     since: float = -inf
     """Time of the scene before, after which they are kept [s]."""
     begin: float = 0.0
