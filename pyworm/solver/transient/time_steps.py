@@ -10,19 +10,20 @@ halvings from which on they are: what the first solve is off would leave 0.5 % i
 the second is off leaves 0.13 % where two solves leave 12."""
 
 COARSE_WAY = 0.75
-"""Share of the way to the first touch of surfaces that come together whose films are solved so as well, from
-the second solve on. Films are thick there, and windows wide. In the least film of phases 0.02 and 0.1, 0.4
-and 1.7 transits after the touch, it leaves 0.6 and 0.2 % of `cases/zi_drive.toml`, 0.8 and 0.03 % of
-`cases/worm_drawing.toml`; half of the way 0.4, 0.0, 0.4 and 0.02, nine tenths 0.2, 0.3, 2.7 and 0.1
-(`benchmarks/accuracy/stretch_length.py`)."""
+"""Share of the way to the first touch of surfaces that come together whose films are solved so as well,
+from the second solve on. Films are thick there, and windows wide. In the least film of phases 0.02 and
+0.1, 0.4 and 1.7 transits after the touch, it leaves 0.6 and 0.2 % of `cases/zi_drive.toml`, 0.8 and
+0.03 % of `cases/worm_drawing.toml`; half of the way 0.4, 0.0, 0.4 and 0.02, nine tenths 0.2, 0.3, 2.7
+and 0.1 (`benchmarks/accuracy/stretch_length.py`)."""
 
 STRETCH = 1.25
 """Transits before a wanted time through which a solve goes that begins from films of the one before: oil has
 left the contact by then that these films have brought there.
 
-Of what the first solve is off in the least film at phases 0.3 to 0.9, 16 to 25 % of `cases/zi_drive.toml` and
-3 to 10 % of `cases/worm_drawing.toml`, it leaves 0.1 to 0.3 % of the film and at most 0.03; one transit leaves
-0.4 to 1.7 and at most 0.14, one and a half at most 0.08 and 0.02 (`benchmarks/accuracy/stretch_length.py`)."""
+Of what the first solve is off in the least film at phases 0.3 to 0.9, 16 to 25 % of
+`cases/zi_drive.toml` and 3 to 10 % of `cases/worm_drawing.toml`, it leaves 0.1 to 0.3 % of the film and
+at most 0.03; one transit leaves 0.4 to 1.7 and at most 0.14, one and a half at most 0.08 and 0.02
+(`benchmarks/accuracy/stretch_length.py`)."""
 
 
 FIRST_TRANSITS = 1.0
