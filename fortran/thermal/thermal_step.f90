@@ -41,6 +41,8 @@ module pyworm_thermal_step
     !> of the sweep in the step before [K].
     real(wp) :: fraction = 1, last_fraction = 0
     real(wp), allocatable :: wanted(:, :, :)
+    !> Whether temperatures stay as they are given, without a sweep after each step.
+    logical :: held = .false.
     type(work_tally) :: work
   contains
     procedure(sweep), deferred :: sweep_columns

@@ -19,7 +19,7 @@ module bindings
   public :: point_film_new, point_film_entrain, point_film_heat, point_film_swept_shear
   public :: line_film_new, line_film_entrain, line_film_heat
   public :: film_free, film_place, film_evaluate, film_step, film_state, film_thickness, film_convolve, film_tally, &
-    film_transient, film_set_gap, film_hold, film_judge, film_remember, film_store, film_shear, film_roughen, &
+    film_transient, film_set_gap, film_hold, film_hold_rise, film_judge, film_remember, film_store, film_shear, film_roughen, &
     film_asperities, film_tabulate, film_set_ruptured, film_feed, film_fraction, film_warm, film_rise, film_set_rise, &
     film_unsolved, film_shear_fields, film_heat_fields, film_profile, film_adjoints, film_evaluate_at, film_heat_change, &
     film_spread_change, film_set_oil
@@ -322,6 +322,15 @@ contains
     contact%film%rigid_film_fixed = .true.
   end subroutine film_hold
 
+  !> Keeps the temperatures of a heated film as they are given.
+  subroutine film_hold_rise(handle)
+    integer(c_int64_t), intent(in) :: handle
+    type(thermal_contact), pointer :: contact
+
+    contact => contact_of(handle)
+    if (allocated(contact%heat)) contact%heat%held = .true.
+  end subroutine film_hold_rise
+
   !> Judges temperatures of a heated film where the pressure exceeds a fraction of the largest; see `thermal_step`.
   subroutine film_judge(handle, fraction)
     integer(c_int64_t), intent(in) :: handle
@@ -543,6 +552,7 @@ contains
     integer(c_int), intent(out) :: krylov, stat
     type(thermal_contact), pointer :: contact
     type(newton_step) :: step
+    logical :: sweeps
     !f2py threadsafe
 
     contact => contact_of(handle)
@@ -551,7 +561,9 @@ contains
     load_error = last_load_error
     largest_rise = 0
     call contact%film%work%whole%start()
-    if (allocated(contact%heat)) then
+    sweeps = allocated(contact%heat)
+    if (sweeps) sweeps = .not. contact%heat%held
+    if (sweeps) then
       call heated_step(contact%film, contact%heat, forcing, p, new_h0, residual, load_error, step, stat)
       largest_rise = maxval(contact%film%model%shear%nodes%rise)
     else

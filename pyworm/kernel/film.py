@@ -159,6 +159,7 @@ class Film(ABC):
         self.rough = False
         self.fed = False
         self.boundary_friction = 0.0
+        self._swept = True
         self._warming = 0.0
         weakref.finalize(self, core.bindings.film_free, self._handle)
 
@@ -310,6 +311,12 @@ class Film(ABC):
         """Keep the rigid film as it is started, whatever load the film then carries."""
         core.bindings.film_hold(self._handle)
 
+    def hold_rise(self) -> None:
+        """Keep a heated film's temperatures as they are: its steps make no sweeps of heat."""
+        core.bindings.film_hold_rise(self._handle)
+        self._swept = False
+        self._warming = 0.0
+
     def judge(self, fraction: float) -> None:
         """Judge a heated film's temperatures where the pressure exceeds this fraction of the largest [-]."""
         core.bindings.film_judge(self._handle, fraction)
@@ -351,7 +358,7 @@ class Film(ABC):
             )
         )
         self.rigid_film = rigid_film
-        if self.heated:
+        if self.heated and self._swept:
             self._warming = change / max(LEAST_RISE, rise)
         self.balance = Balance(residual, load_error, self._warming)
         check_status(status)

@@ -30,9 +30,9 @@ from pyworm.scene.waves import moving_waves
 from pyworm.solver import figures as figures_of_grid
 from pyworm.solver.arrival_uncertainty import arrival_uncertainty
 from pyworm.solver.ending import Ending
-from pyworm.solver.error_estimate import Convergence
+from pyworm.solver.error_estimate import Convergence, Reading
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
-from pyworm.solver.newton import NewtonStep, iterate
+from pyworm.solver.newton import Iteration, NewtonStep, converge, iterate
 from pyworm.solver.oil_supply import supply_figures
 from pyworm.solver.oil_uncertainty import oil_uncertainty
 from pyworm.solver.outcome import Outcome, fields, heat_balance, profile
@@ -127,6 +127,20 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             level, further = self.refined(level)
             steps += further
         return level, steps
+
+    def converged(self, level: LevelT, plan: Plan, algebra_wanted: float) -> Iteration:
+        """The end of Newton's iteration on a grid of the figures, as of `newton.converge`.
+
+        Where the film is found its reading is `_resolved`.
+        """
+        found = converge(level, plan.tolerance, plan.target, algebra_wanted)
+        if level.film.balance.worst > plan.tolerance:
+            return found
+        return replace(found, reading=self._resolved(level, found.reading))
+
+    def _resolved(self, level: LevelT, reading: Reading) -> Reading:
+        """The reading of a film, its minimum on finer grids where the grid does not resolve it."""
+        return reading
 
     def cut_off(self, narrow: LevelT, wider: LevelT) -> dict[str, float]:
         """Relative parts of friction and loss in a wider window that a narrower one cuts off, if any."""

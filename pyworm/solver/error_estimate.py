@@ -35,6 +35,8 @@ class Reading:
     further: dict[str, float] = field(default_factory=dict)
     """Figures of a sheared film (`SHEAR_FIGURES`) and of a heated one (`HEAT_FIGURES`), temperatures above
     the colder body's bulk temperature [K]."""
+    left: dict[str, float] = field(default_factory=dict)
+    """Relative error that finer grids about its place leave in a figure (`point.local_grids`)."""
 
     @property
     def figures(self) -> dict[str, float]:

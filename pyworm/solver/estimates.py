@@ -36,6 +36,7 @@ def estimates(
     limits = grid_limits(readings or [iteration.reading], solver.convergence)
     grid = {name: limit.error for name, limit in limits.items()}
     grid |= {name: max(grid[name], error) for name, error in peak_errors(iteration.reading).items()}
+    grid |= {name: grid[name] + left for name, left in iteration.reading.left.items()}
     reasons = {"pressure_max": unresolved(iteration.reading)}
     if not film_is_sound(level, iteration, plan):
         grid = dict.fromkeys(grid, np.inf)

@@ -33,7 +33,7 @@ from pyworm.solver.levels_across import (
     is_hot,
 )
 from pyworm.solver.memory import NoMemoryError, shortage
-from pyworm.solver.newton import Iteration, NewtonStep, converge, convergence_history
+from pyworm.solver.newton import Iteration, NewtonStep, convergence_history
 from pyworm.solver.solution import Estimate, Figures, Solution
 from pyworm.solver.stop_reason import (
     CURE,
@@ -446,7 +446,7 @@ class GridSequence:
         """Converge a level, if need be through larger stresses; `fraction` is of its algebraic error."""
         plan = self._plan
         wanted = fraction * error_budget.ALGEBRA * plan.accuracy
-        iteration = converge(level, plan.tolerance, plan.target, wanted)
+        iteration = self._solver.converged(level, plan, wanted)
         if level.film.balance.worst <= plan.tolerance:
             return iteration
         if self._solver.circulates(level):
@@ -454,7 +454,7 @@ class GridSequence:
         steps = self._solver.continued_from_larger_stresses(level)
         if steps:
             self._steps += [*iteration.steps, *steps]
-            iteration = converge(level, plan.tolerance, plan.target, wanted)
+            iteration = self._solver.converged(level, plan, wanted)
         return iteration
 
     def _estimates(self) -> dict[str, Estimate]:

@@ -17,7 +17,7 @@ from pyworm.solver.contact import ContactSolver
 from pyworm.solver.error_estimate import change
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level
-from pyworm.solver.newton import Iteration, converge
+from pyworm.solver.newton import Iteration
 from pyworm.solver.stop_reason import MAX_JUDGED_RESIDUAL, film_is_sound
 from pyworm.solver.transient.transient import Transient
 
@@ -132,5 +132,5 @@ def _with_more_levels(film: EnoughLevels, transient: Transient | None) -> Enough
     solver = SOLVERS[type(scene)](scene, plan, rate)
     level = solver.with_rate(film.level)
     wanted = error_budget.ALGEBRA * plan.accuracy * error_budget.LEVELS
-    iteration = converge(level, plan.tolerance, plan.target, wanted)
+    iteration = solver.converged(level, plan, wanted)
     return EnoughLevels(plan, solver, level, iteration, film.errors)

@@ -18,7 +18,7 @@ from pyworm.scene.point import Scene
 from pyworm.scene.scales import Scales, scales
 from pyworm.solver import figures
 from pyworm.solver.contact import COARSE_TOLERANCE, FED_FALLS, ContactSolver
-from pyworm.solver.error_estimate import Convergence, Left
+from pyworm.solver.error_estimate import Convergence, Left, Reading
 from pyworm.solver.level import InitialGuess, Level, TransientTerm
 from pyworm.solver.newton import NewtonStep, iterate
 from pyworm.solver.oil_supply import mostly_full
@@ -29,12 +29,14 @@ from pyworm.solver.point.level import (
     first_level,
     guess_around,
     guess_on,
+    held_level,
     lone_level,
     next_level,
     restart,
     same_grid,
     unsolved_level,
 )
+from pyworm.solver.point.local_grids import resolved
 from pyworm.solver.solution import DryFigures
 
 AUXILIARY_TOLERANCE = 1e-2
@@ -128,6 +130,22 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
             return level, steps
         level, further = super().in_wider_window(grids, narrow)
         return level, steps + further
+
+    def _resolved(self, level: PointLevel, reading: Reading) -> Reading:
+        """That of a starved film with the minimum on finer grids about it (`local_grids`)."""
+        if not level.film.fed or self._transient_term is not None:
+            return reading
+        return resolved(level, reading, self._within, self._plan.tolerance)
+
+    def _within(
+        self, level: PointLevel, grid: Grid, deflection: Array, guess: InitialGuess
+    ) -> PointLevel:
+        """The film on a finer grid within a level's, under the pressure around it."""
+        finer = held_level(self._scene, self._size, level, grid, deflection, guess)
+        self._shear_and_warm(finer, guess)
+        if finer.film.heated:
+            finer.film.hold_rise()
+        return finer
 
     def cut_off(self, narrow: PointLevel, wider: PointLevel) -> dict[str, float]:
         """Parts of friction and loss in a wider window that a narrower one cuts off."""

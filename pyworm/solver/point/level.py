@@ -190,6 +190,24 @@ def next_level(
     return finer
 
 
+def held_level(
+    scene: Scene,
+    size: Scales,
+    level: PointLevel,
+    grid: Grid,
+    deflection: Array,
+    guess: InitialGuess,
+) -> PointLevel:
+    """A grid of half the spacing within the present one, under a deflection [m] by all pressure beyond it.
+
+    Its rigid film and the pressure on its outline stay those of the guess.
+    """
+    finer = _level(scene, size, grid, deflection, level.load, None)
+    finer.film.hold()
+    finer.film.start(np.where(finer.covered, guess.pressure, 0.0), guess.rigid_film)
+    return finer
+
+
 def _without_outline(pressure: Array) -> Array:
     """A pressure that is zero on the outline."""
     inner = np.zeros(pressure.shape, order="F")
