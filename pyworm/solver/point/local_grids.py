@@ -25,7 +25,7 @@ from pyworm.solver.point.level import PointLevel
 HALF_WIDTH = 64
 """Cells of a grid from the minimum to the sides of the finer one about it."""
 
-MARGIN = 16
+UNREAD_NODES = 16
 """Nodes of a finer grid next to its outline that are not read: the film there follows the given pressure."""
 
 COLLAR = 32
@@ -35,17 +35,17 @@ an infinite slope, which interpolation blurs."""
 TOLERANCE = 1e-5
 """Residual of the films on finer grids, over the flow through them."""
 
-SETTLED = 0.005
+SETTLED_CHANGE = 0.005
 """Change of a minimum film by the last halving of the spacing at which it has settled."""
 
 MOST_HALVINGS, MOST_GRIDS = 6, 40
 """Maximum number of halvings about one place, and of finer grids of a film."""
 
-LOST_SHARE, MOST_LOST = 0.75, 0.12
+DEFICIT_SHARE, MAX_DEFICIT = 0.75, 0.12
 """Most by which the minimum on finer grids is too low, over what it is above that of the whole grid, and
-over itself: oil that the whole grid loses upstream is missing in all of them. Of eight contacts with layers of
-0.05 to 0.4 flooded films (`benchmarks/accuracy/local_grids.py`) the minimum by coarse grids was between 2 %
-above and 9 % below that of grids four to eight times as fine."""
+over itself: oil that the whole grid loses upstream is missing in all of them. Of eight contacts with layers
+of 0.05 to 0.4 flooded films (`benchmarks/accuracy/local_grids.py`) the minimum by coarse grids was from 2 %
+above and 9 % below that of the finest."""
 
 Continue = Callable[[PointLevel, Grid, Array, InitialGuess], PointLevel]
 """What makes the film on a finer grid: of the film around it, by that grid, deflection and guess."""
@@ -74,9 +74,9 @@ class _Piece:
             self.value, self.place = found
 
     @property
-    def settled(self) -> bool:
+    def has_settled(self) -> bool:
         """Whether half the spacing would hardly change the minimum, or is too fine."""
-        return self.halvings >= MOST_HALVINGS or self.change <= SETTLED
+        return self.halvings >= MOST_HALVINGS or self.change <= SETTLED_CHANGE
 
 
 def resolved(level: PointLevel, reading: Reading, continued: Continue, tolerance: float) -> Reading:
@@ -87,18 +87,18 @@ def resolved(level: PointLevel, reading: Reading, continued: Continue, tolerance
     """
     pieces = [_Piece(level, np.ones(level.grid.shape, dtype=bool))]
     pieces[0].find()
-    while not (lowest := min(pieces, key=lambda piece: piece.value)).settled:
+    while not (lowest := min(pieces, key=lambda piece: piece.value)).has_settled:
         finer = None if len(pieces) > MOST_GRIDS else _refined(lowest, continued, tolerance)
         if finer is None:
             return reading
         pieces.append(finer)
     least = lowest.value
-    lost = min(LOST_SHARE * abs(1 - reading.film_min / least), MOST_LOST)
+    deficit = min(DEFICIT_SHARE * abs(1 - reading.film_min / least), MAX_DEFICIT)
     return replace(
         reading,
-        film_min=min(least * (1 + lost / 2), reading.film_central),
+        film_min=min(least * (1 + deficit / 2), reading.film_central),
         film_min_at=lowest.place,
-        left={"film_min": lost / 2 + lowest.change},
+        left={"film_min": deficit / 2 + lowest.change},
     )
 
 
@@ -116,11 +116,13 @@ def _refined(piece: _Piece, continued: Continue, tolerance: float) -> _Piece | N
     if not finer.film.balance.residual <= tolerance:
         return None
     counted = np.zeros(grid.shape, dtype=bool)
-    counted[MARGIN:-MARGIN, MARGIN:-MARGIN] = True
+    counted[UNREAD_NODES:-UNREAD_NODES, UNREAD_NODES:-UNREAD_NODES] = True
     found = _Piece(finer, counted, piece.halvings + 1)
     found.find()
     found.change = float(abs(found.value - piece.value) / abs(found.value))
-    inner = tuple(slice(part.start + MARGIN // 2, part.stop - MARGIN // 2) for part in window)
+    inner = tuple(
+        slice(part.start + UNREAD_NODES // 2, part.stop - UNREAD_NODES // 2) for part in window
+    )
     piece.counted[inner] = False
     piece.find()
     return found
@@ -129,8 +131,8 @@ def _refined(piece: _Piece, continued: Continue, tolerance: float) -> _Piece | N
 def _window(grid: Grid, place: Sequence[float]) -> tuple[slice, slice]:
     """Nodes of a grid about a place, within it."""
     along_x, along_y = (
-        _about(round((at - first) / step), nodes)
-        for at, first, step, nodes in zip(
+        _about(round((position - first) / step), nodes)
+        for position, first, step, nodes in zip(
             place, (grid.west, grid.south), grid.spacing, grid.shape, strict=True
         )
     )
@@ -155,9 +157,9 @@ def _deflection(level: PointLevel, grid: Grid, window: tuple[slice, slice]) -> A
     beyond = level.far + _deflected(level, far, coarse)
     around = _halved_on_outline(np.maximum(kernel.prolong(close), 0.0))
     whole = coarse.part((near[0], near[1])).finer()
-    own = whole.nodes_of(grid)
-    around[own] = 0.0
-    return kernel.prolong(beyond[window]) + _deflected(level, around, whole)[own]
+    inner = whole.nodes_of(grid)
+    around[inner] = 0.0
+    return kernel.prolong(beyond[window]) + _deflected(level, around, whole)[inner]
 
 
 def _deflected(level: PointLevel, pressure: Array, grid: Grid) -> Array:
