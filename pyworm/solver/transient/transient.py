@@ -29,7 +29,7 @@ from pyworm.solver.error_estimate import Reading
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level, TransientTerm
 from pyworm.solver.newton import converge
-from pyworm.solver.stop_reason import MAX_USED_ERROR
+from pyworm.solver.stop_reason import MAX_USED_ERROR, presses_on_edge
 from pyworm.solver.transient.extrapolated_rate import ExtrapolatedRate, share_left
 from pyworm.solver.transient.next_film import MEMORY_TRANSITS, NoFilmError
 from pyworm.solver.transient.rate_errors import error_share, least_error, rate_errors
@@ -75,6 +75,9 @@ share of the largest error with which a film is used."""
 MAX_SOLVES, MIN_SOLVES = 4, 3
 """Maximum number of transient solves (each costs eight times the previous one); the first three are always
 made."""
+
+EDGE_FALL = 0.5
+"""Fall of the error of a contact on a sharp edge by a further solve, of first order."""
 
 MOST_WORK = 1.2e8
 """Nodes times time steps of a further one: two and a half minutes of a point contact without heat. Balls and
@@ -230,6 +233,8 @@ class Transient:
     """Whether one more transient solve may mend that."""
     life: PlainDataset | None = None
     """Figures and frames of the film up to now (`records.curves`)."""
+    in_vain: bool = False
+    """Whether a further transient solve is not worth its time (`_in_vain`)."""
     film_error: float = inf
     """Largest error of films and friction by the transient solve."""
     heat_error: float = inf
@@ -344,9 +349,24 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         flaw = (
             f"the transient solve through the engagement leaves an error of {percent(heat_error)}"
         )
-    coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
+    in_vain = len(rates.found) >= solves_of_life(plan.accuracy) and _in_vain(
+        level, film_error, plan
+    )
+    coarse = flaw is not None and not (rates.finest or in_vain) and len(rates.found) < MAX_SOLVES
     life = _life(scene, plan, rates, readings, figures, slow)
-    return Transient(last, level, errors, flaw, coarse, life, film_error, heat_error)
+    return Transient(last, level, errors, flaw, coarse, life, in_vain, film_error, heat_error)
+
+
+def _in_vain(level: Level, error: float, plan: Plan) -> bool:
+    """Whether a further solve would not bring a point contact that rests on a sharp edge to the accuracy.
+
+    Its films, whose error is usable, settle with the first order of the time step at best. Of drive 0 of seed
+    99017 of `tests/hard` a third solve, of a quarter of the time, left 15 and 21 % after 15 and 18 %.
+    """
+    out_of_reach = error_budget.TIME * plan.accuracy < EDGE_FALL * error <= EDGE_FALL * USABLE_ERROR
+    if plan.work.kind != "point" or not out_of_reach:
+        return False
+    return presses_on_edge(level.covered, level.film.pressure)
 
 
 def _settles_slowly(scene: Scene | LineScene, rates: Rates, kind: Kind) -> bool:
