@@ -38,7 +38,7 @@ TOLERANCE = 1e-5
 SETTLED_CHANGE = 0.005
 """Change of a minimum film by the last halving of the spacing at which it has settled."""
 
-MOST_HALVINGS, MOST_GRIDS = 6, 40
+MOST_HALVINGS, MOST_GRIDS = 6, 80
 """Maximum number of halvings about one place, and of finer grids of a film."""
 
 DEFICIT_SHARE, MAX_DEFICIT = 0.75, 0.12
@@ -63,6 +63,8 @@ class _Piece:
     """Relative change of the minimum by the last halving."""
     value: float = np.inf
     place: tuple[float, ...] = ()
+    last: bool = False
+    """Whether there is no film on half the spacing."""
 
     def find(self) -> None:
         """Find the minimum; infinite where no node with pressure is left."""
@@ -76,22 +78,26 @@ class _Piece:
     @property
     def has_settled(self) -> bool:
         """Whether half the spacing would hardly change the minimum, or is too fine."""
-        return self.halvings >= MOST_HALVINGS or self.change <= SETTLED_CHANGE
+        return self.last or self.halvings >= MOST_HALVINGS or self.change <= SETTLED_CHANGE
 
 
 def resolved(level: PointLevel, reading: Reading, continued: Continue, tolerance: float) -> Reading:
     """A reading whose minimum film thickness is that on finer grids, with the error that they leave.
 
-    Half of what it may be too low by is added to it, as far as the film at the contact point, and half is its
-    error. Where a film on a finer grid is not found within a tolerance the reading stays as it is.
+    Half of what it may be too low by is added to it, as far as the film at the contact point, and half is
+    its error, beside its change by the last halving. Where no film is found within a tolerance on the first
+    of the finer grids the reading stays as it is.
     """
     pieces = [_Piece(level, np.ones(level.grid.shape, dtype=bool))]
     pieces[0].find()
     while not (lowest := min(pieces, key=lambda piece: piece.value)).has_settled:
         finer = None if len(pieces) > MOST_GRIDS else _refined(lowest, continued, tolerance)
         if finer is None:
-            return reading
-        pieces.append(finer)
+            lowest.last = True
+        else:
+            pieces.append(finer)
+    if lowest is pieces[0]:
+        return reading
     least = lowest.value
     deficit = min(DEFICIT_SHARE * abs(1 - reading.film_min / least), MAX_DEFICIT)
     return replace(

@@ -81,6 +81,22 @@ def test_a_film_that_is_not_found_on_a_finer_grid_leaves_the_reading(ellipse, mo
     assert resolved(level, on_grid, solver._within, plan.tolerance) is on_grid
 
 
+def test_where_the_finest_film_is_not_found_the_last_one_counts_with_its_change(ellipse):
+    solver, _, level, settled = ellipse
+    finest = []
+
+    def once(whole, grid, deflection, guess):
+        finer = solver._within(whole, grid, deflection, guess)
+        if grid.dx < 0.4 * level.grid.dx:
+            finer.film.place(2 * finer.film.pressure, -finer.film.rigid_film)
+            finest.append(finer)
+        return finer
+
+    reading = resolved(level, level.read(), once, 1e-4)
+    assert finest and reading.left["film_min"] > 0.03 + settled.left["film_min"]
+    assert level.read().film_min < reading.film_min < settled.film_min
+
+
 def test_temperatures_on_finer_grids_are_those_of_the_whole_one():
     """They are held while the film is found: a step without it changes them."""
     scene = ball()
