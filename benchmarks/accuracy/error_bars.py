@@ -38,7 +38,6 @@ from pyworm.precision.extrapolation import limit
 from pyworm.scene.index import ContactIndex
 from pyworm.solver.error_estimate import Reading
 from pyworm.solver.grid_sequence import SOLVERS
-from pyworm.solver.newton import converge
 
 sys.path.append(str(Path(__file__).parents[2] / "tests" / "hard"))
 from draws import JUDGED_DRAWS, Drawn
@@ -100,9 +99,7 @@ def refined(
     level, _ = solver.begin(grids)
     readings: dict[int, Reading] = {}
     for number in count():
-        iteration = converge(
-            level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy
-        )
+        iteration = solver.converged(level, plan, error_budget.ALGEBRA * plan.accuracy)
         if level.film.balance.worst > 10 * plan.tolerance or iteration.reading.film_min <= 0:
             readings = {}
         else:

@@ -8,7 +8,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pyworm.io.plain_dataset import PlainDataset
 from pyworm.io.quantity_text import percent
@@ -191,12 +190,8 @@ def rests_on_edge(fields: PlainDataset) -> bool:
     """
     if "covered" not in fields:
         return False
+    covered = fields["covered"].values.astype(bool)
     pressure = fields["dry_pressure" if "dry_pressure" in fields else "pressure"].values
-    return presses_on_edge(fields["covered"].values.astype(bool), pressure)
-
-
-def presses_on_edge(covered: NDArray[np.bool_], pressure: NDArray[np.float64]) -> bool:
-    """Whether a pressure [Pa] is large beside nodes where a surface ends."""
     beside = np.zeros_like(covered)
     for axis in range(covered.ndim):
         ends = np.diff(covered.astype(np.int8), axis=axis) != 0
