@@ -132,10 +132,7 @@ class GridSequence:
 
         After the last grid also where that and errors which no grid reduces exceed the accuracy together.
         """
-        transient = self._transient
-        if transient is None or transient.in_vain:
-            return False
-        return transient.coarse or self._time_would_do
+        return self._transient is not None and (self._transient.coarse or self._time_would_do)
 
     def figures(self) -> dict[str, float] | None:
         """The figures so far; None where there is no film yet."""

@@ -76,9 +76,6 @@ MAX_SOLVES, MIN_SOLVES = 4, 3
 """Maximum number of transient solves (each costs eight times the previous one); the first three are always
 made."""
 
-FIRST_ORDER_FALL = 0.5
-"""Fall of an error of first order by half the time step."""
-
 MOST_WORK = 1.2e8
 """Nodes times time steps of a further one: two and a half minutes of a point contact without heat. Balls and
 ellipses whose entrainment turns round or starts from rest come by it from 12 to 43 % to 1 to 3 %."""
@@ -233,8 +230,6 @@ class Transient:
     """Whether one more transient solve may mend that."""
     life: PlainDataset | None = None
     """Figures and frames of the film up to now (`records.curves`)."""
-    in_vain: bool = False
-    """Whether a further transient solve is not worth its time (`_in_vain`)."""
     film_error: float = inf
     """Largest error of films and friction by the transient solve."""
     heat_error: float = inf
@@ -349,32 +344,16 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         flaw = (
             f"the transient solve through the engagement leaves an error of {percent(heat_error)}"
         )
-    in_vain = _in_vain(rates, film_error, plan)
-    coarse = flaw is not None and not (rates.finest or in_vain) and len(rates.found) < MAX_SOLVES
+    coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
     life = _life(scene, plan, rates, readings, figures, slow)
-    return Transient(last, level, errors, flaw, coarse, life, in_vain, film_error, heat_error)
-
-
-def _in_vain(rates: Rates, error: float, plan: Plan) -> bool:
-    """Whether a further solve would not bring films to the accuracy, whose error is usable.
-
-    Limited rates settle with the first order of the time step at best. At phase 0.9 of drive 0 of seed 99017
-    of `tests/hard` a third solve, of a seventh of the time, left 21 % after 18 %.
-    """
-    if len(rates.found) < solves_of_life(plan.accuracy) or not _are_limited(rates):
-        return False
-    wanted = error_budget.TIME * plan.accuracy
-    return wanted < FIRST_ORDER_FALL * error <= FIRST_ORDER_FALL * USABLE_ERROR
-
-
-def _are_limited(rates: Rates) -> bool:
-    """Whether one of the last rates is limited (`backward_term`)."""
-    return any(rate.limited for rate in rates.found[-2:])
+    return Transient(last, level, errors, flaw, coarse, life, film_error, heat_error)
 
 
 def _settles_slowly(scene: Scene | LineScene, rates: Rates, kind: Kind) -> bool:
     """Whether films settle with the first order of the time step at best."""
-    return _are_limited(rates) or _turned_round(scene, rates.records, kind)
+    if any(rate.limited for rate in rates.found[-2:]):
+        return True
+    return _turned_round(scene, rates.records, kind)
 
 
 def _turned_round(

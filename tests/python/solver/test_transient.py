@@ -260,23 +260,6 @@ def test_one_more_transient_solution_follows_where_grids_cannot_bring_the_accura
     assert accurate or "grid refinement does not reduce the error" in solution.stop_reason
 
 
-@pytest.mark.parametrize(
-    "limited, error, solves", [(True, 0.12, 2), (True, 0.07, 3), (False, 0.12, 3)]
-)
-def test_no_solve_follows_in_vain_where_rates_are_limited(limited, error, solves, monkeypatch):
-    """It may halve the error, which is to be at most 3.9 %."""
-
-    def errors(readings, *others):
-        return dict.fromkeys(readings[-1].figures, error if len(readings) <= 3 else 0.01)
-
-    monkeypatch.setattr(transient_module, "rate_errors", errors)
-    monkeypatch.setattr(transient_module, "_are_limited", lambda rates: limited)
-    solution = solved(lived(lambda back: ball(1 - 200 * back)), ("isothermal", "squeeze"))
-    assert solution.cost.transient_solves == solves
-    assert solution.accurate is (solves == 3) and solution.converged
-    assert solves == 3 or "leaves an error of 12 %" in solution.stop_reason
-
-
 def test_temperatures_of_no_use_do_not_widen_the_bars_of_films():
     scene = ball()
     plan = pyworm.plan(scene, 0.05, "all")
