@@ -9,6 +9,7 @@ import numpy as np
 from pyworm.formulas.arrays import Array
 from pyworm.kernel import DryContact
 from pyworm.materials.body import Body
+from pyworm.planning.discretisation import NEAR_MENISCUS
 from pyworm.planning.expected_work import Kind
 from pyworm.planning.grid import Grid
 from pyworm.planning.plan import Plan
@@ -132,8 +133,10 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         return level, steps + further
 
     def _resolved(self, level: PointLevel, reading: Reading) -> Reading:
-        """That of a starved film with the minimum on finer grids about it (`local_grids`)."""
-        if not level.film.fed or self._transient_term is not None:
+        """That of a film whose outline is that of the dry contact, with the minimum by `local_grids`."""
+        if not level.film.fed or self._size.supply_ratio > NEAR_MENISCUS:
+            return reading
+        if self._transient_term is not None:
             return reading
         return resolved(level, reading, self._within, self._plan.tolerance)
 

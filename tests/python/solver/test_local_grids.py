@@ -50,6 +50,13 @@ def test_the_minimum_is_not_above_the_film_at_the_contact_point():
     assert reading.film_min == reading.film_central == level.read().film_central
 
 
+def test_thicker_layers_need_no_finer_grids():
+    """One of two flooded films, whose meniscus stands before the dry contact."""
+    *_, level, reading = begun(4, 99400)
+    assert level.film.fed and reading.left == {}
+    assert reading.film_min == level.read().film_min
+
+
 def test_a_finer_grid_begins_with_the_film_around_it(ellipse):
     """Under the pressure of all nodes beyond it: shifted by a twentieth, alike up to its outline."""
     solver, plan, level, _ = ellipse

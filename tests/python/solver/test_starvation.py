@@ -378,7 +378,7 @@ def test_no_oil_is_pressed_in_from_a_coarser_grid():
     scene = case_of(DRAWS["starved"](7, 99100).tables, "starved", Path()).scene()
     found = [
         pyworm.solve(scene, pyworm.plan(scene, accuracy, "isothermal", ("film",)))
-        for accuracy in (0.01, 0.02)
+        for accuracy in (0.05, 0.1)
     ]
     one, other = (solution.figures.film_central for solution in found)
     assert one.agrees_with(other) and max(one.error, other.error) < 0.01
