@@ -2,8 +2,8 @@
 
 Random starved scenes without heat (even numbers; `tests/hard/draws.py`) whose layer is thinner than THINNEST
 of the flooded film are solved on grids of halving spacing up to MOST_NODES. For each grid: the minimum on it,
-that by finer grids about it (`pyworm.solver.point.local_grids`) with its error, and the ratio of its change
-to that of the finest grid to both errors. From the repository's root:
+that by finer grids about it (`pyworm.solver.point.local_grids`) with its error, and its deviation from
+that by the finest grid over the errors of both. From the repository's root:
 
     python benchmarks/accuracy/local_grids.py [COUNT [SEED]]
 """

@@ -472,7 +472,7 @@ class Film(ABC):
 
     def _warm_from(self, rise: npt.ArrayLike | None) -> None:
         """Heat the film from a rise over the inlet temperature at the levels [K], by default zero."""
-        self.heated = True
+        self.heated = self._swept = True
         self._warming = np.inf
         if rise is not None:
             self.set_rise(rise)
