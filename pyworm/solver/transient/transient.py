@@ -25,14 +25,12 @@ from pyworm.planning.target import HEAT_FIGURES
 from pyworm.scene.life import Life, Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
-from pyworm.solver.error_estimate import Reading
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level, TransientTerm
-from pyworm.solver.newton import converge
 from pyworm.solver.stop_reason import MAX_USED_ERROR
-from pyworm.solver.transient.extrapolated_rate import ExtrapolatedRate, share_left
 from pyworm.solver.transient.next_film import MEMORY_TRANSITS, NoFilmError
-from pyworm.solver.transient.rate_errors import error_share, least_error, rate_errors
+from pyworm.solver.transient.rate_errors import error_share, least_error
+from pyworm.solver.transient.rated_films import RatedFilms, rated_films
 from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
 from pyworm.solver.transient.time_integration import (
     RateOfChange,
@@ -315,38 +313,20 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     if rates.flaw is not None:
         return Transient(None, level, dict.fromkeys(level.read().figures, inf), rates.flaw)
 
-    def with_rate(level: Level, rate: TransientTerm | None) -> tuple[Level, Reading]:
-        if rate is not None:
-            level = solver_type(scene, plan, rate).with_rate(level)
-        # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
-        iteration = converge(
-            level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy
-        )
-        return level, iteration.reading
-
-    readings: list[Reading] = []
-    for rate in (None, *rates.found):
-        level, reading = with_rate(level, rate)
-        readings.append(reading)
-    kind, slow = plan.work.kind, _settles_slowly(scene, rates, plan.work.kind)
-    last: TransientTerm = rates.found[-1]
-    extrapolated, share = None, 0.0 if slow else share_left(readings[1:], plan.target)
-    if share > 0:
-        last = ExtrapolatedRate(rates.found[-2], rates.found[-1], share)
-        level, extrapolated = with_rate(level, last)
-    errors = rate_errors(readings, extrapolated, share, kind, slow, plan.target)
-    figures = (extrapolated or readings[-1]).figures
-    heat_error = plan.target.worst(errors, figures)
-    film_error = plan.target.without(*HEAT_FIGURES).worst(errors, figures)
+    slow = _settles_slowly(scene, rates, plan.work.kind)
+    first = films = rated_films(scene, plan, rates.found, slow, level)
+    while not films.within and (finer := films.finer()) is not None:
+        films = finer
+    level = first.level if films.rate is first.rate else first.with_rate(films.rate)
     flaw = None
     # finer grids of the present film would not mend that
-    if not heat_error <= error_budget.TIME * plan.accuracy:
-        flaw = (
-            f"the transient solve through the engagement leaves an error of {percent(heat_error)}"
-        )
+    if not films.within:
+        flaw = f"the transient solve through the engagement leaves an error of {percent(films.heat_error)}"
     coarse = flaw is not None and not rates.finest and len(rates.found) < MAX_SOLVES
-    life = _life(scene, plan, rates, readings, figures, slow)
-    return Transient(last, level, errors, flaw, coarse, life, film_error, heat_error)
+    life = _life(scene, plan, rates, first)
+    return Transient(
+        films.rate, level, films.errors, flaw, coarse, life, films.film_error, films.heat_error
+    )
 
 
 def _settles_slowly(scene: Scene | LineScene, rates: Rates, kind: Kind) -> bool:
@@ -375,9 +355,7 @@ def _life(
     scene: Scene | LineScene,
     plan: Plan,
     rates: Rates,
-    readings: Sequence[Reading],
-    present: Mapping[str, float],
-    slow: bool,
+    films: RatedFilms,
 ) -> PlainDataset:
     """The film up to now since the scene before, one instant at least.
 
@@ -389,9 +367,9 @@ def _life(
     coldest = None
     if plan.model.heated and heat is not None:
         coldest = heat.inlet_temperature + scene.coldest
-    shared = readings[: len(rates.records) + 1]
-    share, least = error_share(kind, slow), least_error(shared, kind, slow)
+    shared = films.readings[: len(rates.records) + 1]
+    share, least = error_share(kind, films.slow), least_error(shared, kind, films.slow)
     present_seconds = present_in_life(scene).seconds
     reach = MEMORY_TRANSITS * 2 * predicted(scene).half_width
-    shown = share, least, present_seconds, present, coldest, reach
+    shown = share, least, present_seconds, films.figures, coldest, reach
     return curves(rates.records, since, kind, *shown)
