@@ -21,7 +21,7 @@ from pyworm.scene.scales import line_scales
 from pyworm.solver.ending import Ending
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.line.level import LineLevel
-from pyworm.solver.transient import next_film, time_integration, time_steps
+from pyworm.solver.transient import next_film, rated_films, time_integration, time_steps
 from pyworm.solver.transient import transient as transient_module
 from pyworm.solver.transient.differences import backward_weights, weights
 from pyworm.solver.transient.next_film import NoLoadError
@@ -221,7 +221,7 @@ def test_a_rate_less_accurate_than_asked_for_is_used_with_wider_bars(left, endin
     def errors(readings, *others):
         return dict.fromkeys(readings[-1].figures, left)
 
-    monkeypatch.setattr(transient_module, "rate_errors", errors)
+    monkeypatch.setattr(rated_films, "rate_errors", errors)
     monkeypatch.setattr(transient_module, "MAX_SOLVES", 2)
     solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), ("isothermal", "squeeze"))
     assert solution.ending is ending
@@ -236,7 +236,7 @@ def test_a_rate_beyond_its_share_leaves_an_accurate_film_if_all_errors_are_withi
     def errors(readings, *others):
         return dict.fromkeys(readings[-1].figures, 0.042)
 
-    monkeypatch.setattr(transient_module, "rate_errors", errors)
+    monkeypatch.setattr(rated_films, "rate_errors", errors)
     monkeypatch.setattr(transient_module, "MAX_SOLVES", 2)
     solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), ("isothermal", "squeeze"))
     assert error_budget.TIME * 0.05 < 0.042 < solution.figures.film_min.error < 0.05
@@ -252,7 +252,7 @@ def test_one_more_transient_solution_follows_where_grids_cannot_bring_the_accura
     def errors(readings, *others):
         return dict.fromkeys(readings[-1].figures, 0.038 if len(readings) <= 3 else 0.01)
 
-    monkeypatch.setattr(transient_module, "rate_errors", errors)
+    monkeypatch.setattr(rated_films, "rate_errors", errors)
     monkeypatch.setattr(LineLevel, "conduction_errors", lambda level: {"film_central": conduction})
     solution = solved(lived(lambda back: as_line(ball(1 - 200 * back))), ("isothermal", "squeeze"))
     assert solution.cost.transient_solves == solves
