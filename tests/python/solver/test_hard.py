@@ -21,6 +21,7 @@ from pyworm.io.input_error import CaseError
 from pyworm.kernel.core import NO_DESCENT, KernelError
 from pyworm.planning.grid import Grid
 from pyworm.scene.scales import scales
+from pyworm.solver import contact
 from pyworm.solver.contact import UNUSABLE_START_RESIDUAL
 from pyworm.solver.ending import Ending
 from pyworm.solver.newton import converge, newton_step
@@ -194,6 +195,14 @@ def test_a_law_no_cold_film_leads_to_is_softened_bit_by_bit_and_hot(tmp_path):
     solution = pyworm.solve(one.plan.simplified(one.scene), one.plan)
     assert solution.converged, solution.stop_reason
     assert solution.figures.temperature_max_film.value > one.scene.oil.heat.inlet_temperature + 10
+
+
+def test_a_law_that_would_be_softened_in_too_many_steps_is_given_up(tmp_path, monkeypatch):
+    """On a large grid they would take hours: the film is told not to be found, with infinite error."""
+    monkeypatch.setattr(contact, "MOST_STAGE_NODES", 3e4)
+    one = trial(DRAWS["thermal"](45, 7117).tables, "drawn", tmp_path, "all", BriefTrial)
+    (solution,) = one.solved().solutions
+    assert not solution.converged and solution.figures.film_min.error == np.inf
 
 
 def test_pressures_of_single_nodes_do_not_jump_to_and_fro_without_end(tmp_path):
