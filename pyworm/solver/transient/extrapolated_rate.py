@@ -16,7 +16,7 @@ from pyworm.formulas.arrays import Array
 from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.target import AccuracyTarget
-from pyworm.solver.error_estimate import Reading, change
+from pyworm.solver.error_estimate import Reading, changes
 from pyworm.solver.transient.time_integration import RateOfChange
 
 SECOND_ORDER, FIRST_ORDER = 1 / 3, 1.0
@@ -29,15 +29,17 @@ MAX_FALL = 0.75
 def share_left(readings: Sequence[Reading], target: AccuracyTarget) -> float:
     """Share of the last change of rates that is left, by figures of films with each of them; 0 if unknown.
 
-    Their order is seen in the sum of the changes of all figures that are asked for.
+    Their order is seen in the sum of the changes of all figures that are asked for; there is none to be seen
+    where they have another sign than those before.
     """
     if len(readings) < 3:
         return 0.0
-    before, last = (
-        sum(change(*pair)[name] for name in target.figures)
+    earlier, later = (
+        np.array([changes(*pair)[name] for name in target.figures])
         for pair in (readings[-3:-1], readings[-2:])
     )
-    if not last < MAX_FALL * before:
+    before, last = np.abs(earlier).sum(), np.abs(later).sum()
+    if not last < MAX_FALL * before or earlier @ later < 0:
         return 0.0
     return float(np.clip(last / (before - last), SECOND_ORDER, FIRST_ORDER))
 

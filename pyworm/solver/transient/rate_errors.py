@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from pyworm.planning.expected_work import Kind
 from pyworm.planning.target import AccuracyTarget
-from pyworm.solver.error_estimate import SAFETY, Reading, change, largest_of_films
+from pyworm.solver.error_estimate import SAFETY, Reading, change, changes, largest_of_films
 
 ERROR_SHARE: dict[Kind, float] = {"point": 0.5, "line": 1.0}
 """Error of the figures by the last rate of change, over the largest of what they and the films change with it
@@ -113,12 +113,12 @@ def least_error(readings: Sequence[Reading], kind: Kind, slow: bool) -> float:
 
 def _left(readings: Sequence[Reading], share: float, extrapolation: float) -> dict[str, float]:
     """What the last of some readings leaves of error, by its change from those before."""
-    last = change(*readings[-2:])
+    last = changes(*readings[-2:])
     if len(readings) == 2:
-        return {name: share * relative for name, relative in last.items()}
-    before = change(*readings[-3:-1])
+        return {name: share * abs(relative) for name, relative in last.items()}
+    before = changes(*readings[-3:-1])
     return {
-        name: relative * _share_of_last(relative, before[name], share, extrapolation)
+        name: abs(relative) * _share_of_last(relative, before[name], share, extrapolation)
         for name, relative in last.items()
     }
 
@@ -126,12 +126,17 @@ def _left(readings: Sequence[Reading], share: float, extrapolation: float) -> di
 def _share_of_last(last: float, before: float, share: float, extrapolation: float) -> float:
     """Error over the last of two changes: what a geometric series of them leaves after the extrapolation.
 
-    Where none was made, or this figure's changes do not fall, it is the sum of both, if they do not settle.
+    Where none was made, or this figure's changes do not fall, it is the sum of both, unless they settle. If
+    the last falls and has the other sign the limit is between the last two: the error is that change at most.
     """
-    if last == 0 or (not extrapolation and last <= MAX_CHANGE_RATIO * before):
+    if last == 0 or (not extrapolation and abs(last) <= MAX_CHANGE_RATIO * abs(before)):
         return share
-    both = 1 + before / last
-    if not extrapolation or last >= before:
+    both = 1 + abs(before / last)
+    if abs(last) >= abs(before):
         return both
-    fall = max(last / before, LEAST_FALL)
+    fall = last / before
+    if not extrapolation:
+        return max(share, 1.0) if fall < 0 else both
+    if fall > 0:
+        fall = max(fall, LEAST_FALL)
     return max(share, min(both, SAFETY * abs(fall / (1 - fall) - extrapolation)))

@@ -60,6 +60,12 @@ def test_the_order_of_rates_is_seen_in_the_changes_of_figures(fall, share):
     assert share_left([reading(0.0)] * 3, FILMS) == 0.0
 
 
+def test_no_order_is_seen_in_changes_of_another_sign():
+    """A film that is found too thin, then too thick, is not thicker still."""
+    some = [reading(0.0), reading(1.0), reading(0.6)]
+    assert share_left(some, FILMS) == 0.0
+
+
 @pytest.fixture
 def no_least_error(monkeypatch):
     """Errors by changes alone."""
@@ -85,6 +91,25 @@ def test_errors_after_extrapolation_are_what_a_geometric_series_leaves(no_least_
     assert stated(1.1, SECOND_ORDER) == pytest.approx(1 + 1 / 1.1, rel=1e-3)
     assert stated(0.4, 0.0) == pytest.approx(slow, rel=1e-3)
     assert stated(0.6, 0.0) == pytest.approx(1 + 1 / 0.6, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("fall", "extrapolation", "of_last"),
+    [
+        (-0.4, 0.0, ERROR_SHARE["point"]),
+        (-0.6, 0.0, 1.0),
+        (-1.2, 0.0, 1 + 1 / 1.2),
+        (-0.6, SECOND_ORDER, SAFETY * (0.6 / 1.6 + SECOND_ORDER)),
+    ],
+)
+def test_a_change_of_another_sign_that_falls_is_the_error_at_most(
+    fall, extrapolation, of_last, no_least_error
+):
+    """The limit lies between both; an extrapolation by the order of other figures leads away from it."""
+    found = [reading(0.0), reading(0.0), reading(1.0), reading(1.0 + fall)]
+    end = reading(1.0 + fall * (1 + extrapolation)) if extrapolation else None
+    errors = rate_errors(found, end, extrapolation, "point", False, FILMS)
+    assert errors["film_min"] * LARGE / abs(fall) == pytest.approx(of_last, rel=1e-3)
 
 
 def test_a_figure_that_extrapolation_moves_farther_than_rates_change_is_as_uncertain(
