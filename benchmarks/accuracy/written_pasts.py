@@ -28,7 +28,7 @@ from trial import trial
 sys.path.append(str(Path(__file__).parents[1] / "evidence"))
 from evidence_record import record
 
-COUNT, TRUTH_ACCURACY = 20, 0.02
+COUNT, TRUTH_ACCURACY = 10, 0.02
 FIGURES = "film_min", "film_central", "pressure_max"
 
 

@@ -80,7 +80,7 @@ class RatedFilms:
 
     def with_rate(self, rate: TransientTerm) -> Level:
         """The film on this grid with the last rate, which may be extrapolated otherwise."""
-        level, _ = _settled(self.scene, self.plan, self.level, rate)
+        level, _ = _film_with(self.scene, self.plan, self.level, rate)
         return level
 
 
@@ -91,21 +91,21 @@ def rated_films(
     readings: list[Reading] = []
     imbalances: list[float] = []
     for rate in (None, *found):
-        level, reading = _settled(scene, plan, level, rate)
+        level, reading = _film_with(scene, plan, level, rate)
         readings.append(reading)
         imbalances.append(level.film.balance.worst)
     last: TransientTerm = found[-1]
     extrapolated, share = None, 0.0 if slow else share_left(readings[1:], plan.target)
     if share > 0:
         last = ExtrapolatedRate(found[-2], found[-1], share)
-        level, extrapolated = _settled(scene, plan, level, last)
+        level, extrapolated = _film_with(scene, plan, level, last)
     errors = rate_errors(readings, extrapolated, share, plan.work.kind, slow, plan.target)
     figures = (extrapolated or readings[-1]).figures
     read = tuple(readings), figures, errors, max(*imbalances, level.film.balance.worst)
     return RatedFilms(scene, plan, tuple(found), slow, level, last, *read)
 
 
-def _settled(
+def _film_with(
     scene: AnyContact, plan: Plan, level: Level, rate: TransientTerm | None
 ) -> tuple[Level, Reading]:
     """A film with a rate of change, on the grid and from the film of another, and its figures."""

@@ -574,6 +574,53 @@ def test_films_of_three_solves_take_the_rate_to_which_their_rates_of_change_conv
     assert abs(of_three / of_exact - 1) < three.errors["film_central"] < 5e-3
 
 
+def test_films_whose_first_grid_leaves_too_much_are_judged_on_finer_grids():
+    """Down to the spacing of the last transient solve; no finer one is judged where the first will do."""
+    scene = lived(lambda back: ball())
+    plan = pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",))
+    of, grid = predicted(ball()), plan.grids[-1].finer()
+    level, _ = SOLVERS[type(scene)](scene, plan).begin(plan.grids)
+    figures = dict.fromkeys(("film_min", "film_central"), of.film_central)
+    records = (TimeRecord(TRANSITS * of.transit, None, 50.0, (1.0, 0.0), figures),)
+
+    def judged(*parts):
+        """The film, and its grids, with rates that are a share of a film in a transit."""
+        fields = (np.full(grid.shape, part * of.film_central / of.transit) for part in parts)
+        rates = tuple(RateOfChange(grid, field) for field in fields)
+        found = transient_module.transient(scene, plan, Rates(rates, (records,) * len(rates)))
+        return found, rated_films.rated_films(scene, plan, rates, False, level)
+
+    found, first = judged(0.4, 0.0, 0.3)
+    second = first.finer()
+    assert not first.within and found.errors == pytest.approx(second.errors, rel=1e-3)
+    assert found.errors["film_min"] != pytest.approx(first.errors["film_min"], rel=1e-2)
+    assert second.finer() is None and found.level.grid == first.level.grid
+    found, first = judged(0.08, 0.06, 0.05)
+    assert first.within and found.errors == pytest.approx(first.errors, rel=1e-3)
+
+
+def test_a_finer_grid_on_which_no_film_is_found_judges_nothing(monkeypatch):
+    scene = lived(lambda back: ball())
+    plan = pyworm.plan(scene, 0.05, ("isothermal", "squeeze"), ("film",))
+    level, _ = SOLVERS[type(scene)](scene, plan).begin(plan.grids)
+    grid = plan.grids[-1].finer()
+    films = rated_films.rated_films(
+        scene, plan, (RateOfChange(grid, np.zeros(grid.shape)),) * 2, False, level
+    )
+    assert films.finer() is not None
+    assert replace(films, plan=replace(plan, tolerance=0.0)).finer() is None
+
+
+def test_time_steps_are_half_as_long_where_the_entrainment_turns_round():
+    def step(contact_ago):
+        scene = lived(contact_ago)
+        return time_grid_of(scene.past.life, pyworm.plan(scene, 0.05, "isothermal")).step(0)
+
+    age = TRANSITS * predicted(ball()).transit
+    turning = step(lambda back: ball(1 - 2 * back / age))
+    assert turning == step(lambda back: ball()) / 2
+
+
 @pytest.mark.parametrize(("after", "solves"), [(1.0, 2), (3.0, 1)])
 def test_a_life_begins_later_only_where_films_are_lost_soon_after_the_first_touch(
     monkeypatch, after, solves
