@@ -20,12 +20,16 @@ from pyworm.materials.body import Body
 from pyworm.materials.flow_laws import NEWTONIAN, FlowLaw
 from pyworm.materials.oil import Oil
 from pyworm.scene.entrainment_continuation import with_auxiliary_entrainment
+from pyworm.scene.life import Past
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
 from pyworm.scene.scales import LINE_MEAN, POINT_MEAN, line_scales, scales
 
 SOLID = 100.0
 """Limit of alpha p, beyond which no oil flows and exp(alpha p) is meaningless."""
+
+HALVINGS = 10
+"""Bisections of a transit time of oil, at whose begin the contact carries no load, for when it does."""
 
 INLET_HEAT = 100.0
 """Heat of Poiseuille flow in the inlet, times h^2, over eta0 u^2."""
@@ -82,14 +86,15 @@ class Prediction:
 
     @cached_property
     def before(self) -> "Prediction | None":
-        """Prediction of the contact that time (`age`) ago; None before the mesh cycle began."""
+        """Prediction of the contact that time (`age`) ago, or of when it began to carry its load since then.
+
+        None before the mesh cycle began.
+        """
         if not self.age > 0:
             return None
-        try:
-            then = present(self.scene.past, "past").before(self.age)
-        except ValueError:
-            return None
-        return predicted(then)
+        past = present(self.scene.past, "past")
+        loaded = self.age if _carried_load(past, self.age) else _loaded_since(past, self.age)
+        return predicted(past.before(loaded)) if loaded > 0 else None
 
     @property
     def oil(self) -> Oil:
@@ -305,3 +310,24 @@ def _line(scene: LineScene) -> Prediction:
         regime=size.regime,
         supply_ratio=size.supply_ratio,
     )
+
+
+def _carried_load(past: Past[Any], ago: float) -> bool:
+    """Whether a contact carried load some time ago [s]."""
+    try:
+        past.before(ago)
+    except ValueError:
+        return False
+    return True
+
+
+def _loaded_since(past: Past[Any], ago: float) -> float:
+    """How long ago a contact began to carry its load that carried none some time ago [s]; 0 of the first."""
+    loaded, empty = 0.0, ago
+    for _ in range(HALVINGS):
+        middle = (loaded + empty) / 2
+        if _carried_load(past, middle):
+            loaded = middle
+        else:
+            empty = middle
+    return loaded

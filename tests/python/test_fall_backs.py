@@ -138,8 +138,8 @@ MADE_BY = {
         "batch/test_sweep.py::test_a_bad_sweep_is_refused_in_one_sentence",
     "planning/plan.py plan_of ArithmeticError":
         "planning/test_planning_fall_backs.py::test_numbers_beyond_all_arithmetic_are_refused_in_one_sentence",
-    "planning/prediction.py Prediction.before ValueError":
-        "planning/test_planning_fall_backs.py::test_a_contact_that_carried_no_load_before_has_no_prediction_of_then",
+    "planning/prediction.py _carried_load ValueError":
+        "planning/test_planning_fall_backs.py::test_a_contact_that_carried_no_load_before_is_compared_with_its_first_load",
     "solver/cost/calibration.py _processor OSError":
         "solver/test_solver_fall_backs.py::test_a_processor_without_a_file_of_its_name_has_that_of_the_platform",
     "solver/cost/calibration.py calibration (OSError, ValueError, KeyError, TypeError)":

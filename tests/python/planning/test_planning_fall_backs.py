@@ -27,16 +27,22 @@ def test_the_film_of_a_contact_point_at_rest_follows_from_no_formula():
     assert films_by_formula(ball(), rolling) is not None
 
 
-def test_a_contact_that_carried_no_load_before_has_no_prediction_of_then():
-    transit = predicted(ball()).transit
+def test_a_contact_that_carried_no_load_before_is_compared_with_its_first_load():
+    """Half a transit ago; none has been carried where the present is the first time."""
+    transit, loads = predicted(ball()).transit, []
 
     def touching(seconds):
-        if seconds < 4.5 * transit:
+        if seconds < first * transit:
             raise ValueError("no load")
+        loads.append(seconds / transit)
         return ball()
 
     scene = replace(ball(), past=Past(Life(5 * transit, touching), 5 * transit))
-    assert predicted(scene).before is None
+    first = 4.5
+    assert predicted(scene).before is not None
+    assert min(loads) == pytest.approx(4.5, abs=2e-3)
+    first = 5.0
+    assert predicted(replace(scene, name="first")).before is None
     life = Life(5 * transit, lambda seconds: ball())
     assert predicted(replace(scene, past=Past(life, 5 * transit))).before is not None
 
