@@ -3,8 +3,9 @@
 On the first grid of the figures they follow one from the other. Where the entrainment has turned round, or
 has started from rest, the film of that time is a dip as narrow as the cells of that grid, which makes much
 of what the solves differ by: on finer ones, down to the spacing of the last solve, they are those of the
-figures. For `past:4` of `tests/hard` the minimum film thickness by the last two of four solves is 3.25 and
-2.84 um on 73 x 65 nodes, 4.88 and 4.84 um on 289 x 257.
+figures. For `past:4` of `tests/hard`, with the usual number of time steps, the minimum film thickness by the
+last two of four solves is 3.25 and 2.84 um on 73 x 65 nodes, 4.88 and 4.84 um on 289 x 257
+(`benchmarks/accuracy/turned_steps.py --solves 4`).
 """
 
 from collections.abc import Sequence
@@ -18,6 +19,7 @@ from pyworm.scene.any_contact import AnyContact
 from pyworm.solver.error_estimate import Reading
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import Level, TransientTerm
+from pyworm.solver.memory import shortage
 from pyworm.solver.newton import converge
 from pyworm.solver.transient.extrapolated_rate import ExtrapolatedRate, share_left
 from pyworm.solver.transient.rate_errors import rate_errors
@@ -67,12 +69,14 @@ class RatedFilms:
     def finer(self) -> "RatedFilms | None":
         """Those on the grid of half the spacing.
 
-        None where it is finer than that of the last solve or than the largest, or where a film is not found.
+        None where it is finer than that of the last solve, larger than the plan or memory allows, or where a
+        film is not found.
         """
         finer = self.level.grid.finer()
-        if finer.nodes > self.plan.largest_grid or prod(finer.spacing) < prod(
-            self.found[-1].grid.spacing
-        ):
+        short = shortage(finer, self.plan.model, stores=True) is not None
+        if self.level.diverged() or finer.nodes > self.plan.largest_grid or short:
+            return None
+        if prod(finer.spacing) < prod(self.found[-1].grid.spacing):
             return None
         level, _ = SOLVERS[type(self.scene)](self.scene, self.plan, self.rate).refined(self.level)
         films = rated_films(self.scene, self.plan, self.found, self.slow, level)

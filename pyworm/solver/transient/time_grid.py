@@ -98,9 +98,9 @@ TURNED_STEPS: dict[Kind, int] = {"point": 2, "line": 1}
 """Factor of the number of time steps where the entrainment turns round.
 
 The film of each turn is a dip a few cells wide, which stays in the contact as long as oil goes to and fro.
-The third solve of `past:4` of `tests/hard`, on the grid before the last, has a central film of 21.7, 22.3
-and 22.6 um with 1, 2 and 4 times the steps, and 2, 4 and 8 times the work; the fourth, of 8 times the work,
-22.2 um."""
+By the second solve of `past:4` of `tests/hard` the central film is 21.3, 22.2 and 22.8 um with 1, 2 and 4
+times the steps; the third and fourth, of 8 and 64 times the work, have 22.0 and 22.4 um
+(`benchmarks/accuracy/turned_steps.py`)."""
 
 CELLS = 8
 """Cells of the coarsest grid to either side of the contact point come in multiples of half of this."""

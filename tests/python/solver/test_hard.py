@@ -197,6 +197,13 @@ def test_a_law_no_cold_film_leads_to_is_softened_bit_by_bit_and_hot(tmp_path):
     assert solution.figures.temperature_max_film.value > one.scene.oil.heat.inlet_temperature + 10
 
 
+@pytest.mark.parametrize("number", range(5))
+def test_each_history_is_simulated(number, tmp_path):
+    """Also one whose surfaces carried no load a transit time ago."""
+    one = trial(DRAWS["past"](number).tables, "past", tmp_path, ("isothermal", "squeeze"))
+    assert "squeeze" in one.plan.on
+
+
 def test_a_law_that_would_be_softened_in_too_many_steps_is_given_up(tmp_path, monkeypatch):
     """On a large grid they would take hours: the film is told not to be found, with infinite error."""
     monkeypatch.setattr(contact, "MOST_STAGE_NODES", 3e4)

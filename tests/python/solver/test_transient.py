@@ -609,6 +609,9 @@ def test_a_finer_grid_on_which_no_film_is_found_judges_nothing(monkeypatch):
     )
     assert films.finer() is not None
     assert replace(films, plan=replace(plan, tolerance=0.0)).finer() is None
+    assert replace(films, plan=replace(plan, largest_grid=level.grid.nodes)).finer() is None
+    monkeypatch.setattr(rated_films, "shortage", lambda *of, **how: "memory does not suffice")
+    assert films.finer() is None
 
 
 def test_time_steps_are_half_as_long_where_the_entrainment_turns_round():
