@@ -5,26 +5,24 @@ each other, the temperatures of its oil and bodies from the loss between the tee
 films under these loads and temperatures. Where roughness carries load and is not simulated, a standard's
 loss takes the place of a smaller simulated one. The first pass takes usual values, and no lift. Where those
 found would change loads or temperatures too much, films are solved again. What takes several passes is cheap:
-temperatures are found with every `PHASE_STRIDE`-th phase and steady films, lifts by first transient solves
-(`tooth_lifts`) and, for an accuracy below `ESTIMATE_ACCURACY`, what steady films at that one find beyond
-these, at some phases. A first transient solve that hardly changes the loads is that of the run. Without
-transient solutions lifts are those of steady films at that accuracy in one window. All that is solved last is
-solved in full.
+temperatures are found with every `PHASE_STRIDE`-th phase and steady films, lifts by coarse transient solves
+(`tooth_lifts`), or without transient solutions by steady films of `ESTIMATE_ACCURACY` in one window. All that
+is solved last is solved in full.
 """
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from operator import methodcaller
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from pyworm.batch.case_run import RESULT_NAME, SCENES, run
+from pyworm.batch.case_run import RESULT_NAME, run
 from pyworm.batch.task import Task
-from pyworm.batch.tooth_lifts import moving_lifts_of, steady_lifts_of
-from pyworm.batch.transient_solutions import drop_rates, is_transient
+from pyworm.batch.tooth_lifts import lifts_of
+from pyworm.batch.transient_solutions import is_transient
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
 from pyworm.io.present import present
@@ -44,31 +42,22 @@ WARM_PASSES = 8
 """Most passes with some of the phases, until temperatures are found."""
 
 PHASE_STRIDE = 4
-"""Every which phase is solved while temperatures are sought, and what steady films find beyond transient
-ones."""
+"""Every which phase is solved while temperatures are sought."""
 
 ESTIMATE_ACCURACY = 0.1
-"""Accuracy at which lifts are sought: it leaves 1 % in a lift, and so 0.1 % in a load. Interpolated between
-phases is what first transient solves lack, a tenth of a lift: it is off by 8 % of itself where the number of
-teeth in contact changes."""
+"""Accuracy of steady films by which lifts are sought: it leaves 1 % in a lift, and so 0.1 % in a load."""
 
 ESTIMATE_GRID = 250_000
-"""Nodes beyond which no grid is refined for them: lifts settle long before the least film, for which one of
-drive 0 of seed 99016 of `tests/hard` went to 1.3 million nodes, and those of 6 of 99015 took 12 minutes."""
+"""Nodes beyond which no grid is refined for them: lifts settle long before the minimum film thickness."""
 
 MAX_ESTIMATES = 2
 """Maximum number of passes at that accuracy."""
 
 MAX_TRANSIENT_SOLVES = 3
-"""Maximum number of first transient solves of a tooth pair's contact for its lifts."""
+"""Maximum number of coarse transient solves of a life for its lifts."""
 
-REMAINING_CHANGE_STEADY, REMAINING_CHANGE_TRANSIENT = 0.25, 0.05
-"""Change of loads left to the next pass, as a share of the change by this one: of steady films, and of a
-transient solve."""
-
-KEPT_SHARE = 0.25
-"""Change of the loads by a first transient solve up to which the run goes on from it, as a share of the
-accuracy: half of `LOAD_SHARE`, since its films in full change the loads a little more."""
+REMAINING_CHANGE = 0.25
+"""Change of loads left to the next pass, as a share of the change by this one."""
 
 LOAD_SHARE = 0.5
 """Change of the loads that asks for another pass, as a share of the accuracy: pressures follow them with a
@@ -118,35 +107,6 @@ def run_balanced(
     return result, tasks
 
 
-@dataclass(frozen=True)
-class Lacking:
-    """What first transient solves lack by their coarse grids, and by pressure beyond their windows."""
-
-    lifts: dict[float, float] = field(default_factory=dict)
-    """Phase -> lift [m], a tenth of the whole; interpolated between the phases."""
-    friction_ratio: float = 1.0
-    """Friction coefficient over theirs."""
-
-    def at(self, phases: Sequence[float]) -> np.ndarray:
-        """Lift that they lack at some phases [m]."""
-        if not self.lifts:
-            return np.zeros(len(phases))
-        return np.interp(phases, [*self.lifts], [*self.lifts.values()])
-
-
-def _lacking(result: Result, lifts: dict[float, float], beside: dict[float, Lift]) -> Lacking:
-    """What steady films of a result, with their lifts by phase [m], have beyond those on the first grids."""
-    known = {phase: lifts[phase] - beside[phase].distance for phase in sorted(beside)}
-    there = [solution.figures for solution in result.solutions if solution.phase in beside]
-    full = mean_friction(
-        Lift(0.0, figures.friction_coefficient.value, figures.power_loss.value)
-        for figures in there
-        if figures.friction_coefficient is not None and figures.power_loss is not None
-    )
-    coarse = mean_friction(beside.values())
-    return Lacking(known, full / coarse if full and coarse else 1.0)
-
-
 @dataclass
 class _Search:
     """Fixed-point iteration of the values that a case leaves open."""
@@ -159,83 +119,48 @@ class _Search:
         """The case with lifts, as far as finding them costs less than another pass."""
         given = [replace(task, case=case) for task in tasks]
         moving = [task for task in given if is_transient(task)]
-        if self.accuracy < ESTIMATE_ACCURACY:
-            return self._estimated(case, given, moving, how)
-        return self._by_motion(case, moving, how, Lacking()) if moving else case
+        if moving:
+            return self._by_motion(case, moving, how["executor"])
+        return self._estimated(case, given, how) if self.accuracy < ESTIMATE_ACCURACY else case
 
-    def _by_motion(
-        self,
-        case: Case,
-        moving: Sequence[Task],
-        how: dict[str, Any],
-        lacking: Lacking,
-    ) -> Case:
-        """The case with lifts and friction by first transient solves, and what these lack.
-
-        Where loads differ by more than the accuracy allows, the films that follow ask for another pass.
-        """
-        directory = how["directory"].absolute() / SCENES
+    def _by_motion(self, case: Case, moving: Sequence[Task], executor: Executor | None) -> Case:
+        """The case with lifts and friction by coarse transient solves."""
         for _ in range(MAX_TRANSIENT_SOLVES):
-            under = [replace(task, case=case) for task in moving]
-            then = moving_lifts_of(under, directory, how["executor"])
+            then = lifts_of([replace(task, case=case) for task in moving], executor)
             if not then:
                 return case
-            found = self._found_moving(then, lacking)
-            new = case.with_found({"operation": found})
-            known = case.tables.operation.lifts
-            if known and load_change(case, new, sorted(then)) <= KEPT_SHARE * self.accuracy:
+            before, case = case, case.with_found({"operation": self._found_moving(then)})
+            if self._is_close(before, case, sorted(then)):
                 break
-            for task in under:
-                drop_rates(task, directory)
-            before, case = case, new
-            if self._is_close(before, case, sorted(then), REMAINING_CHANGE_TRANSIENT):
-                break
-        said = _told_lifts(found["lifts"])
+        said = _told_lifts(present(case.tables.operation.lifts, "lifts"))
         self.print_message(f"transient solution: film-induced separation {said}")
         return case
 
-    def _found_moving(self, then: dict[float, Lift], lacking: Lacking) -> dict[str, Any]:
-        """Lifts, and friction where it is sought, by those of first transient solves and what these lack."""
-        phases = sorted(then)
-        distances = np.array([then[phase].distance for phase in phases]) + lacking.at(phases)
-        lifts = tuple(zip(phases, distances.tolist(), strict=True))
+    def _found_moving(self, then: dict[float, Lift]) -> dict[str, Any]:
+        """Lifts, and friction where it is sought, by those of coarse transient solves."""
+        lifts = tuple((phase, then[phase].distance) for phase in sorted(then))
         friction = mean_friction(then.values())
         if "friction" not in self.open["operation"] or friction is None:
             return {"lifts": lifts}
-        return {"lifts": lifts, "friction": float(f"{lacking.friction_ratio * friction:.2g}")}
+        return {"lifts": lifts, "friction": float(f"{friction:.2g}")}
 
-    def _estimated(
-        self, case: Case, given: Sequence[Task], moving: Sequence[Task], how: dict[str, Any]
-    ) -> Case:
-        """The case with values of films of lower accuracy; with motion, what steady ones of some phases add.
-
-        That part of a lift, by pressure beyond the windows of first transient solves and by their coarse
-        grids, changes slowly with the phase.
-        """
+    def _estimated(self, case: Case, given: Sequence[Task], how: dict[str, Any]) -> Case:
+        """The case with values of steady films of lower accuracy."""
         coarse = [estimate_of(task) for task in given]
-        some = [steady(task) for task in every(PHASE_STRIDE, coarse)] if moving else coarse
-        for _ in range(1 if moving else MAX_ESTIMATES):
-            again = [replace(task, case=case) for task in some]
+        for _ in range(MAX_ESTIMATES):
+            again = [replace(task, case=case) for task in coarse]
             before, result = case, run(case, again, **how, cycle_of=methodcaller("loaded_cycle"))
             case = self._next(before, result, [])
-            if case is before or self._is_close(
-                before,
-                case,
-                present(drive_cycle(result), "a mesh cycle").phases,
-                REMAINING_CHANGE_STEADY,
-            ):
+            if case is before:
                 break
-        cycle = drive_cycle(result)
-        if not moving or cycle is None or not cycle.lifts:
-            return case
-        lifts = dict(cycle.lifts)
-        same = [replace(task, case=before) for task in moving if task.place.phase in lifts]
-        beside = steady_lifts_of(same, how["executor"])
-        return self._by_motion(case, moving, how, _lacking(result, lifts, beside))
+            phases = present(drive_cycle(result), "a mesh cycle").phases
+            if self._is_close(before, case, phases):
+                break
+        return case
 
-    def _is_close(self, case: Case, new: Case, phases: Sequence[float], leaves: float) -> bool:
+    def _is_close(self, case: Case, new: Case, phases: Sequence[float]) -> bool:
         """Whether what a change of loads leaves to the next one is within the accuracy."""
-        return leaves * load_change(case, new, phases) <= LOAD_SHARE * self.accuracy
+        return REMAINING_CHANGE * load_change(case, new, phases) <= LOAD_SHARE * self.accuracy
 
     def iterate(
         self, case: Case, tasks: Sequence[Task], how: dict[str, Any], passes: int

@@ -29,9 +29,9 @@ USUAL_PASSES = 2
 """Usual number of passes until loads are found by steady films of the accuracy asked for, where it is no
 higher than the one of the search."""
 
-TRANSIENT_PASSES = 1.2
-"""Work of the search for lifts in motion, in first transient solves of the life: one, and steady films on
-its grids at some phases."""
+COARSE_SOLVES = 0.5
+"""Work of the search for lifts in motion, in first transient solves of the life: one or two of twice the
+spacing and time step, at 0.25 and 0.4 in the cases of `tooth_lifts`."""
 
 MOVING_PASSES, MOVING_PASSES_OF_ESTIMATE = 1.3, 1.1
 """Mean number of passes with all phases whose lifts transient solutions found before, and of those of the
@@ -107,7 +107,5 @@ def _lifts(tasks: Sequence[Task], once: float) -> float:
         return (USUAL_PASSES - 1) * once
     each, seconds = _solved(moving)
     life = seconds - sum(expectation.seconds - expectation.past for expectation in each)
-    if accuracy >= ESTIMATE_ACCURACY:
-        return life + (MOVING_PASSES_OF_ESTIMATE - 1) * once
-    steady_films = _solved([steady(task) for task in some])[1]
-    return steady_films + TRANSIENT_PASSES * life + (MOVING_PASSES - 1) * once
+    passes = MOVING_PASSES if accuracy < ESTIMATE_ACCURACY else MOVING_PASSES_OF_ESTIMATE
+    return COARSE_SOLVES * life + (passes - 1) * once

@@ -1,8 +1,7 @@
-"""How much farther transient films hold bodies apart than dry ones, from the first transient solve of a life.
+"""How much farther transient films hold bodies apart than dry ones, from a transient solve of a life.
 
 The lift is the rigid film plus the approach of the dry contact on the same grid. Pressure far in front of a
-contact, beyond the window of a life, pushes bodies apart by a tenth of the lift; what motion changes in a
-lift is told well by the difference from a steady film in the same window.
+contact, beyond the window of a life, pushes bodies apart by a tenth of the lift.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -12,10 +11,9 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 from pyworm.solver.point.level import dry_contact
-from pyworm.solver.transient.next_film import NoFilmError, contact_at, steady_level
+from pyworm.solver.transient.next_film import contact_at
 from pyworm.solver.transient.time_grid import TimeGrid
 from pyworm.solver.transient.time_records import TimeRecord
-from pyworm.solver.transient.time_steps import Step
 
 
 @dataclass(frozen=True)
@@ -45,7 +43,7 @@ def moving_lift(
     Args:
         time_grid: Time grid of the life.
         seconds: The time [s].
-        rigid_film: Rigid film of its first transient solve there [m].
+        rigid_film: Rigid film of a transient solve there [m].
         records: What that found, of which the nearest gives friction and loss.
     """
     figures = min(records, key=lambda record: abs(record.seconds - seconds)).figures
@@ -55,16 +53,6 @@ def moving_lift(
 def _friction(figures: Mapping[str, float]) -> tuple[float, float]:
     """Friction coefficient and loss [W] among the figures of a film."""
     return figures.get("friction_coefficient", 0.0), figures.get("power_loss", 0.0)
-
-
-def steady_lift(time_grid: TimeGrid, seconds: float) -> Lift | None:
-    """Lift by the steady film of a point contact at a time [s], in the window of its life, if any."""
-    try:
-        level, _ = steady_level(time_grid, Step(seconds, 0))
-    except NoFilmError:
-        return None
-    distance = level.film.rigid_film + _approach(time_grid, seconds)
-    return Lift(distance, *_friction(level.read().figures))
 
 
 def _approach(time_grid: TimeGrid, seconds: float) -> float:

@@ -141,8 +141,8 @@ class TimeGrid:
     _transits: "scipy.interpolate.PPoly"
     approach: Approach | None = None
     """Surfaces that come together, if they do."""
-    turns: bool = False
-    """Whether the entrainment turns round."""
+    steps: float = 1.0
+    """Time steps of a transit in the first transient solve."""
 
     def transits(self, seconds: float) -> float:
         """Transits of oil through the contact from the first time under load to another."""
@@ -193,9 +193,19 @@ class TimeGrid:
 
     def step(self, refinement: int) -> float:
         """Time step [transits], halved with the spacing."""
-        kind = self.plan.work.kind
-        steps = STEPS_A_TRANSIT[kind] * (TURNED_STEPS[kind] if self.turns else 1)
-        return 1 / (steps << refinement)
+        return 1 / (self.steps * 2**refinement)
+
+    def coarser(self) -> "TimeGrid":
+        """The same life with twice the spacing and the time step."""
+        doubled = tuple(log_spacing + log(2.0) for log_spacing in self._log_spacing)
+        approach = self.approach and replace(self.approach, sides=_halved(self.approach.sides))
+        return replace(
+            self,
+            sides=_halved(self.sides),
+            _log_spacing=doubled,
+            approach=approach,
+            steps=self.steps / 2,
+        )
 
     def mesh(self, seconds: float) -> MeshMotion | Stretching:
         """Velocity of the grid's nodes at a time."""
@@ -246,6 +256,7 @@ def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
         paced.insert(0, (life.touched, touching, predicted(touching)))
     paced_times, paced_contacts, expected = zip(*paced, strict=True)
     pace = _pace(paced_times, paced_contacts, expected, life)
+    kind, turned = whole.work.kind, _turns_round(contacts_under_load)
     time_grid = TimeGrid(
         life,
         whole,
@@ -255,7 +266,7 @@ def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
         spacings,
         (times_under_load[0], times_under_load[-1]),
         pace,
-        turns=_turns_round(contacts_under_load),
+        steps=STEPS_A_TRANSIT[kind] * (TURNED_STEPS[kind] if turned else 1),
     )
     if whole.work.kind == "line" or not life.touched > time_grid.begin:
         return time_grid
@@ -392,6 +403,11 @@ def _sides(
         ]
         sides.append(np.max(of_flows, axis=0).tolist())
     return _whole_cells(sides)
+
+
+def _halved(sides: Sequence[tuple[int, int]]) -> tuple[tuple[int, int], ...]:
+    """Cells of twice the size on each side that reach as far as some cells."""
+    return _whole_cells(np.array(sides) / 2)
 
 
 def _whole_cells(sides: Iterable[Sequence[float]]) -> tuple[tuple[int, int], ...]:
