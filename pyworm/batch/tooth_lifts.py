@@ -1,7 +1,8 @@
 """Lifts of a drive's teeth, which move its loads, by coarse transient solves of their life.
 
-They have twice the spacing and time step of a run's first transient solve, at a quarter to a half of its cost.
-What they lack by their grids and by pressure beyond their windows is added at all phases alike (`FULL_LIFT`).
+They have twice the spacing and the time step of a run's first transient solve, at a quarter to a half of its
+cost. What they lack by their grids and by pressure beyond their windows is added at all phases alike
+(`FULL_LIFT`).
 """
 
 from collections.abc import Callable, Sequence
@@ -21,8 +22,9 @@ FULL_LIFT = 1.25
 """Lift of a film within error bars over that of a coarse solve.
 
 It is 1.16 to 1.40 in `cases/zi_drive.toml` and `cases/worm_drawing.toml`, 1.00 to 1.25 in drives 2 of seeds
-99014 and 99015 of `tests/hard`, whose asperities carry most of the load. Loads by lifts of coarse solves differ
-from those by full ones by 5.0, 0.4, 0.7 and 1.8 %, by 1.1, 0.5, 0.6 and 2.3 % with it."""
+99014 and 99015 of `tests/hard`, whose asperities carry most of the load. Loads by lifts of coarse solves
+differ from those by full ones by 5.0, 0.4, 0.7 and 1.8 %, by 1.1, 0.5, 0.6 and 2.3 % with it.
+"""
 
 
 @dataclass(frozen=True)

@@ -86,9 +86,9 @@ MADE_BY = {
         "batch/test_transient_solutions.py::test_a_damaged_file_of_a_life_counts_as_none",
     "batch/transient_solutions.py tasks_by_part ValueError":
         "batch/test_batch_fall_backs.py::test_a_life_without_load_has_no_parts",
-    "batch/tooth_lifts.py steady_lifts_of suppress Exception":
+    "batch/tooth_lifts.py lifts_of suppress Exception":
         "batch/test_transient_lifts.py::test_a_part_that_breaks_costs_its_own_lifts_alone",
-    "batch/tooth_lifts.py moving_lifts_of suppress KernelError":
+    "batch/tooth_lifts.py PartLifts.__call__ suppress KernelError":
         "batch/test_transient_lifts.py::test_no_lift_is_known_of_films_that_are_not_found",
     "batch/provenance.py _git (OSError, subprocess.TimeoutExpired)":
         "batch/test_provenance.py::test_without_git_there_is_no_commit",
@@ -168,8 +168,6 @@ MADE_BY = {
         "solver/test_solver_fall_backs.py::test_a_contact_without_a_life_under_load_has_no_time_steps",
     "solver/transient/time_grid.py _predicted ValueError":
         "solver/test_solver_fall_backs.py::test_a_contact_at_rest_is_no_knot_of_a_course",
-    "solver/transient/lifts.py steady_lift NoFilmError":
-        "solver/test_solver_fall_backs.py::test_no_lift_is_known_of_films_that_are_not_found",
     "solver/transient/time_integration.py _begun NoFilmError":
         "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",
     "solver/transient/time_integration.py _through_loads NoLoadError":

@@ -8,16 +8,17 @@ import pytest
 
 import pyworm
 from pyworm.batch import drive_iteration, tooth_lifts, transient_solutions
-from pyworm.batch.drive_iteration import Lacking
 from pyworm.batch.task import Task
-from pyworm.io.kept_arrays import keep
 from pyworm.kernel.core import NOT_CONVERGED, KernelError
 from pyworm.planning.expected_work import STEPS_A_TRANSIT
-from pyworm.solver.transient.lifts import Lift
+from pyworm.solver.transient.lifts import Lift, moving_lift
+from pyworm.solver.transient.next_film import NoFilmError
+from pyworm.solver.transient.time_integration import integrate_in_time
+from pyworm.solver.transient.transient import present_in_life
 
 
 class Part:
-    """A part of a life whose steady film finds a lift at its phase, or breaks."""
+    """A part of a life whose films find a lift at its phase, or breaks."""
 
     def __init__(self, phase):
         self.phase = phase
@@ -30,10 +31,10 @@ class Part:
 
 @pytest.mark.parametrize("processes", [0, 2])
 def test_a_part_that_breaks_costs_its_own_lifts_alone(processes, monkeypatch):
-    monkeypatch.setattr(tooth_lifts, "SteadyLifts", Part)
+    monkeypatch.setattr(tooth_lifts, "PartLifts", Part)
     monkeypatch.setattr(tooth_lifts, "tasks_by_part", lambda tasks: tasks)
     executor = ThreadPoolExecutor(processes) if processes else None
-    assert tooth_lifts.steady_lifts_of([0.2, 0.8], executor) == {0.2: 1e-6}
+    assert tooth_lifts.lifts_of([0.2, 0.8], executor) == {0.2: 1e-6}
 
 
 def test_a_film_without_squeeze_is_not_transient_whatever_its_plan():
@@ -41,86 +42,49 @@ def test_a_film_without_squeeze_is_not_transient_whatever_its_plan():
 
 
 class Films:
-    """First transient solves of phases, whose lifts are given; a phase without one has no film."""
+    """Coarse transient solves, whose lifts are given."""
 
     def __init__(self, lifts):
         self.lifts, self.solved = lifts, []
 
-    def of(self, tasks, directory, executor):
+    def of(self, tasks, executor):
         self.solved.append(tasks)
-        for task in tasks:
-            keep(directory / f"{task.key}.rate-0.npz", flaw="of no use here")
         return self.lifts
 
 
 @pytest.fixture
 def films(monkeypatch):
     found = Films({phase: Lift(1e-6, 0.02, 3.0) for phase in (1.0, 0.0, 0.5)})
-    monkeypatch.setattr(drive_iteration, "moving_lifts_of", found.of)
+    monkeypatch.setattr(drive_iteration, "lifts_of", found.of)
     return found
 
 
-def searched(tmp_path, monkeypatch, change, lacking, lifts=((0.5, 1e-6),)):
+def searched(monkeypatch, change):
     """The case that a search by motion ends with, when each solve changes the loads by so much."""
     changes = iter(change)
     monkeypatch.setattr(drive_iteration, "load_change", lambda *given: next(changes))
-    case = pyworm.load("cases/zi_drive.toml").with_found({"operation": {"lifts": lifts}})
+    case = pyworm.load("cases/zi_drive.toml")
     tasks = [Task(case, place, 0.05) for place in case.places(phase=[0.3, 0.5])]
     search = drive_iteration._Search({"operation": ("lifts", "friction")}, 0.05, print)
-    (tmp_path / "scenes").mkdir()
-    return case, search._by_motion(case, tasks, {"directory": tmp_path, "executor": None}, lacking)
+    return search._by_motion(case, tasks, None)
 
 
-def test_what_first_solves_lack_of_a_lift_is_interpolated_between_phases(
-    tmp_path, monkeypatch, films
-):
-    """Steady films find 0.1 and 0.3 um more than those on the first grids, and a tenth less friction."""
-    _, found = searched(tmp_path, monkeypatch, [0.2, 0.2], Lacking({0.0: 0.1e-6, 1.0: 0.3e-6}, 0.9))
-    operation = found.tables.operation
-    assert operation.friction == 0.018
-    assert [phase for phase, _ in operation.lifts] == [0.0, 0.5, 1.0]
-    assert [lift for _, lift in operation.lifts] == pytest.approx([1.1e-6, 1.2e-6, 1.3e-6])
-    # one solve leaves a twentieth of its change, and that under other loads is of no use
-    assert len(films.solved) == 1 and not list(tmp_path.rglob("*.npz"))
+def test_a_solve_that_leaves_little_ends_the_search(monkeypatch, films):
+    """It leaves a quarter of its change, and half of the accuracy is 2.5 %."""
+    operation = searched(monkeypatch, [0.09]).tables.operation
+    assert operation.friction == 0.02 and len(films.solved) == 1
+    assert operation.lifts == ((0.0, 1e-6), (0.5, 1e-6), (1.0, 1e-6))
 
 
-def solved(phase, friction, slid):
-    """A solution by its friction coefficient, if known, and its loss over that [W]."""
-    known = [None if friction is None else SimpleNamespace(value=friction * by) for by in (1, slid)]
-    figures = SimpleNamespace(friction_coefficient=known[0], power_loss=known[1])
-    return SimpleNamespace(phase=phase, figures=figures)
+def test_the_next_solve_is_under_the_loads_of_the_one_before(monkeypatch, films):
+    searched(monkeypatch, [0.11, 0.01])
+    before, after = (tasks[0].case.tables.operation.lifts for tasks in films.solved)
+    assert before is None and len(after) == 3
 
 
-@pytest.mark.parametrize(
-    ("frictions", "ratio"), [((0.03, 0.06), 0.04 / 0.025), ((None, None), 1.0)]
-)
-def test_steady_films_tell_what_first_grids_lack(frictions, ratio):
-    """Of two phases, of which the second slides half as far under its load."""
-    solutions = [solved(*given) for given in zip((0.2, 0.8), frictions, (100.0, 50.0), strict=True)]
-    beside = {0.8: Lift(1.9e-6, 0.03, 1.5), 0.2: Lift(0.8e-6, 0.0225, 2.25)}
-    lifts = {0.2: 1e-6, 0.8: 2e-6}
-    lacking = drive_iteration._lacking(SimpleNamespace(solutions=solutions), lifts, beside)
-    assert lacking.lifts == pytest.approx({0.2: 0.2e-6, 0.8: 0.1e-6})
-    assert lacking.friction_ratio == pytest.approx(ratio)
-
-
-@pytest.mark.usefixtures("films")
-def test_a_first_solve_that_hardly_moves_the_loads_is_that_of_the_run(tmp_path, monkeypatch):
-    """A quarter of the accuracy is 1.25 %."""
-    case, found = searched(tmp_path, monkeypatch, [0.012], Lacking())
-    assert found is case and len(list(tmp_path.rglob("*.rate-0.npz"))) == 2
-
-
-@pytest.mark.usefixtures("films")
-def test_lifts_are_known_in_the_end_however_little_they_move_the_loads(tmp_path, monkeypatch):
-    case, found = searched(tmp_path, monkeypatch, [0.012] * 3, Lacking(), None)
-    assert found.tables.operation.lifts and not case.tables.operation.lifts
-
-
-def test_loads_that_move_far_are_sought_in_three_solves_at_most(tmp_path, monkeypatch, films):
-    case, found = searched(tmp_path, monkeypatch, [0.9] * 6, Lacking())
+def test_loads_that_move_far_are_sought_in_three_solves_at_most(monkeypatch, films):
+    searched(monkeypatch, [0.9] * 3)
     assert len(films.solved) == drive_iteration.MAX_TRANSIENT_SOLVES == 3
-    assert found.tables.operation.lifts != case.tables.operation.lifts
 
 
 def two_phases(accuracy):
@@ -130,38 +94,55 @@ def two_phases(accuracy):
     return [Task(case, place, *how) for place in case.places(phase=[0.1, 0.2])]
 
 
-def test_lifts_come_from_the_solves_that_a_run_goes_on_from(tmp_path, monkeypatch):
-    monkeypatch.setitem(STEPS_A_TRANSIT, "point", 3)
+def test_lifts_come_from_coarse_solves_of_their_life(monkeypatch):
+    """They are those of the first solve, of half the spacing and time step, to a fifth."""
+    monkeypatch.setitem(STEPS_A_TRANSIT, "point", 6)
     tasks = two_phases(0.05)
-    lifts = tooth_lifts.moving_lifts_of(tasks, tmp_path, None)
-    assert sorted(lifts) == [0.1, 0.2] and all(1e-8 < one.distance < 1e-4 for one in lifts.values())
-    asked = []
+    lifts = tooth_lifts.lifts_of(tasks, None)
+    time_grid = tasks[0].time_grid
+    found = integrate_in_time(
+        time_grid, 0, 0.0, [present_in_life(task.scene).seconds for task in tasks]
+    )
+    for phase, (seconds, rigid_film) in zip(
+        (0.1, 0.2), sorted(found.rigid_films.items()), strict=True
+    ):
+        first = moving_lift(time_grid, seconds, rigid_film, found.records).distance
+        assert lifts[phase].distance / tooth_lifts.FULL_LIFT == pytest.approx(first, rel=0.2)
 
-    def integrate_on(time_grid, restart, *given):
-        asked.append(restart.step.refinement)
-        raise transient_solutions.NoFilmError("there is none")
 
-    monkeypatch.setattr(transient_solutions, "integrate_on", integrate_on)
-    transient_solutions.solve_lives(tasks, tmp_path, None, lambda message, share: None)
-    assert set(asked) == {0}
+def test_a_coarser_time_grid_reaches_as_far():
+    """Its cells on each side are half as many, up to multiples of four, eight in all."""
+    time_grid = two_phases(0.05)[0].time_grid
+    coarser = time_grid.coarser()
+    for seconds in (0.0, time_grid.end / 2):
+        fine, coarse = time_grid.grid(seconds, 0), coarser.grid(seconds, 0)
+        assert coarse.spacing == pytest.approx([2 * step for step in fine.spacing])
+        for before, after in zip(fine.box, coarse.box, strict=True):
+            assert 0 <= abs(after) - abs(before) + 1e-12 <= 8 * max(coarse.spacing)
+    assert coarser.step(1) == time_grid.step(0)
 
 
-def test_no_lift_is_known_of_films_that_are_not_found(tmp_path, monkeypatch):
-    """Of the first phase there is no film, and dry bodies of the second do not come together."""
+def test_no_lift_is_known_of_films_that_are_not_found(monkeypatch):
+    """Of one phase dry bodies do not come together; then there is no film of any."""
     tasks = two_phases(0.05)
+    seconds = [present_in_life(task.scene).seconds for task in tasks]
 
     def integrate_in_time(*given):
-        raise transient_solutions.NoFilmError("there is none")
+        return SimpleNamespace(rigid_films=dict.fromkeys(seconds, 1e-6), records=())
 
-    def moving_lift(*given):
-        raise KernelError(NOT_CONVERGED)
+    def moving_lift(time_grid, then, *given):
+        if then == seconds[0]:
+            raise KernelError(NOT_CONVERGED)
+        return Lift(1e-6)
 
-    monkeypatch.setattr(transient_solutions, "integrate_in_time", integrate_in_time)
-    assert tooth_lifts.moving_lifts_of(tasks, tmp_path, None) == {}
+    def lost(*given):
+        raise NoFilmError("there is none")
+
+    monkeypatch.setattr(tooth_lifts, "integrate_in_time", integrate_in_time)
     monkeypatch.setattr(tooth_lifts, "moving_lift", moving_lift)
-    left = SimpleNamespace(rigid_film=0.0, records=())
-    monkeypatch.setattr(tooth_lifts, "left_for", lambda *given: left)
-    assert tooth_lifts.moving_lifts_of(tasks, tmp_path, None) == {}
+    assert tooth_lifts.lifts_of(tasks, None) == {0.2: Lift(tooth_lifts.FULL_LIFT * 1e-6)}
+    monkeypatch.setattr(tooth_lifts, "integrate_in_time", lost)
+    assert tooth_lifts.lifts_of(tasks, None) == {}
 
 
 def test_lifts_are_sought_on_grids_of_moderate_size():

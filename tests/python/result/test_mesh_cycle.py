@@ -479,35 +479,11 @@ def test_lifts_found_at_low_accuracy_share_the_load(tmp_path, lifting):
     assert lifting == [(0.02, lifts)]
 
 
-def test_motion_changes_the_lifts_of_steady_films(tmp_path, lifting, monkeypatch):
-    """Transient films lift by 3 um times the phase more than steady ones in the same window."""
+def test_lifts_of_moving_teeth_come_from_transient_solutions(tmp_path, lifting, monkeypatch):
+    """A coarse transient solve gives lifts, and the friction that balances the torques."""
     asked = []
 
-    def lifts_of(tasks, moving):
-        asked.append((moving, tasks[0].case.drive.transmission.lifts))
-        return {
-            task.place.phase: Lift((3 * moving * task.place.phase + 0.5) * 1e-6) for task in tasks
-        }
-
-    monkeypatch.setattr(drive_iteration, "steady_lifts_of", lambda tasks, _: lifts_of(tasks, False))
-    monkeypatch.setattr(drive_iteration, "moving_lifts_of", lambda tasks, *_: lifts_of(tasks, True))
-    case, tasks, steady_lifts = three_phases("auto")
-    said = []
-    drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)
-    lifts = tuple((phase, pytest.approx((1 + 5 * phase) * 1e-6)) for phase, _ in steady_lifts)
-    # one transient solve, under the loads that follow from steady lifts, leaves a twentieth of its change
-    assert asked == [(False, ()), (True, steady_lifts)]
-    assert lifting[:2] == [(drive_iteration.ESTIMATE_ACCURACY, ()), (0.02, lifts)]
-    assert "film-induced separation 1.50 to 5.10 µm" in said[1]
-
-
-def test_lifts_of_a_coarse_solution_come_from_transient_solutions_alone(
-    tmp_path, lifting, monkeypatch
-):
-    """The first transient solve gives lifts, and the friction that balances the torques."""
-    asked = []
-
-    def lifts_of(tasks, directory, executor):
+    def lifts_of(tasks, executor):
         asked.append(tasks[0].case.drive.transmission.lifts)
         return {
             task.place.phase: Lift(1e-6 + 1e-5 * task.place.phase, 0.04, 2.0)
@@ -515,18 +491,19 @@ def test_lifts_of_a_coarse_solution_come_from_transient_solutions_alone(
             if not lost
         }
 
-    monkeypatch.setattr(drive_iteration, "moving_lifts_of", lifts_of)
+    monkeypatch.setattr(drive_iteration, "lifts_of", lifts_of)
     case, tasks, _ = three_phases("auto")
-    tasks = [replace(task, accuracy=drive_iteration.ESTIMATE_ACCURACY) for task in tasks]
-    lost = False
-    drive_iteration.run_balanced(case, tasks, tmp_path)
+    lost, said = False, []
+    drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)
     lifts = tuple((phase, pytest.approx(1e-6 + 1e-5 * phase)) for phase in (0.1, 0.34, 0.82))
-    assert asked == [()] and lifting[0] == (drive_iteration.ESTIMATE_ACCURACY, lifts)
+    # they move loads by more than one solve settles
+    assert asked[0] == () and asked[1] == lifts and lifting[0] == (0.02, lifts)
+    assert "film-induced separation 2.00 to 9.20 µm" in said[0]
     # where none is found they are found with the films, as of drives whose films are steady
     lost = True
     lifting.clear()
     drive_iteration.run_balanced(case, tasks, tmp_path / "lost")
-    assert lifting[0] == (drive_iteration.ESTIMATE_ACCURACY, ())
+    assert lifting[0] == (0.02, ())
 
 
 @pytest.mark.usefixtures("coarse_map")

@@ -20,7 +20,7 @@ from pyworm.solver.cost.calibration import calibration
 from pyworm.solver.cost.expected_motion import motion, time_grid_if_any
 from pyworm.solver.estimate import Estimate
 from pyworm.solver.newton import newton_step
-from pyworm.solver.transient import film_series, lifts, next_film, time_integration, transient
+from pyworm.solver.transient import film_series, next_film, time_integration, transient
 from pyworm.solver.transient.next_film import NoFilmError
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import TimeIntegration
@@ -79,13 +79,6 @@ def test_a_contact_at_rest_is_no_knot_of_a_course():
     scene = replace(starting(5e-3), past=Past(life, 5e-3))
     time_grid = time_grid_of(life, pyworm.plan(scene, 0.2, ("isothermal", "squeeze"), ("film",)))
     assert time_grid.begin == 0.0 and time_grid.end == pytest.approx(5e-3)
-
-
-def test_no_lift_is_known_of_films_that_are_not_found(accelerated, monkeypatch):
-    time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
-    seconds = accelerated.past.seconds
-    monkeypatch.setattr(lifts, "steady_level", diverged)
-    assert lifts.steady_lift(time_grid, seconds) is None
 
 
 @pytest.mark.parametrize(
