@@ -21,7 +21,7 @@ import numpy as np
 
 from pyworm.batch.case_run import RESULT_NAME, run
 from pyworm.batch.task import Task
-from pyworm.batch.tooth_lifts import lifts_of
+from pyworm.batch.tooth_lifts import lift_ratio, lifts_of
 from pyworm.batch.transient_solutions import is_transient
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
@@ -125,20 +125,25 @@ class _Search:
 
     def _by_motion(self, case: Case, moving: Sequence[Task], executor: Executor | None) -> Case:
         """The case with lifts and friction by coarse transient solves."""
+        ratio = None
         for _ in range(MAX_TRANSIENT_SOLVES):
-            then = lifts_of([replace(task, case=case) for task in moving], executor)
+            under = [replace(task, case=case) for task in moving]
+            then = lifts_of(under, executor)
             if not then:
                 return case
-            before, case = case, case.with_found({"operation": self._found_moving(then)})
+            if ratio is None:
+                middle = under[len(under) // 2]
+                ratio = lift_ratio(middle, steady(estimate_of(middle)), executor)
+            before, case = case, case.with_found({"operation": self._found_moving(then, ratio)})
             if self._is_close(before, case, sorted(then)):
                 break
         said = _told_lifts(present(case.tables.operation.lifts, "lifts"))
         self.print_message(f"transient solution: film-induced separation {said}")
         return case
 
-    def _found_moving(self, then: dict[float, Lift]) -> dict[str, Any]:
-        """Lifts, and friction where it is sought, by those of coarse transient solves."""
-        lifts = tuple((phase, then[phase].distance) for phase in sorted(then))
+    def _found_moving(self, then: dict[float, Lift], ratio: float) -> dict[str, Any]:
+        """Lifts, and friction where it is sought, by those of coarse transient solves times a ratio."""
+        lifts = tuple((phase, ratio * then[phase].distance) for phase in sorted(then))
         friction = mean_friction(then.values())
         if "friction" not in self.open["operation"] or friction is None:
             return {"lifts": lifts}

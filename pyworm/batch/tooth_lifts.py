@@ -1,30 +1,22 @@
 """Lifts of a drive's teeth, which move its loads, by coarse transient solves of their life.
 
 They have twice the spacing and the time step of a run's first transient solve, at a quarter to a half of its
-cost. What they lack by their grids and by pressure beyond their windows is added at all phases alike
-(`FULL_LIFT`).
+cost. By their grids and by pressure beyond their windows they are up to a quarter smaller than full ones, at
+all phases about alike; steady films of one contact tell how much (`LiftRatio`).
 """
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Executor
 from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from pyworm.batch.task import Task
 from pyworm.batch.transient_solutions import tasks_by_part
 from pyworm.io.present import present
 from pyworm.kernel.core import KernelError
-from pyworm.solver.transient.lifts import Lift, moving_lift
+from pyworm.solver.transient.lifts import Lift, moving_lift, steady_lift
 from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.transient import part_at, present_in_life
-
-FULL_LIFT = 1.25
-"""Lift of a film within error bars over that of a coarse solve.
-
-It is 1.16 to 1.40 in `cases/zi_drive.toml` and `cases/worm_drawing.toml`, 1.00 to 1.25 in drives 2 of seeds
-99014 and 99015 of `tests/hard`, whose asperities carry most of the load. Loads by lifts of coarse solves
-differ from those by full ones by 5.0, 0.4, 0.7 and 1.8 %, by 1.1, 0.5, 0.6 and 2.3 % with it.
-"""
 
 
 @dataclass(frozen=True)
@@ -47,8 +39,7 @@ class PartLifts:
         for seconds, rigid_film in found.rigid_films.items():
             with suppress(KernelError):  # its scene meets the same dry contact, and tells it
                 lift = moving_lift(time_grid, seconds, rigid_film, found.records)
-                phase = present(phases[seconds], "phase")
-                lifts[phase] = replace(lift, distance=FULL_LIFT * lift.distance)
+                lifts[present(phases[seconds], "phase")] = lift
         return lifts
 
 
@@ -63,3 +54,28 @@ def lifts_of(tasks: Sequence[Task], executor: Executor | None) -> dict[float, Li
         with suppress(Exception):  # the scenes of that part meet the same, and tell it
             found |= call()
     return found
+
+
+@dataclass(frozen=True)
+class LiftRatio:
+    """Lift by the steady film of a contact over that on the coarse grid of its life."""
+
+    task: Task
+    """The contact, in motion."""
+    steady: Task
+    """The same with its steady film."""
+
+    def __call__(self) -> float:
+        """The ratio; KernelError or NoFilmError where one of the films is not found."""
+        full = present(self.steady.solved().solutions[0].figures.lift, "lift")
+        seconds = present_in_life(self.task.scene).seconds
+        return full / steady_lift(self.task.time_grid.coarser(), seconds)
+
+
+def lift_ratio(task: Task, steady: Task, executor: Executor | None) -> float:
+    """The ratio of a contact in motion (`LiftRatio`); 1 where it is not known."""
+    ratio = LiftRatio(task, steady)
+    try:
+        return ratio() if executor is None else executor.submit(ratio).result()
+    except Exception:  # its scene may meet the same, and tells it
+        return 1.0

@@ -23,7 +23,7 @@ from pyworm.solver.transient.time_steps import (
 )
 from pyworm.solver.transient.transient import (
     MAX_ALONE_TRANSITS,
-    MIN_SOLVES,
+    USUAL_SOLVES,
     Part,
     begin_of_further,
     part_at,
@@ -32,7 +32,7 @@ from pyworm.solver.transient.transient import (
 
 FURTHER = 0.17, 0.13
 """Chances that a contact has one, and two, more transient solves than its accuracy asks for, of those that
-are made whatever they cost (`MIN_SOLVES`): 4 and 3 of 24 phases of worm gear sets at 10 % had (`tests/hard`,
+are usual (`USUAL_SOLVES`): 4 and 3 of 24 phases of worm gear sets at 10 % had (`tests/hard`,
 drives 0 and 3 of seed 98001, 1 of 98002, 0 and 1 of 99002). One in the first transit of a life that begins
 under load (`FIRST_TRANSITS`) has one."""
 
@@ -132,7 +132,7 @@ def _further(
     under_load = time_grid.approach is None and time_grid.transits(seconds) < FIRST_TRANSITS
     for number, chance in enumerate(FURTHER, solves):
         begin = begin_of_further(time_grid, seconds, number)
-        if begin is None or (number > solves and number >= MIN_SOLVES):
+        if begin is None or (number > solves and number >= USUAL_SOLVES):
             return
         steps = _time_steps(time_grid, range(number, number + 1), begin, seconds)
         yield 1.0 if under_load and number == solves else chance, steps

@@ -11,9 +11,10 @@ from pyworm.planning.line_grid import LineGrid
 from pyworm.scene.line import LineScene
 from pyworm.scene.scales import scales
 from pyworm.solver.point.level import dry_contact
-from pyworm.solver.transient.next_film import contact_at
+from pyworm.solver.transient.next_film import contact_at, steady_level
 from pyworm.solver.transient.time_grid import TimeGrid
 from pyworm.solver.transient.time_records import TimeRecord
+from pyworm.solver.transient.time_steps import Step
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,15 @@ def moving_lift(
 def _friction(figures: Mapping[str, float]) -> tuple[float, float]:
     """Friction coefficient and loss [W] among the figures of a film."""
     return figures.get("friction_coefficient", 0.0), figures.get("power_loss", 0.0)
+
+
+def steady_lift(time_grid: TimeGrid, seconds: float) -> float:
+    """Lift by the steady film of a point contact at a time [s], in the window of its life [m].
+
+    NoFilmError if there is none.
+    """
+    level, _ = steady_level(time_grid, Step(seconds, 0))
+    return level.film.rigid_film + _approach(time_grid, seconds)
 
 
 def _approach(time_grid: TimeGrid, seconds: float) -> float:

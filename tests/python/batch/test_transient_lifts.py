@@ -45,17 +45,22 @@ class Films:
     """Coarse transient solves, whose lifts are given."""
 
     def __init__(self, lifts):
-        self.lifts, self.solved = lifts, []
+        self.lifts, self.solved, self.compared = lifts, [], []
 
     def of(self, tasks, executor):
         self.solved.append(tasks)
         return self.lifts
+
+    def ratio_of(self, task, steady, executor):
+        self.compared.append((task, steady))
+        return 1.2
 
 
 @pytest.fixture
 def films(monkeypatch):
     found = Films({phase: Lift(1e-6, 0.02, 3.0) for phase in (1.0, 0.0, 0.5)})
     monkeypatch.setattr(drive_iteration, "lifts_of", found.of)
+    monkeypatch.setattr(drive_iteration, "lift_ratio", found.ratio_of)
     return found
 
 
@@ -73,13 +78,16 @@ def test_a_solve_that_leaves_little_ends_the_search(monkeypatch, films):
     """It leaves a quarter of its change, and half of the accuracy is 2.5 %."""
     operation = searched(monkeypatch, [0.09]).tables.operation
     assert operation.friction == 0.02 and len(films.solved) == 1
-    assert operation.lifts == ((0.0, 1e-6), (0.5, 1e-6), (1.0, 1e-6))
+    assert operation.lifts == ((0.0, 1.2e-6), (0.5, 1.2e-6), (1.0, 1.2e-6))
 
 
 def test_the_next_solve_is_under_the_loads_of_the_one_before(monkeypatch, films):
     searched(monkeypatch, [0.11, 0.01])
     before, after = (tasks[0].case.tables.operation.lifts for tasks in films.solved)
     assert before is None and len(after) == 3
+    ((task, steady),) = films.compared  # once, of a contact in the middle
+    assert (task.place.phase, task.accuracy) == (0.5, 0.05) and steady.place == task.place
+    assert steady.accuracy == drive_iteration.ESTIMATE_ACCURACY and "-squeeze" in steady.effects
 
 
 def test_loads_that_move_far_are_sought_in_three_solves_at_most(monkeypatch, films):
@@ -98,16 +106,33 @@ def test_lifts_come_from_coarse_solves_of_their_life(monkeypatch):
     """They are those of the first solve, of half the spacing and time step, to a fifth."""
     monkeypatch.setitem(STEPS_A_TRANSIT, "point", 6)
     tasks = two_phases(0.05)
-    lifts = tooth_lifts.lifts_of(tasks, None)
-    time_grid = tasks[0].time_grid
-    found = integrate_in_time(
-        time_grid, 0, 0.0, [present_in_life(task.scene).seconds for task in tasks]
+    lifts, time_grid = tooth_lifts.lifts_of(tasks, None), tasks[0].time_grid
+    seconds = [present_in_life(task.scene).seconds for task in tasks]
+    found = integrate_in_time(time_grid, 0, 0.0, seconds)
+    for phase, then in zip((0.1, 0.2), seconds, strict=True):
+        first = moving_lift(time_grid, then, found.rigid_films[then], found.records).distance
+        assert lifts[phase].distance == pytest.approx(first, rel=0.2)
+
+
+@pytest.mark.parametrize("processes", [0, 2])
+def test_steady_films_tell_what_coarse_lifts_lack(processes):
+    """Pressure beyond the window of a life is a tenth of a lift, its coarse grid another."""
+    executor = ThreadPoolExecutor(processes) if processes else None
+    task = two_phases(0.05)[1]
+    estimate = drive_iteration.steady(drive_iteration.estimate_of(task))
+    assert 1.05 < tooth_lifts.lift_ratio(task, estimate, executor) < 1.4
+
+
+def test_where_steady_films_are_not_found_lifts_stay_as_they_are(monkeypatch):
+    def lost(*given):
+        raise NoFilmError("there is none")
+
+    monkeypatch.setattr(tooth_lifts, "steady_lift", lost)
+    task = two_phases(0.05)[1]
+    assert (
+        tooth_lifts.lift_ratio(task, drive_iteration.steady(replace(task, accuracy=0.1)), None)
+        == 1.0
     )
-    for phase, (seconds, rigid_film) in zip(
-        (0.1, 0.2), sorted(found.rigid_films.items()), strict=True
-    ):
-        first = moving_lift(time_grid, seconds, rigid_film, found.records).distance
-        assert lifts[phase].distance / tooth_lifts.FULL_LIFT == pytest.approx(first, rel=0.2)
 
 
 def test_a_coarser_time_grid_reaches_as_far():
@@ -140,7 +165,7 @@ def test_no_lift_is_known_of_films_that_are_not_found(monkeypatch):
 
     monkeypatch.setattr(tooth_lifts, "integrate_in_time", integrate_in_time)
     monkeypatch.setattr(tooth_lifts, "moving_lift", moving_lift)
-    assert tooth_lifts.lifts_of(tasks, None) == {0.2: Lift(tooth_lifts.FULL_LIFT * 1e-6)}
+    assert tooth_lifts.lifts_of(tasks, None) == {0.2: Lift(1e-6)}
     monkeypatch.setattr(tooth_lifts, "integrate_in_time", lost)
     assert tooth_lifts.lifts_of(tasks, None) == {}
 

@@ -107,7 +107,7 @@ def test_two_further_solves_are_expected_of_a_coarse_request_and_none_beyond_the
 
 @pytest.mark.parametrize(("most", "built"), [(1e12, True), (1.0, False)])
 def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, built):
-    monkeypatch.setattr(transient_module, "MOST_WORK", most)
+    monkeypatch.setitem(transient_module.MOST_WORK, 3, most)
     scene, plan, time_grid = moving(POINT, 0.02)
     assert solves_of_life(plan.accuracy) == 3
     further = motion(scene, plan, time_grid).further
@@ -119,13 +119,20 @@ def test_a_fourth_solve_is_made_where_it_is_affordable(monkeypatch, most, built)
     assert transient_module.begin_of_further(time_grid, scene.past.seconds, 4) is None
 
 
-def test_where_no_further_solve_is_to_be_had_the_film_goes_on_with_the_last(monkeypatch):
-    monkeypatch.setattr(transient_module, "MIN_SOLVES", 0)
-    monkeypatch.setattr(transient_module, "MOST_WORK", 0.0)
-    scene, plan, _ = moving(LINE, 0.5)
+def test_a_further_solve_is_made_up_to_its_work_which_limited_rates_multiply(monkeypatch):
+    scene, plan, time_grid = moving(LINE, 0.5)
     rates = transient_module.rates_at_present(scene, plan)
-    further = transient_module.finer(scene, plan, rates)
-    assert further.finest and further.found == rates.found
+    (only,), seconds = rates.found, scene.past.seconds
+    begin = transient_module.begin_of_further(time_grid, seconds, 1)
+    assert begin is not None
+    work = sum(
+        time_grid.grid(step.seconds, 1).nodes for step in steps_of(time_grid, 1, begin, seconds)
+    )
+    for share, limited, built in ((1.1, False, True), (1.1, True, False), (0.9, False, False)):
+        monkeypatch.setattr(transient_module, "MOST_WORK", {1: share * work})
+        before = replace(rates, found=(replace(only, limited=limited),))
+        further = transient_module.finer(scene, plan, before)
+        assert further.finest is not built and len(further.found) == 1 + built
 
 
 def test_a_further_solve_is_made_where_those_before_leave_too_much_error(monkeypatch):

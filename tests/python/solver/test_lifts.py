@@ -5,11 +5,9 @@ from test_transient import ball, lived
 
 import pyworm
 from pyworm.planning.prediction import predicted
-from pyworm.solver.transient.lifts import moving_lift
-from pyworm.solver.transient.next_film import steady_level
+from pyworm.solver.transient.lifts import moving_lift, steady_lift
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import integrate_in_time
-from pyworm.solver.transient.time_steps import Step
 from pyworm.solver.transient.transient import part_at
 
 
@@ -18,11 +16,8 @@ def both_lifts(contact):
     plan = pyworm.plan(contact, 0.1, ("isothermal", "squeeze"), ("film",))
     time_grid, now = time_grid_of(contact.past.life, plan), contact.past.seconds
     found = integrate_in_time(time_grid, 0, part_at(time_grid, now).begin, [now])
-    steady, _ = steady_level(time_grid, Step(now, 0))
-    return (
-        moving_lift(time_grid, now, rigid_film, found.records).distance
-        for rigid_film in (found.rigid_films[now], steady.film.rigid_film)
-    )
+    moving = moving_lift(time_grid, now, found.rigid_films[now], found.records)
+    return moving.distance, steady_lift(time_grid, now)
 
 
 def test_a_contact_without_change_is_lifted_like_a_steady_one():
