@@ -21,7 +21,7 @@ import numpy as np
 
 from pyworm.batch.case_run import RESULT_NAME, run
 from pyworm.batch.task import Task
-from pyworm.batch.tooth_lifts import lift_ratio, lifts_of
+from pyworm.batch.tooth_lifts import lifts_of, steady_ratios
 from pyworm.batch.transient_solutions import is_transient
 from pyworm.case.case import Case, case_again
 from pyworm.drives.tooth_loss import FEWEST_PHASES
@@ -125,29 +125,32 @@ class _Search:
 
     def _by_motion(self, case: Case, moving: Sequence[Task], executor: Executor | None) -> Case:
         """The case with lifts and friction by coarse transient solves."""
-        ratio = None
+        ratios = None
         for _ in range(MAX_TRANSIENT_SOLVES):
             under = [replace(task, case=case) for task in moving]
             then = lifts_of(under, executor)
             if not then:
                 return case
-            if ratio is None:
+            if ratios is None:
                 middle = under[len(under) // 2]
-                ratio = lift_ratio(middle, steady(estimate_of(middle)), executor)
-            before, case = case, case.with_found({"operation": self._found_moving(then, ratio)})
+                ratios = steady_ratios(middle, steady(estimate_of(middle)), executor)
+            found = self._found_moving(then, *ratios)
+            before, case = case, case.with_found({"operation": found})
             if self._is_close(before, case, sorted(then)):
                 break
         said = _told_lifts(present(case.tables.operation.lifts, "lifts"))
         self.print_message(f"transient solution: film-induced separation {said}")
         return case
 
-    def _found_moving(self, then: dict[float, Lift], ratio: float) -> dict[str, Any]:
-        """Lifts, and friction where it is sought, by those of coarse transient solves times a ratio."""
-        lifts = tuple((phase, ratio * then[phase].distance) for phase in sorted(then))
+    def _found_moving(
+        self, then: dict[float, Lift], of_lift: float, of_friction: float
+    ) -> dict[str, Any]:
+        """Lifts, and friction where it is sought, by those of coarse transient solves times ratios."""
+        lifts = tuple((phase, of_lift * then[phase].distance) for phase in sorted(then))
         friction = mean_friction(then.values())
         if "friction" not in self.open["operation"] or friction is None:
             return {"lifts": lifts}
-        return {"lifts": lifts, "friction": float(f"{friction:.2g}")}
+        return {"lifts": lifts, "friction": float(f"{of_friction * friction:.2g}")}
 
     def _estimated(self, case: Case, given: Sequence[Task], how: dict[str, Any]) -> Case:
         """The case with values of steady films of lower accuracy."""

@@ -2,7 +2,7 @@
 
 They have twice the spacing and the time step of a run's first transient solve, at a quarter to a half of its
 cost. By their grids and by pressure beyond their windows they are up to a quarter smaller than full ones, at
-all phases about alike; steady films of one contact tell how much (`LiftRatio`).
+all phases about alike, and friction is a tenth larger; steady films of one contact tell (`SteadyRatios`).
 """
 
 from collections.abc import Callable, Sequence
@@ -57,25 +57,33 @@ def lifts_of(tasks: Sequence[Task], executor: Executor | None) -> dict[float, Li
 
 
 @dataclass(frozen=True)
-class LiftRatio:
-    """Lift by the steady film of a contact over that on the coarse grid of its life."""
+class SteadyRatios:
+    """What steady films of a contact have over those on the coarse grid of its life."""
 
     task: Task
     """The contact, in motion."""
     steady: Task
     """The same with its steady film."""
 
-    def __call__(self) -> float:
-        """The ratio; KernelError or NoFilmError where one of the films is not found."""
-        full = present(self.steady.solved().solutions[0].figures.lift, "lift")
+    def __call__(self) -> tuple[float, float]:
+        """Ratios of the lifts and of the friction coefficients, 1 where these are not known.
+
+        KernelError or NoFilmError where one of the films is not found.
+        """
+        figures = self.steady.solved().solutions[0].figures
         seconds = present_in_life(self.task.scene).seconds
-        return full / steady_lift(self.task.time_grid.coarser(), seconds)
+        coarse = steady_lift(self.task.time_grid.coarser(), seconds)
+        friction = figures.friction_coefficient
+        return (
+            present(figures.lift, "lift") / coarse.distance,
+            friction.value / coarse.friction if friction and coarse.friction > 0 else 1.0,
+        )
 
 
-def lift_ratio(task: Task, steady: Task, executor: Executor | None) -> float:
-    """The ratio of a contact in motion (`LiftRatio`); 1 where it is not known."""
-    ratio = LiftRatio(task, steady)
+def steady_ratios(task: Task, steady: Task, executor: Executor | None) -> tuple[float, float]:
+    """The ratios of a contact in motion (`SteadyRatios`); 1 where they are not known."""
+    ratios = SteadyRatios(task, steady)
     try:
-        return ratio() if executor is None else executor.submit(ratio).result()
+        return ratios() if executor is None else executor.submit(ratios).result()
     except Exception:  # its scene may meet the same, and tells it
-        return 1.0
+        return 1.0, 1.0

@@ -86,7 +86,7 @@ MADE_BY = {
         "batch/test_transient_solutions.py::test_a_damaged_file_of_a_life_counts_as_none",
     "batch/transient_solutions.py tasks_by_part ValueError":
         "batch/test_batch_fall_backs.py::test_a_life_without_load_has_no_parts",
-    "batch/tooth_lifts.py lift_ratio Exception":
+    "batch/tooth_lifts.py steady_ratios Exception":
         "batch/test_transient_lifts.py::test_where_steady_films_are_not_found_lifts_stay_as_they_are",
     "batch/tooth_lifts.py lifts_of suppress Exception":
         "batch/test_transient_lifts.py::test_a_part_that_breaks_costs_its_own_lifts_alone",

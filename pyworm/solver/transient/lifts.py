@@ -56,13 +56,14 @@ def _friction(figures: Mapping[str, float]) -> tuple[float, float]:
     return figures.get("friction_coefficient", 0.0), figures.get("power_loss", 0.0)
 
 
-def steady_lift(time_grid: TimeGrid, seconds: float) -> float:
-    """Lift by the steady film of a point contact at a time [s], in the window of its life [m].
+def steady_lift(time_grid: TimeGrid, seconds: float) -> Lift:
+    """Lift by the steady film of a point contact at a time [s], in the window of its life.
 
     NoFilmError if there is none.
     """
     level, _ = steady_level(time_grid, Step(seconds, 0))
-    return level.film.rigid_film + _approach(time_grid, seconds)
+    distance = level.film.rigid_film + _approach(time_grid, seconds)
+    return Lift(distance, *_friction(level.read().figures))
 
 
 def _approach(time_grid: TimeGrid, seconds: float) -> float:

@@ -35,7 +35,7 @@ def test_phases_of_one_life_share_its_transient_solves():
 
 
 def test_lifts_are_searched_for_where_they_are_left_open():
-    """By films of lower accuracy, or by one more transient solve of the life."""
+    """By coarse transient solves of the life."""
     how = {"path": "cases/zi_drive.toml", "effects": ("isothermal", "squeeze"), "phase": PHASES}
     fine, coarse = (of_run(accuracy=accuracy, **how) for accuracy in (0.05, 0.2))
     assert (MOVING_PASSES - 1) * fine.once < fine.search < 2 * fine.once

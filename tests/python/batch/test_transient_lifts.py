@@ -51,16 +51,16 @@ class Films:
         self.solved.append(tasks)
         return self.lifts
 
-    def ratio_of(self, task, steady, executor):
+    def ratios_of(self, task, steady, executor):
         self.compared.append((task, steady))
-        return 1.2
+        return 1.2, 0.9
 
 
 @pytest.fixture
 def films(monkeypatch):
     found = Films({phase: Lift(1e-6, 0.02, 3.0) for phase in (1.0, 0.0, 0.5)})
     monkeypatch.setattr(drive_iteration, "lifts_of", found.of)
-    monkeypatch.setattr(drive_iteration, "lift_ratio", found.ratio_of)
+    monkeypatch.setattr(drive_iteration, "steady_ratios", found.ratios_of)
     return found
 
 
@@ -77,7 +77,7 @@ def searched(monkeypatch, change):
 def test_a_solve_that_leaves_little_ends_the_search(monkeypatch, films):
     """It leaves a quarter of its change, and half of the accuracy is 2.5 %."""
     operation = searched(monkeypatch, [0.09]).tables.operation
-    assert operation.friction == 0.02 and len(films.solved) == 1
+    assert operation.friction == 0.018 and len(films.solved) == 1
     assert operation.lifts == ((0.0, 1.2e-6), (0.5, 1.2e-6), (1.0, 1.2e-6))
 
 
@@ -120,7 +120,20 @@ def test_steady_films_tell_what_coarse_lifts_lack(processes):
     executor = ThreadPoolExecutor(processes) if processes else None
     task = two_phases(0.05)[1]
     estimate = drive_iteration.steady(drive_iteration.estimate_of(task))
-    assert 1.05 < tooth_lifts.lift_ratio(task, estimate, executor) < 1.4
+    lift, friction = tooth_lifts.steady_ratios(task, estimate, executor)
+    assert 1.05 < lift < 1.4 and friction == 1.0
+
+
+@pytest.mark.parametrize(
+    ("full", "coarse", "ratio"), [(0.02, 0.025, 0.8), (0.02, 0.0, 1), (None, 0.025, 1)]
+)
+def test_steady_films_tell_how_much_friction_is_too_large(full, coarse, ratio, monkeypatch):
+    friction = full and SimpleNamespace(value=full)
+    solution = SimpleNamespace(figures=SimpleNamespace(lift=3e-6, friction_coefficient=friction))
+    steady = SimpleNamespace(solved=lambda: SimpleNamespace(solutions=(solution,)))
+    monkeypatch.setattr(tooth_lifts, "steady_lift", lambda *given: Lift(2e-6, coarse))
+    found = tooth_lifts.steady_ratios(two_phases(0.05)[1], steady, None)
+    assert found == pytest.approx((1.5, ratio))
 
 
 def test_where_steady_films_are_not_found_lifts_stay_as_they_are(monkeypatch):
@@ -128,11 +141,8 @@ def test_where_steady_films_are_not_found_lifts_stay_as_they_are(monkeypatch):
         raise NoFilmError("there is none")
 
     monkeypatch.setattr(tooth_lifts, "steady_lift", lost)
-    task = two_phases(0.05)[1]
-    assert (
-        tooth_lifts.lift_ratio(task, drive_iteration.steady(replace(task, accuracy=0.1)), None)
-        == 1.0
-    )
+    task = two_phases(0.1)[1]
+    assert tooth_lifts.steady_ratios(task, drive_iteration.steady(task), None) == (1.0, 1.0)
 
 
 def test_a_coarser_time_grid_reaches_as_far():

@@ -492,7 +492,7 @@ def test_lifts_of_moving_teeth_come_from_transient_solutions(tmp_path, lifting, 
         }
 
     monkeypatch.setattr(drive_iteration, "lifts_of", lifts_of)
-    monkeypatch.setattr(drive_iteration, "lift_ratio", lambda *given: 1.0)
+    monkeypatch.setattr(drive_iteration, "steady_ratios", lambda *given: (1.0, 1.0))
     case, tasks, _ = three_phases("auto")
     lost, said = False, []
     drive_iteration.run_balanced(case, tasks, tmp_path, print_message=said.append)

@@ -17,7 +17,7 @@ def both_lifts(contact):
     time_grid, now = time_grid_of(contact.past.life, plan), contact.past.seconds
     found = integrate_in_time(time_grid, 0, part_at(time_grid, now).begin, [now])
     moving = moving_lift(time_grid, now, found.rigid_films[now], found.records)
-    return moving.distance, steady_lift(time_grid, now)
+    return moving.distance, steady_lift(time_grid, now).distance
 
 
 def test_a_contact_without_change_is_lifted_like_a_steady_one():
