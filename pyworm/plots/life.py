@@ -34,7 +34,7 @@ def draw_life(result: Result, life: ContactLife) -> Figure:
         draw for name, draw in PANELS.items() if name in ("load", "entrainment", *life.figures)
     ]
     size = 9, PANEL * len(drawn) + 1.2
-    words = "one mesh engagement" if life.phases is not None else "load history"
+    words = "one mesh engagement" if life.phases is not None else "load and speed history"
     what = joined(result.case_name, f"{life.place} {words}".strip(), of_all(life.solutions).note)
     room = (0.95, 0.25, 0.5, 0.12)
     figure, panels = placed_panels(size, what, room, len(drawn), space=0.08, sharex=True)
