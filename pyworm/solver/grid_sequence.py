@@ -12,10 +12,11 @@ from typing import Any, cast
 from pyworm.io.progress import Progress
 from pyworm.kernel.core import NO_MEMORY, KernelError
 from pyworm.planning import error_budget
-from pyworm.planning.grid import Grid
+from pyworm.planning.grid import Grid, nest
 from pyworm.planning.line_grid import LineGrid, twice_as_far
 from pyworm.planning.plan import Plan
 from pyworm.planning.target import HEAT_FIGURES
+from pyworm.planning.window import enlarged
 from pyworm.scene.index import ContactIndex
 from pyworm.scene.line import LineScene
 from pyworm.scene.point import Scene
@@ -382,7 +383,8 @@ class GridSequence:
             plan.target.worst({name: limit.error for name, limit in limits.items()}, here.figures)
             for limits in (near, far)
         )
-        if worst_far > plan.accuracy and self._widenings < MOST_WIDENINGS and self._widen():
+        films_off = max(far[name].error for name in ("film_min", "film_central"))
+        if worst_far > plan.accuracy and self._widen(films_off):
             self._level, self._iteration, self._readings = wider, iteration, [iteration.reading]
             return self._compare_windows()
         may_refine = self._level.grid.finer().nodes <= plan.largest_grid
@@ -396,20 +398,33 @@ class GridSequence:
             self._level, self._iteration, self._readings = wider, iteration, [iteration.reading]
         return None
 
-    def _widen(self) -> bool:
-        """Plan a window of twice the reach of the wider one; whether there is one.
+    def _widen(self, films_off: float) -> bool:
+        """Plan a window of twice the reach of the wider one, by which films are off; whether there is one.
 
-        Bodies of different temperatures exchange heat through the oil far before a line contact.
+        Bodies of different temperatures exchange heat through the oil far before a line contact. Friction
+        and pressure of a point contact of large radii and light load spread far where films hardly change.
         """
-        (narrow, *_), (wide, *_) = self._plan.grids, self._plan.wider_grids
-        if not (isinstance(narrow, LineGrid) and isinstance(wide, LineGrid)):
+        (narrow, *_), (*_, wide) = self._plan.grids, self._plan.wider_grids
+        if isinstance(narrow, LineGrid) and isinstance(wide, LineGrid):
+            if not self._plan.model.heated or self._widenings >= MOST_WIDENINGS:
+                return False
+            farther: Grid | LineGrid = twice_as_far(narrow, wide)
+        else:
+            if films_off > self._plan.accuracy or self._refinements + self._widenings > 0:
+                return False
+            farther = self._farther(wide)
+        if farther == wide:
             return False
-        if not self._plan.model.heated:
-            return False
-        farther = twice_as_far(narrow, wide)
         self._plan = replace(self._plan, grids=(wide,), wider_grids=(farther,))
         self._widenings += 1
         return True
+
+    def _farther(self, wide: Grid | LineGrid) -> Grid | LineGrid:
+        """A grid of a point contact that reaches twice as far as the wider one, up to the surfaces' ends."""
+        if not (isinstance(wide, Grid) and isinstance(self._scene, Scene)):
+            return wide
+        box = enlarged(self._scene, wide.box, 2.0)
+        return nest(box, box, *wide.spacing)[-1]
 
     def _falls_seen(self, wider: Reading) -> dict[str, float]:
         """Ratio of a temperature's changes from window to window of a heated line, from a third one.

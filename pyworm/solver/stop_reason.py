@@ -101,14 +101,16 @@ def stop_reason(
         return Ending.ACCURATE.stop()
     domains = {name: estimate.domain for name, estimate in estimates.items()}
     domain = plan.target.worst(domains, figures)
-    if np.isfinite(domain) and domain > plan.accuracy:
-        if plan.target.without(*HEAT_FIGURES).worst(domains, figures) > plan.accuracy:
-            return Ending.WINDOW_OF_FILM.stop(error=percent(domain))
-        # temperatures go on to finer grids, without which nothing is known of what the grids leave
-        grids = {name: estimate.grid for name, estimate in estimates.items()}
-        if plan.target.worst(grids, figures) <= domain:
-            return Ending.WINDOW_OF_HEAT.stop(error=percent(domain))
     last = level.grid.finer().nodes > plan.largest_grid
+    if np.isfinite(domain) and domain > plan.accuracy:
+        grids = {name: estimate.grid for name, estimate in estimates.items()}
+        cold = plan.target.without(*HEAT_FIGURES)
+        # without finer grids nothing is known of what the grids leave
+        if cold.worst(domains, figures) > plan.accuracy:
+            if last or np.isfinite(cold.worst(grids, figures)):
+                return Ending.WINDOW_OF_FILM.stop(error=percent(domain))
+        elif plan.target.worst(grids, figures) <= domain:
+            return Ending.WINDOW_OF_HEAT.stop(error=percent(domain))
     if not met and (last or unconverged >= max_unconverged):
         return _not_met(level, plan)
     but_for = _accurate_but_for(level, iteration, estimates, plan) if met and resolved else None

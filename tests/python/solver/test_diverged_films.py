@@ -10,13 +10,15 @@ from contacts import INLET, ball, roller
 import pyworm
 from pyworm.kernel.core import NOT_CONVERGED, KernelError
 from pyworm.kernel.film import Balance, Film
-from pyworm.solver import arrival_uncertainty
+from pyworm.planning import error_budget
+from pyworm.solver import arrival_uncertainty, grid_sequence
 from pyworm.solver.contact import MAX_STRESS_FACTOR, ContactSolver
 from pyworm.solver.ending import Ending
 from pyworm.solver.grid_sequence import GridSequence
 from pyworm.solver.line.contact import LineContactSolver
 from pyworm.solver.newton import iterate
 from pyworm.solver.point.contact import PointContactSolver
+from pyworm.solver.window_limit import in_wider_window
 
 ACCURACY = 0.2
 
@@ -294,3 +296,42 @@ def test_pressure_of_a_lost_outer_film_is_none_of_the_next_window(monkeypatch):
     assert shapes and 0 < again.load <= 1.1 * scene.load
     first, second = settled(found, again)
     assert second == pytest.approx(first, rel=0.02)
+
+
+@pytest.mark.parametrize(("film", "widened"), [(0.0, True), (0.3, False)])
+def test_a_window_is_doubled_once_where_friction_alone_depends_on_it(film, widened, monkeypatch):
+    """Where films do as well the next grid is tried, which may show them better."""
+    asked = []
+
+    def far_off(*given):
+        limits = in_wider_window(*given)
+        asked.append(limits)
+        if len(asked) > 1:
+            return limits
+        off = {"friction_coefficient": 0.3, "film_central": film}
+        return limits | {name: replace(limits[name], error=error) for name, error in off.items()}
+
+    monkeypatch.setattr(grid_sequence, "in_wider_window", far_off)
+    scene = ball()
+    plan = pyworm.plan(scene, ACCURACY, ("isothermal", "shear-thinning"), ("friction",))
+    solution = pyworm.solve(scene, plan)
+    assert solution.accurate and len(asked) == 2
+    x = solution.fields.x.values
+    west, east, *_ = plan.wider_grids[-1].box
+    assert (x[-1] - x[0] > 0.99 * (east - west)) == widened
+
+
+def test_a_film_that_depends_on_surfaces_far_out_is_used_with_its_uncertainty(monkeypatch):
+    """The grid after the first tells what grids leave, without which nothing would be known of it."""
+
+    def far_off(*given):
+        limits = in_wider_window(*given)
+        return limits | {"film_central": replace(limits["film_central"], error=0.3)}
+
+    monkeypatch.setattr(grid_sequence, "in_wider_window", far_off)
+    monkeypatch.setattr(error_budget, "WINDOW", 0.0)
+    scene = ball()
+    solution = pyworm.solve(scene, pyworm.plan(scene, ACCURACY, "isothermal", ("film",)))
+    assert solution.converged and not solution.accurate
+    assert "domain truncation error of the film 30 %" in solution.stop_reason
+    assert 0.3 <= solution.figures.film_central.error < 0.4
