@@ -63,7 +63,7 @@ class SteadyRatios:
     task: Task
     """The contact, in motion."""
     steady: Task
-    """The same with its steady film."""
+    """A task of its steady film."""
 
     def __call__(self) -> tuple[float, float]:
         """Ratios of the lifts and of the friction coefficients, 1 where these are not known.

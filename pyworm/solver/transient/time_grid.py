@@ -196,7 +196,7 @@ class TimeGrid:
         return 1 / (self.steps * 2**refinement)
 
     def coarser(self) -> "TimeGrid":
-        """The same life with twice the spacing and the time step."""
+        """A time grid of this life with twice the spacing and the time step."""
         doubled = tuple(log_spacing + log(2.0) for log_spacing in self._log_spacing)
         approach = self.approach and replace(self.approach, sides=_halved(self.approach.sides))
         return replace(
