@@ -18,6 +18,9 @@ from pyworm.solver.transient.lifts import Lift, moving_lift, steady_lift
 from pyworm.solver.transient.time_integration import integrate_in_time
 from pyworm.solver.transient.transient import part_at, present_in_life
 
+LARGEST_RATIO = 2.0
+"""Largest ratio of a value by steady films of usual and of coarse grids that is used."""
+
 
 @dataclass(frozen=True)
 class PartLifts:
@@ -66,7 +69,7 @@ class SteadyRatios:
     """A task of its steady film."""
 
     def __call__(self) -> tuple[float, float]:
-        """Ratios of the lifts and of the friction coefficients, 1 where these are not known.
+        """Ratios of the lifts and of the friction coefficients (`_ratio`).
 
         KernelError or NoFilmError where one of the films is not found.
         """
@@ -75,8 +78,8 @@ class SteadyRatios:
         coarse = steady_lift(self.task.time_grid.coarser(), seconds)
         friction = figures.friction_coefficient
         return (
-            present(figures.lift, "lift") / coarse.distance,
-            friction.value / coarse.friction if friction and coarse.friction > 0 else 1.0,
+            _ratio(present(figures.lift, "lift"), coarse.distance),
+            _ratio(friction.value if friction else 0.0, coarse.friction),
         )
 
 
@@ -87,3 +90,8 @@ def steady_ratios(task: Task, steady: Task, executor: Executor | None) -> tuple[
         return ratios() if executor is None else executor.submit(ratios).result()
     except Exception:  # its scene may meet the same, and tells it
         return 1.0, 1.0
+
+
+def _ratio(full: float, coarse: float) -> float:
+    """Their ratio; 1 where they are not known, or where a factor of two between them tells of other films."""
+    return full / coarse if coarse / LARGEST_RATIO < full < LARGEST_RATIO * coarse else 1.0

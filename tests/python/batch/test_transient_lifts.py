@@ -125,7 +125,8 @@ def test_steady_films_tell_what_coarse_lifts_lack(processes):
 
 
 @pytest.mark.parametrize(
-    ("full", "coarse", "ratio"), [(0.02, 0.025, 0.8), (0.02, 0.0, 1), (None, 0.025, 1)]
+    ("full", "coarse", "ratio"),
+    [(0.02, 0.025, 0.8), (0.02, 0.0, 1), (None, 0.025, 1), (0.02, 0.05, 1), (0.02, 0.009, 1)],
 )
 def test_steady_films_tell_how_much_friction_is_too_large(full, coarse, ratio, monkeypatch):
     friction = full and SimpleNamespace(value=full)
