@@ -29,13 +29,14 @@ USUAL_PASSES = 2
 """Usual number of passes until loads are found by steady films of the accuracy asked for, where it is no
 higher than the one of the search."""
 
-COARSE_SOLVES = 0.5
+COARSE_SOLVES = 0.8
 """Work of the search for lifts in motion, in first transient solves of the life: one or two of twice the
-spacing and time step, at 0.25 and 0.4 in the cases of `tooth_lifts`."""
+spacing and time step, of 0.2 to 0.6 each, and steady films of one contact; 0.4 to 1.3 in all of
+`cases/zi_drive.toml` and `cases/worm_drawing.toml`."""
 
 MOVING_PASSES = 1.1
 """Usual number of passes with all phases whose lifts coarse solves found before: one, of ten runs of drives 1
-to 4 of seed 99017 of `tests/hard` and of the cases of `tooth_lifts`, and some drives need two."""
+to 3 of seed 99017 of `tests/hard` and of these cases at 5 and 10 %, and some drives need two."""
 
 OVERHEAD_SECONDS = 3.5
 """Processor time of a run besides its solves: start, results file and pictures [s]. Whole runs of steel gear
