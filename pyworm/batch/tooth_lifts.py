@@ -1,8 +1,8 @@
 """Lifts of a drive's teeth, which move its loads, by coarse transient solves of their life.
 
 They have twice the spacing and the time step of a run's first transient solve, at 0.2 to 0.6 of its cost. By
-their grids and by pressure beyond their windows they are up to a quarter smaller than full ones, at all phases
-about alike, and friction is a tenth larger; steady films of one contact tell (`SteadyRatios`).
+their grids and by pressure beyond their windows they are up to a quarter smaller than full ones, at all
+phases about alike, and friction is a tenth larger; steady films of one contact tell (`SteadyRatios`).
 """
 
 from collections.abc import Callable, Sequence
