@@ -89,7 +89,7 @@ def test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are
 ):
     """Whether it finds none from which to begin, or loses its film on the way."""
     monkeypatch.setattr(module, name, diverged)
-    rates = Rates(("coarse",))
+    rates = Rates((SimpleNamespace(limited=False),))
     assert transient.finer(accelerated, planned(accelerated), rates) == replace(rates, finest=True)
 
 

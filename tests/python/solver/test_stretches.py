@@ -217,9 +217,9 @@ def test_a_stretch_without_a_moment_of_the_solve_before_stands_for_itself():
 
 
 def test_fluxes_that_later_times_read_are_kept_and_those_between_them(monkeypatch):
+    monkeypatch.setitem(STEPS_A_TRANSIT, "point", 24)
     (task,) = tasks_of(0.5, effects=HEATED, accuracy=0.2)
     time_grid, at = task.time_grid, seconds_of(task)
-    monkeypatch.setitem(STEPS_A_TRANSIT, "point", 24)
     monkeypatch.setattr(
         "pyworm.solver.transient.film_series.remembered", lambda history, contact: history
     )
