@@ -30,9 +30,8 @@ USUAL_PASSES = 2
 higher than the one of the search."""
 
 COARSE_SOLVES = 0.8
-"""Work of the search for lifts in motion, in first transient solves of the life: one or two of twice the
-spacing and time step, of 0.2 to 0.6 each, and steady films of one contact; 0.4 to 1.3 in all of
-`cases/zi_drive.toml` and `cases/worm_drawing.toml`."""
+"""Work of the search for lifts in motion, in first transient solves of the life: one or two coarse ones and
+steady films of one contact; 1.5 and 1.0 in the cases of `tooth_lifts`, half where lives take longer."""
 
 MOVING_PASSES = 1.1
 """Usual number of passes with all phases whose lifts coarse solves found before: one, of ten runs of drives 1

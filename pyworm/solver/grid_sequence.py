@@ -399,7 +399,7 @@ class GridSequence:
         return None
 
     def _widen(self, films_off: float) -> bool:
-        """Plan a window of twice the reach of the wider one, by which films are off; whether there is one.
+        """Plan a window of twice the reach of the wider one, by which films are so far off, if it may help.
 
         Bodies of different temperatures exchange heat through the oil far before a line contact. Friction
         and pressure of a point contact of large radii and light load spread far where films hardly change.

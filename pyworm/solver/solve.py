@@ -91,7 +91,7 @@ def solve(
 def _no_worse(
     scene: Scene | LineScene, plan: Plan, solution: Solution, rates: Rates | None, report: Progress
 ) -> Solution:
-    """The solution, or that of a coarser request where less error is left by it, maybe no more than asked.
+    """The solution, or that of a coarser request which leaves less error, accurate if no more than asked.
 
     A finer request has a wider window and a lower tolerance, on grids of the same size: by either its error
     may be larger in the end, or its film be lost. A transient film keeps its rates of change.

@@ -78,8 +78,9 @@ MOST_WORK = {2: 8e8, 3: 1.2e8}
 
 The fourth takes up to two and a half minutes: balls and ellipses whose entrainment turns round or starts from
 rest come by it from 12 to 43 % to 1 to 3 %. The third, which settles most teeth that touch at an edge, takes
-up to five. Without end, that of phase 0.7 of drive 0 of seed 99016 of `tests/hard` had found no film after 20
-minutes; two leave 7 % in its films and 18 % in temperatures."""
+up to five at the usual number of Newton steps, and longer with more. Without end that of phase 0.7 of drive 0
+of seed 99016 of `tests/hard` had found no film after 20 minutes; two leave 6 % in its films and 18 % in
+temperatures."""
 
 LIMITED_TIME_RATIO = 5.0
 """Time of a time step where rates of change are limited over that where they are not: each is halved, halves
