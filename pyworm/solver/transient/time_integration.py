@@ -132,7 +132,7 @@ class Request:
     """Newton steps times nodes after which it is given up."""
 
     def at(self, wanted: Sequence[float]) -> "Request":
-        """The same at other times [s]."""
+        """What is asked for other times [s]."""
         return replace(self, wanted=wanted)
 
 

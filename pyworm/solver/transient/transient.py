@@ -315,9 +315,7 @@ def finer(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Rates:
         return replace(rates, finest=True)
     most_work = MOST_NEWTON_STEPS * node_steps(time_grid, past.last, solves, begin)
     try:
-        found = integrate_in_time(
-            time_grid, solves, begin, [past.seconds], past.last, most_work=most_work
-        )
+        found = integrate_in_time(time_grid, solves, begin, [past.seconds], past.last, 0, most_work)
     except (NoFilmError, TooMuchWorkError):
         return replace(rates, finest=True)
     if past.seconds not in found.rates:
