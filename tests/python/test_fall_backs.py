@@ -202,7 +202,7 @@ MADE_BY = {
         "solver/test_coming_together.py::test_where_the_film_of_flanks_that_come_together_is_not_found_it_begins_with_a_steady_one",
     "solver/transient/time_integration.py _from_first_touch NoFilmError 2":
         "solver/test_solver_fall_backs.py::test_where_the_life_after_the_touch_is_lost_too_what_was_found_before_it_is_kept",
-    "solver/transient/transient.py finer NoFilmError":
+    "solver/transient/transient.py finer (NoFilmError, TooMuchWorkError)":
         "solver/test_solver_fall_backs.py::test_a_finer_transient_solve_that_finds_no_film_leaves_the_rates_as_they_are",
     "solver/transient/transient.py rates_at_present (NoFilmError, ValueError)":
         "solver/test_transient.py::test_a_past_whose_film_is_not_found_is_reported",

@@ -1,6 +1,7 @@
 """The films of a transient solve, from one of its steps to the next."""
 
 from dataclasses import dataclass, field
+from math import inf
 
 from pyworm.io.present import present
 from pyworm.planning.grid import Grid
@@ -11,6 +12,10 @@ from pyworm.solver.transient.restart import Restart
 from pyworm.solver.transient.time_grid import TimeGrid
 from pyworm.solver.transient.time_level import TimeLevel, time_level_of
 from pyworm.solver.transient.time_steps import Step
+
+
+class TooMuchWorkError(Exception):
+    """Films that take more than the largest work."""
 
 
 @dataclass
@@ -31,23 +36,34 @@ class FilmSeries:
     """The film of the step."""
     newton_steps: int = 0
     """Newton steps of all films."""
+    work: float = 0.0
+    """Newton steps of its steps times the nodes of their grids."""
+    most_work: float = inf
+    """Largest work, beyond which it is given up."""
 
     def reach(self, step: Step) -> Level:
-        """Go on to the film of a step; NoFilmError if none is found."""
+        """Go on to the film of a step; NoFilmError if there is none, TooMuchWorkError if too late."""
         before, heat = _led_on(self.time_grid, self.step, step, self.before, self.heat)
         self.step = step
         if before:
             level, before, heat, taken = reached(self.time_grid, step, before, heat, self.held)
-            self.newton_steps += taken
+            self._count(taken, level)
             if self.held and level.carried() > self.time_grid.life.touch:
                 self.held = False
                 level, before, heat, taken = reached(self.time_grid, step, before, heat, False)
-                self.newton_steps += taken
+                self._count(taken, level)
             self.level = level
         level = present(self.level, "the first film")
         self.heat = [*heated_levels(self.time_grid, level, step.seconds), *heat]
         self.before = [time_level_of(level, step.seconds), *before[: EARLIER_FILMS - 1]]
         return level
+
+    def _count(self, taken: int, level: Level) -> None:
+        """Count Newton steps to a film."""
+        self.newton_steps += taken
+        self.work += taken * level.grid.nodes
+        if self.work > self.most_work:
+            raise TooMuchWorkError
 
     def turned(self, time: float) -> tuple[Level, list[TimeLevel]]:
         """The film of a time after the last step by a step of its own, and films up to it, latest first."""
@@ -56,7 +72,7 @@ class FilmSeries:
         turn = Step(time, self.step.refinement)
         before, heat = _led_on(self.time_grid, self.step, turn, self.before, self.heat)
         level, known, _, taken = reached(self.time_grid, turn, before, heat, self.held)
-        self.newton_steps += taken
+        self._count(taken, level)
         return level, [time_level_of(level, time), *known]
 
     def restart(self) -> Restart:

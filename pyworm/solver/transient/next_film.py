@@ -154,7 +154,8 @@ def _found(
         if halvings == MOST_HALVINGS:
             raise
         known = before if halvings == 0 else before[:1]
-        return _in_halves(time_grid, step, known, heat, held, halvings + 1)
+        level, before, heat, taken = _in_halves(time_grid, step, known, heat, held, halvings + 1)
+        taken += MOST_STEPS  # those to the film that was not found, at most
     return level, before, heat, taken
 
 
@@ -258,11 +259,13 @@ def _begun_from(
 
     Where an edge moves through the contact its pressure moves over the nodes, and no film follows from
     extrapolated pressures; the last film, or its pressure as that of the oil, is nearer then. Soon after
-    surfaces came together a film that does not follow asks for shorter time steps instead.
+    surfaces came together it is the extrapolated pressure as that of the oil: asperities, whose pressure is
+    an exponential of the gap, would bear up to 1e25 times the load where that is a little too narrow.
     """
-    latest, guesses = before[0].state, [extrapolated(before, seconds, settling.exact)]
-    if time_grid.approach is None or since_touch(time_grid, seconds) > MEMORY_TRANSITS:
-        guesses += [latest, replace(latest, oil=None)]
+    onward, latest = extrapolated(before, seconds, settling.exact), before[0].state
+    guesses = [onward, latest, replace(latest, oil=None)]
+    if time_grid.approach is not None and since_touch(time_grid, seconds) <= MEMORY_TRANSITS:
+        guesses = [onward, replace(onward, oil=None), latest]
     levels: list[Level] = []
     for guess in guesses:
         if contact.separation is not None:

@@ -120,6 +120,22 @@ class TimeIntegration:
     """Time from which its films no longer depend on those from which it goes on [s]."""
 
 
+@dataclass(frozen=True)
+class Request:
+    """What is asked of a transient solve."""
+
+    wanted: Sequence[float]
+    """Times at which the rate of change is wanted [s]."""
+    solves_after: int = 0
+    """Number of solves that go on from films of this one, each from those of the one before."""
+    most_work: float = inf
+    """Newton steps times nodes after which it is given up."""
+
+    def at(self, wanted: Sequence[float]) -> "Request":
+        """What is asked for other times [s]."""
+        return replace(self, wanted=wanted)
+
+
 def integrate_in_time(
     time_grid: TimeGrid,
     refinement: int,
@@ -127,6 +143,7 @@ def integrate_in_time(
     wanted: Sequence[float],
     until: float = 0.0,
     solves_after: int = 0,
+    most_work: float = inf,
 ) -> TimeIntegration:
     """Integrate a contact's film in time.
 
@@ -135,14 +152,15 @@ def integrate_in_time(
         begin: Where it begins, with a steady film [transits].
         wanted: Times at which the rate of change is wanted [s], later than that.
         until: Time up to which the films are wanted, where that is later than these [s].
-        solves_after: Number of solves that go on from films of this one, each from those of the one before.
+        solves_after, most_work: As of `Request`.
 
     Raises:
         NoFilmError: No film was found from which to begin.
+        TooMuchWorkError: It takes more than the largest work.
     """
     _require_memory(time_grid, refinement)
     asked = steps_of(time_grid, refinement, begin, max(*wanted, until))
-    return _through_loads(time_grid, asked, wanted, solves_after)
+    return _through_loads(time_grid, asked, Request(wanted, solves_after, most_work))
 
 
 def integrate_on(
@@ -167,24 +185,22 @@ def integrate_on(
     place = time_grid.place(restart.step.seconds)
     asked = steps_on(time_grid, refinement, begin, place, max(wanted))
     series = FilmSeries(time_grid, restart.step, [*restart.before], [*restart.heat], restart.held)
-    found = _along(series, asked, asked[1:], wanted, solves_after)
+    found = _along(series, asked, asked[1:], Request(wanted, solves_after))
     first = restart.step.seconds
     return replace(found, memory_end=first + MEMORY_SHARE * (min(wanted) - first))
 
 
-def _through_loads(
-    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], solves_after: int
-) -> TimeIntegration:
+def _through_loads(time_grid: TimeGrid, asked: Sequence[Step], request: Request) -> TimeIntegration:
     """The films of some steps; those after a time without load where coarse steps before led to it."""
     try:
-        found = _from_first_touch(time_grid, asked, wanted, solves_after)
+        found = _from_first_touch(time_grid, asked, request)
     except NoLoadError as reason:
         left = _loaded_after(time_grid, asked, reason.seconds)
-        later = [seconds for seconds in wanted if left and seconds >= left[0].seconds]
+        later = [seconds for seconds in request.wanted if left and seconds >= left[0].seconds]
         if not later:
             raise
-        return _through_loads(time_grid, left, later, solves_after)
-    return _resumed(time_grid, asked, wanted, solves_after, found)
+        return _through_loads(time_grid, left, request.at(later))
+    return _resumed(time_grid, asked, request, found)
 
 
 def _loaded_after(time_grid: TimeGrid, asked: Sequence[Step], seconds: float) -> Sequence[Step]:
@@ -198,20 +214,22 @@ def _loaded_after(time_grid: TimeGrid, asked: Sequence[Step], seconds: float) ->
 
 
 def _from_first_touch(
-    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], solves_after: int
+    time_grid: TimeGrid, asked: Sequence[Step], request: Request
 ) -> TimeIntegration:
     """The films of some steps; begun at the first touch where the approach before it loses them."""
     later = [step for step in asked if step.seconds >= time_grid.life.touched]
     if len(later) == len(asked):
-        return _through(time_grid, asked, wanted, solves_after)
+        return _through(time_grid, asked, request)
     try:
-        found = _through(time_grid, asked, wanted, solves_after)
+        found = _through(time_grid, asked, request)
     except NoFilmError:
         found = None
-    if found is not None and (len(found.rates) == len(wanted) or _long_after(time_grid, found)):
+    if found is not None and (
+        len(found.rates) == len(request.wanted) or _long_after(time_grid, found)
+    ):
         return found
     try:
-        again = _through(time_grid, later, wanted, solves_after)
+        again = _through(time_grid, later, request)
     except NoFilmError:
         if found is None:
             raise
@@ -222,8 +240,7 @@ def _from_first_touch(
 def _resumed(
     time_grid: TimeGrid,
     asked: Sequence[Step],
-    wanted: Sequence[float],
-    solves_after: int,
+    request: Request,
     found: TimeIntegration,
 ) -> TimeIntegration:
     """What was found, and where films were lost those of a steady beginning after that.
@@ -239,16 +256,16 @@ def _resumed(
     if found.failure is None or not left:
         return found
     first_place = time_grid.place(left[0].seconds) + memory
-    later = [seconds for seconds in wanted if time_grid.place(seconds) >= first_place]
+    later = [seconds for seconds in request.wanted if time_grid.place(seconds) >= first_place]
     if not later:
         return found
     try:
         if found.unloaded is not None:
-            again = _through_loads(time_grid, left, later, solves_after)
+            again = _through_loads(time_grid, left, request.at(later))
         else:
-            again = _through(time_grid, left, later, solves_after)
+            again = _through(time_grid, left, request.at(later))
             if again.rates:
-                again = _resumed(time_grid, left, later, solves_after, again)
+                again = _resumed(time_grid, left, request.at(later), again)
     except NoFilmError:
         return found
     first_place = time_grid.place(again.records[0].seconds) + memory
@@ -269,29 +286,30 @@ def _long_after(time_grid: TimeGrid, found: TimeIntegration) -> bool:
     return since_touch(time_grid, found.records[-1].seconds) > MEMORY_TRANSITS
 
 
-def _through(
-    time_grid: TimeGrid, asked: Sequence[Step], wanted: Sequence[float], solves_after: int
-) -> TimeIntegration:
+def _through(time_grid: TimeGrid, asked: Sequence[Step], request: Request) -> TimeIntegration:
     """The films of some steps, of which those of the finest grid are kept; as of `integrate_in_time`."""
-    steps, level, before, taken = _begun(time_grid, asked, min(wanted))
-    series = FilmSeries(time_grid, steps[0], before, level=level, newton_steps=taken)
-    return _along(series, asked, steps, wanted, solves_after)
+    steps, level, before, taken = _begun(time_grid, asked, min(request.wanted))
+    series = FilmSeries(
+        time_grid, steps[0], before, level=level, newton_steps=taken, most_work=request.most_work
+    )
+    return _along(series, asked, steps, request)
 
 
 def _along(
     series: FilmSeries,
     asked: Sequence[Step],
     steps: Sequence[Step],
-    wanted: Sequence[float],
-    solves_after: int,
+    request: Request,
 ) -> TimeIntegration:
     """The films of some of the steps that were asked for, from those before them."""
     time_grid, refinement = series.time_grid, asked[-1].refinement
     finest = [step.seconds for step in asked if step.refinement == refinement]
     framed = finest[:: 2**refinement]
     known = [seconds for seconds in framed if seconds >= steps[0].seconds]
-    marks = _marks(time_grid, known, wanted, solves_after)
-    turns = _turns([step.seconds for step in steps if step.refinement == refinement], wanted)
+    marks = _marks(time_grid, known, request.wanted, request.solves_after)
+    turns = _turns(
+        [step.seconds for step in steps if step.refinement == refinement], request.wanted
+    )
     rates: dict[float, RateOfChange] = {}
     rigid_films: dict[float, float] = {}
     restarts: dict[float, Restart] = {}

@@ -135,6 +135,17 @@ def test_a_further_solve_is_made_up_to_its_work_which_limited_rates_multiply(mon
         assert further.finest is not built and len(further.found) == 1 + built
 
 
+@pytest.mark.parametrize(("most", "built"), [(10.0, True), (0.5, False)])
+def test_a_further_solve_is_given_up_where_its_films_take_too_many_newton_steps(
+    monkeypatch, most, built
+):
+    scene, plan, _ = moving(LINE, 0.5)
+    rates = transient_module.rates_at_present(scene, plan)
+    monkeypatch.setattr(transient_module, "MOST_NEWTON_STEPS", most)
+    further = transient_module.finer(scene, plan, rates)
+    assert further.finest is not built and len(further.found) == 1 + built
+
+
 def test_a_further_solve_is_made_where_those_before_leave_too_much_error(monkeypatch):
     """Two steps a transit, of which two solves leave more than their part of 4 %, and the third does not."""
     monkeypatch.setitem(STEPS_A_TRANSIT, "line", 2)

@@ -224,8 +224,8 @@ def test_where_no_other_beginning_is_found_films_before_the_lost_one_are_kept(
     time_grid = time_grid_of(accelerated.past.life, planned(accelerated))
     steps = steps_of(time_grid, 0, 0.0, time_grid.end)
     monkeypatch.setattr(time_integration, "_through", lambda *how: diverged())
-    wanted = [time_grid.end]
-    assert time_integration._resumed(time_grid, steps, wanted, 0, film) is film
+    request = time_integration.Request([time_grid.end])
+    assert time_integration._resumed(time_grid, steps, request, film) is film
 
 
 def test_a_life_without_steady_films_is_given_up_after_a_few(accelerated, monkeypatch):

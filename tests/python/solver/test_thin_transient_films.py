@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 from math import sqrt
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,7 +19,9 @@ from pyworm.planning.plan import first_grids_of
 from pyworm.planning.prediction import predicted
 from pyworm.scene.life import Life
 from pyworm.solver.kinds import SOLVERS
+from pyworm.solver.level import InitialGuess
 from pyworm.solver.newton import converge, iterate
+from pyworm.solver.transient import next_film
 from pyworm.solver.transient.moving_grid import means_about
 from pyworm.solver.transient.next_film import _beside, _moved, contact_at, steady_level
 from pyworm.solver.transient.time_grid import time_grid_of
@@ -33,6 +36,27 @@ def course_and_scene(name, accuracy=0.05):
     scene = pyworm.load(DATA / name).scene()
     plan = pyworm.plan(scene, accuracy, "auto")
     return time_grid_of(scene.past.life, plan), scene
+
+
+def test_a_rough_contact_that_has_just_touched_begins_with_the_oils_pressure(monkeypatch):
+    """Its asperities would bear 1e25 times the load in a gap that is a little too narrow."""
+
+    def begun(grid, guess):
+        residual = 0.5 if guess.oil is None else 1e25
+        balance = SimpleNamespace(residual=residual)
+        return SimpleNamespace(film=SimpleNamespace(balance=balance), guess=guess)
+
+    onward, latest = (
+        InitialGuess(np.full((3, 3), pressure), 1e-6, None, np.full((3, 3), 1e6))
+        for pressure in (2e8, 1e8)
+    )
+    monkeypatch.setattr(next_film, "extrapolated", lambda *how: onward)
+    monkeypatch.setattr(next_film, "since_touch", lambda *how: 0.5)
+    before, contact = [SimpleNamespace(state=latest)], SimpleNamespace(separation=None)
+    time_grid, settling = SimpleNamespace(approach="a touch"), SimpleNamespace(exact=True)
+    how = SimpleNamespace(on_grid=begun), None, contact, before, 0.0, settling
+    level = next_film._begun_from(time_grid, *how)
+    assert level.guess.oil is None and level.guess.pressure is onward.pressure
 
 
 def test_a_steady_film_keeps_its_thickness_on_a_grid_of_another_length():
