@@ -85,8 +85,8 @@ FED_CONVERGENCE = replace(CONVERGENCE, kept={"pressure_max": Left(1.0, 0.1)}, fa
 LIFTS = (1.0, 4.0)
 """Films by which the dry contact is lifted further on the outermost grid where no film is found from it.
 
-Where the flank of a soft wheel ends under load (PEEK, a = 100 mm, 60 N m, phase 0.5) 30 Newton steps from the
-expected film lead to none, 4 or 5 from a film two to five times as thick."""
+Where the flank of a soft wheel ends under load (PEEK, a = 100 mm, 60 N m, phase 0.5) up to 30 Newton steps from
+the expected film lead to one or none, by rounding; 4 or 5 from a film two to five times as thick lead to one."""
 
 
 class PointContactSolver(ContactSolver[Scene, PointLevel]):
