@@ -311,7 +311,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
             self._set_law(level, NEWTONIAN)
             return level.film.start(guess.pressure, guess.rigid_film, guess.oil).worst
 
-        guesses = [self._lifted(smooth, film), *self._dry_guesses(level)]
+        guesses = [self._lifted(smooth, film), *self.dry_guesses(level)]
         imbalance(min(guesses, key=imbalance))
         return iterate(level, ROUGHENED_TOLERANCE)
 
@@ -322,7 +322,7 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         )
         return replace(guess, rigid_film=guess.rigid_film + lift)
 
-    def _dry_guesses(self, level: LevelT) -> list[InitialGuess]:
+    def dry_guesses(self, level: LevelT) -> list[InitialGuess]:
         """The dry contact's pressure with the expected film, where it is known."""
         return []
 

@@ -246,7 +246,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         restart(scene, size, finer)
         return finer, self._add_shear_and_heat(finer)
 
-    def _dry_guesses(self, level: PointLevel) -> list[InitialGuess]:
+    def dry_guesses(self, level: PointLevel) -> list[InitialGuess]:
         return [self._lifted(dry_guess(self._scene, self._size, level), self._size.film)]
 
     def _warm(

@@ -4,9 +4,10 @@ The Reynolds equation with d(rho h)/dt by backward differences (`backward_term`)
 of that time, in time steps that are halved where no film is found or the end of a contact moves too far.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -143,11 +144,10 @@ def _found(
     """The film at a time; where none is found by halves of the step, and halves of these.
 
     A load that jumps, or an edge that enters the contact, leaves films from which neither a first guess nor a
-    difference of higher order follows: halves of halves follow from the last film alone. Only halves begin
-    with a steady film, which costs as much as ten of these films.
+    difference of higher order follows: halves of halves follow from the last film alone.
     """
     try:
-        level, taken = _onward(time_grid, step, before, heat, held, halvings > 0)
+        level, taken = _onward(time_grid, step, before, heat, held, halvings)
     except NoLoadError:
         raise
     except NoFilmError:
@@ -190,12 +190,12 @@ def _onward(
     before: Sequence[TimeLevel],
     heat: Sequence[HeatedTimeLevel],
     held: bool,
-    again: bool,
+    halvings: int,
 ) -> tuple[Level, int]:
     """The film at a time, from those before and their heat, the latest first, and its Newton steps.
 
     Where a separation is given but its surfaces are no longer held there the load is given in its place.
-    `again` has a film that is not found begin again with the steady one.
+    A film that is not found begins again, by the number of halvings of the step (`_beginnings`).
     """
     seconds = step.seconds
     contact, mesh = contact_at(time_grid, seconds), time_grid.mesh(seconds)
@@ -220,10 +220,29 @@ def _onward(
                 and balance.warming > MAX_TEMPERATURE_RESIDUAL
             ):
                 taken += settling.iterated(level, WARMING_STEPS)
-        if again and contact.separation is None and not _is_found(level):
-            level = _beside(contact, time_grid, grid, solver)
-            taken += _followed(level, term, settling) + settling.iterated(level)
+        if contact.separation is None and not _is_found(level):
+            for beginning in _beginnings(level, contact, time_grid, solver, halvings):
+                level = beginning()
+                taken += _followed(level, term, settling) + settling.iterated(level)
+                if _is_found(level):
+                    break
     return _sound(level, seconds), taken
+
+
+def _beginnings(
+    level: Level, contact: Scene | LineScene, time_grid: TimeGrid, solver: ContactSolver, halvings: int
+) -> Iterator[Callable[[], Level]]:
+    """What a film that is not found from those before it begins with, on the grid of a level.
+
+    Between rough surfaces it is the pressure of the dry contact, left to the oil: it costs no more than a
+    Newton step and is as near as the steady film. That costs as much as ten films, and comes with halves of
+    the step only; after the dry contact with the last halves.
+    """
+    dry = solver.dry_guesses(level) if level.film.rough else []
+    for guess in dry:
+        yield partial(solver.on_grid, level.grid, guess)
+    if halvings >= (MOST_HALVINGS if dry else 1):
+        yield partial(_beside, contact, time_grid, level.grid, solver)
 
 
 def _followed(level: Level, term: BackwardTerm, settling: Settling) -> int:

@@ -103,7 +103,7 @@ def solved(monkeypatch):
     """Times of the films that are solved, instead of films."""
     times = []
 
-    def onward(time_grid, step, before, heat, held, again):
+    def onward(time_grid, step, before, heat, held, halvings):
         times.append(step.seconds)
         return film_at(step.seconds), 1
 
