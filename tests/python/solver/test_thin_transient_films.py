@@ -21,11 +21,13 @@ from pyworm.scene.life import Life
 from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess
 from pyworm.solver.newton import converge, iterate
+from pyworm.solver.point.contact import PointContactSolver
 from pyworm.solver.transient import next_film
 from pyworm.solver.transient.moving_grid import means_about
 from pyworm.solver.transient.next_film import _beside, _moved, contact_at, steady_level
 from pyworm.solver.transient.time_grid import time_grid_of
 from pyworm.solver.transient.time_integration import RateOfChange, integrate_in_time
+from pyworm.solver.transient.time_level import time_level_of
 from pyworm.solver.transient.time_steps import Step
 from pyworm.solver.transient.transient import part_at
 
@@ -90,6 +92,59 @@ def test_a_rough_film_moves_to_a_grid_that_fits_it_badly():
     film = _beside(contact, time_grid, replace(grid, dx=1.08 * grid.dx), solver)
     iterate(film, 1e-5)
     assert film.read().film_central == pytest.approx(17.2e-9, rel=0.03)
+
+
+@pytest.fixture(scope="module")
+def teeth():
+    """Rough teeth that roll over each other: time grid, a step, the film before it and the one found."""
+    drive = pyworm.load(DATA / "worm_unit_a100.toml").drive
+    scene = replace(drive.scene(0.5), past=drive.life.past(0.5))
+    plan = pyworm.plan(scene, 0.2, ("isothermal", "squeeze", "roughness"))
+    time_grid, step = time_grid_of(scene.past.life, plan), Step(scene.past.seconds, 0)
+    first = time_grid.time_at(time_grid.place(step.seconds) - time_grid.step(0))
+    before = [time_level_of(steady_level(time_grid, Step(first, 0))[0], first)]
+    found, _ = next_film._onward(time_grid, step, before, [], False, 0)
+    return time_grid, step, before, found.read().film_min
+
+
+def overloaded(guess):
+    """A guess from which no film is found."""
+    return replace(guess, pressure=5 * guess.pressure)
+
+
+@pytest.fixture
+def lost(monkeypatch):
+    """Films that the ones before do not lead to, and the steady films that are sought instead."""
+
+    def begun_from(time_grid, solver, grid, contact, before, seconds, settling):
+        return solver.on_grid(grid, overloaded(before[0].state))
+
+    sought = []
+    monkeypatch.setattr(next_film, "_begun_from", begun_from)
+    monkeypatch.setattr(next_film, "_beside", lambda *how: sought.append(how) or _beside(*how))
+    return sought
+
+
+def test_a_rough_film_that_is_lost_begins_with_the_dry_contact(teeth, lost):
+    """Within a whole step already, and comes to the same."""
+    time_grid, step, before, found = teeth
+    level, _ = next_film._onward(time_grid, step, before, [], False, 0)
+    assert level.read().film_min == pytest.approx(found, rel=5e-3)
+    assert not lost
+
+
+def test_where_the_dry_contact_leads_to_no_film_the_last_halves_begin_with_a_steady_one(
+    teeth, lost, monkeypatch
+):
+    time_grid, step, before, found = teeth
+    guesses = [overloaded(before[0].state)]
+    monkeypatch.setattr(PointContactSolver, "dry_guesses", lambda solver, level: guesses)
+    with pytest.raises(next_film.NoFilmError):
+        next_film._onward(time_grid, step, before, [], False, next_film.MOST_HALVINGS - 1)
+    assert not lost
+    level, _ = next_film._onward(time_grid, step, before, [], False, next_film.MOST_HALVINGS)
+    assert level.read().film_min == pytest.approx(found, rel=5e-3)
+    assert len(lost) == 1
 
 
 def test_a_line_has_a_film_up_to_the_end_of_its_history():
