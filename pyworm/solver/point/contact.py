@@ -85,8 +85,8 @@ FED_CONVERGENCE = replace(CONVERGENCE, kept={"pressure_max": Left(1.0, 0.1)}, fa
 LIFTS = (1.0, 4.0)
 """Films by which the dry contact is lifted further on the outermost grid where no film is found from it.
 
-Where the flank of a soft wheel ends under load (PEEK, a = 100 mm, 60 N m, phase 0.5) up to 30 Newton steps from
-the expected film lead to one or none, by rounding; 4 or 5 from a film two to five times as thick lead to one."""
+Where the flank of a soft wheel ends under load (PEEK, a = 100 mm, 60 N m, phase 0.5) up to 30 Newton steps
+from the expected film lead to one or none, by rounding, 4 or 5 from a film two to five times as thick to one."""
 
 
 class PointContactSolver(ContactSolver[Scene, PointLevel]):
@@ -247,6 +247,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         return finer, self._add_shear_and_heat(finer)
 
     def dry_guesses(self, level: PointLevel) -> list[InitialGuess]:
+        """The dry contact's pressure, lifted by the expected film until asperities bear no more."""
         return [self._lifted(dry_guess(self._scene, self._size, level), self._size.film)]
 
     def _warm(

@@ -55,11 +55,13 @@ def test_half_a_step_whose_film_is_not_found_begins_with_the_steady_one(part, mo
         return onward(time_grid, step, *state)
 
     def found_later(level):
-        begun = lost or tried[-1] > time_grid.time_at(begin + 0.1)
-        if begun and len(lost) < 2:
-            lost.append(tried[-1])
+        """The first film of a whole step is lost, and that of its first half until it begins again."""
+        now = tried[-1]
+        begins = not lost and now > time_grid.time_at(begin + 0.1)
+        if begins or (len(lost) == 1 and now < lost[0]):
+            lost.append(now)
             return False
-        return is_found(level)
+        return not lost == [now] and is_found(level)
 
     def counted(*given):
         steady.append(tried[-1])
