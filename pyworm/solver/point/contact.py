@@ -86,7 +86,7 @@ LIFTS = (1.0, 4.0)
 """Films by which the dry contact is lifted further on the outermost grid where no film is found from it.
 
 Where the flank of a soft wheel ends under load (PEEK, a = 100 mm, 60 N m, phase 0.5) up to 30 Newton steps
-from the expected film lead to one or none, by rounding, 4 or 5 from a film two to five times as thick to one."""
+from the expected film lead to one or none, by rounding; from a film two to five times as thick 4 or 5 do."""
 
 
 class PointContactSolver(ContactSolver[Scene, PointLevel]):
