@@ -230,7 +230,11 @@ def _onward(
 
 
 def _beginnings(
-    level: Level, contact: Scene | LineScene, time_grid: TimeGrid, solver: ContactSolver, halvings: int
+    level: Level,
+    contact: Scene | LineScene,
+    time_grid: TimeGrid,
+    solver: ContactSolver,
+    halvings: int,
 ) -> Iterator[Callable[[], Level]]:
     """What a film that is not found from those before it begins with, on the grid of a level.
 

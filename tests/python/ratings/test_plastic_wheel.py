@@ -162,7 +162,9 @@ def test_where_no_thicker_film_leads_to_one_the_first_attempt_stays(outermost, m
     begun = level.film.pressure.copy(order="F"), level.film.rigid_film
     iterate(level, 1e-4, most=2)
     first, lifted = level.state(), []
-    monkeypatch.setattr(contact, "iterate", lambda level, _: lifted.append(level.film.rigid_film) or [])
+    monkeypatch.setattr(
+        contact, "iterate", lambda level, _: lifted.append(level.film.rigid_film) or []
+    )
     assert solver._lifted_off(level, begun) == []
     assert len(lifted) == len(contact.LIFTS) and begun[1] < lifted[0] < lifted[1]
     assert level.film.rigid_film == first.rigid_film
