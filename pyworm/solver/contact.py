@@ -200,6 +200,10 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
     def with_rate(self, level: LevelT) -> LevelT:
         """The film of a level with this solver's transient term."""
 
+    def from_dry(self, level: LevelT) -> LevelT | None:
+        """That film, begun with the dry contact; None where that is not known, or surfaces are smooth."""
+        return None
+
     @abstractmethod
     def warm_started(self, level: LevelT) -> tuple[LevelT, list[NewtonStep]]:
         """Start the film from that of a level on the same grid, solved with fewer effects."""

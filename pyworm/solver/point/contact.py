@@ -222,6 +222,16 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         self._shear_and_warm(again, level.state())
         return again
 
+    def from_dry(self, level: PointLevel) -> PointLevel | None:
+        """That of rough surfaces, begun with the dry contact on the grid of a level; else None."""
+        if not level.film.rough:
+            return None
+        again = same_grid(self._scene, self._size, level, self._transient_term)
+        (guess,) = self.dry_guesses(level)
+        again.film.start(guess.pressure, guess.rigid_film)
+        self._shear_and_warm(again, guess)
+        return again
+
     def warm_started(self, level: PointLevel) -> tuple[PointLevel, list[NewtonStep]]:
         """Start the film from that of a level on the same grid."""
         again = same_grid(self._assisted, self._size, level, self._transient_term)

@@ -112,9 +112,26 @@ def rated_films(
 def _film_with(
     scene: AnyContact, plan: Plan, level: Level, rate: TransientTerm | None
 ) -> tuple[Level, Reading]:
-    """A film with a rate of change, on the grid and from the film of another, and its figures."""
-    if rate is not None or level.transient_term is not None:
-        level = SOLVERS[type(scene)](scene, plan, rate).with_rate(level)
-    # at least two steps: a rate that changes little leaves less than the tolerance, but not nothing
-    iteration = converge(level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy)
-    return level, iteration.reading
+    """A film with a rate of change, on the grid and from the film of another, and its figures.
+
+    Between rough surfaces one that is not found from there, as the steady film may be far from it, begins
+    with the dry contact.
+    """
+    if rate is None and level.transient_term is None:
+        return level, _reading_of(plan, level)
+    solver = SOLVERS[type(scene)](scene, plan, rate)
+    moving = solver.with_rate(level)
+    reading = _reading_of(plan, moving)
+    if moving.diverged() and (dry := solver.from_dry(level)) is not None:
+        moving, reading = dry, _reading_of(plan, dry)
+    return moving, reading
+
+
+def _reading_of(plan: Plan, level: Level) -> Reading:
+    """The figures of a film after Newton's iteration: after two steps at least.
+
+    A rate that changes little leaves less than the tolerance, but not nothing.
+    """
+    return converge(
+        level, plan.tolerance, plan.target, error_budget.ALGEBRA * plan.accuracy
+    ).reading

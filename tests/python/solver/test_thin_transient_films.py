@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from folders import DATA
 from plan_scenes import STEEL, point
+from rough_bodies import rough
+from test_transient import ball
 
 import pyworm
 from pyworm.materials.flow_laws import FlowLaw
@@ -22,7 +24,7 @@ from pyworm.solver.kinds import SOLVERS
 from pyworm.solver.level import InitialGuess
 from pyworm.solver.newton import converge, iterate
 from pyworm.solver.point.contact import PointContactSolver
-from pyworm.solver.transient import next_film
+from pyworm.solver.transient import next_film, rated_films
 from pyworm.solver.transient.moving_grid import means_about
 from pyworm.solver.transient.next_film import _beside, _moved, contact_at, steady_level
 from pyworm.solver.transient.time_grid import time_grid_of
@@ -145,6 +147,28 @@ def test_where_the_dry_contact_leads_to_no_film_the_last_halves_begin_with_a_ste
     level, _ = next_film._onward(time_grid, step, before, [], False, next_film.MOST_HALVINGS)
     assert level.read().film_min == pytest.approx(found, rel=5e-3)
     assert len(lost) == 1
+
+
+def test_a_rough_film_with_a_rate_that_is_lost_begins_with_the_dry_contact(monkeypatch):
+    """The steady film, from which it is sought first, may be far from it."""
+    scene = rough(ball(), 0.3e-6)
+    plan = pyworm.plan(scene, 0.2, ("isothermal", "roughness"))
+    level, _ = SOLVERS[type(scene)](scene, plan).begin(plan.grids)
+    converge(level, plan.tolerance, plan.target, 0.01)
+    reading_of, lost = rated_films._reading_of, []
+
+    def given_up_once(plan, level):
+        if not lost:
+            lost.append(level)
+            level.film.start(5 * level.film.pressure, level.film.rigid_film)
+            return level.read()
+        return reading_of(plan, level)
+
+    monkeypatch.setattr(rated_films, "_reading_of", given_up_once)
+    rate = RateOfChange(level.grid, np.zeros(level.grid.shape))
+    found, reading = rated_films._film_with(scene, plan, level, rate)
+    assert lost[0].diverged() and not found.diverged()
+    assert reading.figures["film_min"] == pytest.approx(level.read().film_min, rel=2e-3)
 
 
 def test_a_line_has_a_film_up_to_the_end_of_its_history():
