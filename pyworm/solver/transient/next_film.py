@@ -68,14 +68,6 @@ MOST_HALVINGS = 4
 """Largest number of halvings of a time step whose film is not found."""
 
 
-LIMITED_HALVINGS = 3
-"""Largest number of halvings of a time step whose rate of change is limited.
-
-The exit of drive 0 of seed 99020 of `tests/hard` moves so. With one, friction at phase 0.9 by two solves is
-0.021 and 0.026, with two 0.021 and 0.0275, with three 0.026 and 0.028, and with four times the steps 0.031 by
-the first; with one half of the time is taken that three take."""
-
-
 class NoFilmError(Exception):
     """No converged film at some time; the message gives the time and the reason."""
 
@@ -119,28 +111,23 @@ def reached(
     before: list[TimeLevel],
     heat: list[HeatedTimeLevel],
     held: bool,
-    halvings: int = 0,
 ) -> Reached:
     """The film at a time.
 
-    Where its rate of change is limited under pressure the time step is halved, and its halves are, up to
-    `LIMITED_HALVINGS` times: the end of the contact moves over the grid faster than the step resolves. Where
-    that of the last film is, the halves come first.
+    Where its rate of change is limited under pressure the time step is halved once: the end of the contact
+    moves over the grid faster than the step resolves. Where that of the last film is, the halves come first.
 
     NoFilmError if no film was found after `MOST_HALVINGS`.
     """
-    most = halvings == LIMITED_HALVINGS
-    if before[0].limited and not most:
+    if before[0].limited:
         with suppress(NoFilmError):
-            return _in_halves(reached, time_grid, step, before, heat, held, halvings + 1)
-    whole = _found(time_grid, step, before, heat, held, halvings)
+            return _in_halves(time_grid, step, before, heat, held, 1)
+    whole = _found(time_grid, step, before, heat, held)
     level, known, _, taken = whole
-    if before[0].limited or most or not is_limited(level) or known is not before:
+    if before[0].limited or not is_limited(level) or known is not before:
         return whole
     try:
-        level, before, heat, further = _in_halves(
-            reached, time_grid, step, before, heat, held, halvings + 1
-        )
+        level, before, heat, further = _in_halves(time_grid, step, before, heat, held, 1)
     except NoFilmError:
         return whole
     return level, before, heat, taken + further
@@ -152,7 +139,7 @@ def _found(
     before: list[TimeLevel],
     heat: list[HeatedTimeLevel],
     held: bool,
-    halvings: int,
+    halvings: int = 0,
 ) -> Reached:
     """The film at a time; where none is found by halves of the step, and halves of these.
 
@@ -167,15 +154,12 @@ def _found(
         if halvings == MOST_HALVINGS:
             raise
         known = before if halvings == 0 else before[:1]
-        level, before, heat, taken = _in_halves(
-            _found, time_grid, step, known, heat, held, halvings + 1
-        )
+        level, before, heat, taken = _in_halves(time_grid, step, known, heat, held, halvings + 1)
         taken += MOST_STEPS  # those to the film that was not found, at most
     return level, before, heat, taken
 
 
 def _in_halves(
-    find: Callable[..., Reached],
     time_grid: TimeGrid,
     step: Step,
     before: list[TimeLevel],
@@ -183,7 +167,7 @@ def _in_halves(
     held: bool,
     halvings: int,
 ) -> Reached:
-    """The film at a time by the one in the middle of the step, both by `reached` or `_found`.
+    """The film at a time by the one in the middle of the step.
 
     Films before it are on the grid of the contact already: the middle is no earlier than where it begins.
     """
@@ -193,10 +177,10 @@ def _in_halves(
     if not seconds < step.seconds:
         raise NoFilmError(lost_at(step.seconds))
     middle = Step(seconds, step.refinement)
-    level, before, heat, first = find(time_grid, middle, before, heat, held, halvings)
+    level, before, heat, first = _found(time_grid, middle, before, heat, held, halvings)
     before = [time_level_of(level, middle.seconds), *before[: EARLIER_FILMS - 1]]
     heat = [*heated_levels(time_grid, level, middle.seconds), *heat]
-    level, before, heat, second = find(time_grid, step, before, heat, held, halvings)
+    level, before, heat, second = _found(time_grid, step, before, heat, held, halvings)
     return level, before, heat, first + second
 
 

@@ -1,7 +1,6 @@
 """Backward differences beside the end of a contact that moves over the nodes."""
 
 from dataclasses import replace
-from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
@@ -115,22 +114,18 @@ def solved(monkeypatch):
     return times
 
 
-def test_a_step_with_a_limited_rate_is_halved_until_it_is_not(solved, monkeypatch):
-    monkeypatch.setattr(next_film, "is_limited", lambda level: len(solved) < 3)
+def test_a_step_with_a_limited_rate_is_halved_once(solved):
     before = [film_at(1.0), film_at(0.0)]
     _, known, _, taken = next_film.reached(time_grid_until(0.5), Step(2.0, 0), before, [], False)
-    assert solved == [2.0, 1.5, 1.25, 1.5, 2.0] and taken == 5
-    assert [film.seconds for film in known] == [1.5, 1.25, 1.0]
+    assert solved == [2.0, 1.5, 2.0] and taken == 3
+    assert [film.seconds for film in known] == [1.5, 1.0, 0.0]
 
 
-def test_after_a_film_with_a_limited_rate_the_halves_of_a_step_come_first(solved, monkeypatch):
-    """And theirs, three times."""
-    limited = partial(film_at, limited=True)
-    monkeypatch.setattr(next_film, "time_level_of", lambda level, seconds: limited(seconds))
-    before = [limited(1.0), film_at(0.0)]
+def test_after_a_film_with_a_limited_rate_the_halves_of_a_step_come_first(solved):
+    before = [film_at(1.0, limited=True), film_at(0.0)]
     _, known, _, taken = next_film.reached(time_grid_until(0.5), Step(2.0, 0), before, [], False)
-    assert solved == [1 + part / 8 for part in range(1, 9)] and taken == 8
-    assert [film.seconds for film in known] == [1.875, 1.75, 1.625]
+    assert solved == [1.5, 2.0] and taken == 2
+    assert [film.seconds for film in known] == [1.5, 1.0, 0.0]
 
 
 def test_where_they_are_lost_the_whole_step_is_made_once(solved, monkeypatch):
@@ -143,8 +138,7 @@ def test_where_they_are_lost_the_whole_step_is_made_once(solved, monkeypatch):
     assert solved == [2.0] and known is before and taken == 1
 
 
-def test_halves_of_a_step_begin_on_the_grid_of_the_contact(solved, monkeypatch):
-    monkeypatch.setattr(next_film, "is_limited", lambda level: len(solved) < 2)
+def test_halves_of_a_step_begin_on_the_grid_of_the_contact(solved):
     before = [film_at(1.0), film_at(0.0)]
     next_film.reached(time_grid_until(1.75), Step(2.0, 0), before, [], False)
     assert solved == [2.0, 1.75, 2.0]
