@@ -201,7 +201,10 @@ class ContactSolver(ABC, Generic[ContactT, LevelT]):
         """The film of a level with this solver's transient term."""
 
     def from_dry(self, level: LevelT) -> LevelT | None:
-        """That film, begun with the dry contact; None where that is not known, or surfaces are smooth."""
+        """The film of a level with this solver's transient term, begun with the dry contact.
+
+        None where that is not known, or surfaces are smooth.
+        """
         return None
 
     @abstractmethod

@@ -223,7 +223,7 @@ class PointContactSolver(ContactSolver[Scene, PointLevel]):
         return again
 
     def from_dry(self, level: PointLevel) -> PointLevel | None:
-        """That of rough surfaces, begun with the dry contact on the grid of a level; else None."""
+        """The film between rough surfaces on the grid of a level, begun with the dry contact; else None."""
         if not level.film.rough:
             return None
         again = same_grid(self._scene, self._size, level, self._transient_term)

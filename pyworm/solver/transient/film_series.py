@@ -42,7 +42,7 @@ class FilmSeries:
     """Largest work, beyond which it is given up."""
 
     def reach(self, step: Step) -> Level:
-        """Go on to the film of a step; NoFilmError if there is none, TooMuchWorkError if too late."""
+        """Go on to the film of a step; NoFilmError if none is found, TooMuchWorkError beyond `most_work`."""
         before, heat = _led_on(self.time_grid, self.step, step, self.before, self.heat)
         self.step = step
         if before:
