@@ -46,7 +46,7 @@ MIN_SHARED_TASKS = 2
 """Number of tasks of one life from which they share its transient solve."""
 
 
-RATES = "rate", "rise", "warming", "pressing", "limited"
+RATES = "rate", "rise", "warming", "pressing", "limited", "content"
 """Fields of a rate of change; those that are None are not kept."""
 
 

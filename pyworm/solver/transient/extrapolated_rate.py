@@ -17,6 +17,7 @@ from pyworm.planning.grid import Grid
 from pyworm.planning.line_grid import LineGrid
 from pyworm.planning.target import AccuracyTarget
 from pyworm.solver.error_estimate import Reading, changes
+from pyworm.solver.transient.tied_rate import TiedRate
 from pyworm.solver.transient.time_integration import RateOfChange
 
 SECOND_ORDER, FIRST_ORDER = 1 / 3, 1.0
@@ -48,9 +49,9 @@ def share_left(readings: Sequence[Reading], target: AccuracyTarget) -> float:
 class ExtrapolatedRate:
     """d(rho h)/dt and remembered heat of two transient solves, extrapolated; a `level.TransientTerm`."""
 
-    coarse: RateOfChange
+    coarse: RateOfChange | TiedRate
     """That of the solve before."""
-    fine: RateOfChange
+    fine: RateOfChange | TiedRate
     """That of the last one."""
     share: float
     """Share of their difference that is left (`share_left`)."""

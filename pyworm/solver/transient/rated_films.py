@@ -23,7 +23,11 @@ from pyworm.solver.memory import shortage
 from pyworm.solver.newton import converge
 from pyworm.solver.transient.extrapolated_rate import ExtrapolatedRate, share_left
 from pyworm.solver.transient.rate_errors import rate_errors
+from pyworm.solver.transient.tied_rate import TiedRate
 from pyworm.solver.transient.time_integration import RateOfChange
+
+SolvedRate = RateOfChange | TiedRate
+"""A rate of change by a transient solve."""
 
 
 @dataclass(frozen=True)
@@ -34,7 +38,7 @@ class RatedFilms:
     """The contact."""
     plan: Plan
     """Its plan."""
-    found: tuple[RateOfChange, ...]
+    found: tuple[SolvedRate, ...]
     """Rates of change of each transient solve, the finest last."""
     slow: bool
     """Whether films settle slowly (`transient._settles_slowly`)."""
@@ -89,7 +93,7 @@ class RatedFilms:
 
 
 def rated_films(
-    scene: AnyContact, plan: Plan, found: Sequence[RateOfChange], slow: bool, level: Level
+    scene: AnyContact, plan: Plan, found: Sequence[SolvedRate], slow: bool, level: Level
 ) -> RatedFilms:
     """The films of a steady or transient film's grid with each of some rates of change."""
     readings: list[Reading] = []

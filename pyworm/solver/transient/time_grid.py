@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import ceil, exp, hypot, log
+from math import ceil, exp, hypot, inf, log
 
 import numpy as np
 import scipy
@@ -51,6 +51,9 @@ FOLDS = 1.0
 while oil passes, and as they come together it grows from nothing. With 2 the first and the second solve of
 `cases/zi_drive.toml` differ by 10 % in the least film at phase 0.06, with 1 by 8 %, at the same number of
 Newton steps, since each begins nearer to its end."""
+
+LEAST_PASSAGES = 0.1
+"""Passages of oil that a transit counts at least: a blow is over before oil has moved."""
 
 COVERED_KNOT_SHARE = 0.6
 """Share of the knots whose windows the grid covers on each side, of those of each direction of flow.
@@ -139,6 +142,7 @@ class TimeGrid:
     _log_spacing: tuple[np.polynomial.Polynomial, ...]
     _fitted: tuple[float, float]
     _transits: "scipy.interpolate.PPoly"
+    _passages: "scipy.interpolate.PPoly"
     approach: Approach | None = None
     """Surfaces that come together, if they do."""
     steps: float = 1.0
@@ -156,6 +160,11 @@ class TimeGrid:
         """Transit time of the oil at a time [s]."""
         return 1 / float(self._transits(seconds, 1))
 
+    def passages_of_transit(self, seconds: float) -> float:
+        """Passages of oil through the contact in a transit at a time [s], one at most."""
+        passages = float(self._passages(seconds, 1)) * self.transit(seconds)
+        return float(np.clip(passages, LEAST_PASSAGES, 1.0))
+
     def time_at(self, transits: float) -> float:
         """Time [s] at which so many transits have passed."""
         if transits >= self.transits(self.end):
@@ -163,6 +172,21 @@ class TimeGrid:
         return float(
             scipy.optimize.brentq(lambda t: self.transits(t) - transits, self.begin, self.end)
         )
+
+    def place_before(self, place: float, passages: float) -> float:
+        """Place [transits] from which oil goes so often through the contact up to another; -inf if none is.
+
+        Transits may be far shorter than a passage of oil: those of a life of less than `LEAST_TRANSITS` of
+        them, and where the load changes fast (`FOLDS`).
+        """
+        seconds = self.time_at(place)
+
+        def too_many(since: float) -> float:
+            return float(self._passages(seconds) - self._passages(since)) - passages
+
+        if too_many(self.begin) < 0:
+            return -inf
+        return self.transits(float(scipy.optimize.brentq(too_many, self.begin, seconds)))
 
     def come_together(self, seconds: float) -> bool:
         """Whether surfaces come together at a time, and films form between them."""
@@ -256,6 +280,7 @@ def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
         paced.insert(0, (life.touched, touching, predicted(touching)))
     paced_times, paced_contacts, expected = zip(*paced, strict=True)
     pace = _pace(paced_times, paced_contacts, expected, life)
+    passing = [1 / prediction.transit for prediction in expected]
     kind, turned = whole.work.kind, _turns_round(contacts_under_load)
     time_grid = TimeGrid(
         life,
@@ -266,6 +291,7 @@ def time_grid_of(life: Life, plan: Plan) -> TimeGrid:
         spacings,
         (times_under_load[0], times_under_load[-1]),
         pace,
+        _summed(paced_times, passing, life.duration),
         steps=STEPS_A_TRANSIT[kind] * (TURNED_STEPS[kind] if turned else 1),
     )
     if whole.work.kind == "line" or not life.touched > time_grid.begin:
@@ -503,12 +529,16 @@ def _pace(
         folds = each * _folds(before[1], after[1]) / (after[0] - before[0])
         for end in (number, number + 1):
             paces[end] = max(paces[end], folds)
-    ends = [0.0] * (times[0] > 0), [duration] * (times[-1] < duration)
-    times, paces = (
-        [*ends[0], *times, *ends[1]],
-        [*paces[:1] * len(ends[0]), *paces, *paces[-1:] * len(ends[1])],
-    )
-    return scipy.interpolate.PchipInterpolator(times, paces).antiderivative()
+    return _summed(times, paces, duration)
+
+
+def _summed(
+    times: Sequence[float], paces: Sequence[float], duration: float
+) -> "scipy.interpolate.PPoly":
+    """Integral of a pace over a life; before the first and after the last of its times it stays the same."""
+    knots = [0.0] * (times[0] > 0) + [*times] + [duration] * (times[-1] < duration)
+    known = np.interp(knots, times, paces)
+    return scipy.interpolate.PchipInterpolator(knots, known).antiderivative()
 
 
 def _folds(before: AnyContact, after: AnyContact) -> float:

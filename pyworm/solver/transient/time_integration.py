@@ -76,6 +76,8 @@ class RateOfChange:
     """Rate of change of the oil's pressure [Pa/s]; None likewise."""
     limited: bool = False
     """Whether it is limited anywhere in the contact (`backward_term`)."""
+    content: Array | None = None
+    """Oil of the film itself at its nodes, as of `time_level.TimeLevel` [m]; None where it is not known."""
 
     def on(self, grid: Grid | LineGrid) -> tuple[float, Array]:
         """Implicit [1/s] and explicit part [m/s] at nodes of a grid, a `solver.level.TransientTerm`."""
@@ -327,7 +329,8 @@ def _along(
                 restarts[time] = series.restart()
             for time in turns.get(step.seconds, ()):
                 then, levels = series.turned(time)
-                rates[time] = replace(_rate_of(time_grid, then, levels), limited=is_limited(then))
+                rate = _rate_of(time_grid, then, levels)
+                rates[time] = replace(rate, limited=is_limited(then), content=levels[0].content)
                 rigid_films[time] = then.film.rigid_film
         except NoLoadError as error:
             reason, unloaded = error, error.seconds

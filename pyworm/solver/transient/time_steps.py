@@ -65,7 +65,7 @@ def restart_place(time_grid: TimeGrid, seconds: float, solves: int) -> float | N
     """
     if not in_stretches(time_grid):
         return None
-    place = time_grid.place(seconds) - STRETCH * solves
+    place = time_grid.place_before(time_grid.place(seconds), STRETCH * solves)
     if time_grid.approach is None:
         return place if place >= FIRST_TRANSITS else None
     touched = time_grid.place(time_grid.life.touched)

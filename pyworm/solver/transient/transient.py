@@ -11,7 +11,7 @@ error, and a third time where that does not do.
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from math import ceil, inf, nextafter
+from math import ceil, floor, inf, nextafter
 
 import numpy as np
 
@@ -32,7 +32,8 @@ from pyworm.solver.transient.film_series import TooMuchWorkError
 from pyworm.solver.transient.next_film import MEMORY_TRANSITS, NoFilmError
 from pyworm.solver.transient.rate_errors import error_share, least_error
 from pyworm.solver.transient.rated_films import RatedFilms, rated_films
-from pyworm.solver.transient.time_grid import TimeGrid, time_grid_of
+from pyworm.solver.transient.tied_rate import tied
+from pyworm.solver.transient.time_grid import ROUNDING, TimeGrid, time_grid_of
 from pyworm.solver.transient.time_integration import (
     RateOfChange,
     TimeIntegration,
@@ -123,18 +124,19 @@ def parts_of(
     length = (whole - warm_up) / count
     firsts = [step * round((warm_up + length * number) / step) for number in range(1, count)]
     return tuple(
-        Part(_begin(time_grid, first - warm_up), first, last)
+        Part(step * floor(_begin(time_grid, first) / step + ROUNDING), first, last)
         for first, last in pairwise((0.0, *firsts, inf))
     )
 
 
-def _begin(time_grid: TimeGrid, place: float) -> float:
-    """Where a solve begins that may begin at a place [transits]: while surfaces come together with the life.
+def _begin(time_grid: TimeGrid, wanted: float) -> float:
+    """Where a solve begins whose films are wanted from a place on [transits].
 
     Oil at rest between surfaces nearly in touch, from which it would begin, is not what their approach has
     left: phase 0.1 of drive 3 of seed 99009 of `tests/hard`, 0.9 transits after the touch, had 15 % too much
     of it where a third solve began 1.1 transits before.
     """
+    place = time_grid.place_before(wanted, WARM_UP[time_grid.plan.work.kind])
     if place <= 0 or time_grid.come_together(time_grid.time_at(place)):
         return 0.0
     return place
@@ -187,7 +189,7 @@ def begin_of_one(time_grid: TimeGrid, seconds: float) -> float:
     kind = time_grid.plan.work.kind
     if kind == "line" or time_grid.life.kinks:
         return begin
-    return max(begin, _begin(time_grid, time_grid.place(seconds) - WARM_UP[kind]))
+    return max(begin, _begin(time_grid, time_grid.place(seconds)))
 
 
 def begin_of_further(
@@ -336,9 +338,11 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
         return Transient(None, level, dict.fromkeys(level.read().figures, inf), rates.flaw)
 
     slow = _settles_slowly(scene, rates, plan.work.kind)
-    first = films = rated_films(scene, plan, rates.found, slow, level)
-    while not films.within and (finer := films.finer()) is not None:
-        films = finer
+    first = rated_films(scene, plan, rates.found, slow, level)
+    films = _refined(first)
+    if not films.within and (solved := tied(scene, rates.found)):
+        by_ties = _refined(rated_films(scene, plan, solved, slow, level))
+        films = min(films, by_ties, key=lambda some: some.heat_error)
     level = first.level if films.rate is first.rate else first.with_rate(films.rate)
     flaw = None
     # finer grids of the present film would not mend that
@@ -349,6 +353,13 @@ def transient(scene: Scene | LineScene, plan: Plan, rates: Rates) -> Transient:
     return Transient(
         films.rate, level, films.errors, flaw, coarse, life, films.film_error, films.heat_error
     )
+
+
+def _refined(films: RatedFilms) -> RatedFilms:
+    """Films on grids so fine that what the transient solves leave is within its share, if any are."""
+    while not films.within and (finer := films.finer()) is not None:
+        films = finer
+    return films
 
 
 def _settles_slowly(scene: Scene | LineScene, rates: Rates, kind: Kind) -> bool:

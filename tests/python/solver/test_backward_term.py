@@ -196,12 +196,25 @@ def test_a_limited_rate_changes_the_balance_as_an_evaluation_of_the_whole_film_d
         film.limit_rate(np.full_like(first, np.nan))
 
 
-def course(heated, approach=None):
-    """What stands for a time grid."""
+def course(heated, approach=None, passages=1.0):
+    """What stands for a time grid, of whose transits each counts some passages of oil."""
     plan = SimpleNamespace(model=SimpleNamespace(heated=heated))
     return SimpleNamespace(
-        approach=approach, plan=plan, step=lambda refinement: 0.1 / 2**refinement
+        approach=approach,
+        plan=plan,
+        step=lambda refinement: 0.1 / 2**refinement,
+        passages_of_transit=lambda seconds: passages,
     )
+
+
+def test_films_settle_by_the_passages_of_oil_in_a_time_step():
+    """What a rate of change is off by is summed up along the flow: over more of the shorter steps."""
+    for hot, approach in ((False, None), (False, "approach"), (True, "approach")):
+        whole, third = (
+            settling_of(course(hot, approach, passages), Step(0.0, 1)).tolerance
+            for passages in (1.0, 1 / 3)
+        )
+        assert third == pytest.approx(whole / 9)
 
 
 def test_heated_films_of_surfaces_that_come_together_settle_in_exact_steps():
