@@ -55,8 +55,8 @@ class TiedRate:
         Beyond that of the solve its film differs from the gap by as much as on its edge.
         """
         tie = TIES / predicted(self.scene).transit
-        own, other = (self.scene.gap(*on.mesh())[0] for on in (self.grid, grid))
-        content = other + at_places(self.grid, self.content - own, grid)
+        gap, other_gap = (self.scene.gap(*on.mesh())[0] for on in (self.grid, grid))
+        content = other_gap + at_places(self.grid, self.content - gap, grid)
         _, rate = self.rate.on(grid)
         return tie, rate - tie * content
 

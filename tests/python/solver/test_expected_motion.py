@@ -89,11 +89,17 @@ def test_no_solve_begins_while_surfaces_come_together_but_with_their_life():
     """With oil at rest between surfaces nearly in touch it would begin with too much of it."""
     _, _, time_grid = moving(POINT, 0.05)
     touched, warm_up = time_grid.place(time_grid.life.touched), WARM_UP["point"]
+    formed, whole = touched + FORMING, time_grid.transits(time_grid.end)
     for later in (0.5, warm_up, warm_up + FORMING - 0.01):
         assert begin_of_one(time_grid, time_grid.time_at(touched + later)) == 0.0
-    later = warm_up + FORMING + 0.01
-    begin = begin_of_one(time_grid, time_grid.time_at(touched + later))
-    assert begin == pytest.approx(touched + later - warm_up)
+    remembers_not = next(
+        place
+        for place in np.arange(formed + warm_up, whole, 0.01)
+        if time_grid.place_before(place, warm_up) > formed
+    )
+    begin = begin_of_one(time_grid, time_grid.time_at(remembers_not))
+    assert begin == pytest.approx(time_grid.place_before(remembers_not, warm_up))
+    assert begin_of_one(time_grid, time_grid.time_at(remembers_not - 0.02)) == 0.0
 
 
 def test_two_further_solves_are_expected_of_a_coarse_request_and_none_beyond_the_third():

@@ -96,11 +96,14 @@ def test_solves_go_on_from_three_quarters_of_the_way_to_a_touch_that_films_remem
                 way * touched
             )
     place = time_grid.place(seconds_of(late))
-    assert restart_place(time_grid, seconds_of(late), 2) == pytest.approx(place - 2 * STRETCH)
+    assert restart_place(time_grid, seconds_of(late), 2) == pytest.approx(
+        place - 2 * STRETCH, abs=1e-3
+    )
     assert restart_place(time_grid, time_grid.time_at(0.9 * touched), 1) is None
     without = replace(time_grid, approach=None)
     assert restart_place(without, without.time_at(1.0), 1) is None
-    assert restart_place(without, without.time_at(3.0), 1) == pytest.approx(3.0 - STRETCH)
+    begun = restart_place(without, without.time_at(3.0), 1)
+    assert begun == pytest.approx(without.place_before(3.0, STRETCH))
     written = replace(time_grid, life=replace(time_grid.life, kinks=(0.1,)))
     assert restart_place(written, seconds_of(late), 1) is None
 
