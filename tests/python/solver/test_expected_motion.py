@@ -141,13 +141,17 @@ def test_a_further_solve_is_made_up_to_its_work_which_limited_rates_multiply(mon
         assert further.finest is not built and len(further.found) == 1 + built
 
 
-@pytest.mark.parametrize(("most", "built"), [(10.0, True), (0.5, False)])
+@pytest.mark.parametrize(
+    ("most", "least", "built"), [(10.0, 0.0, True), (0.5, 0.0, False), (0.5, 1e9, True)]
+)
 def test_a_further_solve_is_given_up_where_its_films_take_too_many_newton_steps(
-    monkeypatch, most, built
+    monkeypatch, most, least, built
 ):
+    """Unless that is little work all the same."""
     scene, plan, _ = moving(LINE, 0.5)
     rates = transient_module.rates_at_present(scene, plan)
     monkeypatch.setattr(transient_module, "MOST_NEWTON_STEPS", most)
+    monkeypatch.setattr(transient_module, "LEAST_WORK", least)
     further = transient_module.finer(scene, plan, rates)
     assert further.finest is not built and len(further.found) == 1 + built
 
