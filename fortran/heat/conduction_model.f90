@@ -36,10 +36,12 @@ contains
   pure subroutine conduction_errors(u, v, heat, semi_x, semi_y, diffusivity, mean_u, mean_v, uniform, along_paths)
     real(wp), intent(in) :: u(:, :), v(:, :), heat(:, :), semi_x, semi_y, diffusivity
     real(wp), intent(out) :: mean_u, mean_v, uniform, along_paths
-    real(wp) :: speed, cosine, sine, along, across, faster, aside, conducted
+    real(wp) :: share(size(u, 1), size(u, 2)), speed, cosine, sine, along, across, faster, aside, conducted
 
-    mean_u = sum(heat*u)/sum(heat)
-    mean_v = sum(heat*v)/sum(heat)
+    share = 1.0_wp/size(u) ! of surfaces that press nowhere yet
+    if (sum(heat) > 0) share = heat/sum(heat)
+    mean_u = sum(share*u)
+    mean_v = sum(share*v)
     speed = hypot(mean_u, mean_v)
     cosine = 1
     sine = 0
@@ -51,8 +53,8 @@ contains
     along = 1/hypot(cosine/semi_x, sine/semi_y)
     across = 1/hypot(sine/semi_x, cosine/semi_y)
     conducted = conducting_speed*diffusivity/min(along, across)
-    faster = sqrt(sum(heat*((u - mean_u)*cosine + (v - mean_v)*sine)**2)/sum(heat))
-    aside = sqrt(sum(heat*((v - mean_v)*cosine - (u - mean_u)*sine)**2)/sum(heat))
+    faster = sqrt(sum(share*((u - mean_u)*cosine + (v - mean_v)*sine)**2))
+    aside = sqrt(sum(share*((v - mean_v)*cosine - (u - mean_u)*sine)**2))
     uniform = (by_speed*faster + by_direction*aside*along/across)/(speed + conducted)
     along_paths = huge(1.0_wp)
     if (speed > 0) along_paths = by_conduction*diffusivity/min(along, across)/speed

@@ -190,8 +190,11 @@ contains
       call swept_rise(main, film)
       do k = 1, 2
         call from_sweep(main%way, main%flux(:, :, k), self%walls%flux(:, :, k))
+        ! where a surface has ended gaps are as wide as teeth, and oil that turns back in them would heat the other
+        where (.not. film%covered) self%walls%flux(:, :, k) = 0
         do i = 1, 2
           call from_sweep(main%way, main%admittance(:, :, i, k), self%walls%admittance(:, :, i, k))
+          where (.not. film%covered) self%walls%admittance(:, :, i, k) = 0
         end do
       end do
     end associate

@@ -65,7 +65,13 @@ class PointLevel(Level):
 def dry_contact(
     scene: Scene, grid: Grid, gap: Array, covered: Flags, guess: Array, load: float | None = None
 ) -> kernel.DryContact:
-    """The scene's dry contact on a grid, from a first pressure; under a `load` [N] other than its own."""
+    """The scene's dry contact on a grid, from a first pressure; under a `load` [N] other than its own.
+
+    A light contact whose point lies beyond an edge has no Hertz pressure where both surfaces exist: then it
+    is sought everywhere there.
+    """
+    if not np.any(guess[covered] > 0):
+        guess = np.ones(grid.shape)
     return kernel.dry_contact(
         gap,
         covered,
