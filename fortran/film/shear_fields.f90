@@ -62,9 +62,8 @@ contains
       else
         shear%py(:m) = 0
       end if
-      ! beyond the end of a surface nothing slides, and what is left of the gap there may be as thin as the floor
-      shear%us(:m) = merge(nodes%sliding_x(first:last, j), 0.0_wp, contact%covered(first:last, j))
-      shear%vs(:m) = merge(nodes%sliding_y(first:last, j), 0.0_wp, contact%covered(first:last, j))
+      shear%us(:m) = nodes%sliding_x(first:last, j)
+      shear%vs(:m) = nodes%sliding_y(first:last, j)
       if (contact%model%is_rough()) shear%wetted(:m) = 1 - contact%model%fields%rough%area(first:last, j)
       rise(:m, :) = nodes%rise(first:last, j, :)
     end associate

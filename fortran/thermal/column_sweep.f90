@@ -87,8 +87,8 @@ contains
     if (err /= 0) stat = status_no_memory
     call to_sweep(way, u1, self%u1)
     call to_sweep(way, v1, self%v1)
-    call to_sweep(way, merge(film%model%shear%nodes%sliding_x, 0.0_wp, film%covered), self%us)
-    call to_sweep(way, merge(film%model%shear%nodes%sliding_y, 0.0_wp, film%covered), self%vs)
+    call to_sweep(way, film%model%shear%nodes%sliding_x, self%us)
+    call to_sweep(way, film%model%shear%nodes%sliding_y, self%vs)
   end subroutine new_swept_columns
 
   !> Sets rates of change of temperature and pressure; the arguments are those of `change_with_time` of `thermal_step`.

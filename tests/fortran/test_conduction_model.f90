@@ -28,6 +28,7 @@ program test_conduction_model
   call turning("speed varies", 1 + 0.2_wp*x/semi_x, 0*x)
   call turning("a turn across the contact", -0.2_wp*y/semi_x, 1 + 0.2_wp*x/semi_x)
   call spinning()
+  call without_heat()
   call done()
 
 contains
@@ -53,6 +54,16 @@ contains
     call check(found < 1.5_wp*along_paths .and. found > along_paths/4, "conduction along paths")
     call check(greatest < of_greatest*along_paths, "greatest rise by paths")
   end subroutine one_velocity
+
+  !> A surface that nothing presses on yet has the mean velocity of its window.
+  subroutine without_heat()
+    real(wp) :: mean_u, mean_v, uniform, along_paths
+
+    call conduction_errors(1 + x/semi_x, 2 + 0*y, 0*heat, semi_x, semi_y, kappa, mean_u, mean_v, uniform, along_paths)
+    call close_to(mean_u, 1.0_wp, 1e-12_wp, "mean velocity without heat, along")
+    call close_to(mean_v, 2.0_wp, 1e-12_wp, "mean velocity without heat, across")
+    call check(uniform > 0 .and. uniform < 1, "error of a uniform velocity without heat")
+  end subroutine without_heat
 
   !> A surface so fast that conduction along its paths is nothing: the error of one velocity.
   subroutine turning(what, u, v)
