@@ -11,7 +11,7 @@ TOLERANCE = 0.06
 """Residual of the films over the square of the time step in passages of oil through the contact: half the
 step halves what Newton's iteration leaves in a rate of change, which a film sums up along the flow.
 
-In transits of the time grid, of which a passage is 3 to 9 where a life lasts two passages (drive 0 of seed
+In transits of the time grid, of which a passage is up to 13 where a life lasts two passages (drive 0 of seed
 99020 of `tests/hard`), friction by two solves differs by 56 % at phase 0.7, so by 20 %, at a sixth more
 time."""
 

@@ -109,7 +109,7 @@ CELLS = 8
 """Cells of the coarsest grid to either side of the contact point come in multiples of half of this."""
 
 ROUNDING = 1e-6
-"""Part of a cell by which a window may be short: rounding decides about no cells."""
+"""Part of a cell or a time step by which one may be short: rounding decides about none."""
 
 
 @dataclass(frozen=True)

@@ -44,8 +44,8 @@ from pyworm.solver.transient.time_records import TimeRecord, completed, curves, 
 from pyworm.solver.transient.time_steps import places_of
 
 WARM_UP: dict[Kind, float] = {"point": 2.0, "line": 3.0}
-"""Transits before the first wanted time at which a solve of a later part of a life begins, from a steady
-film.
+"""Passages of oil before the first wanted time at which a solve of a later part of a life begins, from a
+steady film.
 
 What that leaves is the same in all solves, so that their differences do not show it: under a speed that
 swings by 40 % in four transits 1.1 % of a thick film of a line after two transits, 0.01 % after four. Errors

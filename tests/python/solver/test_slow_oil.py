@@ -1,6 +1,5 @@
 """Lives of a contact that are hardly longer than the passage of oil through it."""
 
-from dataclasses import replace
 from math import inf
 
 import pytest
@@ -16,15 +15,11 @@ from pyworm.solver.transient.transient import WARM_UP, begin_of_one
 BALL = point("ball", (0.02, 0.02), 50.0, ((1.0, 0.0),) * 2, (STEEL, STEEL), mineral(0.09, 2e-8))
 
 
-def time_grid_for(passages, folds=0.0):
-    """That of a ball whose life lasts some passages of oil, while its load grows by some e-folds."""
+def time_grid_for(passages):
+    """That of a ball whose life lasts some passages of oil, and which does not change."""
     duration = passages * predicted(BALL).transit
-
-    def contact_at(seconds):
-        return replace(BALL, load=50.0 * (1 + folds * seconds / duration))
-
     plan = pyworm.plan(BALL, 0.05, ("isothermal", "squeeze"), ("film",))
-    return time_grid_of(Life(duration, contact_at), plan)
+    return time_grid_of(Life(duration, lambda seconds: BALL), plan)
 
 
 def test_passages_of_oil_are_counted_beside_transits():
