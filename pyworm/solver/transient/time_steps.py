@@ -17,8 +17,8 @@ from the second solve on. Films are thick there, and windows wide. In the least 
 and 0.1 (`benchmarks/accuracy/stretch_length.py`)."""
 
 STRETCH = 1.25
-"""Passages of oil before a wanted time through which a solve goes that begins from films of the one before: by
-then oil has left the contact that these films have brought there.
+"""Passages of oil before a wanted time through which a solve goes that begins from films of the one before:
+by then oil has left the contact that these films have brought there.
 
 Of what the first solve is off in the least film at phases 0.3 to 0.9, 16 to 25 % of
 `cases/zi_drive.toml` and 3 to 10 % of `cases/worm_drawing.toml`, it leaves 0.1 to 0.3 % of the film and
